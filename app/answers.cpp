@@ -121,12 +121,26 @@ QJsonValue optionalJson(const std::optional<double> &value)
 QJsonArray metricsJson(const std::vector<Metric> &metrics)
 {
     QJsonArray array;
-    for (const Metric &metric : metrics)
-        array.append(QJsonObject{{QStringLiteral("name"), QString::fromStdString(metric.name)},
-                                 {QStringLiteral("unit"), QString::fromStdString(metric.unit)},
-                                 {QStringLiteral("value"), metric.value},
-                                 {QStringLiteral("sigma"), optionalJson(metric.sigma)}});
+    for (const Metric &metric : metrics) {
+        QJsonObject one{{QStringLiteral("name"), QString::fromStdString(metric.name)},
+                        {QStringLiteral("unit"), QString::fromStdString(metric.unit)},
+                        {QStringLiteral("value"), metric.value},
+                        {QStringLiteral("sigma"), optionalJson(metric.sigma)}};
+        if (metric.isAtLeast)
+            one.insert(QStringLiteral("at_least"), true);
+        array.append(one);
+    }
     return array;
+}
+
+void insertMeasuredTime(QJsonObject &robot, const Profile &profile)
+{
+    QJsonArray gaps;
+    for (const TimeSpan &gap : profile.gaps)
+        gaps.append(QJsonObject{{QStringLiteral("from_s"), toSeconds(gap.begin)},
+                                {QStringLiteral("to_s"), toSeconds(gap.end)}});
+    robot.insert(QStringLiteral("gaps"), gaps);
+    robot.insert(QStringLiteral("measured_s"), profile.measuredS);
 }
 
 QJsonArray spikesJson(const std::vector<Spike> &spikes, const std::vector<Occlusion> &occlusions)

@@ -19,6 +19,8 @@ QJsonObject syncJson(const TrialRecord &trial);
 QJsonObject recordingJson(const RecordingRecord &recording);
 QJsonArray vectorJson(const Eigen::VectorXd &vector);
 QJsonArray metricsJson(const std::vector<Metric> &metrics);
+/// gaps[{from_s, to_s}], when nothing was measured, and measured_s, how long something was.
+void insertMeasuredTime(QJsonObject &robot, const Profile &profile);
 /// When it is ambiguous which robot it is: [{from_s, to_s, others[]}].
 QJsonArray doubtsJson(const std::vector<DoubtfulName> &doubts);
 /// When which view did not measure the whole of it: [{from_s, to_s, view, cause, other, reason}].

@@ -17006,7 +17006,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
 <context>
     <name>trajectory.figures_of_seen</name>
     <message>
-        <source>the metrics cover only the part that was seen</source>
+        <source>the metrics cover only the measured part</source>
         <translation>die Kennwerte gelten für den Teil, der zu sehen war</translation>
     </message>
 </context>

@@ -17006,7 +17006,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
 <context>
     <name>trajectory.figures_of_seen</name>
     <message>
-        <source>the metrics cover only the part that was seen</source>
+        <source>the metrics cover only the measured part</source>
         <translation>los indicadores son de la parte que se vio</translation>
     </message>
 </context>

@@ -17006,7 +17006,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>trajectory.figures_of_seen</name>
     <message>
-        <source>the metrics cover only the part that was seen</source>
+        <source>the metrics cover only the measured part</source>
         <translation>les valeurs portent sur la partie vue</translation>
     </message>
 </context>

@@ -16973,7 +16973,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
 <context>
     <name>trajectory.figures_of_seen</name>
     <message>
-        <source>the metrics cover only the part that was seen</source>
+        <source>the metrics cover only the measured part</source>
         <translation>指标只针对被看到的部分</translation>
     </message>
 </context>

@@ -305,7 +305,8 @@ QString metricText(const Metric &metric)
     const int decimals = isCount ? 0 : metric.sigma && *metric.sigma < 0.0005 ? 4 : 3;
     QString line = QStringLiteral("  %1 %2")
                        .arg(QString::fromStdString(metric.name), -16)
-                       .arg(metric.value, 0, 'f', decimals);
+                       .arg((metric.isAtLeast ? QStringLiteral("at least ") : QString()) +
+                            QString::number(metric.value, 'f', decimals));
     if (metric.sigma)
         line += QStringLiteral(" ±%1").arg(*metric.sigma, 0, 'f', decimals);
     return metric.unit == "1" ? line : line + QStringLiteral(" ") + QString::fromStdString(metric.unit);
@@ -385,6 +386,7 @@ Result<void> runShow(const QStringList &arguments, const CancelToken &cancel)
                           {QStringLiteral("height_m"), analysis.profile.heightM},
                           {QStringLiteral("height_estimated"), analysis.profile.heightEstimated},
                           {QStringLiteral("provenance"), provenanceJson(analysis, imported)}};
+        insertMeasuredTime(robot, analysis.profile);
         insertTaskAnswers(robot, analysis.profile);
         if (accuracy)
             robot.insert(QStringLiteral("truth"), truthJson(*accuracy));

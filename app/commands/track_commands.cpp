@@ -29,6 +29,7 @@ QJsonObject robotJson(const TrackedRobot &robot)
     json.insert(QStringLiteral("doubtful_s"), optionalJson(robot.doubtfulS));
     json.insert(QStringLiteral("doubts"), doubtsJson(robot.analysis.doubtfulNames));
     json.insert(QStringLiteral("occlusions"), occlusionsJson(robot.occlusions));
+    insertMeasuredTime(json, profile);
     insertTaskAnswers(json, profile);
     return json;
 }

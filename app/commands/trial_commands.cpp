@@ -168,6 +168,7 @@ QJsonObject robotJson(const ImportTracksJob::Imported &one)
                      {QStringLiteral("mean_speed_m_s"), metricValue(profile, "mean_speed")},
                      {QStringLiteral("max_speed_m_s"), metricValue(profile, "max_speed")},
                      {QStringLiteral("imported"), importedTrackJson(one.source)}};
+    insertMeasuredTime(json, profile);
     insertTaskAnswers(json, profile);
     return json;
 }

@@ -7,9 +7,11 @@
 #include <Eigen/Cholesky>
 #include <Eigen/QR>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <string_view>
 #include <vector>
 
 namespace odo {
@@ -48,14 +50,28 @@ double sigmaScale(const std::vector<RunInstant> &instants)
     return sigma / std::max(1.0, (high - low).norm());
 }
 
-/// Length, times and what hangs on both.
+/// Seconds of the gaps between two instants.
+double gapTimeS(const std::vector<RunInstant> &instants, std::size_t from, std::size_t to)
+{
+    double timeS = 0;
+    for (std::size_t i = from + 1; i <= to; ++i)
+        if (!instants[i].joined)
+            timeS += instants[i].timeS - instants[i - 1].timeS;
+    return timeS;
+}
+
+/// Length, times and what hangs on both, of what was measured; the duration alone goes on through gaps.
 void addCourse(std::vector<Metric> &metrics, const std::vector<RunInstant> &instants,
                const std::vector<MotionStretch> &motions, double scale)
 {
-    double duration = 0, path = 0, movingTime = 0, sigmaDuration = 0, sigmaPath = 0, chord = 0, sigmaEnds = 0;
+    double duration = 0, measured = 0, path = 0, movingTime = 0, sigmaDuration = 0, sigmaPath = 0, chord = 0,
+           sigmaEnds = 0, stops = 0;
     if (!motions.empty()) {
         const MotionStretch &first = motions.front(), &last = motions.back();
         duration = last.stopS - first.startS;
+        measured = duration - gapTimeS(instants, first.first, last.last);
+        for (std::size_t i = 1; i < motions.size(); ++i)
+            stops += gapTimeS(instants, motions[i - 1].last, motions[i].first) == 0;
         sigmaDuration = std::hypot(sigmaOfMoment(instants, first.first), sigmaOfMoment(instants, last.last));
         for (const MotionStretch &motion : motions) {
             path += lengthOf(motion, instants);
@@ -70,23 +86,22 @@ void addCourse(std::vector<Metric> &metrics, const std::vector<RunInstant> &inst
         sigmaPath = std::hypot(sigmaPath, scale * path);
         chord = (instants[last.last].point->position - instants[first.first].point->position).norm();
     }
-    const double meanSpeed = duration > 0 ? path / duration : 0;
+    const double meanSpeed = measured > 0 ? path / measured : 0;
     const double sigmaMean =
-        duration > 0 ? std::hypot(sigmaPath / duration, meanSpeed * sigmaDuration / duration) : 0;
+        measured > 0 ? std::hypot(sigmaPath / measured, meanSpeed * sigmaDuration / measured) : 0;
     const double straightness = path > 0 ? std::min(1.0, chord / path) : 0;
     const double sigmaStraight = path > 0 ? sigmaEnds * std::hypot(1.0, straightness) / path : 0;
     double sigmaMoving = 0;
     for (const MotionStretch &motion : motions)
         sigmaMoving = std::hypot(sigmaMoving, std::hypot(sigmaOfMoment(instants, motion.first),
                                                          sigmaOfMoment(instants, motion.last)));
-    const double stops = motions.empty() ? 0 : static_cast<double>(motions.size() - 1);
     metrics = {{"duration", "s", duration, sigmaDuration},
                {"path_length", "m", path, sigmaPath},
                {"mean_speed", "m/s", meanSpeed, sigmaMean},
                {"straightness", "1", straightness, sigmaStraight},
                {"moving_time", "s", movingTime, sigmaMoving},
                {"stops", "1", stops, std::nullopt},
-               {"standing_time", "s", std::max(0.0, duration - movingTime),
+               {"standing_time", "s", std::max(0.0, measured - movingTime),
                 motions.size() > 1 ? std::hypot(sigmaMoving, sigmaDuration) : 0.0}};
 }
 
@@ -104,6 +119,16 @@ void addCircle(std::vector<Metric> &metrics, const std::vector<RunInstant> &inst
     if (const auto circle = fitCircle(path))
         metrics.push_back({"circle_radius", "m", circle->radiusM,
                            std::hypot(circle->sigmaRadiusM, scale * circle->radiusM)});
+}
+
+/// Whatever a robot does in a gap, it can only make these larger.
+bool growsInGaps(std::string_view name)
+{
+    static constexpr std::array<std::string_view, 13> names{
+        "path_length",     "max_speed",      "max_accel", "max_turn_rate", "moving_time",
+        "standing_time",   "stops",          "laps",      "zone_breaches", "zone_time",
+        "cross_track_max", "path_completed", "zone_depth"};
+    return std::ranges::find(names, name) != names.end();
 }
 
 /// The fastest significant turn: by its rate minus twice its σ, as of a curve's largest value.
@@ -166,7 +191,18 @@ std::vector<Metric> measureRun(const std::vector<RunInstant> &instants)
         {"max_turn_rate", "rad/s", turn.value, turn.sigma},
     };
     addCircle(metrics, instants, motions, scale);
+    const std::vector<TimeSpan> gaps = gapsBetween(instants);
+    // The ends of a run say how straight it was only if all of it was seen.
+    if (!gaps.empty())
+        std::erase_if(metrics, [](const Metric &metric) { return metric.name == "straightness"; });
+    markLowerBounds(metrics, gaps);
     return metrics;
+}
+
+void markLowerBounds(std::vector<Metric> &metrics, const std::vector<TimeSpan> &gaps)
+{
+    for (Metric &metric : metrics)
+        metric.isAtLeast = !gaps.empty() && growsInGaps(metric.name);
 }
 
 double sigmaOfScale(const std::vector<Sample> &samples, const std::vector<ProfilePoint> &points)
@@ -270,10 +306,6 @@ std::optional<CircleFit> fitCircle(std::span<const Eigen::Vector2d> path)
         return std::nullopt;
     return fit;
 }
-
-namespace {
-
-} // namespace
 
 const Curve speedCurve{&ProfilePoint::speedMps, &ProfilePoint::sigmaSpeedMps, [](const RunInstant &instant) {
                            const double whole = sigmaOfPosition(*instant.point),

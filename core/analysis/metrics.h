@@ -18,12 +18,17 @@ namespace odo {
 /// p95_accel (m/s²; half and 95 % of the moving time stay below them), max_turn_rate (rad/s, either way), and
 /// where the path is a circle circle_radius (m, fitCircle). Moving means faster than 20 mm/s and than three σ
 /// of the speed, for at least three valid points in a row; the moments between frames are interpolated. Only
-/// the speed while moving is integrated, so noise adds nothing to the path of a robot that stands still. Gaps
-/// that are not bridged contribute their straight line. σ: from the profile's σ; the calibration's part as a
+/// the speed while moving is integrated, so noise adds nothing to the path of a robot that stands still. A gap (GapWatch) contributes to the duration alone: all others
+/// are of what was measured, mean_speed over the measured time, a pause
+/// that a gap interrupts is no stop, and
+/// straightness is left out. σ: from the profile's σ; the calibration's part as a
 /// common scale uncertainty. A maximum is that of the smoothed curve (see largest). A robot that never moves
 /// has a duration of 0, and 0 for all that depends on it.
 std::vector<Metric> measureRun(const std::vector<Sample> &samples, const std::vector<ProfilePoint> &points);
 std::vector<Metric> measureRun(const std::vector<RunInstant> &instants);
+
+/// Metric::isAtLeast of each, where the run has gaps.
+void markLowerBounds(std::vector<Metric> &metrics, const std::vector<TimeSpan> &gaps);
 
 /// The calibration's relative scale uncertainty: σ of each length, speed and acceleration among the metrics
 /// contains its value times this. 0 without a valid point.

@@ -12,6 +12,7 @@ namespace {
 constexpr double sigmasAboveRest = 3;
 constexpr std::size_t shortestMotion = 3; // points
 constexpr double longestCorrelationS = 1;
+constexpr double longestBridgedS = 1.5;
 
 double excess(const RunInstant &instant)
 {
@@ -28,16 +29,32 @@ double crossing(const RunInstant &a, const RunInstant &b)
 
 } // namespace
 
-void appendInstants(std::span<const Sample> samples, std::span<const ProfilePoint> points,
-                    double &commonSigmaM, std::vector<RunInstant> &instants)
+bool GapWatch::joins(double timeS)
+{
+    const double step = timeS - m_lastS;
+    const bool isJoined =
+        !m_skipped && (m_stepS == 0 || step <= std::max(longestBridgedS, bridgedIntervals * m_stepS));
+    if (isJoined)
+        m_stepS = step;
+    m_lastS = timeS;
+    m_skipped = false;
+    return isJoined;
+}
+
+void appendInstants(std::span<const Sample> samples, std::span<const ProfilePoint> points, RunState &state,
+                    std::vector<RunInstant> &instants)
 {
     for (std::size_t i = 0; i < points.size(); ++i) {
-        if (samples[i].position && !isRejected(samples[i].flags))
-            commonSigmaM = std::sqrt(std::max(0.0, samples[i].commonCovariance.trace() / 2));
-        if (points[i].valid)
-            instants.push_back({toSeconds(samples[i].time), &points[i],
-                                std::max(leastMovingMps, sigmasAboveRest * points[i].sigmaSpeedMps),
-                                commonSigmaM});
+        if (isUsed(samples[i]))
+            state.commonSigmaM = std::sqrt(std::max(0.0, samples[i].commonCovariance.trace() / 2));
+        if (!points[i].valid) {
+            state.gaps.skip();
+            continue;
+        }
+        const double timeS = toSeconds(samples[i].time);
+        instants.push_back({timeS, &points[i],
+                            std::max(leastMovingMps, sigmasAboveRest * points[i].sigmaSpeedMps),
+                            state.commonSigmaM, state.gaps.joins(timeS)});
     }
 }
 
@@ -46,9 +63,26 @@ std::vector<RunInstant> validInstants(const std::vector<Sample> &samples,
 {
     std::vector<RunInstant> instants;
     instants.reserve(points.size());
-    double commonSigmaM = 0;
-    appendInstants(samples, points, commonSigmaM, instants);
+    RunState state;
+    appendInstants(samples, points, state, instants);
     return instants;
+}
+
+std::vector<TimeSpan> gapsBetween(const std::vector<RunInstant> &instants)
+{
+    std::vector<TimeSpan> gaps;
+    for (std::size_t i = 1; i < instants.size(); ++i)
+        if (!instants[i].joined)
+            gaps.push_back({fromSeconds(instants[i - 1].timeS), fromSeconds(instants[i].timeS)});
+    return gaps;
+}
+
+void measureGaps(const std::vector<RunInstant> &instants, Profile &profile)
+{
+    profile.gaps = gapsBetween(instants);
+    profile.measuredS = instants.empty() ? 0 : instants.back().timeS - instants.front().timeS;
+    for (const TimeSpan &gap : profile.gaps)
+        profile.measuredS -= toSeconds(gap.end - gap.begin);
 }
 
 std::vector<MotionStretch> findMotions(const std::vector<RunInstant> &instants)
@@ -60,12 +94,13 @@ std::vector<MotionStretch> findMotions(const std::vector<RunInstant> &instants)
             continue;
         }
         std::size_t last = i;
-        while (last + 1 < instants.size() && excess(instants[last + 1]) > 0)
+        const auto goesOn = [&](std::size_t next) { return next < instants.size() && instants[next].joined; };
+        while (goesOn(last + 1) && excess(instants[last + 1]) > 0)
             ++last;
         if (last + 1 - i >= shortestMotion) {
-            const double start = i > 0 ? crossing(instants[i - 1], instants[i]) : instants[i].timeS;
-            const double stop = last + 1 < instants.size() ? crossing(instants[last], instants[last + 1])
-                                                           : instants[last].timeS;
+            const double start = goesOn(i) ? crossing(instants[i - 1], instants[i]) : instants[i].timeS;
+            const double stop =
+                goesOn(last + 1) ? crossing(instants[last], instants[last + 1]) : instants[last].timeS;
             motions.push_back({i, last, start, stop});
         }
         i = last + 1;
@@ -162,11 +197,14 @@ std::vector<MeasuredPlace> measuredPlaces(const std::vector<Sample> &samples,
 {
     std::vector<MeasuredPlace> places;
     Eigen::Matrix2d common = Eigen::Matrix2d::Zero(); // of the last used sample
+    GapWatch gaps;
     for (std::size_t i = 0; i < points.size(); ++i) {
-        if (samples[i].position && !isRejected(samples[i].flags))
+        if (isUsed(samples[i]))
             common = samples[i].commonCovariance;
-        if (!points[i].valid)
+        if (!points[i].valid) {
+            gaps.skip();
             continue;
+        }
         MeasuredPlace place;
         place.timeS = toSeconds(samples[i].time);
         place.point = &points[i];
@@ -175,7 +213,7 @@ std::vector<MeasuredPlace> measuredPlaces(const std::vector<Sample> &samples,
         const double y = std::max(0.0, std::pow(points[i].sigmaYM, 2) - common(1, 1));
         const double both = correlationOf(samples[i]) * std::sqrt(x * y);
         place.own << x, both, both, y;
-        place.joined = i > 0 && points[i - 1].valid;
+        place.joined = gaps.joins(place.timeS);
         places.push_back(place);
     }
     return places;

@@ -16,6 +16,7 @@ struct RunInstant
     const ProfilePoint *point = nullptr;
     double thresholdMps = 0; ///< above it the robot counts as moving
     double commonSigmaM = 0; ///< of the position, from the calibration alone
+    bool joined = false;     ///< no gap since the instant before it
 };
 
 /// A stretch of motion: first and last instant above the threshold, and the interpolated moments of crossing
@@ -26,19 +27,48 @@ struct MotionStretch
     double startS = 0, stopS = 0;
 };
 
+/// So many times its usual interval is bridged of a track that is slower by itself than the longest gap.
+inline constexpr int bridgedIntervals = 4;
+
+/// Tells gaps of a run while it goes through the points in order of time. Between two valid points is a gap
+/// where others that are not valid are between them, or where more time passed than is bridged: 1.5 s, or
+/// bridgedIntervals times the step before it.
+class GapWatch
+{
+public:
+    void skip() { m_skipped = true; } ///< a point that is not valid
+    /// A valid point. Whether it follows the one before it without a gap; false for the first.
+    bool joins(double timeS);
+
+private:
+    double m_lastS = 0, m_stepS = 0; ///< the last valid point; the last step without a gap, 0: none yet
+    bool m_skipped = true;           ///< since the last valid point, or there was none
+};
+
+/// What is carried from one part of a run to the next.
+struct RunState
+{
+    double commonSigmaM = 0; ///< of the last used sample
+    GapWatch gaps;
+};
+
 /// The valid points in order of time.
 std::vector<RunInstant> validInstants(const std::vector<Sample> &samples,
                                       const std::vector<ProfilePoint> &points);
-/// Those of a part of a run, behind the ones before. commonSigmaM: of the last used sample so far, 0 at
-/// first.
-void appendInstants(std::span<const Sample> samples, std::span<const ProfilePoint> points,
-                    double &commonSigmaM, std::vector<RunInstant> &instants);
+/// Those of a part of a run, behind the ones before.
+void appendInstants(std::span<const Sample> samples, std::span<const ProfilePoint> points, RunState &state,
+                    std::vector<RunInstant> &instants);
+
+/// Where nothing is known of the robot between its first and its last instant, in order of time.
+std::vector<TimeSpan> gapsBetween(const std::vector<RunInstant> &instants);
+/// Sets gaps and measuredS of a profile from its instants.
+void measureGaps(const std::vector<RunInstant> &instants, Profile &profile);
 
 /// No robot moves more slowly.
 inline constexpr double leastMovingMps = 0.02;
 
 /// Where the robot moves: faster than leastMovingMps and than three σ of the speed, for at least three
-/// instants.
+/// instants. A stretch ends at a gap: what happens there is not known.
 std::vector<MotionStretch> findMotions(const std::vector<RunInstant> &instants);
 
 /// σ of the moment of crossing the threshold next to an instant: the speed's σ over its steepness, at most
@@ -72,7 +102,7 @@ struct MeasuredPlace
     double timeS = 0;
     const ProfilePoint *point = nullptr; ///< refers to the profile it was made from
     Eigen::Matrix2d own = Eigen::Matrix2d::Zero(), common = Eigen::Matrix2d::Zero();
-    bool joined = false; ///< the point before it is valid too: no gap between
+    bool joined = false; ///< no gap since the place before it
 };
 
 /// The valid points in order of time, as validInstants gives them. A profile keeps σ of x and y alone: their

@@ -92,6 +92,9 @@ struct Metric
     std::string unit;
     double value = 0;
     std::optional<double> sigma;
+    /// The robot was not measured all the time, and what it did meanwhile can only make the value larger.
+    /// Metrics of such a run are of its measured part.
+    bool isAtLeast = false;
 };
 
 /// A spike, described for a person.
@@ -128,6 +131,8 @@ struct Profile
     std::vector<Spike> spikes;
     std::vector<Metric> metrics;
     std::vector<GatePassage> passages; ///< in order of time; none without a task
+    std::vector<TimeSpan> gaps; ///< between the first and the last valid point, when nothing was measured
+    double measuredS = 0;       ///< from the first to the last valid point, without the gaps
     /// Of a long imported track, whose samples are not held: the flags of each of them. Empty otherwise.
     std::vector<SampleFlags> flags;
     double heightM = 0; ///< of the robot's top; its median where it varies

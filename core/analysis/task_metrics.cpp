@@ -3,6 +3,7 @@
 
 #include "core/analysis/gate_passages.h"
 #include "core/analysis/internal/path_following.h"
+#include "core/analysis/metrics.h"
 #include "core/analysis/motion_stretches.h"
 
 #include <algorithm>
@@ -120,9 +121,18 @@ void addPath(std::vector<Metric> &metrics, const ReferencePath &path, const std:
     metrics.push_back({"path_completed", "1", completedShare(path, followed), std::nullopt});
 }
 
-void addTimes(std::vector<Metric> &metrics, const Task &task, const std::vector<GatePassage> &passages)
+/// A gate may have been passed in a gap unseen: what spans one is perhaps more than one lap.
+bool hasGap(const Lap &lap, const std::vector<TimeSpan> &gaps)
 {
-    const std::vector<Lap> laps = lapsOf(passages);
+    const Nanoseconds end = lap.start + fromSeconds(lap.timeS);
+    return std::ranges::any_of(gaps,
+                               [&](const TimeSpan &gap) { return gap.begin < end && lap.start < gap.end; });
+}
+
+void addTimes(std::vector<Metric> &metrics, const Task &task, const std::vector<GatePassage> &passages,
+              const std::vector<TimeSpan> &gaps)
+{
+    std::vector<Lap> laps = lapsOf(passages);
     const bool oneGate = std::any_of(task.gates.begin(), task.gates.end(),
                                      [](const Gate &gate) { return gate.role == GateRole::StartFinish; });
     if (!oneGate) {
@@ -131,6 +141,7 @@ void addTimes(std::vector<Metric> &metrics, const Task &task, const std::vector<
         return;
     }
     metrics.push_back({"laps", "1", static_cast<double>(laps.size()), std::nullopt});
+    std::erase_if(laps, [&](const Lap &lap) { return hasGap(lap, gaps); });
     if (laps.empty())
         return;
     const Lap &best = *std::min_element(laps.begin(), laps.end(),
@@ -153,11 +164,13 @@ TaskFigures measureTask(const Task &task, const std::vector<Sample> &samples,
 {
     TaskFigures figures;
     figures.passages = findPassages(task.gates, samples, points);
-    addTimes(figures.metrics, task, figures.passages);
+    const std::vector<TimeSpan> gaps = gapsBetween(validInstants(samples, points));
+    addTimes(figures.metrics, task, figures.passages, gaps);
     if (!task.path.points.empty())
         addPath(figures.metrics, task.path, samples, points);
     const std::vector<Metric> zones = measureZones(task.zones, samples, points);
     figures.metrics.insert(figures.metrics.end(), zones.begin(), zones.end());
+    markLowerBounds(figures.metrics, gaps);
     return figures;
 }
 

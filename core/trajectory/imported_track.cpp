@@ -20,7 +20,6 @@ namespace {
 constexpr double firstNoiseM = 0.001, mostNoiseM = 1;
 constexpr int noiseRounds = 3;
 constexpr std::size_t noisePositions = 20000; // say as much of the noise as an hour of them
-constexpr int bridgedIntervals = 4;
 // A stated σ counts as ours do: it says where the scale begins, and many positions say more.
 constexpr double statedTrust = 200;
 
@@ -238,7 +237,7 @@ private:
             m_used += isUsed(track.samples[i]);
         }
         appendInstants(std::span(track.samples).subspan(begin - from, end - begin),
-                       std::span(m_profile.points).subspan(begin), m_commonSigmaM, m_instants);
+                       std::span(m_profile.points).subspan(begin), m_state, m_instants);
         return {};
     }
 
@@ -247,6 +246,7 @@ private:
         if (m_used < 3 || m_instants.empty())
             return notEnoughData(m_raw.count, m_used, chooseLonger());
         m_profile.metrics = measureRun(m_instants);
+        measureGaps(m_instants, m_profile);
         m_instants = {};
         if (m_options.task)
             ODO_TRY(measureByTask());
@@ -271,7 +271,7 @@ private:
     SpikeVerdict m_known;
     Profile m_profile;
     std::vector<RunInstant> m_instants;
-    double m_commonSigmaM = 0;
+    RunState m_state;
     std::size_t m_used = 0;
 };
 

@@ -345,6 +345,11 @@ bool mostlyUnseen(const std::vector<Sample> &samples, std::size_t begin, std::si
     return 2 * unseen > end - begin;
 }
 
+Message ofMeasuredPart()
+{
+    return ODO_TEXT("trajectory.figures_of_seen", "the metrics cover only the measured part");
+}
+
 Message unseenStretch(const Sample &left, const Sample *back)
 {
     const MessageArgument since = quantity(toSeconds(left.time), 1, "s"),
@@ -355,11 +360,19 @@ Message unseenStretch(const Sample &left, const Sample *back)
               : ODO_TEXT("trajectory.unseen_after", "no view sees it after %1 (it was at X %2, Y %3)")(since,
                                                                                                        x, y),
          ODO_TEXT("trajectory.move_camera", "move or add a camera to cover the whole task"),
-         ODO_TEXT("trajectory.figures_of_seen", "the metrics cover only the part that was seen")},
+         ofMeasuredPart()},
         Join::Semicolon);
 }
 
 } // namespace
+
+Message unmeasuredSentence(const TimeSpan &gap)
+{
+    return joined({ODO_TEXT("trajectory.unmeasured_between", "nothing was measured from %1 to %2")(
+                       quantity(toSeconds(gap.begin), 1, "s"), quantity(toSeconds(gap.end), 1, "s")),
+                   ofMeasuredPart()},
+                  Join::Semicolon);
+}
 
 std::vector<Message> describeUnseenStretches(const Profile &profile, Nanoseconds longestBridgedGap)
 {
@@ -371,8 +384,12 @@ std::vector<Message> describeUnseenStretches(const Profile &profile, Nanoseconds
             continue;
         const Sample &next = samples[i];
         const auto since = last ? static_cast<std::size_t>(last - samples.data()) + 1 : i;
-        if (last && next.time - last->time > longestBridgedGap && mostlyUnseen(samples, since, i))
-            sentences.push_back(unseenStretch(*last, &next));
+        if (last && next.time - last->time > longestBridgedGap) {
+            if (since == i) // not even a frame
+                sentences.push_back(unmeasuredSentence({last->time, next.time}));
+            else if (mostlyUnseen(samples, since, i))
+                sentences.push_back(unseenStretch(*last, &next));
+        }
         last = &next;
     }
     if (!last)

@@ -73,5 +73,7 @@ std::vector<std::vector<Occlusion>> findOcclusions(std::span<const OcclusionView
 /// the end. It says when and where the robot left and what to do. Without subject, to be put behind
 /// "robot R: ".
 std::vector<Message> describeUnseenStretches(const Profile &profile, Nanoseconds longestBridgedGap);
+/// Of a gap in whatever track, without subject.
+Message unmeasuredSentence(const TimeSpan &gap);
 
 } // namespace odo

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Every stated σ of a metric against the scatter of that metric over many noisy runs of known truth.
 #include "core/analysis/metrics.h"
+#include "core/analysis/motion_stretches.h"
 #include "core/trajectory/internal/track_profile.h"
 
 #include "tests/support/registered_test.h"
@@ -42,13 +43,16 @@ Course wave()
     };
 }
 
+/// Without the frames between two times, in which the clock may go on.
 std::vector<Metric> measured(const Course &course, double durationS, double sigmaM, std::mt19937 &random,
-                             double jerkDensity = 20)
+                             double jerkDensity = 20, double fromS = 0, double toS = 0)
 {
     std::vector<Sample> samples;
     std::normal_distribution<double> noise(0, sigmaM);
     for (int i = 0; i < durationS * 30; ++i) {
         Sample sample;
+        if (i / 30.0 > fromS && i / 30.0 < toS)
+            continue;
         sample.frame = i;
         sample.time = fromSeconds(i / 30.0);
         sample.position = course(i / 30.0).position + Eigen::Vector2d(noise(random), noise(random));
@@ -114,6 +118,54 @@ private Q_SLOTS:
         QVERIFY(std::abs(metrics["moving_time"].value + metrics["standing_time"].value -
                          metrics["duration"].value) < 1e-9);
         QCOMPARE(metrics.count("circle_radius"), std::size_t(0));
+    }
+
+    /// Even speed on a circle of one turn in 6.28 s; 4 s of the second turn have no frames.
+    void aGapIsNotDriven()
+    {
+        std::mt19937 random(3);
+        auto metrics = byName(measured(circleWithRests(0.5, 2, 0.5, 12), 13, 0.0005, random, 20, 6, 10));
+        const double whole = 0.5 * 12.25;
+        QVERIFY2(std::abs(metrics["path_length"].value - (whole - 4 * 0.5)) < 0.02,
+                 qPrintable(QString::number(metrics["path_length"].value)));
+        QVERIFY(metrics["path_length"].isAtLeast);
+        QVERIFY(std::abs(metrics["mean_speed"].value - (whole - 2) / (12.5 - 4)) < 0.01);
+        QVERIFY(!metrics["mean_speed"].isAtLeast);
+        QVERIFY(std::abs(metrics["duration"].value - 12.5) < 0.1);
+        QCOMPARE(metrics["stops"].value, 0.0);
+        QVERIFY(metrics["stops"].isAtLeast);
+        QVERIFY(metrics["standing_time"].value < 0.1);
+        QCOMPARE(metrics.count("straightness"), std::size_t(0));
+    }
+
+    /// It stands when it is seen again, and stood when it was seen last: whether it moved meanwhile is not
+    /// known.
+    void aPauseWithAGapIsNoStop()
+    {
+        const Course course = [](double t) {
+            Truth truth;
+            truth.position.x() = 0.4 * (std::clamp(t, 0.0, 2.0) + std::clamp(t - 8, 0.0, 2.0));
+            return truth;
+        };
+        std::mt19937 random(4);
+        auto metrics = byName(measured(course, 11, 0.0005, random, 20, 3, 6));
+        QCOMPARE(metrics["stops"].value, 0.0);
+        QVERIFY2(std::abs(metrics["path_length"].value - 1.6) < 0.03,
+                 qPrintable(QString::number(metrics["path_length"].value)));
+        QVERIFY(std::abs(metrics["standing_time"].value - 3) < 0.3);
+    }
+
+    /// A position every two seconds is a slow track, and a missing one no gap yet; five are.
+    void slowTracksHaveOtherGaps()
+    {
+        GapWatch watch;
+        QVERIFY(!watch.joins(0)); // there is nothing before it
+        for (const double timeS : {2.0, 4.0, 8.0, 10.0, 12.0})
+            QVERIFY(watch.joins(timeS));
+        QVERIFY(!watch.joins(24));
+        QVERIFY(watch.joins(26));
+        watch.skip();
+        QVERIFY(!watch.joins(28));
     }
 
     void sigmasAgreeWithMonteCarlo_data()

@@ -8,7 +8,7 @@
 using namespace odo;
 using namespace odo::test;
 
-/// A robot that leaves all views: the metrics cover only the part that was seen, and a sentence says so.
+/// A robot that leaves all views: the metrics cover only the measured part, and a sentence says so.
 class TestUnseenStretches : public QObject
 {
     Q_OBJECT
@@ -43,7 +43,7 @@ private Q_SLOTS:
         QCOMPARE(
             sentences(profile).front(),
             std::string("no view sees it after 6.3 s (it was at X 0.26 m, Y 0.40 m); move or add a camera "
-                        "to cover the whole task; the metrics cover only the part that was seen"));
+                        "to cover the whole task; the metrics cover only the measured part"));
         // What was seen is measured all the same.
         const auto pathLength =
             std::find_if(profile->metrics.begin(), profile->metrics.end(),
@@ -58,6 +58,17 @@ private Q_SLOTS:
         QCOMPARE(sentences(profile).size(), std::size_t(1));
         QVERIFY(sentences(profile).front().starts_with(
             "no view sees it from 3.0 s to 6.0 s (it was at X -0.40 m, Y 0.40 m); move or add a camera"));
+    }
+
+    void framesThatAreMissing()
+    {
+        auto profile = run([](double) { return false; });
+        std::erase_if(profile->samples, [](const Sample &sample) {
+            return sample.time > std::chrono::seconds(2) && sample.time < std::chrono::seconds(5);
+        });
+        QCOMPARE(sentences(profile),
+                 std::vector<std::string>{
+                     "nothing was measured from 2.0 s to 5.0 s; the metrics cover only the measured part"});
     }
 
     void nothingIsSaidOfWhatIsBridged()

@@ -12,7 +12,7 @@
 namespace odo {
 namespace {
 constexpr std::chrono::seconds longestWait{10};
-constexpr std::chrono::milliseconds lookEach{50};
+constexpr std::chrono::milliseconds askEach{50};
 } // namespace
 
 QImage paintWindow(MainWindow &window, QSize size, const CancelToken &cancel)
@@ -30,7 +30,7 @@ QImage paintWindow(MainWindow &window, QSize size, const CancelToken &cancel)
     QObject::connect(&window, &MainWindow::settled, &loop, &QEventLoop::quit);
     limit.start(longestWait);
     QObject::connect(&cancelled, &QTimer::timeout, &loop, &QEventLoop::quit);
-    cancelled.start(lookEach);
+    cancelled.start(askEach);
     while (!window.isSettled() && limit.isActive() && !cancel.isCancelled())
         loop.exec();
     QCoreApplication::processEvents();

@@ -211,7 +211,10 @@ ShownUnit metricUnit(const Metric &metric)
 FigureText metricFigure(const Metric &metric, const QLocale &locale)
 {
     const auto sigma = metric.name == "path_completed" ? std::nullopt : metric.sigma;
-    return shownFigure(metric.value, sigma, metricUnit(metric), locale);
+    FigureText figure = shownFigure(metric.value, sigma, metricUnit(metric), locale);
+    if (metric.isAtLeast)
+        figure.value.prepend(QStringLiteral("≥ "));
+    return figure;
 }
 
 QString metricName(const std::string &name)

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/analysis/metrics.h"
+#include "core/analysis/motion_stretches.h"
 #include "core/analysis/task.h"
 #include "core/project/internal/analysis_digest.h"
 #include "core/project/internal/connection.h"
@@ -246,6 +248,8 @@ Result<void> readSeries(const ProjectConnection &connection, AnalysisRecord &int
     }
     into.profile.samples = std::move(samples);
     into.profile.points = std::move(points);
+    measureGaps(validInstants(into.profile.samples, into.profile.points), into.profile);
+    markLowerBounds(into.profile.metrics, into.profile.gaps);
     return {};
 }
 

@@ -48,7 +48,9 @@ Result<Profile> profileOfTrack(FusedTrack track, const AnalysisOptions &options,
                              ODO_TEXT("trajectory.choose_longer_video",
                                       "choose a longer video, or check the robot's colour and the light"));
     profile.spikes = describeSpikes(track, profile.points, options.longestBridgedGap);
-    profile.metrics = measureRun(track.samples, profile.points);
+    const std::vector<RunInstant> instants = validInstants(track.samples, profile.points);
+    profile.metrics = measureRun(instants);
+    measureGaps(instants, profile);
     if (options.task) {
         TaskFigures figures = measureTask(*options.task, track.samples, profile.points);
         profile.passages = std::move(figures.passages);

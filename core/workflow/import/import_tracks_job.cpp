@@ -15,6 +15,7 @@
 #include "core/trajectory/imported_track.h"
 #include "core/workflow/import/teams.h"
 #include "core/workflow/shared_words.h"
+#include "core/workflow/track/track_warnings.h"
 #include "core/workflow/track/view_tracking.h"
 
 #include <algorithm>
@@ -263,6 +264,8 @@ Result<void> ImportTracksJob::analyse(std::size_t robot)
     analysis = newAnalysis(m_trial, record, {}, std::move(analysed->options));
     analysis.task = m_task ? m_task->id : 0;
     analysis.profile = std::move(analysed->profile);
+    for (Message &warning : analysisWarnings(analysis, m_settings.trial))
+        m_warnings.push_back(std::move(warning));
     return {};
 }
 

@@ -44,8 +44,10 @@ double partFound(const std::vector<TrackedView> &tracked, std::size_t robot)
 std::vector<Message> analysisWarnings(const AnalysisRecord &analysis, const std::string &trialName)
 {
     std::vector<Message> sentences;
-    if (!analysis.views.empty()) // of an imported track no camera could be moved
+    if (!analysis.views.empty())
         sentences = describeUnseenStretches(analysis.profile, analysis.options.longestBridgedGap);
+    else // of an imported track no camera could be moved
+        std::ranges::transform(analysis.profile.gaps, std::back_inserter(sentences), unmeasuredSentence);
     if (analysis.proof == AnalysisRecord::Proof::Broken)
         sentences.insert(sentences.begin(), changedResults());
     if (Message apart = viewsApartSentence(analysis.profile); !apart.isEmpty())

@@ -28,7 +28,7 @@ namespace {
 
 const QString ending = QStringLiteral("pdf");
 
-ReportSubject trialSubject(const std::string &trial)
+ReportSubject subjectOfTrial(const std::string &trial)
 {
     const QString name = QString::fromStdString(trial);
     return {ReportActions::tr("The trial %1").arg(name), name, {trial}, {}, false};
@@ -60,7 +60,7 @@ QList<ReportSubject> ReportActions::shownSubjects() const
 {
     QList<ReportSubject> subjects;
     if (const TrialScenePtr scene = m_pages->scene())
-        subjects << trialSubject(scene->trial.name);
+        subjects << subjectOfTrial(scene->trial.name);
     if (m_pages->mode() == ProjectPages::Mode::Compare)
         if (const ComparisonScenePtr scene = m_pages->compare().scene()) {
             const QString words =
@@ -102,7 +102,7 @@ void ReportActions::ask()
 void ReportActions::askTrials(const QStringList &trials)
 {
     if (trials.size() == 1)
-        return ask({trialSubject(trials.front().toStdString())});
+        return ask({subjectOfTrial(trials.front().toStdString())});
     ReportSubject subject{
         tr("%n trial(s), a page each", "", int(trials.size())), tr("Trials"), {}, {}, false};
     for (const QString &trial : trials)
