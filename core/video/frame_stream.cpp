@@ -45,7 +45,6 @@ struct FrameStream::Impl
 
     std::unique_ptr<VideoReader> reader; ///< used by one thread alone, but for its info, which never changes
     BoundedQueue<Frame> queue;
-    std::atomic<std::int64_t> damaged = 0;
     std::atomic<std::int64_t> cpuNs = 0;
     Result<void> end; ///< of the thread, before it closes the queue
     std::thread thread;
@@ -56,8 +55,8 @@ Result<std::optional<Frame>> FrameStream::Impl::readOne(const std::optional<Pixe
 {
     const Nanoseconds begin = threadCpuTime();
     auto frame = reader->next(region);
-    for (; !frame && frame.error().code == ErrorCode::InvalidInput; frame = reader->next(region))
-        ++damaged; // the reader has stepped over it
+    while (!frame && frame.error().code == ErrorCode::InvalidInput)
+        frame = reader->next(region); // it has stepped over a damaged one
     cpuNs += (threadCpuTime() - begin).count();
     return frame;
 }
@@ -107,11 +106,6 @@ const VideoInfo &FrameStream::info() const
 Result<std::optional<Frame>> FrameStream::pop(const std::optional<PixelRect> &region)
 {
     return m_impl->thread.joinable() ? m_impl->popAhead() : m_impl->readOne(region);
-}
-
-std::int64_t FrameStream::damagedFrames() const
-{
-    return m_impl->damaged;
 }
 
 Nanoseconds FrameStream::decodeCpuTime() const

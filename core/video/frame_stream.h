@@ -25,10 +25,9 @@ public:
     FrameStream &operator=(const FrameStream &) = delete;
 
     const VideoInfo &info() const;
-    /// The next frame; nullopt at the end. Waits for the reading thread. Damaged frames are skipped and
-    /// counted. A stream that reads ahead cannot heed the region: its frames are whole.
+    /// The next frame; nullopt at the end. Waits for the reading thread. Damaged frames are left out.
+    /// A stream that reads ahead cannot heed the region: its frames are whole.
     Result<std::optional<Frame>> pop(const std::optional<PixelRect> &region = std::nullopt);
-    std::int64_t damagedFrames() const;
     /// CPU time that reading has taken so far, on whatever thread.
     Nanoseconds decodeCpuTime() const;
 

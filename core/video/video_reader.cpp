@@ -81,6 +81,12 @@ Result<libav::CodecPtr> openDecoder(const VideoInput &input)
     return decoder;
 }
 
+/// The decoder found nothing wrong in it.
+bool isSound(const AVFrame &picture)
+{
+    return picture.decode_error_flags == 0 && (picture.flags & AV_FRAME_FLAG_CORRUPT) == 0;
+}
+
 } // namespace
 
 struct VideoReader::Impl
@@ -103,6 +109,9 @@ struct VideoReader::Impl
     bool draining = false;
     bool beganMidway = false;  ///< nothing has come out of the decoder since it began at a key frame
     bool hasChecksums = false; ///< of FFV1: known as soon as one held
+    /// A picture was damaged, and those after it are predicted from it, up to the next key frame: the decoder
+    /// conceals what it lacks and says nothing of it in them.
+    bool isSpoiled = false;
 
     Message cannotDecode(std::size_t frame) const
     {
@@ -116,6 +125,8 @@ struct VideoReader::Impl
     Result<void> restart();
     bool startAt(std::size_t keyPacket);
     bool isWhole(const AVPacket &coded);
+    bool isPredicted() const;
+    void judge(const AVFrame &picture);
     bool readPacket();
     bool sendPacket();
     libav::FramePtr decodePicture();
@@ -139,7 +150,7 @@ Result<void> VideoReader::Impl::restart()
     avcodec_flush_buffers(decoder.get());
     packetsRead = 0;
     counted = 0;
-    packetWaits = draining = beganMidway = false;
+    packetWaits = draining = beganMidway = isSpoiled = false;
     ahead.reset();
     return {};
 }
@@ -168,7 +179,7 @@ bool VideoReader::Impl::startAt(std::size_t keyPacket)
     } while (timeStampOf(*packet) != key.pts);
     avcodec_flush_buffers(decoder.get());
     packetWaits = true;
-    draining = false;
+    draining = isSpoiled = false;
     beganMidway = keyPacket > 0;
     ahead.reset();
     return true;
@@ -181,6 +192,21 @@ bool VideoReader::Impl::isWhole(const AVPacket &coded)
     const bool checked = ffv1ChecksumsHold({coded.data, static_cast<std::size_t>(coded.size)});
     hasChecksums |= checked;
     return checked || !hasChecksums;
+}
+
+/// Whether a codec's pictures are made from others.
+bool VideoReader::Impl::isPredicted() const
+{
+    const AVCodecDescriptor *codec = avcodec_descriptor_get(decoder->codec_id);
+    return codec && (codec->props & AV_CODEC_PROP_INTRA_ONLY) == 0;
+}
+
+void VideoReader::Impl::judge(const AVFrame &picture)
+{
+    if (!isSound(picture))
+        isSpoiled = isPredicted();
+    else if (picture.key_frame != 0)
+        isSpoiled = false;
 }
 
 /// The next packet to decode; false at the end.
@@ -208,8 +234,8 @@ bool VideoReader::Impl::sendPacket()
         return true;
     }
     // A damaged packet is refused; its frame is then missing in what comes out, which next() reports.
-    if (isWhole(*packet))
-        libav::checked(avcodec_send_packet(decoder.get(), packet.get()));
+    if (!isWhole(*packet) || libav::checked(avcodec_send_packet(decoder.get(), packet.get())) < 0)
+        isSpoiled = isPredicted();
     av_packet_unref(packet.get());
     return true;
 }
@@ -229,8 +255,7 @@ libav::FramePtr VideoReader::Impl::decodePicture()
 /// What libavcodec made as a frame, if it is sound.
 std::optional<Frame> VideoReader::Impl::frameFrom(libav::FramePtr picture, std::int64_t place) const
 {
-    const bool whole = picture->decode_error_flags == 0 && (picture->flags & AV_FRAME_FLAG_CORRUPT) == 0;
-    if (place < 0 || place >= static_cast<std::int64_t>(index.frames.size()) || !whole ||
+    if (place < 0 || place >= static_cast<std::int64_t>(index.frames.size()) || !isSound(*picture) ||
         !fits(*picture, info.format, pixelFormat))
         return std::nullopt;
     Frame frame = frameOf(std::move(picture), info.format);
@@ -273,6 +298,9 @@ std::optional<Frame> VideoReader::Impl::decodeFrame()
         return decodeJpegFrame();
     while (libav::FramePtr picture = decodePicture()) {
         const std::int64_t place = index.counted ? counted++ : index.frameOf(picture->pts);
+        judge(*picture);
+        if (isSpoiled)
+            continue;
         if (auto frame = frameFrom(std::move(picture), place))
             return frame;
     }

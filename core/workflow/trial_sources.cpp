@@ -4,6 +4,7 @@
 #include "core/base/error.h"
 #include "core/calibration/lens_influence.h"
 #include "core/project/project.h"
+#include "core/project/recording_rows.h"
 #include "core/project/repositories.h"
 #include "core/workflow/shared_words.h"
 
@@ -61,6 +62,40 @@ Result<std::vector<RegisteredView>> registeredViews(Project &project, const Tria
         views.push_back(std::move(view));
     }
     return views;
+}
+
+namespace {
+
+tl::unexpected<Error> isAnotherFile(const RegisteredView &view, const Message &how)
+{
+    return fail(ErrorCode::InvalidInput,
+                ODO_TEXT("workflow.recording_of_view",
+                         "recording of view '%1'")(Named::camera(view.recording.cameraName)),
+                how,
+                ODO_TEXT("workflow.put_original_or_import",
+                         "put the original file back, or import this one as another trial"));
+}
+
+} // namespace
+
+Result<void> checkRecordings(const std::vector<RegisteredView> &views, const JobControl &control)
+{
+    for (const RegisteredView &view : views) {
+        std::error_code error;
+        const auto bytes = static_cast<std::int64_t>(std::filesystem::file_size(view.file, error));
+        if (error)
+            continue;
+        if (bytes != view.recording.bytes)
+            return isAnotherFile(view, ODO_TEXT("workflow.file_of_another_size",
+                                                "its file has %1 bytes, but had %2 when it was added")(
+                                           bytes, view.recording.bytes));
+        if (view.recording.sha256.empty())
+            continue;
+        if (ODO_TRY(fileSha256(view.file, control)) != view.recording.sha256)
+            return isAnotherFile(
+                view, ODO_TEXT("workflow.file_of_other_content", "its file has changed since it was added"));
+    }
+    return {};
 }
 
 Result<std::vector<RobotRecord>> robotsToTrack(Project &project, const TrialRecord &trial,

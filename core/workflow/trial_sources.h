@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/base/job_control.h"
 #include "core/geometry/floor_view.h"
 #include "core/project/records.h"
 #include "core/trajectory/analyser.h"
@@ -35,6 +36,11 @@ Result<std::optional<FloorView>> floorViewInForce(Project &project, RecordId cam
 /// The views of a trial in their order. A recording of another frame size than its camera was calibrated at
 /// is an Error: the results would be silently wrong. Project's thread.
 Result<std::vector<RegisteredView>> registeredViews(Project &project, const TrialRecord &trial);
+
+/// Whether the recordings are what they were when they were imported or made, by their sizes and by their
+/// content where its SHA-256 is known: nothing is measured from others. Error InvalidInput names the view.
+/// A file that is missing is left to its reader. Any thread.
+Result<void> checkRecordings(const std::vector<RegisteredView> &views, const JobControl &control);
 
 /// The robots named; or else those of the trial; or else all of the project. NotFound for a name that is not
 /// there, and when there is no robot at all.

@@ -17,7 +17,7 @@ private Q_SLOTS:
     void givesEveryFrameAndThenTheEnd();
     void decodesPartsOnDemand();
     void canBeDroppedAtAnyTime();
-    void skipsAndCountsDamagedFrames();
+    void skipsDamagedFrames();
     void refusesWhatTheReaderRefuses();
 
 private:
@@ -44,7 +44,6 @@ void TestFrameStream::givesEveryFrameAndThenTheEnd()
     }
     QVERIFY(!(*stream)->pop().value().has_value());
     QVERIFY(!(*stream)->pop().value().has_value()); // the end stays the end
-    QCOMPARE((*stream)->damagedFrames(), std::int64_t(0));
     QVERIFY((*stream)->decodeCpuTime() > Nanoseconds(0));
     QVERIFY((*stream)->decodeCpuTime() < std::chrono::seconds(60));
 }
@@ -83,7 +82,7 @@ void TestFrameStream::canBeDroppedAtAnyTime()
     }
 }
 
-void TestFrameStream::skipsAndCountsDamagedFrames()
+void TestFrameStream::skipsDamagedFrames()
 {
     VideoWriterOptions options;
     options.codec = VideoCodec::Ffv1;
@@ -101,7 +100,6 @@ void TestFrameStream::skipsAndCountsDamagedFrames()
         ++good;
     }
     QCOMPARE(good, 29);
-    QCOMPARE((*stream)->damagedFrames(), std::int64_t(1));
 }
 
 void TestFrameStream::refusesWhatTheReaderRefuses()

@@ -222,6 +222,8 @@ Result<void> TrackJob::run(const JobControl &control)
 {
     Impl &d = *m_impl;
     const auto started = std::chrono::steady_clock::now();
+    if (!d.settings.again)
+        ODO_TRY(checkRecordings(d.views, control));
     // what is stored is settled
     auto tracked = d.settings.again ? Result<SettledViews>(SettledViews{std::move(d.stored), {}})
                                     : trackAndSettle(d.views, d.robots, control, d.pointedOut);
@@ -230,6 +232,8 @@ Result<void> TrackJob::run(const JobControl &control)
     if (!d.settings.again)
         d.doubts = doubtfulNamesOf(tracked->doubts, d.robots);
     d.outcome.warnings = stepWarnings(d.trialName, d.views);
+    for (Message &warning : damageWarnings(d.trialName, d.views, tracked->views))
+        d.outcome.warnings.push_back(std::move(warning));
     control.report(0.97, ODO_TEXT("workflow.analysing", "analysing"));
     ODO_TRY(d.analyseAll(tracked->views));
 

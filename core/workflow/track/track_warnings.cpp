@@ -118,6 +118,25 @@ Message doubtfulNamesSentence(std::span<const DoubtfulName> doubts, const std::s
                         from, to, doubts.size(), first, last);
 }
 
+std::vector<Message> damageWarnings(const std::string &trialName, const std::vector<RegisteredView> &views,
+                                    const std::vector<TrackedView> &tracked)
+{
+    std::vector<Message> sentences;
+    for (std::size_t v = 0; v < views.size(); ++v) {
+        const TrackedView &one = tracked[v];
+        if (one.damagedFrames == 0)
+            continue;
+        sentences.push_back(wholeMessage(
+            viewInTrialSubject(views[v].recording.cameraName, trialName),
+            ODO_TEXT("workflow.damaged_frames",
+                     "%1 of its %2 frames, from %3 to %4, are damaged and were not measured")(
+                one.damagedFrames, views[v].recording.frameTimes.size(),
+                quantity(toSeconds(one.damaged.begin), 1, "s"), quantity(toSeconds(one.damaged.end), 1, "s")),
+            ODO_TEXT("workflow.copy_file_again", "copy the file from the camera again")));
+    }
+    return sentences;
+}
+
 std::vector<Message> stepWarnings(const std::string &trialName,
                                   const std::vector<const RecordingRecord *> &used)
 {

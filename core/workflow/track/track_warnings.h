@@ -34,6 +34,10 @@ std::vector<Message> stepWarnings(const std::string &trialName,
 /// The same for a trial as it would be tracked now. Project's thread.
 std::vector<Message> stepWarnings(const std::string &trialName, const std::vector<RegisteredView> &views);
 
+/// A whole sentence for each view of which some frames are damaged: how many, when, and what to do.
+std::vector<Message> damageWarnings(const std::string &trialName, const std::vector<RegisteredView> &views,
+                                    const std::vector<TrackedView> &tracked);
+
 /// The given colour of one robot is also the floor's: it covers more of a frame than a robot can. An error to
 /// fail with if the robot was hardly ever found, else a warning. nullopt: it is not, or the views are stored
 /// ones, whose frames are not known.

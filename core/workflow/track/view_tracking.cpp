@@ -113,6 +113,19 @@ Result<std::unique_ptr<RobotTracker>> trackerFor(const RegisteredView &view,
     return RobotTracker::create(targets, background, view.floorView, othersFollowed);
 }
 
+/// Frames that the decoder left out.
+void addDamaged(std::size_t begin, std::size_t end, const std::vector<Nanoseconds> &times,
+                TrackedView &tracked)
+{
+    end = std::min(end, times.size());
+    if (begin >= end)
+        return;
+    if (tracked.damagedFrames == 0)
+        tracked.damaged.begin = times[begin];
+    tracked.damaged.end = times[end - 1];
+    tracked.damagedFrames += static_cast<std::int64_t>(end - begin);
+}
+
 Result<TrackedView> trackView(const RegisteredView &view, const std::vector<RobotRecord> &robots,
                               const std::vector<TrackTarget> &targets, const JobControl &control,
                               SharedProgress &progress, WithLight light, std::optional<Background> background)
@@ -135,7 +148,8 @@ Result<TrackedView> trackView(const RegisteredView &view, const std::vector<Robo
     const std::vector<Nanoseconds> &times = view.recording.frameTimes;
     for (ObservationSeries &series : tracked.series)
         series.observations.reserve(times.size());
-    for (std::size_t next = 0;;) {
+    std::size_t next = 0;
+    for (;;) {
         if (control.isCancelled())
             return cancelled(trackingSubject());
         auto frame = ODO_TRY(
@@ -146,6 +160,7 @@ Result<TrackedView> trackView(const RegisteredView &view, const std::vector<Robo
         const auto index = static_cast<std::size_t>(frame->index);
         if (index < times.size())
             frame->time = times[index];
+        addDamaged(next, index, times, tracked);
         next = index + 1;
         if (light == WithLight::Measured)
             tracked.light.push_back(lightMeter.measure(*frame));
@@ -160,7 +175,7 @@ Result<TrackedView> trackView(const RegisteredView &view, const std::vector<Robo
         ++tracked.frames;
         progress.countPicture();
     }
-    tracked.damagedFrames = stream.damagedFrames();
+    addDamaged(next, times.size(), times, tracked);
     tracked.decodeCpuTime = stream.decodeCpuTime();
     if (tracker)
         tracked.sharesAlike = tracker->sharesAlike();

@@ -20,7 +20,8 @@ struct TrackedView
     /// (settleNames).
     std::vector<std::vector<Observation>> others;
     std::int64_t frames = 0;
-    std::int64_t damagedFrames = 0;
+    std::int64_t damagedFrames = 0; ///< that could not be decoded soundly; they are not measured
+    TimeSpan damaged;               ///< from the first to the last of them
     Nanoseconds decodeCpuTime{0};
     /// Of each robot: the part of the first frame with its given colour. Empty where nothing was decoded.
     std::vector<double> sharesAlike;
