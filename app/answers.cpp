@@ -133,6 +133,41 @@ QJsonArray metricsJson(const std::vector<Metric> &metrics)
     return array;
 }
 
+namespace {
+
+QString wordFor(CheckLevel level)
+{
+    return QString::fromUtf8(wordOf(level).data(), qsizetype(wordOf(level).size()));
+}
+
+} // namespace
+
+QJsonValue verdictJson(const TrialVerdict &verdict)
+{
+    if (verdict.checks.empty())
+        return {};
+    QJsonArray checks;
+    for (const TrialCheck &check : verdict.checks)
+        checks.append(QJsonObject{{QStringLiteral("code"), QString::fromStdString(check.code)},
+                                  {QStringLiteral("level"), wordFor(check.level)},
+                                  {QStringLiteral("text"), english(check.text)},
+                                  {QStringLiteral("arguments"), toJson(check.text)}});
+    return QJsonObject{{QStringLiteral("level"), wordFor(verdict.level())},
+                       {QStringLiteral("accepted"), false},
+                       {QStringLiteral("checks"), checks}};
+}
+
+QStringList verdictLines(const TrialVerdict &verdict)
+{
+    if (verdict.checks.empty())
+        return {};
+    QStringList lines(QStringLiteral("Verdict: %1").arg(wordFor(verdict.level())));
+    for (const TrialCheck &check : verdict.checks)
+        if (check.level != CheckLevel::Pass)
+            lines << QStringLiteral("  %1: %2").arg(wordFor(check.level), english(check.text));
+    return lines;
+}
+
 void insertMeasuredTime(QJsonObject &robot, const Profile &profile)
 {
     QJsonArray gaps;

@@ -3,6 +3,7 @@
 
 #include "core/project/records.h"
 #include "core/trajectory/occlusions.h"
+#include "core/workflow/track/trial_verdict.h"
 
 #include <QJsonArray>
 #include <QJsonObject>
@@ -19,6 +20,10 @@ QJsonObject syncJson(const TrialRecord &trial);
 QJsonObject recordingJson(const RecordingRecord &recording);
 QJsonArray vectorJson(const Eigen::VectorXd &vector);
 QJsonArray metricsJson(const std::vector<Metric> &metrics);
+/// {level, accepted, checks[{code, level, text, arguments{}}]}; null without a check.
+QJsonValue verdictJson(const TrialVerdict &verdict);
+/// "Verdict: doubtful", with the sentences that say why.
+QStringList verdictLines(const TrialVerdict &verdict);
 /// gaps[{from_s, to_s}], when nothing was measured, and measured_s, how long something was.
 void insertMeasuredTime(QJsonObject &robot, const Profile &profile);
 /// When it is ambiguous which robot it is: [{from_s, to_s, others[]}].

@@ -12,6 +12,7 @@
 #include "core/workflow/track/settled_views.h"
 #include "core/workflow/track/track_warnings.h"
 #include "core/workflow/track/trial_occlusions.h"
+#include "core/workflow/track/trial_verdict.h"
 #include "core/workflow/trial_sources.h"
 
 #include <QDateTime>
@@ -371,6 +372,8 @@ Result<void> runShow(const QStringList &arguments, const CancelToken &cancel)
             used.push_back(&recordings[v]);
     }
     warnings = stepWarnings(trial.name, used);
+    const auto verdict = ODO_TRY(verdictOn(project, trial, recordings, analyses));
+    lines << verdictLines(verdict);
     const auto occlusions = ODO_TRY(trialOcclusions(project, trial.id, analyses));
     for (std::size_t a = 0; a < analyses.size(); ++a) {
         const AnalysisRecord &analysis = analyses[a];
@@ -403,6 +406,7 @@ Result<void> runShow(const QStringList &arguments, const CancelToken &cancel)
                  {QStringLiteral("notes"), QString::fromStdString(trial.notes)},
                  {QStringLiteral("views"), views},
                  {QStringLiteral("sync"), syncJson(trial)},
+                 {QStringLiteral("verdict"), verdictJson(verdict)},
                  {QStringLiteral("robots"), robots},
                  {QStringLiteral("warnings"), sentencesJson(warnings)}},
                 lines.join(u'\n'));

@@ -19,14 +19,6 @@ constexpr double mostOfPicture = 0.10; ///< no robot is larger in a frame that s
 constexpr double hardlyEver = 0.05;    ///< of the frames
 constexpr double doubtfulStepS = 0.005;
 
-Message changedResults()
-{
-    return wholeMessage(
-        ODO_TEXT("workflow.results_changed", "its results differ from those of its analysis"),
-        ODO_TEXT("workflow.changed_in_file", "they were changed in the file"),
-        ODO_TEXT("workflow.check_or_analyse_again", "run odograph check, or reanalyse the trial"));
-}
-
 double partFound(const std::vector<TrackedView> &tracked, std::size_t robot)
 {
     std::size_t found = 0, frames = 0;
@@ -40,6 +32,14 @@ double partFound(const std::vector<TrackedView> &tracked, std::size_t robot)
 }
 
 } // namespace
+
+Message changedResults()
+{
+    return wholeMessage(
+        ODO_TEXT("workflow.results_changed", "its results differ from those of its analysis"),
+        ODO_TEXT("workflow.changed_in_file", "they were changed in the file"),
+        ODO_TEXT("workflow.check_or_analyse_again", "run odograph check, or reanalyse the trial"));
+}
 
 std::vector<Message> analysisWarnings(const AnalysisRecord &analysis, const std::string &trialName)
 {

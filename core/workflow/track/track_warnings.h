@@ -16,6 +16,9 @@ namespace odo {
 /// another of its look. From stored data, available at any time.
 std::vector<Message> analysisWarnings(const AnalysisRecord &analysis, const std::string &trialName);
 
+/// That what is stored is not what the analysis gave. Without subject.
+Message changedResults();
+
 /// "in 40 of 200 frames the views contradict each other: …", or show it far apart, with what to do. Empty
 /// where they agree, but for some moments.
 Message viewsApartSentence(const Profile &profile);

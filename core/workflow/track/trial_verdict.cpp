@@ -1,0 +1,224 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/workflow/track/trial_verdict.h"
+
+#include "core/base/percentile.h"
+#include "core/project/project.h"
+#include "core/project/repositories.h"
+#include "core/trajectory/view_disagreement.h"
+#include "core/workflow/track/track_warnings.h"
+
+#include <algorithm>
+
+namespace odo {
+
+namespace {
+
+// What a careful person would still accept, and what nobody should use.
+constexpr double doubtfulSpikes = 0.05, badSpikes = 0.25; // of the used samples
+constexpr double doubtfulTracked = 0.8, badTracked = 0.4; // used samples of all
+constexpr double badGaps = 0.5;                           // of the time between first and last sighting
+constexpr double longFrame = 4, longFrameS = 0.2;         // of the usual interval, and at least
+constexpr double fastestMps = 15, hardestMps2 = 100;      // no classroom robot
+constexpr const char *resultsIntact = "results_intact", *viewsAgree = "views_agree",
+                     *timeMeasured = "time_measured", *synchronised = "synchronised",
+                     *framesRegular = "frames_regular", *fewSpikes = "few_spikes",
+                     *motionPossible = "motion_possible", *nameKnown = "name_known",
+                     *lensKnown = "lens_known", *cameraStill = "camera_still";
+
+class Checks
+{
+public:
+    void add(const char *code, CheckLevel level, Message text)
+    {
+        m_verdict.checks.push_back({code, level, std::move(text)});
+    }
+    /// Where no check with this code has found anything.
+    void pass(const char *code, Message text)
+    {
+        if (std::ranges::find(m_verdict.checks, code, &TrialCheck::code) == m_verdict.checks.end())
+            add(code, CheckLevel::Pass, std::move(text));
+    }
+    TrialVerdict take() { return std::move(m_verdict); }
+
+private:
+    TrialVerdict m_verdict;
+};
+
+double valueOf(const Profile &profile, std::string_view name)
+{
+    const auto found = std::ranges::find(profile.metrics, name, &Metric::name);
+    return found == profile.metrics.end() ? 0 : found->value;
+}
+
+MessageArgument percent(double share)
+{
+    return quantity(100 * share, 0, "%");
+}
+
+void checkTime(const AnalysisRecord &analysis, const Message &robot, Checks &checks)
+{
+    const Profile &profile = analysis.profile;
+    double gapsS = 0;
+    for (const TimeSpan &gap : profile.gaps)
+        gapsS += toSeconds(gap.end - gap.begin);
+    const double wholeS = profile.measuredS + gapsS;
+    if (gapsS > 0)
+        checks.add(
+            timeMeasured, gapsS > badGaps * wholeS ? CheckLevel::Bad : CheckLevel::Doubtful,
+            joined({robot, ODO_TEXT("workflow.measured_in_part",
+                                    "%1 of %2 were measured; lengths, times and maxima are at least as "
+                                    "large as stated")(quantity(profile.measuredS, 1, "s"),
+                                                       quantity(wholeS, 1, "s"))},
+                   Join::Colon));
+    const auto used = double(std::ranges::count_if(profile.samples, isUsed));
+    const double share = used / double(std::max<std::size_t>(1, profile.samples.size()));
+    if (!profile.samples.empty() && share < doubtfulTracked)
+        checks.add(timeMeasured, share < badTracked ? CheckLevel::Bad : CheckLevel::Doubtful,
+                   joined({robot, ODO_TEXT("workflow.measured_frames",
+                                           "only %1 of the frames give a position")(percent(share))},
+                          Join::Colon));
+}
+
+void checkMotion(const AnalysisRecord &analysis, const Message &robot, Checks &checks)
+{
+    const Profile &profile = analysis.profile;
+    const auto used = double(std::max<std::ptrdiff_t>(1, std::ranges::count_if(profile.samples, isUsed)));
+    const double spikes = double(profile.spikes.size()) / used;
+    if (spikes > doubtfulSpikes)
+        checks.add(fewSpikes, spikes > badSpikes ? CheckLevel::Bad : CheckLevel::Doubtful,
+                   joined({robot, ODO_TEXT("workflow.many_spikes", "%1 spikes in %2 positions")(
+                                      profile.spikes.size(), static_cast<std::int64_t>(used))},
+                          Join::Colon));
+    const double speed = valueOf(profile, "max_speed"), accel = valueOf(profile, "p95_accel");
+    if (speed > fastestMps || accel > hardestMps2)
+        checks.add(motionPossible, CheckLevel::Doubtful,
+                   joined({robot, ODO_TEXT("workflow.hardly_possible",
+                                           "a robot hardly moves at %1 with %2; check units and scale")(
+                                      quantity(speed, 1, "m/s"), quantity(accel, 0, "m/s²"))},
+                          Join::Colon));
+}
+
+void checkAnalysis(const AnalysisRecord &analysis, const std::string &trial, Checks &checks)
+{
+    const Message robot = robotInTrialSubject(analysis.robotName, trial);
+    if (analysis.proof == AnalysisRecord::Proof::Broken)
+        checks.add(resultsIntact, CheckLevel::Bad, joined({robot, changedResults()}, Join::Colon));
+    if (Message apart = viewsApartSentence(analysis.profile); !apart.isEmpty())
+        checks.add(viewsAgree, CheckLevel::Bad, joined({robot, std::move(apart)}, Join::Colon));
+    checkTime(analysis, robot, checks);
+    checkMotion(analysis, robot, checks);
+    if (!analysis.doubtfulNames.empty())
+        checks.add(
+            nameKnown, CheckLevel::Doubtful,
+            joined({robot, doubtfulNamesSentence(analysis.doubtfulNames, analysis.robotName)}, Join::Colon));
+}
+
+void checkFrames(const RecordingRecord &view, const std::string &trial, Checks &checks)
+{
+    std::vector<double> steps;
+    for (std::size_t i = 1; i < view.frameTimes.size(); ++i)
+        steps.push_back(toSeconds(view.frameTimes[i] - view.frameTimes[i - 1]));
+    if (steps.empty())
+        return;
+    const double longest = *std::ranges::max_element(steps), usual = upperMedian(std::move(steps));
+    if (longest > std::max(longFrameS, longFrame * usual))
+        checks.add(framesRegular, CheckLevel::Doubtful,
+                   joined({viewInTrialSubject(view.cameraName, trial),
+                           ODO_TEXT("workflow.frames_missing",
+                                    "%1 without a frame, where %2 is usual; frames are missing, or its time "
+                                    "stamps jump")(quantity(longest, 2, "s"), quantity(usual, 3, "s"))},
+                          Join::Colon));
+}
+
+void checkSynchronisation(const RecordingRecord &first, const RecordingRecord &view, const std::string &trial,
+                          Checks &checks)
+{
+    for (Message &sentence : stepWarnings(trial, std::vector{&first, &view}))
+        checks.add(synchronised, isStepMeasured(view) ? CheckLevel::Doubtful : CheckLevel::Bad,
+                   std::move(sentence));
+}
+
+void checkRegistration(const RegistrationRecord &registration, const std::string &camera, Checks &checks)
+{
+    if (registration.intrinsics == 0)
+        checks.add(lensKnown, CheckLevel::Doubtful,
+                   wholeMessage(cameraSubject(camera),
+                                ODO_TEXT("workflow.assumed_lens", "its lens was not calibrated but taken as "
+                                                                  "free of distortion"),
+                                ODO_TEXT("workflow.calibrate_lens_first",
+                                         "calibrate the lens, register the camera again and reanalyse")));
+    if (registration.lastCheck && registration.lastCheck->outcome == RegistrationCheck::Outcome::CameraMoved)
+        checks.add(cameraStill, CheckLevel::Doubtful,
+                   wholeMessage(cameraSubject(camera),
+                                ODO_TEXT("workflow.moved_since",
+                                         "it was found moved by %1 since the registration that was used")(
+                                    quantity(registration.lastCheck->shiftPx, 1, "px")),
+                                ODO_TEXT("workflow.use_earlier_registration",
+                                         "if it moved before this trial, register it again and reanalyse")));
+}
+
+void passTheRest(bool isFilmed, std::size_t views, Checks &checks)
+{
+    checks.pass(resultsIntact, ODO_TEXT("workflow.passed_results", "the stored results are as computed"));
+    checks.pass(timeMeasured, ODO_TEXT("workflow.passed_time", "the robots were measured all the time"));
+    checks.pass(fewSpikes, ODO_TEXT("workflow.passed_spikes", "few positions are spikes"));
+    checks.pass(motionPossible, ODO_TEXT("workflow.passed_motion", "speeds and accelerations are possible"));
+    if (!isFilmed)
+        return;
+    checks.pass(nameKnown, ODO_TEXT("workflow.passed_names", "no robot could be another one"));
+    checks.pass(framesRegular, ODO_TEXT("workflow.passed_frames", "the frames came at regular intervals"));
+    checks.pass(lensKnown, ODO_TEXT("workflow.passed_lens", "the lenses are calibrated"));
+    checks.pass(cameraStill, ODO_TEXT("workflow.passed_cameras", "no camera was found moved"));
+    if (views < 2)
+        return;
+    checks.pass(viewsAgree, ODO_TEXT("workflow.passed_views", "the views agree"));
+    checks.pass(synchronised, ODO_TEXT("workflow.passed_synchronisation", "the views are synchronised"));
+}
+
+} // namespace
+
+std::string_view wordOf(CheckLevel level)
+{
+    switch (level) {
+    case CheckLevel::Doubtful:
+        return "doubtful";
+    case CheckLevel::Bad:
+        return "bad";
+    case CheckLevel::Pass:
+        break;
+    }
+    return "pass";
+}
+
+CheckLevel TrialVerdict::level() const
+{
+    const auto worst = std::ranges::max_element(checks, {}, &TrialCheck::level);
+    return worst == checks.end() ? CheckLevel::Pass : worst->level;
+}
+
+Result<TrialVerdict> verdictOn(Project &project, const TrialRecord &trial,
+                               const std::vector<RecordingRecord> &recordings,
+                               const std::vector<AnalysisRecord> &analyses)
+{
+    if (analyses.empty())
+        return TrialVerdict{};
+    Checks checks;
+    for (const AnalysisRecord &analysis : analyses)
+        checkAnalysis(analysis, trial.name, checks);
+    std::vector<const RecordingRecord *> used;
+    const std::vector<RecordId> &registrations = analyses.front().registrations;
+    for (std::size_t v = 0; v < recordings.size(); ++v) {
+        checkFrames(recordings[v], trial.name, checks);
+        if (v >= registrations.size() || registrations[v] == 0)
+            continue;
+        used.push_back(&recordings[v]);
+        const auto registration = ODO_TRY(project.cameras().registration(registrations[v]));
+        checkRegistration(registration, recordings[v].cameraName, checks);
+    }
+    for (std::size_t v = 1; v < used.size(); ++v)
+        checkSynchronisation(*used[0], *used[v], trial.name, checks);
+    passTheRest(!recordings.empty(), used.size(), checks);
+    return checks.take();
+}
+
+} // namespace odo
