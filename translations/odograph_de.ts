@@ -17235,6 +17235,13 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
 </context>
 <context>
+    <name>trajectory.unmeasured_between</name>
+    <message>
+        <source>nothing was measured from %1 to %2</source>
+        <translation>von %1 bis %2 wurde nichts gemessen</translation>
+    </message>
+</context>
+<context>
     <name>trajectory.unseen_after</name>
     <message>
         <source>no view sees it after %1 (it was at X %2, Y %3)</source>
@@ -19013,6 +19020,13 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
 </context>
 <context>
+    <name>workflow.assumed_lens</name>
+    <message>
+        <source>its lens was not calibrated but taken as free of distortion</source>
+        <translation>ihr Objektiv wurde nicht kalibriert, sondern als verzeichnungsfrei angenommen</translation>
+    </message>
+</context>
+<context>
     <name>workflow.beyond_limits</name>
     <message>
         <source>%1 of the samples exceed the limits of task &apos;%2&apos;, so the limits were ignored</source>
@@ -19080,6 +19094,10 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>calibrate the lens first, or choose another calibration</source>
         <translation>kalibrieren Sie zuerst das Objektiv, oder setzen Sie eine andere Kalibrierung in Kraft</translation>
+    </message>
+    <message>
+        <source>calibrate the lens, register the camera again and reanalyse</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -19370,6 +19388,13 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
 </context>
 <context>
+    <name>workflow.copy_file_again</name>
+    <message>
+        <source>copy the file from the camera again</source>
+        <translation>kopieren Sie die Datei noch einmal von der Kamera</translation>
+    </message>
+</context>
+<context>
     <name>workflow.copy_of</name>
     <message>
         <source>copy of &apos;%1&apos;</source>
@@ -19381,6 +19406,13 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>copying the project</source>
         <translation>Projekt wird kopiert</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.damaged_frames</name>
+    <message>
+        <source>%1 of its %2 frames, from %3 to %4, are damaged and were not measured</source>
+        <translation>%1 ihrer %2 Bilder, von %3 bis %4, sind beschädigt und wurden nicht ausgewertet</translation>
     </message>
 </context>
 <context>
@@ -19468,6 +19500,20 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
 </context>
 <context>
+    <name>workflow.file_of_another_size</name>
+    <message>
+        <source>its file has %1 bytes, but had %2 when it was added</source>
+        <translation>ihre Datei hat %1 Byte, hatte beim Hinzufügen aber %2</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.file_of_other_content</name>
+    <message>
+        <source>its file has changed since it was added</source>
+        <translation>ihre Datei wurde seit dem Hinzufügen verändert</translation>
+    </message>
+</context>
+<context>
     <name>workflow.file_without_picture</name>
     <message>
         <source>it contains no image</source>
@@ -19514,6 +19560,13 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>frame %1 of trial &apos;%2&apos;</source>
         <translation>Bild %1 des Versuchs &apos;%2&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.frames_missing</name>
+    <message>
+        <source>%1 without a frame, where %2 is usual; frames are missing, or its time stamps jump</source>
+        <translation>%1 ohne Bild, üblich sind %2; es fehlen Bilder, oder die Zeitstempel springen</translation>
     </message>
 </context>
 <context>
@@ -19619,6 +19672,13 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>give one view or more, like --video A=a.mp4</source>
         <translation>geben Sie eine oder mehr Sichten an, etwa --video A=a.mp4</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.hardly_possible</name>
+    <message>
+        <source>a robot hardly moves at %1 with %2; check units and scale</source>
+        <translation>ein Roboter bewegt sich kaum mit %1 und %2; prüfen Sie Einheiten und Maßstab</translation>
     </message>
 </context>
 <context>
@@ -19839,6 +19899,13 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
 </context>
 <context>
+    <name>workflow.many_spikes</name>
+    <message>
+        <source>%1 spikes in %2 positions</source>
+        <translation>%1 Ausreißer in %2 Positionen</translation>
+    </message>
+</context>
+<context>
     <name>workflow.map_behind</name>
     <message>
         <source>the map is %1 behind, no frame skipped</source>
@@ -19878,6 +19945,27 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>repeat the analysis</source>
         <translation>messen Sie ihn neu</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.measured_frames</name>
+    <message>
+        <source>only %1 of the frames give a position</source>
+        <translation>nur %1 der Bilder ergeben eine Position</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.measured_in_part</name>
+    <message>
+        <source>%1 of %2 were measured; lengths, times and maxima are at least as large as stated</source>
+        <translation>%1 von %2 wurden gemessen; Längen, Zeiten und Höchstwerte sind mindestens so groß wie angegeben</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.moved_since</name>
+    <message>
+        <source>it was found moved by %1 since the registration that was used</source>
+        <translation>seit dem verwendeten Einmessen wurde eine Verschiebung um %1 festgestellt</translation>
     </message>
 </context>
 <context>
@@ -20231,6 +20319,76 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
 </context>
 <context>
+    <name>workflow.passed_cameras</name>
+    <message>
+        <source>no camera was found moved</source>
+        <translation>bei keiner Kamera wurde eine Verschiebung festgestellt</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.passed_frames</name>
+    <message>
+        <source>the frames came at regular intervals</source>
+        <translation>die Bilder kamen in gleichmäßigen Abständen</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.passed_lens</name>
+    <message>
+        <source>the lenses are calibrated</source>
+        <translation>die Objektive sind kalibriert</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.passed_motion</name>
+    <message>
+        <source>speeds and accelerations are possible</source>
+        <translation>Geschwindigkeiten und Beschleunigungen sind möglich</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.passed_names</name>
+    <message>
+        <source>no robot could be another one</source>
+        <translation>kein Roboter könnte ein anderer sein</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.passed_results</name>
+    <message>
+        <source>the stored results are as computed</source>
+        <translation>die gespeicherten Ergebnisse sind die berechneten</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.passed_spikes</name>
+    <message>
+        <source>few positions are spikes</source>
+        <translation>wenige Positionen sind Ausreißer</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.passed_synchronisation</name>
+    <message>
+        <source>the views are synchronised</source>
+        <translation>die Sichten sind synchronisiert</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.passed_time</name>
+    <message>
+        <source>the robots were measured all the time</source>
+        <translation>die Roboter wurden die ganze Zeit gemessen</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.passed_views</name>
+    <message>
+        <source>the views agree</source>
+        <translation>die Sichten stimmen überein</translation>
+    </message>
+</context>
+<context>
     <name>workflow.pick_or_take_colour</name>
     <message>
         <source>pick its colour again, or remove its colour</source>
@@ -20329,6 +20487,13 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
 </context>
 <context>
+    <name>workflow.put_original_or_import</name>
+    <message>
+        <source>put the original file back, or import this one as another trial</source>
+        <translation>legen Sie die ursprüngliche Datei zurück, oder importieren Sie diese als weiteren Versuch</translation>
+    </message>
+</context>
+<context>
     <name>workflow.put_plate_on_it</name>
     <message>
         <source>put a plate of another colour on it, or set its true colour</source>
@@ -20375,6 +20540,13 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>recording of trial &apos;%1&apos;</source>
         <translation>Aufnahme des Versuchs &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.recording_of_view</name>
+    <message>
+        <source>recording of view &apos;%1&apos;</source>
+        <translation>Aufnahme der Sicht „%1“</translation>
     </message>
 </context>
 <context>
@@ -20830,6 +21002,13 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>the pre-roll must be from 0 s to 10 s</source>
         <translation>was von vorher behalten wird, ist keine Zeit, oder mehr als 10 s</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.use_earlier_registration</name>
+    <message>
+        <source>if it moved before this trial, register it again and reanalyse</source>
+        <translation>falls sie sich vor diesem Versuch bewegt hat, messen Sie sie neu ein und werten Sie erneut aus</translation>
     </message>
 </context>
 <context>

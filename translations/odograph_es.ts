@@ -17235,6 +17235,13 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     </message>
 </context>
 <context>
+    <name>trajectory.unmeasured_between</name>
+    <message>
+        <source>nothing was measured from %1 to %2</source>
+        <translation>no se midió nada de %1 a %2</translation>
+    </message>
+</context>
+<context>
     <name>trajectory.unseen_after</name>
     <message>
         <source>no view sees it after %1 (it was at X %2, Y %3)</source>
@@ -19013,6 +19020,13 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     </message>
 </context>
 <context>
+    <name>workflow.assumed_lens</name>
+    <message>
+        <source>its lens was not calibrated but taken as free of distortion</source>
+        <translation>su objetivo no se calibró: se supuso sin distorsión</translation>
+    </message>
+</context>
+<context>
     <name>workflow.beyond_limits</name>
     <message>
         <source>%1 of the samples exceed the limits of task &apos;%2&apos;, so the limits were ignored</source>
@@ -19080,6 +19094,10 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <message>
         <source>calibrate the lens first, or choose another calibration</source>
         <translation>calibre antes la lente, o ponga en vigor otra calibración</translation>
+    </message>
+    <message>
+        <source>calibrate the lens, register the camera again and reanalyse</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -19370,6 +19388,13 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     </message>
 </context>
 <context>
+    <name>workflow.copy_file_again</name>
+    <message>
+        <source>copy the file from the camera again</source>
+        <translation>copie el archivo de la cámara otra vez</translation>
+    </message>
+</context>
+<context>
     <name>workflow.copy_of</name>
     <message>
         <source>copy of &apos;%1&apos;</source>
@@ -19381,6 +19406,13 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <message>
         <source>copying the project</source>
         <translation>copiando el proyecto</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.damaged_frames</name>
+    <message>
+        <source>%1 of its %2 frames, from %3 to %4, are damaged and were not measured</source>
+        <translation>%1 de sus %2 fotogramas, de %3 a %4, están dañados y no se midieron</translation>
     </message>
 </context>
 <context>
@@ -19468,6 +19500,20 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     </message>
 </context>
 <context>
+    <name>workflow.file_of_another_size</name>
+    <message>
+        <source>its file has %1 bytes, but had %2 when it was added</source>
+        <translation>su archivo tiene %1 bytes, pero tenía %2 al añadirse</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.file_of_other_content</name>
+    <message>
+        <source>its file has changed since it was added</source>
+        <translation>su archivo ha cambiado desde que se añadió</translation>
+    </message>
+</context>
+<context>
     <name>workflow.file_without_picture</name>
     <message>
         <source>it contains no image</source>
@@ -19514,6 +19560,13 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <message>
         <source>frame %1 of trial &apos;%2&apos;</source>
         <translation>fotograma %1 del ensayo &apos;%2&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.frames_missing</name>
+    <message>
+        <source>%1 without a frame, where %2 is usual; frames are missing, or its time stamps jump</source>
+        <translation>%1 sin fotograma, cuando lo habitual es %2; faltan fotogramas o saltan sus marcas de tiempo</translation>
     </message>
 </context>
 <context>
@@ -19619,6 +19672,13 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <message>
         <source>give one view or more, like --video A=a.mp4</source>
         <translation>dé una vista o más, como --video A=a.mp4</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.hardly_possible</name>
+    <message>
+        <source>a robot hardly moves at %1 with %2; check units and scale</source>
+        <translation>un robot difícilmente se mueve a %1 con %2; revise las unidades y la escala</translation>
     </message>
 </context>
 <context>
@@ -19839,6 +19899,13 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     </message>
 </context>
 <context>
+    <name>workflow.many_spikes</name>
+    <message>
+        <source>%1 spikes in %2 positions</source>
+        <translation>%1 valores atípicos en %2 posiciones</translation>
+    </message>
+</context>
+<context>
     <name>workflow.map_behind</name>
     <message>
         <source>the map is %1 behind, no frame skipped</source>
@@ -19878,6 +19945,27 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <message>
         <source>repeat the analysis</source>
         <translation>mídalo de nuevo</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.measured_frames</name>
+    <message>
+        <source>only %1 of the frames give a position</source>
+        <translation>solo %1 de los fotogramas dan una posición</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.measured_in_part</name>
+    <message>
+        <source>%1 of %2 were measured; lengths, times and maxima are at least as large as stated</source>
+        <translation>se midieron %1 de %2; longitudes, tiempos y máximos son al menos los indicados</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.moved_since</name>
+    <message>
+        <source>it was found moved by %1 since the registration that was used</source>
+        <translation>se comprobó que se movió %1 desde el registro utilizado</translation>
     </message>
 </context>
 <context>
@@ -20231,6 +20319,76 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     </message>
 </context>
 <context>
+    <name>workflow.passed_cameras</name>
+    <message>
+        <source>no camera was found moved</source>
+        <translation>no se encontró ninguna cámara movida</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.passed_frames</name>
+    <message>
+        <source>the frames came at regular intervals</source>
+        <translation>los fotogramas llegaron a intervalos regulares</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.passed_lens</name>
+    <message>
+        <source>the lenses are calibrated</source>
+        <translation>los objetivos están calibrados</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.passed_motion</name>
+    <message>
+        <source>speeds and accelerations are possible</source>
+        <translation>las velocidades y aceleraciones son posibles</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.passed_names</name>
+    <message>
+        <source>no robot could be another one</source>
+        <translation>ningún robot podría ser otro</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.passed_results</name>
+    <message>
+        <source>the stored results are as computed</source>
+        <translation>los resultados guardados son los calculados</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.passed_spikes</name>
+    <message>
+        <source>few positions are spikes</source>
+        <translation>pocas posiciones son valores atípicos</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.passed_synchronisation</name>
+    <message>
+        <source>the views are synchronised</source>
+        <translation>las vistas están sincronizadas</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.passed_time</name>
+    <message>
+        <source>the robots were measured all the time</source>
+        <translation>los robots se midieron todo el tiempo</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.passed_views</name>
+    <message>
+        <source>the views agree</source>
+        <translation>las vistas concuerdan</translation>
+    </message>
+</context>
+<context>
     <name>workflow.pick_or_take_colour</name>
     <message>
         <source>pick its colour again, or remove its colour</source>
@@ -20329,6 +20487,13 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     </message>
 </context>
 <context>
+    <name>workflow.put_original_or_import</name>
+    <message>
+        <source>put the original file back, or import this one as another trial</source>
+        <translation>restaure el archivo original o importe este como otro ensayo</translation>
+    </message>
+</context>
+<context>
     <name>workflow.put_plate_on_it</name>
     <message>
         <source>put a plate of another colour on it, or set its true colour</source>
@@ -20375,6 +20540,13 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <message>
         <source>recording of trial &apos;%1&apos;</source>
         <translation>grabación del ensayo &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.recording_of_view</name>
+    <message>
+        <source>recording of view &apos;%1&apos;</source>
+        <translation>grabación de la vista «%1»</translation>
     </message>
 </context>
 <context>
@@ -20830,6 +21002,13 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <message>
         <source>the pre-roll must be from 0 s to 10 s</source>
         <translation>lo que se guarda de antes no es un tiempo, o es más de 10 s</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.use_earlier_registration</name>
+    <message>
+        <source>if it moved before this trial, register it again and reanalyse</source>
+        <translation>si se movió antes de este ensayo, regístrela de nuevo y vuelva a analizar</translation>
     </message>
 </context>
 <context>

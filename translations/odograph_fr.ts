@@ -17235,6 +17235,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
 </context>
 <context>
+    <name>trajectory.unmeasured_between</name>
+    <message>
+        <source>nothing was measured from %1 to %2</source>
+        <translation>rien n&apos;a été mesuré de %1 à %2</translation>
+    </message>
+</context>
+<context>
     <name>trajectory.unseen_after</name>
     <message>
         <source>no view sees it after %1 (it was at X %2, Y %3)</source>
@@ -19013,6 +19020,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
 </context>
 <context>
+    <name>workflow.assumed_lens</name>
+    <message>
+        <source>its lens was not calibrated but taken as free of distortion</source>
+        <translation>son objectif n&apos;a pas été étalonné mais supposé sans distorsion</translation>
+    </message>
+</context>
+<context>
     <name>workflow.beyond_limits</name>
     <message>
         <source>%1 of the samples exceed the limits of task &apos;%2&apos;, so the limits were ignored</source>
@@ -19080,6 +19094,10 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>calibrate the lens first, or choose another calibration</source>
         <translation>étalonnez d’abord l’objectif, ou mettez un autre étalonnage en vigueur</translation>
+    </message>
+    <message>
+        <source>calibrate the lens, register the camera again and reanalyse</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -19370,6 +19388,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
 </context>
 <context>
+    <name>workflow.copy_file_again</name>
+    <message>
+        <source>copy the file from the camera again</source>
+        <translation>copiez de nouveau le fichier depuis la caméra</translation>
+    </message>
+</context>
+<context>
     <name>workflow.copy_of</name>
     <message>
         <source>copy of &apos;%1&apos;</source>
@@ -19381,6 +19406,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>copying the project</source>
         <translation>copie du projet</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.damaged_frames</name>
+    <message>
+        <source>%1 of its %2 frames, from %3 to %4, are damaged and were not measured</source>
+        <translation>%1 de ses %2 images, de %3 à %4, sont endommagées et n&apos;ont pas été mesurées</translation>
     </message>
 </context>
 <context>
@@ -19468,6 +19500,20 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
 </context>
 <context>
+    <name>workflow.file_of_another_size</name>
+    <message>
+        <source>its file has %1 bytes, but had %2 when it was added</source>
+        <translation>son fichier a %1 octets, mais en avait %2 lors de l&apos;ajout</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.file_of_other_content</name>
+    <message>
+        <source>its file has changed since it was added</source>
+        <translation>son fichier a changé depuis l&apos;ajout</translation>
+    </message>
+</context>
+<context>
     <name>workflow.file_without_picture</name>
     <message>
         <source>it contains no image</source>
@@ -19514,6 +19560,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>frame %1 of trial &apos;%2&apos;</source>
         <translation>image %1 de l’essai &apos;%2&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.frames_missing</name>
+    <message>
+        <source>%1 without a frame, where %2 is usual; frames are missing, or its time stamps jump</source>
+        <translation>%1 sans image, au lieu de %2 d&apos;habitude ; des images manquent, ou les horodatages sautent</translation>
     </message>
 </context>
 <context>
@@ -19619,6 +19672,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>give one view or more, like --video A=a.mp4</source>
         <translation>donnez une vue ou plus, comme --video A=a.mp4</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.hardly_possible</name>
+    <message>
+        <source>a robot hardly moves at %1 with %2; check units and scale</source>
+        <translation>un robot ne se déplace guère à %1 avec %2 ; vérifiez les unités et l&apos;échelle</translation>
     </message>
 </context>
 <context>
@@ -19839,6 +19899,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
 </context>
 <context>
+    <name>workflow.many_spikes</name>
+    <message>
+        <source>%1 spikes in %2 positions</source>
+        <translation>%1 pics aberrants sur %2 positions</translation>
+    </message>
+</context>
+<context>
     <name>workflow.map_behind</name>
     <message>
         <source>the map is %1 behind, no frame skipped</source>
@@ -19878,6 +19945,27 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>repeat the analysis</source>
         <translation>mesurez-le à nouveau</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.measured_frames</name>
+    <message>
+        <source>only %1 of the frames give a position</source>
+        <translation>seulement %1 des images donnent une position</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.measured_in_part</name>
+    <message>
+        <source>%1 of %2 were measured; lengths, times and maxima are at least as large as stated</source>
+        <translation>%1 sur %2 ont été mesurés ; longueurs, durées et maxima valent au moins ce qui est indiqué</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.moved_since</name>
+    <message>
+        <source>it was found moved by %1 since the registration that was used</source>
+        <translation>un déplacement de %1 a été constaté depuis la localisation utilisée</translation>
     </message>
 </context>
 <context>
@@ -20231,6 +20319,76 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
 </context>
 <context>
+    <name>workflow.passed_cameras</name>
+    <message>
+        <source>no camera was found moved</source>
+        <translation>aucune caméra n&apos;a été trouvée déplacée</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.passed_frames</name>
+    <message>
+        <source>the frames came at regular intervals</source>
+        <translation>les images sont arrivées à intervalles réguliers</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.passed_lens</name>
+    <message>
+        <source>the lenses are calibrated</source>
+        <translation>les objectifs sont étalonnés</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.passed_motion</name>
+    <message>
+        <source>speeds and accelerations are possible</source>
+        <translation>les vitesses et accélérations sont possibles</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.passed_names</name>
+    <message>
+        <source>no robot could be another one</source>
+        <translation>aucun robot ne peut en être un autre</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.passed_results</name>
+    <message>
+        <source>the stored results are as computed</source>
+        <translation>les résultats enregistrés sont ceux calculés</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.passed_spikes</name>
+    <message>
+        <source>few positions are spikes</source>
+        <translation>peu de positions sont des pics aberrants</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.passed_synchronisation</name>
+    <message>
+        <source>the views are synchronised</source>
+        <translation>les vues sont synchronisées</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.passed_time</name>
+    <message>
+        <source>the robots were measured all the time</source>
+        <translation>les robots ont été mesurés tout le temps</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.passed_views</name>
+    <message>
+        <source>the views agree</source>
+        <translation>les vues concordent</translation>
+    </message>
+</context>
+<context>
     <name>workflow.pick_or_take_colour</name>
     <message>
         <source>pick its colour again, or remove its colour</source>
@@ -20329,6 +20487,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
 </context>
 <context>
+    <name>workflow.put_original_or_import</name>
+    <message>
+        <source>put the original file back, or import this one as another trial</source>
+        <translation>remettez le fichier d&apos;origine, ou importez celui-ci comme un autre essai</translation>
+    </message>
+</context>
+<context>
     <name>workflow.put_plate_on_it</name>
     <message>
         <source>put a plate of another colour on it, or set its true colour</source>
@@ -20375,6 +20540,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>recording of trial &apos;%1&apos;</source>
         <translation>enregistrement de l’essai &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.recording_of_view</name>
+    <message>
+        <source>recording of view &apos;%1&apos;</source>
+        <translation>enregistrement de la vue « %1 »</translation>
     </message>
 </context>
 <context>
@@ -20830,6 +21002,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>the pre-roll must be from 0 s to 10 s</source>
         <translation>ce qui est gardé d’avant n’est pas une durée, ou dépasse 10 s</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.use_earlier_registration</name>
+    <message>
+        <source>if it moved before this trial, register it again and reanalyse</source>
+        <translation>si elle a bougé avant cet essai, localisez-la de nouveau et relancez l&apos;analyse</translation>
     </message>
 </context>
 <context>

@@ -17202,6 +17202,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>trajectory.unmeasured_between</name>
+    <message>
+        <source>nothing was measured from %1 to %2</source>
+        <translation>%1부터 %2까지 아무것도 측정되지 않았습니다</translation>
+    </message>
+</context>
+<context>
     <name>trajectory.unseen_after</name>
     <message>
         <source>no view sees it after %1 (it was at X %2, Y %3)</source>
@@ -18980,6 +18987,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>workflow.assumed_lens</name>
+    <message>
+        <source>its lens was not calibrated but taken as free of distortion</source>
+        <translation>렌즈를 보정하지 않고 왜곡이 없다고 가정했습니다</translation>
+    </message>
+</context>
+<context>
     <name>workflow.beyond_limits</name>
     <message>
         <source>%1 of the samples exceed the limits of task &apos;%2&apos;, so the limits were ignored</source>
@@ -19047,6 +19061,10 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>calibrate the lens first, or choose another calibration</source>
         <translation>먼저 렌즈를 보정하거나 다른 보정을 적용하십시오</translation>
+    </message>
+    <message>
+        <source>calibrate the lens, register the camera again and reanalyse</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -19337,6 +19355,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>workflow.copy_file_again</name>
+    <message>
+        <source>copy the file from the camera again</source>
+        <translation>카메라에서 파일을 다시 복사하세요</translation>
+    </message>
+</context>
+<context>
     <name>workflow.copy_of</name>
     <message>
         <source>copy of &apos;%1&apos;</source>
@@ -19348,6 +19373,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>copying the project</source>
         <translation>프로젝트 복사 중</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.damaged_frames</name>
+    <message>
+        <source>%1 of its %2 frames, from %3 to %4, are damaged and were not measured</source>
+        <translation>프레임 %2개 중 %1개(%3~%4)가 손상되어 측정하지 않았습니다</translation>
     </message>
 </context>
 <context>
@@ -19435,6 +19467,20 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>workflow.file_of_another_size</name>
+    <message>
+        <source>its file has %1 bytes, but had %2 when it was added</source>
+        <translation>파일이 %1바이트인데 추가할 때는 %2바이트였습니다</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.file_of_other_content</name>
+    <message>
+        <source>its file has changed since it was added</source>
+        <translation>파일이 추가된 뒤에 변경되었습니다</translation>
+    </message>
+</context>
+<context>
     <name>workflow.file_without_picture</name>
     <message>
         <source>it contains no image</source>
@@ -19481,6 +19527,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>frame %1 of trial &apos;%2&apos;</source>
         <translation>시행 &apos;%2&apos;의 프레임 %1</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.frames_missing</name>
+    <message>
+        <source>%1 without a frame, where %2 is usual; frames are missing, or its time stamps jump</source>
+        <translation>평소 %2인 간격이 %1입니다. 프레임이 빠졌거나 타임스탬프가 건너뜁니다</translation>
     </message>
 </context>
 <context>
@@ -19586,6 +19639,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>give one view or more, like --video A=a.mp4</source>
         <translation>--video A=a.mp4처럼 뷰를 하나 이상 주십시오</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.hardly_possible</name>
+    <message>
+        <source>a robot hardly moves at %1 with %2; check units and scale</source>
+        <translation>로봇이 %1, %2로 움직이기는 어렵습니다. 단위와 축척을 확인하세요</translation>
     </message>
 </context>
 <context>
@@ -19806,6 +19866,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>workflow.many_spikes</name>
+    <message>
+        <source>%1 spikes in %2 positions</source>
+        <translation>위치 %2개 중 이상점 %1개</translation>
+    </message>
+</context>
+<context>
     <name>workflow.map_behind</name>
     <message>
         <source>the map is %1 behind, no frame skipped</source>
@@ -19845,6 +19912,27 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>repeat the analysis</source>
         <translation>다시 재십시오</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.measured_frames</name>
+    <message>
+        <source>only %1 of the frames give a position</source>
+        <translation>프레임의 %1만 위치를 줍니다</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.measured_in_part</name>
+    <message>
+        <source>%1 of %2 were measured; lengths, times and maxima are at least as large as stated</source>
+        <translation>%2 중 %1가 측정되었습니다. 길이, 시간, 최댓값은 표시된 값 이상입니다</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.moved_since</name>
+    <message>
+        <source>it was found moved by %1 since the registration that was used</source>
+        <translation>사용된 정합 이후 %1 움직인 것이 확인되었습니다</translation>
     </message>
 </context>
 <context>
@@ -20198,6 +20286,76 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>workflow.passed_cameras</name>
+    <message>
+        <source>no camera was found moved</source>
+        <translation>움직인 것으로 확인된 카메라가 없습니다</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.passed_frames</name>
+    <message>
+        <source>the frames came at regular intervals</source>
+        <translation>프레임이 일정한 간격으로 들어왔습니다</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.passed_lens</name>
+    <message>
+        <source>the lenses are calibrated</source>
+        <translation>렌즈가 보정되어 있습니다</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.passed_motion</name>
+    <message>
+        <source>speeds and accelerations are possible</source>
+        <translation>속도와 가속도가 가능한 값입니다</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.passed_names</name>
+    <message>
+        <source>no robot could be another one</source>
+        <translation>다른 로봇일 수 있는 로봇이 없습니다</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.passed_results</name>
+    <message>
+        <source>the stored results are as computed</source>
+        <translation>저장된 결과가 계산된 것과 같습니다</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.passed_spikes</name>
+    <message>
+        <source>few positions are spikes</source>
+        <translation>이상점인 위치가 적습니다</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.passed_synchronisation</name>
+    <message>
+        <source>the views are synchronised</source>
+        <translation>뷰가 동기화되어 있습니다</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.passed_time</name>
+    <message>
+        <source>the robots were measured all the time</source>
+        <translation>로봇이 내내 측정되었습니다</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.passed_views</name>
+    <message>
+        <source>the views agree</source>
+        <translation>뷰가 서로 일치합니다</translation>
+    </message>
+</context>
+<context>
     <name>workflow.pick_or_take_colour</name>
     <message>
         <source>pick its colour again, or remove its colour</source>
@@ -20296,6 +20454,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>workflow.put_original_or_import</name>
+    <message>
+        <source>put the original file back, or import this one as another trial</source>
+        <translation>원래 파일을 되돌려 놓거나 이 파일을 다른 시행으로 가져오세요</translation>
+    </message>
+</context>
+<context>
     <name>workflow.put_plate_on_it</name>
     <message>
         <source>put a plate of another colour on it, or set its true colour</source>
@@ -20342,6 +20507,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>recording of trial &apos;%1&apos;</source>
         <translation>시행 &apos;%1&apos; 녹화</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.recording_of_view</name>
+    <message>
+        <source>recording of view &apos;%1&apos;</source>
+        <translation>뷰 &apos;%1&apos;의 녹화</translation>
     </message>
 </context>
 <context>
@@ -20797,6 +20969,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>the pre-roll must be from 0 s to 10 s</source>
         <translation>미리 남겨 둘 시간이 올바르지 않거나 10 s를 넘습니다</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.use_earlier_registration</name>
+    <message>
+        <source>if it moved before this trial, register it again and reanalyse</source>
+        <translation>이 시행 전에 움직였다면 다시 정합하고 다시 분석하세요</translation>
     </message>
 </context>
 <context>

@@ -17202,6 +17202,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>trajectory.unmeasured_between</name>
+    <message>
+        <source>nothing was measured from %1 to %2</source>
+        <translation>从 %1 到 %2 没有任何测量</translation>
+    </message>
+</context>
+<context>
     <name>trajectory.unseen_after</name>
     <message>
         <source>no view sees it after %1 (it was at X %2, Y %3)</source>
@@ -18980,6 +18987,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>workflow.assumed_lens</name>
+    <message>
+        <source>its lens was not calibrated but taken as free of distortion</source>
+        <translation>其镜头未经标定，被视为无畸变</translation>
+    </message>
+</context>
+<context>
     <name>workflow.beyond_limits</name>
     <message>
         <source>%1 of the samples exceed the limits of task &apos;%2&apos;, so the limits were ignored</source>
@@ -19047,6 +19061,10 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>calibrate the lens first, or choose another calibration</source>
         <translation>请先标定镜头，或启用另一标定</translation>
+    </message>
+    <message>
+        <source>calibrate the lens, register the camera again and reanalyse</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -19337,6 +19355,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>workflow.copy_file_again</name>
+    <message>
+        <source>copy the file from the camera again</source>
+        <translation>请从相机重新复制该文件</translation>
+    </message>
+</context>
+<context>
     <name>workflow.copy_of</name>
     <message>
         <source>copy of &apos;%1&apos;</source>
@@ -19348,6 +19373,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>copying the project</source>
         <translation>正在复制项目</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.damaged_frames</name>
+    <message>
+        <source>%1 of its %2 frames, from %3 to %4, are damaged and were not measured</source>
+        <translation>其 %2 帧中有 %1 帧（%3 至 %4）已损坏，未被测量</translation>
     </message>
 </context>
 <context>
@@ -19435,6 +19467,20 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>workflow.file_of_another_size</name>
+    <message>
+        <source>its file has %1 bytes, but had %2 when it was added</source>
+        <translation>其文件有 %1 字节，但添加时有 %2 字节</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.file_of_other_content</name>
+    <message>
+        <source>its file has changed since it was added</source>
+        <translation>其文件在添加后已被更改</translation>
+    </message>
+</context>
+<context>
     <name>workflow.file_without_picture</name>
     <message>
         <source>it contains no image</source>
@@ -19481,6 +19527,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>frame %1 of trial &apos;%2&apos;</source>
         <translation>试验“%2”的第 %1 帧</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.frames_missing</name>
+    <message>
+        <source>%1 without a frame, where %2 is usual; frames are missing, or its time stamps jump</source>
+        <translation>有 %1 没有帧，通常为 %2；帧缺失，或时间戳跳变</translation>
     </message>
 </context>
 <context>
@@ -19586,6 +19639,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>give one view or more, like --video A=a.mp4</source>
         <translation>请给出一个或多个视角，如 --video A=a.mp4</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.hardly_possible</name>
+    <message>
+        <source>a robot hardly moves at %1 with %2; check units and scale</source>
+        <translation>机器人几乎不可能以 %1、%2 运动；请检查单位和比例</translation>
     </message>
 </context>
 <context>
@@ -19806,6 +19866,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>workflow.many_spikes</name>
+    <message>
+        <source>%1 spikes in %2 positions</source>
+        <translation>%2 个位置中有 %1 个异常点</translation>
+    </message>
+</context>
+<context>
     <name>workflow.map_behind</name>
     <message>
         <source>the map is %1 behind, no frame skipped</source>
@@ -19845,6 +19912,27 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>repeat the analysis</source>
         <translation>请重新测量</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.measured_frames</name>
+    <message>
+        <source>only %1 of the frames give a position</source>
+        <translation>只有 %1 的帧给出位置</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.measured_in_part</name>
+    <message>
+        <source>%1 of %2 were measured; lengths, times and maxima are at least as large as stated</source>
+        <translation>%2 中测量了 %1；长度、时间和最大值至少为所示的值</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.moved_since</name>
+    <message>
+        <source>it was found moved by %1 since the registration that was used</source>
+        <translation>自所用配准以来发现移动了 %1</translation>
     </message>
 </context>
 <context>
@@ -20198,6 +20286,76 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>workflow.passed_cameras</name>
+    <message>
+        <source>no camera was found moved</source>
+        <translation>未发现相机移动</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.passed_frames</name>
+    <message>
+        <source>the frames came at regular intervals</source>
+        <translation>帧间隔均匀</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.passed_lens</name>
+    <message>
+        <source>the lenses are calibrated</source>
+        <translation>镜头已标定</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.passed_motion</name>
+    <message>
+        <source>speeds and accelerations are possible</source>
+        <translation>速度和加速度是可能的</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.passed_names</name>
+    <message>
+        <source>no robot could be another one</source>
+        <translation>没有机器人可能被认错</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.passed_results</name>
+    <message>
+        <source>the stored results are as computed</source>
+        <translation>存储的结果与计算的一致</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.passed_spikes</name>
+    <message>
+        <source>few positions are spikes</source>
+        <translation>异常点位置很少</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.passed_synchronisation</name>
+    <message>
+        <source>the views are synchronised</source>
+        <translation>各视角已同步</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.passed_time</name>
+    <message>
+        <source>the robots were measured all the time</source>
+        <translation>机器人全程被测量</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.passed_views</name>
+    <message>
+        <source>the views agree</source>
+        <translation>各视角一致</translation>
+    </message>
+</context>
+<context>
     <name>workflow.pick_or_take_colour</name>
     <message>
         <source>pick its colour again, or remove its colour</source>
@@ -20296,6 +20454,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>workflow.put_original_or_import</name>
+    <message>
+        <source>put the original file back, or import this one as another trial</source>
+        <translation>请放回原文件，或将此文件作为另一次试验导入</translation>
+    </message>
+</context>
+<context>
     <name>workflow.put_plate_on_it</name>
     <message>
         <source>put a plate of another colour on it, or set its true colour</source>
@@ -20342,6 +20507,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>recording of trial &apos;%1&apos;</source>
         <translation>录制试验“%1”</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.recording_of_view</name>
+    <message>
+        <source>recording of view &apos;%1&apos;</source>
+        <translation>视角“%1”的录像</translation>
     </message>
 </context>
 <context>
@@ -20797,6 +20969,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>the pre-roll must be from 0 s to 10 s</source>
         <translation>预先保留的时长无效，或超过 10 s</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.use_earlier_registration</name>
+    <message>
+        <source>if it moved before this trial, register it again and reanalyse</source>
+        <translation>如果它在本次试验前移动过，请重新配准并重新分析</translation>
     </message>
 </context>
 <context>
