@@ -19055,6 +19055,13 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
 </context>
 <context>
+    <name>workflow.calibrate_and_reanalyse</name>
+    <message>
+        <source>calibrate the lens, register the camera again and reanalyse</source>
+        <translation>kalibrieren Sie das Objektiv, messen Sie die Kamera neu ein und werten Sie erneut aus</translation>
+    </message>
+</context>
+<context>
     <name>workflow.calibrate_at_its_size</name>
     <message>
         <source>calibrate it at the size it records.</source>
@@ -19094,10 +19101,6 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>calibrate the lens first, or choose another calibration</source>
         <translation>kalibrieren Sie zuerst das Objektiv, oder setzen Sie eine andere Kalibrierung in Kraft</translation>
-    </message>
-    <message>
-        <source>calibrate the lens, register the camera again and reanalyse</source>
-        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>

@@ -19055,6 +19055,13 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     </message>
 </context>
 <context>
+    <name>workflow.calibrate_and_reanalyse</name>
+    <message>
+        <source>calibrate the lens, register the camera again and reanalyse</source>
+        <translation>calibre el objetivo, registre la cámara de nuevo y vuelva a analizar</translation>
+    </message>
+</context>
+<context>
     <name>workflow.calibrate_at_its_size</name>
     <message>
         <source>calibrate it at the size it records.</source>
@@ -19094,10 +19101,6 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <message>
         <source>calibrate the lens first, or choose another calibration</source>
         <translation>calibre antes la lente, o ponga en vigor otra calibración</translation>
-    </message>
-    <message>
-        <source>calibrate the lens, register the camera again and reanalyse</source>
-        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>

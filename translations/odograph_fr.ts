@@ -19055,6 +19055,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
 </context>
 <context>
+    <name>workflow.calibrate_and_reanalyse</name>
+    <message>
+        <source>calibrate the lens, register the camera again and reanalyse</source>
+        <translation>étalonnez l&apos;objectif, localisez de nouveau la caméra et relancez l&apos;analyse</translation>
+    </message>
+</context>
+<context>
     <name>workflow.calibrate_at_its_size</name>
     <message>
         <source>calibrate it at the size it records.</source>
@@ -19094,10 +19101,6 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>calibrate the lens first, or choose another calibration</source>
         <translation>étalonnez d’abord l’objectif, ou mettez un autre étalonnage en vigueur</translation>
-    </message>
-    <message>
-        <source>calibrate the lens, register the camera again and reanalyse</source>
-        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>

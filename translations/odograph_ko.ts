@@ -19022,6 +19022,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>workflow.calibrate_and_reanalyse</name>
+    <message>
+        <source>calibrate the lens, register the camera again and reanalyse</source>
+        <translation>렌즈를 보정하고 카메라를 다시 정합한 뒤 다시 분석하세요</translation>
+    </message>
+</context>
+<context>
     <name>workflow.calibrate_at_its_size</name>
     <message>
         <source>calibrate it at the size it records.</source>
@@ -19061,10 +19068,6 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>calibrate the lens first, or choose another calibration</source>
         <translation>먼저 렌즈를 보정하거나 다른 보정을 적용하십시오</translation>
-    </message>
-    <message>
-        <source>calibrate the lens, register the camera again and reanalyse</source>
-        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>

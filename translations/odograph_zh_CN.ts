@@ -19022,6 +19022,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>workflow.calibrate_and_reanalyse</name>
+    <message>
+        <source>calibrate the lens, register the camera again and reanalyse</source>
+        <translation>请标定镜头，重新配准相机并重新分析</translation>
+    </message>
+</context>
+<context>
     <name>workflow.calibrate_at_its_size</name>
     <message>
         <source>calibrate it at the size it records.</source>
@@ -19061,10 +19068,6 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>calibrate the lens first, or choose another calibration</source>
         <translation>请先标定镜头，或启用另一标定</translation>
-    </message>
-    <message>
-        <source>calibrate the lens, register the camera again and reanalyse</source>
-        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>

@@ -145,7 +145,7 @@ void checkRegistration(const RegistrationRecord &registration, const std::string
                    wholeMessage(cameraSubject(camera),
                                 ODO_TEXT("workflow.assumed_lens", "its lens was not calibrated but taken as "
                                                                   "free of distortion"),
-                                ODO_TEXT("workflow.calibrate_lens_first",
+                                ODO_TEXT("workflow.calibrate_and_reanalyse",
                                          "calibrate the lens, register the camera again and reanalyse")));
     if (registration.lastCheck && registration.lastCheck->outcome == RegistrationCheck::Outcome::CameraMoved)
         checks.add(cameraStill, CheckLevel::Doubtful,
