@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/command_call.h"
 
-#include "core/base/crash_report.h"
 #include "core/base/file_system.h"
 #include "core/base/plain_text.h"
+#include "core/base/platform/crash_handler.h"
+#include "core/base/platform/process.h"
 #include "core/base/units.h"
 #include "core/project/place_warning.h"
 #include "core/project/repositories.h"
@@ -15,7 +16,6 @@
 #include <QJsonDocument>
 #include <algorithm>
 #include <cstdio>
-#include <unistd.h>
 
 namespace odo {
 
@@ -51,7 +51,7 @@ CommandCall::CommandCall(CommandSyntax syntax, CancelToken cancel) : m_syntax(st
     m_parser.addOption({QStringLiteral("json"), QStringLiteral("Print one JSON object and nothing else.")});
     m_parser.addOption({{QStringLiteral("h"), QStringLiteral("help")}, QStringLiteral("Show this help.")});
     m_control.cancel = std::move(cancel);
-    if (isatty(STDERR_FILENO)) {
+    if (isStandardErrorSeen()) {
         m_control.progress = [terminal = std::make_shared<TerminalProgress>()](
                                  double fraction, const Message &text) { terminal->show(fraction, text); };
     }

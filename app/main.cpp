@@ -4,10 +4,12 @@
 #include "app/commands/commands.h"
 #include "app/guarded_application.h"
 #include "app/workbench.h"
-#include "core/base/crash_report.h"
 #include "core/base/error.h"
-#include "core/base/job_control.h"
 #include "core/base/plain_text.h"
+#include "core/base/platform/crash_handler.h"
+#include "core/base/platform/process.h"
+#include "core/base/platform/stop_signals.h"
+#include "core/base/platform/user_folders.h"
 #include "core/base/shortage.h"
 #include "core/project/project_rescue.h"
 
@@ -17,12 +19,9 @@
 #include <algorithm>
 #include <cerrno>
 #include <clocale>
-#include <csignal>
 #include <cstdio>
 #include <cstring>
-#include <fcntl.h>
 #include <new>
-#include <unistd.h>
 
 namespace {
 
@@ -81,15 +80,6 @@ void printHelp()
 }
 
 bool isJsonAsked = false, isOutputClosed = false;
-
-/// What is opened next would get the number of one that is closed, and all that is printed.
-void openStandardFiles()
-{
-    isOutputClosed = ::fcntl(STDOUT_FILENO, F_GETFD) < 0;
-    for (const int descriptor : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
-        if (::fcntl(descriptor, F_GETFD) < 0)
-            static_cast<void>(::open("/dev/null", O_RDWR)); // the lowest number that is free
-}
 
 void printJson(const Error &error)
 {
@@ -246,11 +236,10 @@ int run(int argc, char **argv)
 
 int main(int argc, char **argv)
 {
-    openStandardFiles();
+    isOutputClosed = openStandardFiles();
     isJsonAsked =
         std::any_of(argv + 1, argv + argc, [](const char *word) { return std::strcmp(word, "--json") == 0; });
-    // a file that may not grow is an error like a full disk, not the end of the program
-    std::signal(SIGXFSZ, SIG_IGN);
+    treatFileLimitAsError();
     catchWhatNobodyCatches();
     try {
         return run(argc, argv);

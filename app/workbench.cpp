@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/workbench.h"
 
-#include "core/base/crash_report.h"
+#include "core/base/platform/crash_handler.h"
+#include "core/base/platform/user_folders.h"
 #include "core/files/output_file.h"
 #include "core/project/project.h"
 #include "ui/main_window/language.h"

@@ -2,22 +2,13 @@
 #include "core/base/shortage.h"
 
 #include "core/base/job_control.h"
+#include "core/base/platform/process.h"
 
-#include <algorithm>
-#include <array>
-#include <cerrno>
-#include <cstdio>
 #include <cstdlib>
-#include <cstring>
 #include <exception>
-#include <fcntl.h>
 #include <mutex>
 #include <new>
-#include <span>
-#include <sys/mman.h>
-#include <sys/wait.h>
 #include <system_error>
-#include <unistd.h>
 #include <vector>
 
 namespace odo {
@@ -137,50 +128,8 @@ const MessageText &noFiles() noexcept
     return ODO_TEXT("base.no_files", "too many files are open");
 }
 
-bool isMemoryThere() noexcept
-{
-    constexpr std::size_t bytes = 256 << 20; // more than any single request of ours, which is not used
-    void *asked = ::mmap(nullptr, bytes, PROT_NONE, MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
-    if (asked == MAP_FAILED)
-        return false;
-    ::munmap(asked, bytes);
-    return true;
-}
-
 /// As many as a library takes at once.
 constexpr std::size_t filesOfALibrary = 8;
-constexpr std::size_t mostFilesAsked = 64;
-
-bool canOpenFiles(std::size_t count) noexcept
-{
-    std::array<int, mostFilesAsked> handles{};
-    bool areThere = true;
-    const auto wanted = std::span(handles).first(std::min(count, handles.size()));
-    for (int &handle : wanted) {
-        handle = ::open("/dev/null", O_RDONLY | O_CLOEXEC);
-        areThere = areThere && (handle >= 0 || (errno != EMFILE && errno != ENFILE));
-    }
-    for (const int handle : wanted)
-        if (handle >= 0)
-            ::close(handle);
-    return areThere;
-}
-
-bool isProcessThere() noexcept
-{
-    const pid_t child = ::_Fork();
-    if (child == 0)
-        ::_exit(0);
-    if (child < 0)
-        return errno != EAGAIN;
-    ::waitpid(child, nullptr, 0);
-    return true;
-}
-
-void put(const char *text) noexcept
-{
-    [[maybe_unused]] const ssize_t written = ::write(STDERR_FILENO, text, std::strlen(text));
-}
 
 [[noreturn]] void onUncaught() noexcept
 {
@@ -190,9 +139,9 @@ void put(const char *text) noexcept
         if (std::current_exception())
             throw;
     } catch (const std::exception &problem) {
-        put("odograph: something unexpected happened (");
-        put(problem.what());
-        put(")\n");
+        tellOnStandardError("odograph: something unexpected happened (");
+        tellOnStandardError(problem.what());
+        tellOnStandardError(")\n");
     } catch (...) { // has no words
     }
     std::abort();
@@ -236,36 +185,21 @@ const MessageText *shortageNowOfSystem() noexcept
 
 void endForShortage(const MessageText &why) noexcept
 {
-    put("odograph: ");
-    put(cannotDoThis().english);
-    put(": ");
-    put(why.english);
-    put("; ");
-    put(savedIsSafe().english);
-    put("; ");
-    put(closeOtherPrograms().english);
-    put("\n");
-    ::_exit(1);
+    tellOnStandardError("odograph: ");
+    tellOnStandardError(cannotDoThis().english);
+    tellOnStandardError(": ");
+    tellOnStandardError(why.english);
+    tellOnStandardError("; ");
+    tellOnStandardError(savedIsSafe().english);
+    tellOnStandardError("; ");
+    tellOnStandardError(closeOtherPrograms().english);
+    tellOnStandardError("\n");
+    std::_Exit(1);
 }
 
 void catchWhatNobodyCatches()
 {
     std::set_terminate(onUncaught);
-}
-
-} // namespace odo
-
-#ifdef __GLIBC__
-#include <malloc.h>
-#endif
-
-namespace odo {
-
-void shareMemoryPools()
-{
-#ifdef __GLIBC__
-    mallopt(M_ARENA_MAX, 2);
-#endif
 }
 
 } // namespace odo

@@ -79,10 +79,4 @@ void needFiles(std::size_t count) noexcept;
 /// ever, after a line that names it. Once, at the beginning of the program.
 void catchWhatNobodyCatches();
 
-/// Has all threads of this program take their memory from two of the C library's pools (glibc's arenas)
-/// instead of up to eight for each processor. One thread allocates frames and another frees them:
-/// each pool then keeps what it once held: thirty trials in a row grew the program from 110 MB to 310 MB,
-/// with two pools it stays at 150. Call it first in main().
-void shareMemoryPools();
-
 } // namespace odo

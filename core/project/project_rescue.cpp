@@ -2,6 +2,7 @@
 #include "core/project/project_rescue.h"
 
 #include "core/base/file_system.h"
+#include "core/base/platform/user_folders.h"
 #include "core/files/output_file.h"
 #include "core/files/temporary.h"
 #include "core/project/internal/connection.h"
@@ -15,7 +16,6 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstdio>
-#include <cstdlib>
 #include <string_view>
 #include <unistd.h>
 #include <utility>
@@ -210,8 +210,7 @@ std::vector<std::filesystem::path> foldersFor(const Project &project)
     add(files::absolute(project.file()).parent_path());
     if (const auto now = project.presentPlace())
         add(now->parent_path());
-    if (const char *home = std::getenv("HOME"))
-        add(home);
+    add(homeFolder());
     return folders;
 }
 

@@ -2,6 +2,8 @@
 #include "core/project/write_ahead_log.h"
 
 #include "core/base/file_system.h"
+#include "core/base/platform/process.h"
+#include "core/base/platform/user_folders.h"
 #include "core/project/internal/words.h"
 #include "core/project/names.h"
 
@@ -10,14 +12,12 @@
 #include <bit>
 #include <cerrno>
 #include <chrono>
-#include <cstdlib>
 #include <cstring>
 #include <fstream>
 #include <optional>
 #include <span>
 #include <sqlite3.h>
 #include <string>
-#include <sys/random.h>
 #include <sys/stat.h>
 #include <vector>
 
@@ -31,7 +31,7 @@ constexpr LogMark randomMask = (1U << randomBits) - 1, signlessMask = 0x7fffffff
 std::uint32_t randomNumber()
 {
     std::uint32_t number = 0;
-    if (::getrandom(&number, sizeof(number), 0) != static_cast<ssize_t>(sizeof(number)))
+    if (fillWithRandom(std::as_writable_bytes(std::span(&number, 1))))
         number = static_cast<std::uint32_t>(std::chrono::steady_clock::now().time_since_epoch().count());
     return number;
 }
@@ -316,9 +316,8 @@ bool hasLog(const std::filesystem::path &file)
 
 Result<std::unique_ptr<LogCopy>> LogCopy::make(const std::filesystem::path &file)
 {
-    const char *told = std::getenv("TMPDIR");
     auto folder = ODO_TRY(TemporaryFolder::make(
-        told != nullptr ? told : "/tmp",
+        temporaryFolder(),
         ODO_TEXT("project.copy_of_project", "copy of project '%1'")(Named::file(file.filename()))));
     std::unique_ptr<LogCopy> copy(new LogCopy(std::move(folder)));
     ODO_TRY(copy->fill(file));

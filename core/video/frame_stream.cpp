@@ -2,26 +2,14 @@
 #include "core/video/frame_stream.h"
 
 #include "core/base/bounded_queue.h"
+#include "core/base/platform/process.h"
 #include "core/base/shortage.h"
 
 #include <algorithm>
 #include <atomic>
-#include <ctime>
 #include <thread>
 
 namespace odo {
-
-namespace {
-
-/// CPU time of the calling thread.
-Nanoseconds threadCpuTime()
-{
-    timespec time{};
-    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
-    return std::chrono::seconds(time.tv_sec) + Nanoseconds(time.tv_nsec);
-}
-
-} // namespace
 
 struct FrameStream::Impl
 {

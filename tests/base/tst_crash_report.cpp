@@ -2,6 +2,8 @@
 // What a crash leaves: child processes crash in several ways, and their reports are read.
 #include "core/base/crash_report.h"
 
+#include "core/base/platform/crash_handler.h"
+#include "core/base/platform/user_folders.h"
 #include "tests/support/registered_test.h"
 
 #include <QDir>

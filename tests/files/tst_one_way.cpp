@@ -15,8 +15,6 @@ class TestOneWay : public QObject
     static const QHash<QString, QString> &known()
     {
         static const QHash<QString, QString> all{
-            {QStringLiteral("core/base/crash_report.cpp"),
-             QStringLiteral("a crash report, which has no name before the crash")},
             {QStringLiteral("core/exchange/project_archive.cpp"),
              QStringLiteral("what is unpacked, in a TemporaryFolder")},
             {QStringLiteral("app/workbench.cpp"),
@@ -50,6 +48,7 @@ private Q_SLOTS:
                 QVERIFY(file.open(QIODevice::ReadOnly));
                 ++count;
                 if (!name.startsWith(QLatin1String("core/files/")) &&
+                    !name.startsWith(QLatin1String("core/base/platform/")) && // what the others call
                     opens.match(QString::fromUtf8(file.readAll())).hasMatch())
                     found << name;
             }

@@ -2,7 +2,7 @@
 // A lesson's recordings, one after the other, through the whole window: what the program holds (memory,
 // files, threads) does not grow from trial to trial. ODOGRAPH_SOAK_TRIALS: how many, by default a few short
 // ones; ODOGRAPH_SOAK_MINUTES: how long they take together, half of it recorded.
-#include "core/base/shortage.h"
+#include "core/base/platform/process.h"
 #include "core/project/project.h"
 #include "core/project/repositories.h"
 #include "tests/support/registered_test.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/base/steady_now.h"
+#include "core/base/platform/machine_sleep.h"
 
 #include <algorithm>
 #include <atomic>
