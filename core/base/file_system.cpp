@@ -1,20 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/file_system.h"
 
-#include <cerrno>
-#include <dirent.h>
-#include <memory>
-
 namespace odo::files {
 
 namespace {
 
 namespace fs = std::filesystem;
-
-struct CloseFolder
-{
-    void operator()(DIR *folder) const { ::closedir(folder); }
-};
 
 Kind kindOfStatus(const fs::file_status &status)
 {
@@ -149,24 +140,14 @@ fs::path realPath(const fs::path &path, std::error_code &problem)
     return problem || real.empty() ? files::absolute(path) : real;
 }
 
+fs::path existingPath(const fs::path &path, std::error_code &problem)
+{
+    return answer(problem, [&](std::error_code &code) { return fs::canonical(path, code); });
+}
+
 fs::path linkTarget(const fs::path &link, std::error_code &problem)
 {
     return answer(problem, [&](std::error_code &code) { return fs::read_symlink(link, code); });
-}
-
-std::vector<std::string> namesIn(const fs::path &folder, std::error_code &problem)
-{
-    std::vector<std::string> names;
-    errno = 0; // only this distinguishes readdir's end from a failure
-    const std::unique_ptr<DIR, CloseFolder> open(::opendir(folder.c_str()));
-    while (const dirent *entry = open ? ::readdir(open.get()) : nullptr) {
-        const std::string name = entry->d_name;
-        if (name != "." && name != "..")
-            names.push_back(name);
-        errno = 0;
-    }
-    problem.assign(errno, std::generic_category());
-    return names;
 }
 
 void eachFileBelow(const fs::path &folder, const std::function<bool(const fs::path &)> &visit,
@@ -212,6 +193,18 @@ void removeAll(const fs::path &path)
             removeAll(path / name);
     }
     files::remove(path);
+}
+
+void link(const fs::path &file, const fs::path &name, std::error_code &problem)
+{
+    answer(problem, [&](std::error_code &code) { return fs::create_hard_link(file, name, code), true; });
+}
+
+void letAllRead(const fs::path &folder, std::error_code &problem)
+{
+    constexpr auto usual = fs::perms::owner_all | fs::perms::group_read | fs::perms::group_exec |
+                           fs::perms::others_read | fs::perms::others_exec;
+    answer(problem, [&](std::error_code &code) { return fs::permissions(folder, usual, code), true; });
 }
 
 void rename(const fs::path &from, const fs::path &to, std::error_code &problem)

@@ -2,13 +2,13 @@
 #pragma once
 
 #include "core/base/message.h"
+#include "core/base/platform/file_names.h" // of it, namesIn()
 
 #include <cstdint>
 #include <filesystem>
 #include <functional>
 #include <string>
 #include <system_error>
-#include <vector>
 
 /// What the program asks of the file system. Nothing here throws what std::filesystem throws: a path that is
 /// too long, a folder that may not be entered, a loop of links or a working directory that is gone gives a
@@ -50,13 +50,12 @@ std::filesystem::path absolute(const std::filesystem::path &path);
 /// not known.
 std::filesystem::path realPath(const std::filesystem::path &path);
 std::filesystem::path realPath(const std::filesystem::path &path, std::error_code &problem);
+/// Where a path leads that exists, from the root, without links, dots and doubled slashes; empty with a
+/// problem.
+std::filesystem::path existingPath(const std::filesystem::path &path, std::error_code &problem);
 /// Where a link leads, as it was written; empty with a problem.
 std::filesystem::path linkTarget(const std::filesystem::path &link, std::error_code &problem);
 
-/// The names of all that lies in a folder, but "." and "..", in no order. problem: why it could not be read
-/// to its end; what was read until then is given. std::filesystem's iterators end the program where memory is
-/// refused: libstdc++ 12 puts their paths together in a function that is noexcept.
-std::vector<std::string> namesIn(const std::filesystem::path &folder, std::error_code &problem);
 /// Calls visit for each file below a folder until it returns false. Links are followed to files only; what
 /// may not be read below the folder is left out.
 void eachFileBelow(const std::filesystem::path &folder,
@@ -70,6 +69,10 @@ void remove(const std::filesystem::path &path, std::error_code &problem);
 void remove(const std::filesystem::path &path);
 /// With all that lies in it, as far as that may be removed. Links are not followed.
 void removeAll(const std::filesystem::path &path);
+/// Gives a file a second name, which nothing may have. Not every file system can.
+void link(const std::filesystem::path &file, const std::filesystem::path &name, std::error_code &problem);
+/// As any folder: all may look into it, and its owner may write to it.
+void letAllRead(const std::filesystem::path &folder, std::error_code &problem);
 /// Replaces a file of the new name.
 void rename(const std::filesystem::path &from, const std::filesystem::path &to, std::error_code &problem);
 

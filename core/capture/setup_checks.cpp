@@ -2,13 +2,13 @@
 #include "core/capture/setup_checks.h"
 
 #include "core/base/file_system.h"
+#include "core/base/platform/file_status.h"
 #include "core/capture/camera_source.h"
 
 #include <algorithm>
 #include <cmath>
 #include <fstream>
 #include <map>
-#include <unistd.h>
 
 namespace odo {
 
@@ -405,7 +405,7 @@ MachineFacts readMachine(const std::filesystem::path &root)
             continue;
         VideoNode node;
         node.path = "/dev/" + name;
-        node.usable = access((root / "dev" / name).c_str(), R_OK | W_OK) == 0;
+        node.usable = !checkAccess(root / "dev" / name, FileAccess::Both);
         findUsb(node, root / "sys/class/video4linux" / name / "device");
         facts.nodes.push_back(std::move(node));
     }

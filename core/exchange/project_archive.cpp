@@ -2,6 +2,7 @@
 #include "core/exchange/project_archive.h"
 
 #include "core/base/file_system.h"
+#include "core/base/platform/file_handle.h"
 #include "core/files/file_words.h"
 #include "core/files/output_file.h"
 #include "core/files/protected_files.h"
@@ -11,13 +12,9 @@
 #include <archive_entry.h>
 
 #include <array>
-#include <cerrno>
-#include <cstring>
-#include <fcntl.h>
 #include <fstream>
 #include <memory>
-#include <sys/stat.h>
-#include <unistd.h>
+#include <span>
 
 namespace odo {
 
@@ -183,9 +180,10 @@ public:
 
     Result<std::filesystem::path> publish()
     {
-        ::chmod(m_part->path().c_str(), 0755); // as any folder
-        if (const int reason = giveFreeName(m_part->path(), m_folder); reason != 0)
-            return failure(foreignWords(std::strerror(reason)));
+        std::error_code stays;
+        files::letAllRead(m_part->path(), stays);
+        if (const std::error_code problem = giveFreeName(m_part->path(), m_folder))
+            return failure(problem);
         return m_folder / m_project;
     }
 
@@ -203,17 +201,14 @@ private:
         const std::filesystem::path target = m_part->path() / name;
         std::error_code problem;
         files::makeFolders(target.parent_path(), problem);
-        const int descriptor =
-            ::open(target.c_str(), O_CREAT | O_EXCL | O_WRONLY | O_CLOEXEC | O_NOFOLLOW, 0644);
-        if (descriptor < 0 && errno == EEXIST)
+        const auto file = FileHandle::create(target, FileHandle::Permissions::OwnerWrites);
+        if (!file && file.error() == std::errc::file_exists)
             return refuse(ODO_TEXT("exchange.is_in_it_twice", "it contains '%1' twice")(Named::file(name)));
-        if (descriptor < 0)
-            return failure(foreignWords(std::strerror(errno)));
-        auto copied = copyData(descriptor, control);
-        if (copied && ::fsync(descriptor) != 0)
-            copied = failure(foreignWords(std::strerror(errno)));
-        ::close(descriptor);
-        return copied;
+        if (!file)
+            return failure(file.error());
+        ODO_TRY(copyData(*file, control));
+        const std::error_code unsafe = file->sync();
+        return unsafe ? failure(unsafe) : Result<void>();
     }
 
     bool mayBe(const std::filesystem::path &name) const
@@ -227,7 +222,7 @@ private:
                std::ranges::none_of(name, [](const auto &part) { return part == ".." || part.empty(); });
     }
 
-    Result<void> copyData(int descriptor, const JobControl &control)
+    Result<void> copyData(const FileHandle &file, const JobControl &control)
     {
         std::vector<char> block(blockBytes);
         for (;;) {
@@ -242,22 +237,18 @@ private:
             if (m_unpackedBytes > alwaysAllowedBytes + mostGrowth * m_archiveBytes)
                 return refuse(ODO_TEXT("exchange.unpacks_too_large",
                                        "it unpacks to more than a hundred times its size"));
-            for (la_ssize_t at = 0; at < count;) {
-                const ssize_t written =
-                    ::write(descriptor, block.data() + at, static_cast<std::size_t>(count - at));
-                if (written < 0)
-                    return failure(foreignWords(std::strerror(errno)));
-                at += written;
-            }
+            if (const auto problem = file.write(std::span(block).first(static_cast<std::size_t>(count))))
+                return failure(problem);
             const auto read = static_cast<double>(archive_filter_bytes(m_archive, -1));
             control.report(std::min(1.0, read / static_cast<double>(m_archiveBytes)),
                            ODO_TEXT("exchange.unpacking", "unpacking"));
         }
     }
 
-    tl::unexpected<Error> failure(Message why) const
+    tl::unexpected<Error> failure(const std::error_code &reason) const
     {
-        return fail(ErrorCode::Io, unpackIntoSubject(m_folder), std::move(why), checkItsFolder());
+        return fail(ErrorCode::Io, unpackIntoSubject(m_folder), foreignWords(reason.message()),
+                    checkItsFolder());
     }
     tl::unexpected<Error> refuse(Message why) const
     {

@@ -3,7 +3,6 @@
 
 #include <array>
 #include <tuple>
-#include <unistd.h>
 #include <utility>
 
 namespace odo {
@@ -129,12 +128,10 @@ bool isSameKind(FileKind a, FileKind b)
     return a == b || (isTable(a) && isTable(b));
 }
 
-std::optional<FileKind> kindOfFile(int descriptor)
+SystemResult<FileKind> kindOfFile(const FileHandle &file)
 {
     std::array<char, kindBytes> start{};
-    const ssize_t length = ::pread(descriptor, start.data(), start.size(), 0);
-    return length < 0 ? std::nullopt
-                      : std::optional(kindOf({start.data(), static_cast<std::size_t>(length)}));
+    return file.readStart(start).map([&](std::size_t length) { return kindOf({start.data(), length}); });
 }
 
 } // namespace odo

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/base/platform/file_handle.h"
+#include "core/base/platform/system_result.h"
+
 #include <cstddef>
-#include <optional>
 #include <string_view>
 
 namespace odo {
@@ -34,8 +36,8 @@ bool isSameKind(FileKind a, FileKind b);
 /// How many bytes from the start identify a file's kind.
 inline constexpr std::size_t kindBytes = 8192;
 
-/// Of the file behind a descriptor; nothing, with errno, where it cannot be read.
-std::optional<FileKind> kindOfFile(int descriptor);
+/// Of a file that is open; the system's reason where it cannot be read.
+SystemResult<FileKind> kindOfFile(const FileHandle &file);
 
 /// The kind of a file that begins so; `start` may hold more than kindBytes.
 FileKind kindOf(std::string_view start);

@@ -8,12 +8,7 @@
 #include "core/files/temporary.h"
 
 #include <algorithm>
-#include <cerrno>
-#include <cstring>
-#include <fcntl.h>
 #include <string_view>
-#include <sys/stat.h>
-#include <unistd.h>
 
 namespace odo {
 
@@ -68,12 +63,8 @@ bool holdsProject(const std::filesystem::path &file, const ProtectedFiles &open)
         return identity.has_value();
     if (open.isPartOfOpenProject(*identity) || !files::isFile(file))
         return false;
-    const int descriptor = ::open(file.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
-    if (descriptor < 0)
-        return false;
-    const auto kind = kindOfFile(descriptor);
-    ::close(descriptor);
-    return kind == FileKind::Project;
+    const auto handle = FileHandle::openToRead(file, FileHandle::Links::Followed);
+    return handle && kindOfFile(*handle) == FileKind::Project;
 }
 
 /// A project in the folder whose name `isMeant` likes; empty where there is none. One that is damaged is
@@ -118,15 +109,13 @@ bool holds(const std::filesystem::path &folder, const FileIdentity &file, int de
 {
     std::error_code ignored;
     for (const std::string &name : files::namesIn(folder, ignored)) {
-        struct stat status
-        {
-        };
         const std::filesystem::path each = folder / name;
-        if (::lstat(each.c_str(), &status) != 0)
+        const auto status = statusOfItself(each);
+        if (!status)
             continue;
-        if (FileIdentity{status.st_dev, status.st_ino} == file)
+        if (status->identity == file)
             return true;
-        if (S_ISDIR(status.st_mode) && depth < deepestFolder && holds(each, file, depth + 1))
+        if (status->kind == files::Kind::Folder && depth < deepestFolder && holds(each, file, depth + 1))
             return true;
     }
     return false;
@@ -172,16 +161,13 @@ tl::unexpected<Error> refusedAs(const OutputTarget &target, Message why)
 class OutputCheck
 {
 public:
-    OutputCheck(const OutputTarget &target, ResolvedPath path) : m_target(target), m_path(std::move(path))
-    {
-        m_exists = ::lstat(m_path.real.c_str(), &m_status) == 0;
-        m_problem = m_exists ? 0 : errno;
-    }
+    OutputCheck(const OutputTarget &target, ResolvedPath path) : m_target(target), m_path(std::move(path)) {}
 
     Result<OutputPlace> run(std::optional<FileKind> kind)
     {
-        if (!m_exists && m_problem != ENOENT)
-            return m_problem == ENAMETOOLONG ? nameIsTooLong(what()) : notWritable(m_problem);
+        if (!m_exists && m_found.error() != std::errc::no_such_file_or_directory)
+            return m_found.error() == std::errc::filename_too_long ? nameIsTooLong(what())
+                                                                   : notWritable(m_found.error());
         if (Message reason = reasonOfName(); !reason.isEmpty())
             return refused(std::move(reason));
         if (const auto project = m_target.isOwnMedia ? std::filesystem::path() : projectOfMedia();
@@ -190,13 +176,13 @@ public:
         if (m_exists && !m_target.isOwnMedia && isInSomeMedia())
             return refused(
                 ODO_TEXT("files.is_in_some_media_folder", "it is in a media folder beside a project"));
-        OutputPlace place{m_path.real, m_exists, FileKind::Empty, m_status.st_mode & 0777U};
+        OutputPlace place{m_path.real, m_exists, FileKind::Empty, m_status.permissions};
         if (!m_exists)
             return isNamedAsProject(kind) ? refused(namesAProject()) : Result<OutputPlace>(place);
         if (m_target.existing == Existing::Refuse || m_target.isOwnMedia)
             return fail(ErrorCode::AlreadyExists, what(), isThereAlready(), chooseAnotherNameOrFolder());
-        if (::access(m_path.real.c_str(), W_OK) != 0) // its owner has protected it, or the disk is read-only
-            return notWritable(errno);
+        if (const auto problem = checkAccess(m_path.real, FileAccess::Write))
+            return notWritable(problem); // its owner has protected it, or the disk is read-only
         const auto found = ODO_TRY(existingKind());
         if (isNamedAsProject(kind))
             return refused(namesAProject());
@@ -231,13 +217,13 @@ public:
 private:
     Message what() const { return quotedFileSubject(m_target.file); }
     tl::unexpected<Error> refused(Message why) const { return refusedAs(m_target, std::move(why)); }
-    tl::unexpected<Error> notWritable(int reason) const
+    tl::unexpected<Error> notWritable(const std::error_code &reason) const
     {
-        return fail(ErrorCode::ReadOnly, what(), cannotBeWritten(std::strerror(reason)), chooseAnotherName());
+        return fail(ErrorCode::ReadOnly, what(), cannotBeWritten(reason.message()), chooseAnotherName());
     }
-    tl::unexpected<Error> notReadable(int reason) const
+    tl::unexpected<Error> notReadable(const std::error_code &reason) const
     {
-        return fail(ErrorCode::Io, what(), cannotBeRead(std::strerror(reason)), chooseAnotherName());
+        return fail(ErrorCode::Io, what(), cannotBeRead(reason.message()), chooseAnotherName());
     }
     /// Whether the file, or a link that leads to it, would pass for a project by its name and be none.
     bool isNamedAsProject(std::optional<FileKind> kind) const
@@ -251,20 +237,17 @@ private:
     std::string leftBeside() const
     {
         for (const char *suffix : {"-wal", "-journal"}) {
-            struct stat status
-            {
-            };
             const std::string side = m_path.real.string() + suffix;
-            const bool isHarmless =
-                ::lstat(side.c_str(), &status) != 0 || (S_ISREG(status.st_mode) && status.st_size == 0);
+            const auto status = statusOfItself(side);
+            const bool isHarmless = !status || (status->kind == files::Kind::File && status->bytes == 0);
             if (!isHarmless)
                 return std::filesystem::path(side).filename().string();
         }
         return {};
     }
-    FileIdentity identity() const { return {m_status.st_dev, m_status.st_ino}; }
+    FileIdentity identity() const { return m_status.identity; }
     /// Whether the file may be known by other names too.
-    bool hasMoreNames() const { return m_exists && m_status.st_nlink > 1; }
+    bool hasMoreNames() const { return m_exists && m_status.names > 1; }
 
     /// Why nothing may be written under that name or in place of that file; empty: nothing speaks against it
     /// so far.
@@ -343,14 +326,10 @@ private:
     /// It isn't an open project: reasonOfName() has looked.
     Result<FileKind> existingKind() const
     {
-        const int descriptor = ::open(m_path.real.c_str(), O_RDONLY | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK);
-        if (descriptor < 0)
-            return notReadable(errno);
-        const auto kind = kindOfFile(descriptor);
-        const int problem = errno;
-        ::close(descriptor);
+        const auto handle = FileHandle::openToRead(m_path.real, FileHandle::Links::Refused);
+        const auto kind = handle ? kindOfFile(*handle) : tl::unexpected(handle.error());
         if (!kind)
-            return notReadable(problem);
+            return notReadable(kind.error());
         if (kind == FileKind::Project)
             return refused(ODO_TEXT("files.is_another_project", "it is another project"));
         if (kind == FileKind::Database)
@@ -361,11 +340,9 @@ private:
     const ProtectedFiles m_protected;
     const OutputTarget &m_target;
     const ResolvedPath m_path;
-    struct stat m_status
-    {
-    };
-    bool m_exists = false;
-    int m_problem = 0;
+    const SystemResult<FileStatus> m_found = statusOfItself(m_path.real);
+    const bool m_exists = m_found.has_value();
+    const FileStatus m_status = m_found.value_or(FileStatus());
 };
 
 } // namespace
@@ -405,7 +382,7 @@ Result<std::unique_ptr<OutputFile>> OutputFile::open(const OutputTarget &target,
     const auto place = ODO_TRY(checkOutput(target, kind));
     auto temporary = ODO_TRY(TemporaryFile::make(place.real.parent_path(), quotedFileSubject(target.file)));
     if (place.exists) // its readers stay the same; not every file system can
-        static_cast<void>(::fchmod(temporary->descriptor(), place.permissions));
+        static_cast<void>(temporary->handle().setPermissions(place.permissions));
     return std::unique_ptr<OutputFile>(new OutputFile(target, kind, std::move(temporary)));
 }
 
@@ -417,8 +394,8 @@ tl::unexpected<Error> OutputFile::failure(std::string because) const
 
 Result<void> OutputFile::write(std::string_view bytes)
 {
-    const int failed = writeAll(descriptor(), bytes);
-    return failed == 0 ? Result<void>() : failure(std::strerror(failed));
+    const std::error_code problem = m_temporary->handle().write(bytes);
+    return problem ? failure(problem.message()) : Result<void>();
 }
 
 Result<void> OutputFile::commit()

@@ -70,7 +70,7 @@ public:
     static Result<std::unique_ptr<OutputFile>> open(const OutputTarget &target, FileKind kind);
 
     /// Where to write to: a descriptor, or the file's name for libraries that open it themselves.
-    int descriptor() const { return m_temporary->descriptor(); }
+    int descriptor() const { return m_temporary->handle().number(); }
     std::filesystem::path temporary() const { return m_temporary->path(); }
     Result<void> write(std::string_view bytes);
     /// Once, when all is written. The target is checked again: meanwhile something may have got its name.

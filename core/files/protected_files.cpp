@@ -7,12 +7,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cerrno>
-#include <cstdlib>
-#include <cstring>
-#include <memory>
-#include <sys/stat.h>
-#include <unistd.h>
 
 namespace odo {
 
@@ -33,20 +27,12 @@ ProtectedLists &protectedLists()
 ProtectedFile protectedFile(const std::filesystem::path &file, Message reason)
 {
     const std::filesystem::path named = files::absolute(file);
-    return {named, realPath(named).value_or(named), identityOf(named), std::move(reason)};
+    std::error_code problem;
+    const std::filesystem::path real = files::existingPath(named, problem);
+    return {named, problem ? named : real, identityOf(named), std::move(reason)};
 }
 
 } // namespace
-
-std::optional<FileIdentity> identityOf(const std::filesystem::path &file)
-{
-    struct stat status
-    {
-    };
-    if (::stat(file.c_str(), &status) != 0)
-        return std::nullopt;
-    return FileIdentity{status.st_dev, status.st_ino};
-}
 
 OpenProjectFile::OpenProjectFile(const std::filesystem::path &file)
 {
@@ -74,8 +60,8 @@ Result<void> checkMayBeRead(const std::filesystem::path &file, const Message &wh
                     ODO_TEXT("files.check_name", "check the name and the folder"));
     if (Message reason = files::insteadOfFile(kind); !reason.isEmpty())
         return fail(ErrorCode::InvalidInput, what, std::move(reason), nameAFile());
-    if (::access(file.c_str(), R_OK) != 0)
-        return fail(ErrorCode::Io, what, cannotBeRead(std::strerror(errno)), checkFileMayBeRead());
+    if (const std::error_code refused = checkAccess(file, FileAccess::Read))
+        return fail(ErrorCode::Io, what, cannotBeRead(refused.message()), checkFileMayBeRead());
     const auto identity = identityOf(file);
     if (identity && ProtectedFiles().isPartOfOpenProject(*identity))
         return fail(ErrorCode::InvalidInput, what,
@@ -132,18 +118,7 @@ namespace {
 
 constexpr int mostLinks = 40; // as the kernel
 
-struct FreeText
-{
-    void operator()(char *text) const { std::free(text); } // NOLINT: realpath() allocates so
-};
-
 } // namespace
-
-std::optional<std::filesystem::path> realPath(const std::filesystem::path &file)
-{
-    const std::unique_ptr<char, FreeText> real(::realpath(file.c_str(), nullptr));
-    return real ? std::optional<std::filesystem::path>(real.get()) : std::nullopt;
-}
 
 Result<ResolvedPath> resolved(const std::filesystem::path &file)
 {
@@ -157,22 +132,25 @@ Result<ResolvedPath> resolved(const std::filesystem::path &file)
         const std::filesystem::path name = named.filename(), folder = named.parent_path();
         if (name.empty() || name == "." || name == "..")
             return fail(ErrorCode::WrongCall, what, files::insteadOfFile(files::Kind::Folder), nameAFile());
-        const auto realFolder = realPath(folder);
-        if (!realFolder && errno == ENOENT)
+        std::error_code problem;
+        const std::filesystem::path realFolder = files::existingPath(folder, problem);
+        if (problem == std::errc::no_such_file_or_directory)
             return fail(ErrorCode::NotFound, what, noSuchFolder(folder), makeFolderFirst());
-        if (!realFolder)
+        if (problem)
             return fail(ErrorCode::Io, what,
                         ODO_TEXT("files.folder_cannot_be_used",
-                                 "its folder cannot be used (%1)")(foreignWords(std::strerror(errno))),
+                                 "its folder cannot be used (%1)")(foreignWords(problem.message())),
                         ODO_TEXT("files.choose_another_folder", "choose another folder"));
-        resolved.real = *realFolder / name;
+        resolved.real = realFolder / name;
         std::error_code isNoLink;
         const std::filesystem::path link = files::linkTarget(resolved.real, isNoLink);
         if (isNoLink)
             return resolved;
-        named = *realFolder / link; // an absolute one replaces the folder
+        named = realFolder / link; // an absolute one replaces the folder
     }
-    return fail(ErrorCode::Io, what, cannotBeWritten(std::strerror(ELOOP)), chooseAnotherName());
+    return fail(ErrorCode::Io, what,
+                cannotBeWritten(std::make_error_code(std::errc::too_many_symbolic_link_levels).message()),
+                chooseAnotherName());
 }
 
 } // namespace odo

@@ -2,27 +2,15 @@
 #pragma once
 
 #include "core/base/error.h"
+#include "core/base/platform/file_status.h"
 
-#include <compare>
-#include <cstdint>
 #include <filesystem>
 #include <list>
 #include <mutex>
 #include <optional>
-#include <utility>
 #include <vector>
 
 namespace odo {
-
-/// Which file a path leads to: the same for all of its names.
-struct FileIdentity
-{
-    std::uint64_t device = 0, inode = 0;
-    friend auto operator<=>(const FileIdentity &, const FileIdentity &) = default;
-};
-
-/// Links are followed; nothing where there is no file. Doesn't open it.
-std::optional<FileIdentity> identityOf(const std::filesystem::path &file);
 
 /// What this process has open or reads, and what nothing may be written over therefore.
 struct ProtectedFile
@@ -88,10 +76,6 @@ public:
 private:
     std::unique_lock<std::mutex> m_lock;
 };
-
-/// A path without links, dots and doubled slashes; nothing where it leads nowhere. Never throws on what the
-/// disk says.
-std::optional<std::filesystem::path> realPath(const std::filesystem::path &file);
 
 /// Where a file that may not exist yet would be written, all links followed, those that lead nowhere too.
 struct ResolvedPath

@@ -2,20 +2,13 @@
 #include "core/files/temporary.h"
 
 #include "core/base/file_system.h"
+#include "core/base/platform/file_names.h"
+#include "core/base/platform/process.h"
 #include "core/files/file_words.h"
 
-#include <algorithm>
-#include <cerrno>
-#include <cstdio>
-#include <cstring>
-#include <ctime>
-#include <fcntl.h>
+#include <chrono>
 #include <new>
 #include <string_view>
-#include <sys/file.h>
-#include <sys/random.h>
-#include <sys/stat.h>
-#include <unistd.h>
 #include <utility>
 
 namespace odo {
@@ -27,13 +20,17 @@ constexpr std::string_view nameStart = ".odograph-", nameEnd = ".part",
 constexpr const char *markName = "temporary folder of Odograph";
 constexpr std::size_t lettersOfName = 12;
 constexpr const char *nameOfFile = "new";
-constexpr std::time_t longestWritingS = 24 * 3600; // where the file system knows no locks
+constexpr std::chrono::hours longestWriting(24); // where the file system knows no locks
 
-/// Empty, with errno, where the system has no random numbers.
-std::string randomName()
+/// So many letters and digits that nobody can foresee.
+SystemResult<std::string> randomLetters(std::size_t count)
 {
-    const std::string letters = randomLetters(lettersOfName);
-    return letters.empty() ? letters : std::string(nameStart) + letters + std::string(nameEnd);
+    std::string text(count, '\0');
+    if (const std::error_code problem = fillWithRandom(std::as_writable_bytes(std::span(text))))
+        return tl::unexpected(problem);
+    for (char &character : text)
+        character = nameLetters[static_cast<unsigned char>(character) % nameLetters.size()];
+    return text;
 }
 
 void removeAll(const std::filesystem::path &path)
@@ -52,46 +49,31 @@ std::string markOf(const std::filesystem::path &folder)
 
 bool hasMark(const std::filesystem::path &folder)
 {
-    const int descriptor =
-        ::open((folder / markName).c_str(), O_RDONLY | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK);
-    if (descriptor < 0)
-        return false;
+    const auto file = FileHandle::openToRead(folder / markName, FileHandle::Links::Refused);
     const std::string mark = markOf(folder);
     std::string text(mark.size() + 1, '\0');
-    const ssize_t length = ::pread(descriptor, text.data(), text.size(), 0);
-    ::close(descriptor);
-    return length == static_cast<ssize_t>(mark.size()) && text.starts_with(mark);
+    return file && file->readStart(text) == mark.size() && text.starts_with(mark);
 }
 
-/// False, with errno, where it cannot be written.
-bool setMark(const std::filesystem::path &folder)
+std::error_code setMark(const std::filesystem::path &folder)
 {
-    const int descriptor =
-        ::open((folder / markName).c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0600);
-    if (descriptor < 0)
-        return false;
-    const int failed = writeAll(descriptor, markOf(folder));
-    ::close(descriptor);
-    errno = failed;
-    return failed == 0;
+    const auto file = FileHandle::create(folder / markName, FileHandle::Permissions::OwnerAlone);
+    return file ? file->write(markOf(folder)) : file.error();
 }
 
 void removeIfStray(const std::filesystem::path &path)
 {
-    struct stat status
-    {
-    };
-    if (::lstat(path.c_str(), &status) != 0 || !S_ISDIR(status.st_mode) || status.st_uid != ::geteuid())
+    const auto status = statusOfItself(path);
+    if (!status || status->kind != files::Kind::Folder || !status->isOwn)
         return;
-    const int descriptor = ::open(path.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC | O_NOFOLLOW);
-    if (descriptor < 0)
+    const auto folder = FileHandle::openFolder(path, FileHandle::Links::Refused);
+    if (!folder)
         return;
-    const bool isUnlocked = ::flock(descriptor, LOCK_EX | LOCK_NB) == 0;
-    const bool isUnknown = !isUnlocked && errno != EWOULDBLOCK;
-    if ((isUnlocked || (isUnknown && std::time(nullptr) - status.st_mtime > longestWritingS)) &&
-        hasMark(path))
+    const std::error_code problem = folder->tryLock(FileHandle::Lock::Exclusive);
+    const bool isUnknown = problem && problem != std::errc::operation_would_block;
+    const auto longAgo = std::chrono::system_clock::now().time_since_epoch() - longestWriting;
+    if ((!problem || (isUnknown && Nanoseconds(status->modifiedNs) < longAgo)) && hasMark(path))
         removeAll(path);
-    ::close(descriptor);
 }
 
 void sweep(const std::filesystem::path &folder)
@@ -102,48 +84,49 @@ void sweep(const std::filesystem::path &folder)
             removeIfStray(folder / name);
 }
 
-tl::unexpected<Error> cannotMake(const std::filesystem::path &folder, const Message &what, int reason)
+tl::unexpected<Error> cannotMake(const std::filesystem::path &folder, const Message &what,
+                                 const std::error_code &reason)
 {
     if (!files::isFolder(folder))
         return fail(ErrorCode::NotFound, what, noSuchFolder(folder), makeFolderFirst());
-    if (reason == ENOSPC || reason == EDQUOT)
+    if (isDiskFull(reason))
         return fail(ErrorCode::Io, what, ODO_TEXT("files.disk_is_full", "the disk is full"),
                     makeRoomOnDisk());
     return fail(ErrorCode::ReadOnly, what,
                 ODO_TEXT("files.folder_not_writable", "the folder '%1' cannot be written to (%2)")(
-                    Named::file(folder), foreignWords(std::strerror(reason))),
+                    Named::file(folder), foreignWords(reason.message())),
                 chooseWritableFolder());
 }
 
 /// A new folder under a new name, locked and marked: its path, and what holds its lock.
-Result<std::pair<std::filesystem::path, int>> madeIn(const std::filesystem::path &folder, const Message &what)
+Result<std::pair<std::filesystem::path, FileHandle>> madeIn(const std::filesystem::path &folder,
+                                                            const Message &what)
 {
     sweep(folder);
     constexpr int mostAttempts = 100;
+    std::error_code problem;
     for (int attempt = 0; attempt < mostAttempts; ++attempt) {
-        const std::string name = randomName();
-        if (name.empty())
+        const auto letters = randomLetters(lettersOfName);
+        if (!letters)
+            return cannotMake(folder, what, letters.error());
+        const std::filesystem::path path =
+            folder / (std::string(nameStart) + *letters + std::string(nameEnd));
+        problem = makeOwnFolder(path);
+        if (problem == std::errc::file_exists)
+            continue;
+        if (problem)
             break;
-        const std::filesystem::path path = folder / name;
-        if (::mkdir(path.c_str(), 0700) != 0) {
-            if (errno == EEXIST)
-                continue;
-            break;
+        auto handle = FileHandle::openFolder(path, FileHandle::Links::Refused);
+        if (handle) {
+            static_cast<void>(handle->lock(FileHandle::Lock::Exclusive)); // without locks its age tells
+            problem = setMark(path);                                      // nobody sweeps it before
+            if (!problem)
+                return std::pair(path, std::move(*handle));
         }
-        const int descriptor = ::open(path.c_str(), O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC);
-        if (descriptor >= 0) {
-            static_cast<void>(::flock(descriptor, LOCK_EX)); // without locks, its age decides
-            if (setMark(path))                               // nobody sweeps it before
-                return std::pair(path, descriptor);
-        }
-        const int failed = errno;
         removeAll(path);
-        if (descriptor >= 0)
-            ::close(descriptor);
-        errno = failed;
-        break;
+        return cannotMake(folder, what, handle ? problem : handle.error());
     }
-    return cannotMake(folder, what, errno);
+    return cannotMake(folder, what, problem);
 }
 
 } // namespace
@@ -158,59 +141,8 @@ bool isTemporaryName(const std::filesystem::path &name)
            std::string_view::npos;
 }
 
-bool syncToDisk(const std::filesystem::path &path)
-{
-    const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
-    if (descriptor < 0)
-        return false;
-    const bool written = ::fsync(descriptor) == 0;
-    const int reason = errno;
-    ::close(descriptor);
-    errno = reason;
-    return written;
-}
-
-namespace {
-
-/// The name is made somebody's first, by something that the renaming replaces. 0, or errno.
-int takePlace(const std::filesystem::path &from, const std::filesystem::path &to)
-{
-    const bool isFolder = files::kindOfItself(from) == files::Kind::Folder;
-    const int place = isFolder
-                          ? ::mkdir(to.c_str(), 0700)
-                          : ::open(to.c_str(), O_CREAT | O_EXCL | O_WRONLY | O_CLOEXEC | O_NOFOLLOW, 0600);
-    if (place < 0)
-        return errno;
-    if (!isFolder)
-        ::close(place);
-    if (::rename(from.c_str(), to.c_str()) == 0)
-        return 0;
-    const int failed = errno;
-    std::remove(to.c_str());
-    return failed;
-}
-
-} // namespace
-
-int giveFreeName(const std::filesystem::path &from, const std::filesystem::path &to)
-{
-    // A hard link fails where a file is, unlike a rename. Not every file system (a USB stick's FAT) knows
-    // links.
-    if (::link(from.c_str(), to.c_str()) == 0) {
-        ::unlink(from.c_str());
-        return 0;
-    }
-    if (errno == EEXIST)
-        return errno;
-    if (::renameat2(AT_FDCWD, from.c_str(), AT_FDCWD, to.c_str(), RENAME_NOREPLACE) == 0)
-        return 0;
-    if (errno != EINVAL && errno != ENOSYS)
-        return errno;
-    return takePlace(from, to);
-}
-
-TemporaryFile::TemporaryFile(std::unique_ptr<TemporaryFolder> folder, int descriptor, Message what)
-    : m_folder(std::move(folder)), m_descriptor(descriptor), m_what(std::move(what))
+TemporaryFile::TemporaryFile(std::unique_ptr<TemporaryFolder> folder, FileHandle handle, Message what)
+    : m_folder(std::move(folder)), m_handle(std::move(handle)), m_what(std::move(what))
 {
 }
 
@@ -218,16 +150,10 @@ Result<std::unique_ptr<TemporaryFile>> TemporaryFile::make(const std::filesystem
                                                            const Message &what)
 {
     auto made = ODO_TRY(TemporaryFolder::make(folder, what));
-    const int descriptor =
-        ::open((made->path() / nameOfFile).c_str(), O_RDWR | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0666);
-    if (descriptor < 0)
-        return cannotMake(folder, what, errno);
-    return std::unique_ptr<TemporaryFile>(new TemporaryFile(std::move(made), descriptor, what));
-}
-
-TemporaryFile::~TemporaryFile()
-{
-    ::close(m_descriptor);
+    auto handle = FileHandle::create(made->path() / nameOfFile, FileHandle::Permissions::AsUserWishes);
+    if (!handle)
+        return cannotMake(folder, what, handle.error());
+    return std::unique_ptr<TemporaryFile>(new TemporaryFile(std::move(made), std::move(*handle), what));
 }
 
 std::filesystem::path TemporaryFile::path() const
@@ -235,16 +161,17 @@ std::filesystem::path TemporaryFile::path() const
     return m_folder->path() / nameOfFile;
 }
 
-tl::unexpected<Error> TemporaryFile::failure(int reason) const
+tl::unexpected<Error> TemporaryFile::failure(const std::error_code &reason) const
 {
-    if (reason == EEXIST)
+    if (reason == std::errc::file_exists)
         return fail(ErrorCode::AlreadyExists, m_what, isThereAlready(), chooseAnotherNameOrFolder());
-    return fail(ErrorCode::Io, m_what, cannotBeWritten(std::strerror(reason)), chooseFolderWithRoom());
+    return fail(ErrorCode::Io, m_what, cannotBeWritten(reason.message()), chooseFolderWithRoom());
 }
 
 Result<void> TemporaryFile::sync() const
 {
-    return ::fsync(m_descriptor) == 0 ? Result<void>() : failure(errno);
+    const std::error_code problem = m_handle.sync();
+    return problem ? failure(problem) : Result<void>();
 }
 
 void TemporaryFile::published(const std::filesystem::path &target)
@@ -257,8 +184,10 @@ void TemporaryFile::published(const std::filesystem::path &target)
 Result<void> TemporaryFile::replace(const std::filesystem::path &target)
 {
     ODO_TRY(sync());
-    if (::rename(path().c_str(), target.c_str()) != 0)
-        return failure(errno);
+    std::error_code problem;
+    files::rename(path(), target, problem);
+    if (problem)
+        return failure(problem);
     published(target);
     return {};
 }
@@ -266,8 +195,8 @@ Result<void> TemporaryFile::replace(const std::filesystem::path &target)
 Result<void> TemporaryFile::publish(const std::filesystem::path &target)
 {
     ODO_TRY(sync());
-    if (const int reason = giveFreeName(path(), target); reason != 0)
-        return failure(reason);
+    if (const std::error_code problem = giveFreeName(path(), target))
+        return failure(problem);
     published(target);
     return {};
 }
@@ -276,60 +205,20 @@ Result<std::unique_ptr<TemporaryFolder>> TemporaryFolder::make(const std::filesy
                                                                const Message &what)
 {
     auto made = ODO_TRY(madeIn(folder, what));
-    std::unique_ptr<TemporaryFolder> temporary(new TemporaryFolder(std::move(made.first), made.second));
-    if (::mkdir(temporary->path().c_str(), 0700) != 0)
-        return cannotMake(folder, what, errno);
+    std::unique_ptr<TemporaryFolder> temporary(
+        new TemporaryFolder(std::move(made.first), std::move(made.second)));
+    if (const std::error_code problem = makeOwnFolder(temporary->path()))
+        return cannotMake(folder, what, problem);
     return temporary;
 }
 
 TemporaryFolder::~TemporaryFolder()
 {
-    if (isAt(m_outer, m_descriptor))
+    if (m_handle.isAt(m_outer))
         removeAll(m_outer);
-    ::close(m_descriptor);
-}
-
-bool isAt(const std::filesystem::path &path, int descriptor)
-{
-    struct stat open
-    {
-    }, there{};
-    return ::fstat(descriptor, &open) == 0 && ::lstat(path.c_str(), &there) == 0 &&
-           open.st_ino == there.st_ino && open.st_dev == there.st_dev;
-}
-
-int writeAll(int descriptor, std::span<const char> bytes)
-{
-    while (!bytes.empty()) {
-        const ssize_t written = ::write(descriptor, bytes.data(), bytes.size());
-        if (written < 0 && errno != EINTR)
-            return errno;
-        if (written > 0)
-            bytes = bytes.subspan(static_cast<std::size_t>(written));
-    }
-    return 0;
-}
-
-std::string randomLetters(std::size_t count)
-{
-    constexpr std::string_view letters = "abcdefghijklmnopqrstuvwxyz234567";
-    std::string text(count, '\0');
-    if (::getrandom(text.data(), count, 0) != static_cast<ssize_t>(count))
-        return {};
-    for (char &character : text)
-        character = letters[static_cast<unsigned char>(character) % letters.size()];
-    return text;
 }
 
 namespace {
-
-constexpr mode_t asTheUserWishes = 0666; // less the umask
-constexpr int newFile = O_CREAT | O_EXCL | O_RDWR | O_CLOEXEC | O_NOFOLLOW;
-
-std::error_code systemError(int number)
-{
-    return {number, std::generic_category()};
-}
 
 std::filesystem::path numbered(const std::filesystem::path &folder, const std::string &stem,
                                const std::string &ending, int number)
@@ -337,26 +226,10 @@ std::filesystem::path numbered(const std::filesystem::path &folder, const std::s
     return folder / (number == 1 ? stem + ending : stem + "_" + std::to_string(number) + ending);
 }
 
-/// 0, or why not. Some file systems of a network know no locks: there a name is still nobody else's.
-int lock(int descriptor, int how)
-{
-    int failed = 0;
-    do
-        failed = ::flock(descriptor, how) == 0 ? 0 : errno;
-    while (failed == EINTR);
-    return failed == EWOULDBLOCK ? failed : 0;
-}
-
 } // namespace
 
-ClaimedFile::ClaimedFile(std::filesystem::path path, int descriptor, Made made)
-    : m_path(std::move(path)), m_descriptor(descriptor), m_isOurs(made == Made::Here), m_goes(m_isOurs)
-{
-}
-
-ClaimedFile::ClaimedFile(ClaimedFile &&other) noexcept
-    : m_path(std::move(other.m_path)), m_descriptor(std::exchange(other.m_descriptor, -1)),
-      m_isOurs(other.m_isOurs), m_goes(other.m_goes)
+ClaimedFile::ClaimedFile(std::filesystem::path path, FileHandle handle, Made made)
+    : m_path(std::move(path)), m_handle(std::move(handle)), m_isOurs(made == Made::Here), m_goes(m_isOurs)
 {
 }
 
@@ -365,7 +238,7 @@ ClaimedFile &ClaimedFile::operator=(ClaimedFile &&other) noexcept
     if (this != &other) {
         close();
         m_path = std::move(other.m_path);
-        m_descriptor = std::exchange(other.m_descriptor, -1);
+        m_handle = std::move(other.m_handle);
         m_isOurs = other.m_isOurs;
         m_goes = other.m_goes;
     }
@@ -379,12 +252,9 @@ ClaimedFile::~ClaimedFile()
 
 void ClaimedFile::close()
 {
-    if (m_descriptor < 0)
-        return;
-    if (m_goes && isAt(m_path, m_descriptor))
-        ::unlink(m_path.c_str()); // while it is claimed
-    ::close(m_descriptor);
-    m_descriptor = -1;
+    if (m_goes && m_handle.isAt(m_path))
+        static_cast<void>(removeFile(m_path)); // while it is claimed
+    m_handle = {};
 }
 
 void ClaimedFile::remove()
@@ -393,74 +263,60 @@ void ClaimedFile::remove()
     close();
 }
 
-ClaimedFile::Outcome<ClaimedFile> ClaimedFile::create(const std::filesystem::path &folder,
-                                                      const std::string &stem, const std::string &ending)
+/// A new file of that name; nothing where who removes stray files was faster.
+SystemResult<std::optional<ClaimedFile>> ClaimedFile::claim(const std::filesystem::path &path)
+{
+    auto handle = FileHandle::create(path, FileHandle::Permissions::AsUserWishes);
+    if (!handle)
+        return tl::unexpected(handle.error());
+    ClaimedFile file(path, std::move(*handle), Made::Here);
+    static_cast<void>(file.m_handle.lock(FileHandle::Lock::Exclusive)); // waits for who looks at it
+    return file.m_handle.isAt(path) ? std::optional(std::move(file)) : std::nullopt;
+}
+
+SystemResult<ClaimedFile> ClaimedFile::create(const std::filesystem::path &folder, const std::string &stem,
+                                              const std::string &ending)
 {
     for (int number = 1;;) {
-        const std::filesystem::path path = numbered(folder, stem, ending, number);
-        const int descriptor = ::open(path.c_str(), newFile, asTheUserWishes);
-        if (descriptor < 0 && errno == EEXIST) {
-            ++number;
-            continue;
-        }
-        if (descriptor < 0)
-            return tl::unexpected(systemError(errno));
-        ClaimedFile file(path, descriptor, Made::Here);
-        lock(descriptor, LOCK_EX);  // waits for whoever checks whether it is held
-        if (isAt(path, descriptor)) // who removes stray files may have been faster
-            return file;
+        auto file = claim(numbered(folder, stem, ending, number));
+        if (file && *file)
+            return std::move(**file);
+        if (!file && file.error() != std::errc::file_exists)
+            return tl::unexpected(file.error());
+        number += file ? 0 : 1;
     }
 }
 
-ClaimedFile::Outcome<ClaimedFile> ClaimedFile::begin(const std::filesystem::path &folder)
+SystemResult<ClaimedFile> ClaimedFile::begin(const std::filesystem::path &folder)
 {
     for (;;) {
-        const std::string name = randomLetters(6);
-        if (name.empty())
-            return tl::unexpected(systemError(errno));
-        const std::filesystem::path path = folder / (".new-" + name + ".part");
-        const int descriptor = ::open(path.c_str(), newFile, asTheUserWishes);
-        if (descriptor < 0 && errno == EEXIST)
-            continue;
-        if (descriptor < 0)
-            return tl::unexpected(systemError(errno));
-        ClaimedFile file(path, descriptor, Made::Here);
-        lock(descriptor, LOCK_EX);
-        if (isAt(path, descriptor))
-            return file;
+        const auto name = randomLetters(6);
+        if (!name)
+            return tl::unexpected(name.error());
+        auto file = claim(folder / (".new-" + *name + ".part"));
+        if (file && *file)
+            return std::move(**file);
+        if (!file && file.error() != std::errc::file_exists)
+            return tl::unexpected(file.error());
     }
 }
 
-ClaimedFile::Outcome<ClaimedFile> ClaimedFile::hold(const std::filesystem::path &path)
+SystemResult<ClaimedFile> ClaimedFile::hold(const std::filesystem::path &path)
 {
-    const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
-    if (descriptor < 0)
-        return tl::unexpected(systemError(errno));
-    ClaimedFile file(path, descriptor, Made::Before);
-    if (const int held = lock(descriptor, LOCK_SH | LOCK_NB); held != 0)
-        return tl::unexpected(systemError(held));
+    auto handle = FileHandle::openToRead(path, FileHandle::Links::Followed);
+    if (!handle)
+        return tl::unexpected(handle.error());
+    ClaimedFile file(path, std::move(*handle), Made::Before);
+    // Some file systems of a network know no locks: there a name is still nobody else's.
+    const std::error_code problem = file.m_handle.tryLock(FileHandle::Lock::Shared);
+    if (problem == std::errc::operation_would_block)
+        return tl::unexpected(problem);
     return file;
 }
 
-ClaimedFile::Outcome<std::int64_t> ClaimedFile::bytes() const
+SystemResult<std::int64_t> ClaimedFile::bytes() const
 {
-    struct stat status
-    {
-    };
-    if (::fstat(m_descriptor, &status) != 0)
-        return tl::unexpected(systemError(errno));
-    return status.st_size;
-}
-
-std::error_code ClaimedFile::write(std::span<const char> bytes) const
-{
-    const int failed = writeAll(m_descriptor, bytes);
-    return failed == 0 ? std::error_code() : systemError(failed);
-}
-
-std::error_code ClaimedFile::sync() const
-{
-    return ::fsync(m_descriptor) == 0 ? std::error_code() : systemError(errno);
+    return m_handle.status().map([](const FileStatus &status) { return status.bytes; });
 }
 
 std::error_code ClaimedFile::publish(const std::string &stem, const std::string &ending)
@@ -468,13 +324,12 @@ std::error_code ClaimedFile::publish(const std::string &stem, const std::string 
     const std::filesystem::path folder = m_path.parent_path();
     for (int number = 1;; ++number) {
         std::filesystem::path path = numbered(folder, stem, ending, number);
-        const int failed = giveFreeName(m_path, path);
-        if (failed == EEXIST)
+        const std::error_code problem = giveFreeName(m_path, path);
+        if (problem == std::errc::file_exists)
             continue;
-        if (failed != 0)
-            return systemError(failed);
-        m_path = std::move(path);
-        return {};
+        if (!problem)
+            m_path = std::move(path);
+        return problem;
     }
 }
 

@@ -2,14 +2,12 @@
 #include "core/project/new_file.h"
 
 #include "core/base/file_system.h"
+#include "core/base/platform/file_handle.h"
 #include "core/files/file_words.h"
 #include "core/files/temporary.h"
 #include "core/project/internal/words.h"
 
-#include <cerrno>
-#include <fcntl.h>
 #include <system_error>
-#include <unistd.h>
 
 namespace odo {
 
@@ -36,7 +34,7 @@ tl::unexpected<Error> NewFile::alreadyThere() const
                 ODO_TEXT("project.remove_file_first", "choose another name, or remove that file first"));
 }
 
-tl::unexpected<Error> NewFile::ioError(int reason) const
+tl::unexpected<Error> NewFile::ioError(const std::error_code &reason) const
 {
     return fail(ErrorCode::Io, m_what, writingFailed(reason), checkDiskAndRetry());
 }
@@ -56,19 +54,16 @@ Result<void> NewFile::prepare()
     auto made = ODO_TRY(TemporaryFolder::make(folder, m_what));
     m_folder = std::move(made);
     m_temporary = m_folder->path() / "new.odo"; // short: SQLite takes no paths beyond 512 bytes
-    const int descriptor = ::open(m_temporary.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
-    if (descriptor < 0)
-        return ioError(errno);
-    ::close(descriptor);
-    return {};
+    const auto file = FileHandle::create(m_temporary, FileHandle::Permissions::AsUserWishes);
+    return file ? Result<void>() : ioError(file.error());
 }
 
 Result<void> NewFile::publish()
 {
-    if (!syncToDisk(m_temporary))
-        return ioError(errno);
-    if (const int reason = giveFreeName(m_temporary, m_target); reason != 0)
-        return reason == EEXIST ? alreadyThere() : ioError(reason);
+    if (const std::error_code problem = syncToDisk(m_temporary))
+        return ioError(problem);
+    if (const std::error_code problem = giveFreeName(m_temporary, m_target))
+        return problem == std::errc::file_exists ? alreadyThere() : ioError(problem);
     // some file systems cannot sync a folder: the file itself is safe already
     syncToDisk(placeFolder(m_target));
     return {};

@@ -30,7 +30,7 @@ public:
 
 private:
     tl::unexpected<Error> alreadyThere() const;
-    tl::unexpected<Error> ioError(int reason) const;
+    tl::unexpected<Error> ioError(const std::error_code &reason) const;
 
     std::filesystem::path m_target, m_temporary;
     Message m_what;

@@ -9,17 +9,10 @@
 
 #include <QString>
 #include <QSysInfo>
-#include <cerrno>
-#include <cstring>
-#include <fcntl.h>
 #include <map>
 #include <optional>
 #include <string_view>
-#include <sys/file.h>
-#include <sys/stat.h>
-#include <system_error>
 #include <thread>
-#include <unistd.h>
 #include <utility>
 
 namespace odo {
@@ -31,33 +24,31 @@ constexpr std::string_view mark = "\nlock of Odograph\n";
 constexpr std::size_t mostBytes = 400;
 
 /// The words of a lock's file; nothing where it is no lock's.
-std::optional<std::string> wordsIn(int descriptor)
+std::optional<std::string> wordsIn(const FileHandle &file)
 {
-    struct stat status
-    {
-    };
-    if (::fstat(descriptor, &status) != 0 || !S_ISREG(status.st_mode) || status.st_nlink > 1)
+    const auto status = file.status();
+    if (!status || status->kind != files::Kind::File || status->names > 1)
         return std::nullopt;
     std::string text(mostBytes, '\0');
-    const ssize_t length = ::pread(descriptor, text.data(), text.size(), 0);
-    if (length <= 0 || status.st_size != length)
-        return length == 0 ? std::optional(std::string()) : std::nullopt;
-    text.resize(static_cast<std::size_t>(length));
+    const auto length = file.readStart(text);
+    if (!length || *length == 0 || status->bytes != static_cast<std::int64_t>(*length))
+        return length == std::size_t(0) ? std::optional(std::string()) : std::nullopt;
+    text.resize(*length);
     if (!text.ends_with(mark))
         return std::nullopt;
     return text.substr(0, text.find('\n'));
 }
 
-tl::unexpected<Error> cannotHold(const std::filesystem::path &file)
+tl::unexpected<Error> cannotHold(const std::filesystem::path &file, const std::error_code &reason)
 {
     return fail(ErrorCode::Io, ODO_TEXT("project.cannot_hold", "cannot hold %1")(Named::file(file)),
-                foreignWords(std::strerror(errno)), checkItsFolder());
+                foreignWords(reason.message()), checkItsFolder());
 }
 
 } // namespace
 
-HeldFile::HeldFile(std::filesystem::path file, Afterwards afterwards, int descriptor)
-    : m_file(std::move(file)), m_afterwards(afterwards), m_descriptor(descriptor)
+HeldFile::HeldFile(std::filesystem::path file, Afterwards afterwards, FileHandle handle)
+    : m_file(std::move(file)), m_afterwards(afterwards), m_handle(std::move(handle))
 {
 }
 
@@ -66,57 +57,46 @@ Result<std::unique_ptr<HeldFile>> HeldFile::take(const std::filesystem::path &fi
 {
     for (;;) {
         // Never through a link: a project may come from anyone, and what the link leads to would be emptied.
-        const int descriptor =
-            ::open(file.c_str(), O_CREAT | O_RDWR | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK, 0644);
-        if (descriptor < 0)
-            return cannotHold(file);
-        if (::flock(descriptor, LOCK_EX | LOCK_NB) != 0) {
-            ::close(descriptor);
+        auto handle = FileHandle::openOrCreate(file, FileHandle::Use::ReadAndWrite,
+                                               FileHandle::Permissions::OwnerWrites);
+        if (!handle)
+            return cannotHold(file, handle.error());
+        if (handle->tryLock(FileHandle::Lock::Exclusive))
             return nullptr;
-        }
-        if (!isAt(file, descriptor)) { // whoever gave it up may have removed it meanwhile
-            ::close(descriptor);
+        if (!handle->isAt(file)) // whoever gave it up may have removed it meanwhile
             continue;
-        }
-        std::unique_ptr<HeldFile> held(new HeldFile(file, afterwards, descriptor));
-        if (!wordsIn(descriptor)) {
+        std::unique_ptr<HeldFile> held(new HeldFile(file, afterwards, std::move(*handle)));
+        if (!wordsIn(held->m_handle)) {
             held->m_afterwards = Afterwards::Stays;
             return held;
         }
         const std::string text =
             words.empty() ? words : words.substr(0, mostBytes - mark.size()) + std::string(mark);
-        if (::ftruncate(descriptor, 0) != 0 ||
-            ::write(descriptor, text.data(), text.size()) != static_cast<ssize_t>(text.size()))
-            return cannotHold(file);
+        std::error_code problem = held->m_handle.clear();
+        if (!problem)
+            problem = held->m_handle.write(text);
+        if (problem)
+            return cannotHold(file, problem);
         return held;
     }
 }
 
 bool HeldFile::isHeld(const std::filesystem::path &file)
 {
-    const int descriptor = ::open(file.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
-    if (descriptor < 0)
-        return false;
-    const bool held = ::flock(descriptor, LOCK_SH | LOCK_NB) != 0;
-    ::close(descriptor);
-    return held;
+    const auto handle = FileHandle::openToRead(file, FileHandle::Links::Followed);
+    return handle && handle->tryLock(FileHandle::Lock::Shared);
 }
 
 std::string HeldFile::wordsOf(const std::filesystem::path &file)
 {
-    const int descriptor = ::open(file.c_str(), O_RDONLY | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK);
-    if (descriptor < 0)
-        return {};
-    const std::string words = wordsIn(descriptor).value_or(std::string());
-    ::close(descriptor);
-    return words;
+    const auto handle = FileHandle::openToRead(file, FileHandle::Links::Refused);
+    return handle ? wordsIn(*handle).value_or(std::string()) : std::string();
 }
 
 HeldFile::~HeldFile()
 {
     if (m_afterwards == Afterwards::Goes)
-        ::unlink(m_file.c_str()); // while it is held, so that nobody else's goes
-    ::close(m_descriptor);
+        static_cast<void>(removeFile(m_file)); // while it is held, so that nobody else's goes
 }
 
 std::filesystem::path RecordingLock::fileIn(const std::filesystem::path &mediaFolder)
@@ -202,13 +182,8 @@ std::shared_ptr<WriteTurn> WriteTurn::of(const std::filesystem::path &file)
 WriteTurn::WriteTurn(const std::filesystem::path &file)
 {
     if (file.has_parent_path()) // a database in memory has no folder
-        m_folder = ::open(file.parent_path().c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-}
-
-WriteTurn::~WriteTurn()
-{
-    if (m_folder >= 0)
-        ::close(m_folder);
+        m_folder =
+            FileHandle::openFolder(file.parent_path(), FileHandle::Links::Followed).value_or(FileHandle());
 }
 
 bool WriteTurn::take(std::chrono::milliseconds patience)
@@ -220,13 +195,12 @@ bool WriteTurn::take(std::chrono::milliseconds patience)
 /// With the mutex held, which it gives back where it fails.
 bool WriteTurn::takeFromOthers(std::chrono::milliseconds patience)
 {
-    if (m_depth++ > 0 || m_folder < 0)
+    if (m_depth++ > 0 || !m_folder.isOpen())
         return true;
     const auto end = std::chrono::steady_clock::now() + patience;
-    for (std::chrono::milliseconds pause{1}; ::flock(m_folder, LOCK_EX | LOCK_NB) != 0;
-         pause = std::min(pause * 2, std::chrono::milliseconds(20))) {
-        if (errno != EWOULDBLOCK && errno != EINTR)
-            return true; // no such locks here
+    for (std::chrono::milliseconds pause{1};; pause = std::min(pause * 2, std::chrono::milliseconds(20))) {
+        if (m_folder.tryLock(FileHandle::Lock::Exclusive) != std::errc::operation_would_block)
+            return true; // it is ours, or there are no such locks here
         if (std::chrono::steady_clock::now() >= end) {
             --m_depth;
             m_mutex.unlock();
@@ -234,13 +208,12 @@ bool WriteTurn::takeFromOthers(std::chrono::milliseconds patience)
         }
         std::this_thread::sleep_for(pause);
     }
-    return true;
 }
 
 void WriteTurn::give()
 {
-    if (--m_depth == 0 && m_folder >= 0)
-        ::flock(m_folder, LOCK_UN);
+    if (--m_depth == 0 && m_folder.isOpen())
+        m_folder.unlock();
     m_mutex.unlock();
 }
 

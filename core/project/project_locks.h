@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/base/error.h"
+#include "core/base/platform/file_handle.h"
 
 #include <atomic>
 #include <chrono>
@@ -14,8 +15,8 @@
 namespace odo {
 
 /// A file that this object holds as long as it lives, so that others know. The system gives it up when the
-/// program ends, however it ends: the file by itself means nothing. Held by flock(2), which two objects of
-/// one program do not share either.
+/// program ends, however it ends: the file by itself means nothing. Held by a lock (FileHandle), which two
+/// objects of one program do not share either.
 class HeldFile
 {
 public:
@@ -35,11 +36,11 @@ public:
     HeldFile &operator=(const HeldFile &) = delete;
 
 private:
-    HeldFile(std::filesystem::path file, Afterwards afterwards, int descriptor);
+    HeldFile(std::filesystem::path file, Afterwards afterwards, FileHandle handle);
 
     const std::filesystem::path m_file;
     Afterwards m_afterwards;
-    const int m_descriptor;
+    const FileHandle m_handle;
 };
 
 /// Held by who records into a project, so that no other program takes the trial for one that was cut off:
@@ -77,7 +78,7 @@ private:
 /// The turn to write to a project file, held from the beginning of a transaction to its end with whatever
 /// SQLite does then: of all connections to a file, of this process and of others, one writes at a time, for
 /// before 3.51.3 SQLite can damage a file to whose log two write at once (https://www.sqlite.org/wal.html,
-/// "the WAL-reset bug"). Among processes it is a flock(2) on the file's folder, which leaves nothing behind;
+/// "the WAL-reset bug"). Among processes it is a lock on the file's folder, which leaves nothing behind;
 /// where the file system knows no such lock, SQLite's own locks remain. May be taken again by the thread that
 /// holds it. Any thread.
 class WriteTurn
@@ -88,7 +89,6 @@ public:
     /// One for a file, however its path is written.
     static std::shared_ptr<WriteTurn> of(const std::filesystem::path &file);
     explicit WriteTurn(const std::filesystem::path &file);
-    ~WriteTurn();
     WriteTurn(const WriteTurn &) = delete;
     WriteTurn &operator=(const WriteTurn &) = delete;
 
@@ -103,8 +103,8 @@ private:
     void give();
 
     std::recursive_mutex m_mutex;
-    int m_depth = 0;   ///< of takings, under the mutex
-    int m_folder = -1; ///< a descriptor; -1: no lock among processes
+    int m_depth = 0;     ///< of takings, under the mutex
+    FileHandle m_folder; ///< of nothing: no lock among processes
     std::atomic<std::uint64_t> m_changes = 0;
 };
 

@@ -3,6 +3,7 @@
 
 #include "core/base/error.h"
 #include "core/base/file_system.h"
+#include "core/base/platform/file_handle.h"
 #include "core/files/file_kind.h"
 #include "core/project/internal/opening_check.h"
 #include "core/project/project_locks.h"
@@ -13,15 +14,9 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
-#include <cerrno>
-#include <cstring>
-#include <fcntl.h>
 #include <iterator>
 #include <optional>
 #include <set>
-#include <sys/file.h>
-#include <sys/stat.h>
-#include <unistd.h>
 
 namespace odo {
 
@@ -187,11 +182,8 @@ bool isForeign(const std::filesystem::path &file)
         return false;
     if (!isOrdinary(file))
         return true;
-    const int descriptor = ::open(file.c_str(), O_RDONLY | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK);
-    const auto kind = kindOfFile(descriptor);
-    if (descriptor >= 0)
-        ::close(descriptor);
-    switch (kind.value_or(FileKind::Empty)) {
+    const auto handle = FileHandle::openToRead(file, FileHandle::Links::Refused);
+    switch (handle ? kindOfFile(*handle).value_or(FileKind::Empty) : FileKind::Empty) {
     case FileKind::Empty:
     case FileKind::Png:
     case FileKind::Jpeg:
@@ -290,32 +282,28 @@ void addStrayMedia(Project &project, std::vector<ProjectProblem> &problems, cons
 
 Result<bool> removeStray(Project &project, const std::filesystem::path &file)
 {
-    const auto failed = [&](int reason) {
+    const auto failed = [&](const std::error_code &reason) {
         return fail(ErrorCode::Io, ODO_TEXT("project.cannot_remove", "cannot remove '%1'")(Named::file(file)),
-                    foreignWords(std::strerror(reason)),
+                    foreignWords(reason.message()),
                     ODO_TEXT("project.check_rights", "check the permissions of the project's folder"));
     };
-    int descriptor = -1;
+    FileHandle held;
     if (isOrdinary(file)) {
-        descriptor = ::open(file.c_str(), O_RDONLY | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK);
-        if (descriptor < 0)
-            return errno == ENOENT ? Result<bool>(false) : failed(errno);
-        if (::flock(descriptor, LOCK_EX | LOCK_NB) != 0) {
-            ::close(descriptor);
+        auto handle = FileHandle::openToRead(file, FileHandle::Links::Refused);
+        if (!handle)
+            return handle.error() == std::errc::no_such_file_or_directory ? Result<bool>(false)
+                                                                          : failed(handle.error());
+        if (handle->tryLock(FileHandle::Lock::Exclusive))
             return false;
-        }
+        held = std::move(*handle);
     }
     // Now that nobody can adopt it: it may have become a trial's since it was found.
     auto referred = filesUsedBeside(project.file());
-    const Result<void> added = referred ? addAllOf(project, *referred) : tl::unexpected(referred.error());
-    Result<bool> removed = false;
-    if (!added)
-        removed = tl::unexpected(added.error());
-    else if (!referred->contains(file))
-        removed = ::unlink(file.c_str()) == 0 ? Result<bool>(true) : failed(errno);
-    if (descriptor >= 0)
-        ::close(descriptor);
-    return removed;
+    ODO_TRY(referred ? addAllOf(project, *referred) : tl::unexpected(referred.error()));
+    if (referred->contains(file))
+        return false;
+    const std::error_code problem = removeFile(file);
+    return problem ? failed(problem) : Result<bool>(true);
 }
 
 bool isOwnMedia(const std::filesystem::path &file, const std::filesystem::path &mediaFolder)

@@ -14,10 +14,7 @@
 #include "core/project/write_ahead_log.h"
 
 #include <algorithm>
-#include <cerrno>
-#include <cstdio>
 #include <string_view>
-#include <unistd.h>
 #include <utility>
 #include <vector>
 
@@ -107,6 +104,13 @@ std::filesystem::path freeName(const std::filesystem::path &first)
     return name;
 }
 
+std::error_code renamed(const std::filesystem::path &from, const std::filesystem::path &to)
+{
+    std::error_code problem;
+    files::rename(from, to, problem);
+    return problem;
+}
+
 /// Gives a project and the files beside it a second name, and removes it unless keep() is called.
 class KeptAside
 {
@@ -120,24 +124,28 @@ public:
     ~KeptAside()
     {
         for (const auto &[from, to] : m_moved)
-            static_cast<void>(std::rename(to.c_str(), from.c_str()));
+            static_cast<void>(renamed(to, from));
         if (m_isLinked)
-            ::unlink(m_kept.c_str());
+            static_cast<void>(removeFile(m_kept));
     }
 
     const std::filesystem::path &kept() const { return m_kept; }
-    /// False, with errno set, where the system refuses.
-    bool take()
+    /// Why the system refuses.
+    std::error_code take()
     {
         // A link leaves the file under its name until another replaces it. Not every disk (a USB stick's FAT)
         // knows links.
-        m_isLinked = ::link(m_project.c_str(), m_kept.c_str()) == 0;
+        std::error_code problem;
+        files::link(m_project, m_kept, problem);
+        m_isLinked = !problem;
         for (const char *side : sideFileSuffixes) {
-            if (isThere(besideFile(m_project, side)) &&
-                !move(besideFile(m_project, side), besideFile(m_kept, side)))
-                return false;
+            if (!isThere(besideFile(m_project, side)))
+                continue;
+            problem = move(besideFile(m_project, side), besideFile(m_kept, side));
+            if (problem)
+                return problem;
         }
-        return m_isLinked || move(m_project, m_kept);
+        return m_isLinked ? std::error_code() : move(m_project, m_kept);
     }
     void keep()
     {
@@ -146,12 +154,12 @@ public:
     }
 
 private:
-    bool move(const std::filesystem::path &from, const std::filesystem::path &to)
+    std::error_code move(const std::filesystem::path &from, const std::filesystem::path &to)
     {
-        if (std::rename(from.c_str(), to.c_str()) != 0)
-            return false;
-        m_moved.emplace_back(from, to);
-        return true;
+        const std::error_code problem = renamed(from, to);
+        if (!problem)
+            m_moved.emplace_back(from, to);
+        return problem;
     }
 
     const std::filesystem::path m_project, m_kept;
@@ -186,12 +194,11 @@ Result<RestoredBackup> restoreBackup(const std::filesystem::path &project)
     if (auto copied = copyDatabase(**source, fresh); !copied)
         return refused(copied.error().code, copied.error().why);
     KeptAside aside(real, freeName(besideFile(real, ".damaged")));
-    const auto failed = [&refused] { return refused(ErrorCode::Io, writingFailed(errno)); };
-    if (!aside.take())
-        return failed();
+    if (const std::error_code failed = aside.take())
+        return refused(ErrorCode::Io, writingFailed(failed));
     syncToDisk(real.parent_path()); // some file systems cannot sync a folder: both files are safe already
-    if (std::rename(fresh.c_str(), real.c_str()) != 0)
-        return failed();
+    if (const std::error_code failed = renamed(fresh, real))
+        return refused(ErrorCode::Io, writingFailed(failed));
     aside.keep();
     syncToDisk(real.parent_path());
     return RestoredBackup{*backup, aside.kept()};

@@ -2,6 +2,7 @@
 #include "core/project/write_ahead_log.h"
 
 #include "core/base/file_system.h"
+#include "core/base/platform/file_status.h"
 #include "core/base/platform/process.h"
 #include "core/base/platform/user_folders.h"
 #include "core/project/internal/words.h"
@@ -18,7 +19,6 @@
 #include <span>
 #include <sqlite3.h>
 #include <string>
-#include <sys/stat.h>
 #include <vector>
 
 namespace odo {
@@ -279,17 +279,12 @@ tl::unexpected<Error> notCopied(const std::filesystem::path &file, int reason)
 }
 
 /// What changes when a file is written to.
-using Stamp = std::array<std::int64_t, 4>;
+using Stamp = std::array<std::int64_t, 3>;
 
 Stamp stampOf(const std::filesystem::path &file)
 {
-    struct stat there
-    {
-    };
-    if (::stat(file.c_str(), &there) != 0)
-        return {};
-    return {there.st_size, there.st_mtim.tv_sec, there.st_mtim.tv_nsec,
-            static_cast<std::int64_t>(there.st_ino)};
+    const FileStatus there = statusOf(file).value_or(FileStatus());
+    return {there.bytes, there.modifiedNs, static_cast<std::int64_t>(there.identity.inode)};
 }
 
 bool copyDatabaseBytes(const std::filesystem::path &from, std::ofstream &into)
@@ -351,19 +346,15 @@ std::optional<FileStamp> fileStamp(sqlite3 *database, const std::filesystem::pat
 {
     constexpr int regionSize = 32'768;
     constexpr std::size_t headerWords = 12, writtenBackAt = 24, attemptedAt = 32; // in words of four bytes
-    struct stat status
-    {
-    };
+    const auto status = statusOf(file);
     sqlite3_file *opened = nullptr;
     volatile void *region = nullptr;
-    if (::stat(file.c_str(), &status) != 0 ||
-        sqlite3_file_control(database, "main", SQLITE_FCNTL_FILE_POINTER, &opened) != SQLITE_OK ||
+    if (!status || sqlite3_file_control(database, "main", SQLITE_FCNTL_FILE_POINTER, &opened) != SQLITE_OK ||
         !opened->pMethods || opened->pMethods->iVersion < 2 ||
         opened->pMethods->xShmMap(opened, 0, regionSize, 0, &region) != SQLITE_OK || !region)
         return std::nullopt;
     const auto *words = static_cast<volatile std::uint32_t *>(region);
-    FileStamp stamp{
-        status.st_size, std::int64_t(status.st_mtim.tv_sec) * 1'000'000'000 + status.st_mtim.tv_nsec, {}};
+    FileStamp stamp{status->bytes, status->modifiedNs, {}};
     std::copy(words, words + headerWords, stamp.account.begin());
     stamp.account[headerWords] = words[writtenBackAt];
     stamp.account[headerWords + 1] = words[attemptedAt];

@@ -2,16 +2,13 @@
 #include "core/video/recording_writer.h"
 
 #include "core/base/file_system.h"
+#include "core/base/platform/file_handle.h"
 #include "core/video/internal/libav.h"
 
 #include <algorithm>
 #include <cerrno>
 #include <chrono>
 #include <cmath>
-#include <cstring>
-#include <fcntl.h>
-#include <sys/stat.h>
-#include <unistd.h>
 
 namespace odo {
 
@@ -37,7 +34,7 @@ struct RecordingWriter::Impl
     std::filesystem::path file;
     AVFormatContext *container = nullptr;
     AVStream *stream = nullptr;
-    int descriptor = -1;
+    FileHandle handle;
     std::int64_t lastMs = -1, frameMs = 33;
     Nanoseconds synced{0};
 
@@ -54,13 +51,13 @@ struct RecordingWriter::Impl
     {
         return problem(foreignWords(libav::errorText(error)));
     }
-    tl::unexpected<Error> systemProblem(int error) const
+    tl::unexpected<Error> systemProblem(const std::error_code &reason) const
     {
-        return problem(foreignWords(std::strerror(error)));
+        return problem(foreignWords(reason.message()));
     }
     Result<void> openFile();
     Result<void> open(const FrameFormat &format);
-    bool close();
+    std::error_code close();
     /// As libav calls it. It opens no file by its name, which could be another one's by then.
     static int writeToFile(void *impl, std::uint8_t *bytes, int count);
     static std::int64_t seekInFile(void *impl, std::int64_t offset, int whence);
@@ -69,13 +66,17 @@ struct RecordingWriter::Impl
 /// Never through a link, nor over what is there: the name may be claimed, with nothing in the file yet.
 Result<void> RecordingWriter::Impl::openFile()
 {
-    descriptor = ::open(file.c_str(), O_CREAT | O_WRONLY | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK, 0666);
-    struct stat there
-    {
-    };
-    if (descriptor < 0 || ::fstat(descriptor, &there) != 0)
-        return systemProblem(errno);
-    return there.st_size > 0 || !S_ISREG(there.st_mode) ? systemProblem(EEXIST) : Result<void>();
+    auto opened =
+        FileHandle::openOrCreate(file, FileHandle::Use::Write, FileHandle::Permissions::AsUserWishes);
+    if (!opened)
+        return systemProblem(opened.error());
+    handle = std::move(*opened);
+    const auto there = handle.status();
+    if (!there)
+        return systemProblem(there.error());
+    return there->bytes > 0 || there->kind != files::Kind::File
+               ? systemProblem(std::make_error_code(std::errc::file_exists))
+               : Result<void>();
 }
 
 Result<void> RecordingWriter::Impl::open(const FrameFormat &format)
@@ -112,41 +113,38 @@ Result<void> RecordingWriter::Impl::open(const FrameFormat &format)
 
 int RecordingWriter::Impl::writeToFile(void *impl, std::uint8_t *bytes, int count)
 {
-    for (int done = 0; done < count;) {
-        const ssize_t written = ::write(static_cast<Impl *>(impl)->descriptor, bytes + done,
-                                        static_cast<std::size_t>(count - done));
-        if (written < 0 && errno != EINTR)
-            return AVERROR(errno);
-        done += static_cast<int>(std::max<ssize_t>(0, written));
-    }
-    return count;
+    const auto *begin = reinterpret_cast<const char *>(bytes);
+    const std::error_code problem =
+        static_cast<Impl *>(impl)->handle.write({begin, static_cast<std::size_t>(count)});
+    return problem ? AVERROR(problem.value()) : count;
 }
 
 std::int64_t RecordingWriter::Impl::seekInFile(void *impl, std::int64_t offset, int whence)
 {
     if ((whence & AVSEEK_SIZE) != 0)
         return AVERROR(ENOSYS);
-    const off_t at = ::lseek(static_cast<Impl *>(impl)->descriptor, offset, whence & ~AVSEEK_FORCE);
-    return at < 0 ? AVERROR(errno) : at;
+    const auto at = static_cast<Impl *>(impl)->handle.seek(offset, whence & ~AVSEEK_FORCE);
+    return at ? *at : AVERROR(at.error().value());
 }
 
-bool RecordingWriter::Impl::close()
+/// Why what was written may not all be on the disk.
+std::error_code RecordingWriter::Impl::close()
 {
-    bool closed = true;
+    std::error_code failed;
     if (container && container->pb) {
         avio_flush(container->pb);
-        closed = container->pb->error >= 0;
+        if (container->pb->error < 0)
+            failed.assign(AVUNERROR(container->pb->error), std::generic_category());
         av_freep(static_cast<void *>(&container->pb->buffer));
         avio_context_free(&container->pb);
     }
     avformat_free_context(container);
     container = nullptr;
-    if (descriptor >= 0) {
-        closed = ::fsync(descriptor) == 0 && closed;
-        ::close(descriptor);
-        descriptor = -1;
-    }
-    return closed;
+    if (handle.isOpen())
+        if (const std::error_code unsafe = handle.sync())
+            failed = unsafe;
+    handle = {};
+    return failed;
 }
 
 RecordingWriter::RecordingWriter(std::unique_ptr<Impl> impl) : m_impl(std::move(impl)) {}
@@ -181,8 +179,9 @@ Result<void> RecordingWriter::write(std::span<const std::uint8_t> jpeg, Nanoseco
     packet->duration = d.frameMs;
     int error = av_write_frame(d.container, packet.get());
     const bool syncNow = time - d.synced >= syncEach;
-    if (error >= 0 && syncNow && ::fdatasync(d.descriptor) != 0)
-        error = AVERROR(errno);
+    if (error >= 0 && syncNow)
+        if (const std::error_code unsafe = d.handle.syncData())
+            error = AVERROR(unsafe.value());
     if (error < 0) {
         d.close(); // after a failed write to the disk, a later one may seem to succeed
         return d.libavProblem(error);
@@ -198,9 +197,10 @@ Result<void> RecordingWriter::finish()
     if (!d.container)
         return d.problem(writingFailedBefore());
     const int error = av_write_trailer(d.container);
-    if (!d.close() || error < 0)
-        return error < 0 ? d.libavProblem(error) : d.systemProblem(errno);
-    return {};
+    const std::error_code failed = d.close();
+    if (error < 0)
+        return d.libavProblem(error);
+    return failed ? d.systemProblem(failed) : Result<void>();
 }
 
 } // namespace odo

@@ -35,7 +35,7 @@ std::string safeName(const std::string &name)
 
 /// Makes a file in the folder. An import that failed may remove the empty folder at any moment.
 template <class Make>
-ClaimedFile::Outcome<ClaimedFile> inFolder(const std::filesystem::path &folder, const Make &make)
+SystemResult<ClaimedFile> inFolder(const std::filesystem::path &folder, const Make &make)
 {
     constexpr int mostTries = 20;
     for (int tried = 1;; ++tried) {

@@ -33,7 +33,8 @@ private Q_SLOTS:
     void noOtherSourceOpensFilesToWrite()
     {
         static const QRegularExpression opens(
-            QStringLiteral("std::(o|)fstream|QSaveFile|O_CREAT|AVIO_FLAG_WRITE|\\bfopen\\(|\\bQPdfWriter "
+            QStringLiteral("std::(o|)fstream|QSaveFile|O_CREAT|FileHandle::(create|openOrCreate)|AVIO_FLAG_"
+                           "WRITE|\\bfopen\\(|\\bQPdfWriter "
                            "\\w+\\(Q|setOutputFileName|QImageWriter|\\bQFile \\w+[^;]*;\\s*[^;]*WriteOnly"));
         const QString root = qEnvironmentVariable("ODOGRAPH_SOURCE_DIR");
         QStringList found;

@@ -13,7 +13,6 @@
 #include <atomic>
 #include <new>
 #include <sqlite3.h>
-#include <unistd.h>
 #include <utility>
 
 namespace odo {
@@ -71,7 +70,7 @@ Result<std::unique_ptr<ProjectConnection>> ProjectConnection::openAt(const std::
         return fail(reason.code, connection->subject(), reason.why, reason.advice);
     }
     ODO_TRY(connection->configure());
-    ::stat(place.c_str(), &connection->m_opened);
+    connection->m_opened = identityOf(place).value_or(FileIdentity());
     return connection;
 }
 
@@ -88,7 +87,7 @@ bool lacksItsLog(const ProjectConnection &connection)
 
 bool isWritable(const std::filesystem::path &file)
 {
-    return ::access(file.c_str(), W_OK) == 0 && ::access(file.parent_path().c_str(), W_OK) == 0;
+    return !checkAccess(file, FileAccess::Write) && !checkAccess(file.parent_path(), FileAccess::Write);
 }
 
 } // namespace
@@ -271,19 +270,7 @@ void ProjectConnection::removeLog() const noexcept
 
 std::optional<std::filesystem::path> ProjectConnection::presentPlace() const
 {
-    const std::filesystem::path descriptors("/proc/self/fd");
-    std::error_code problem;
-    for (const std::string &number : files::namesIn(descriptors, problem)) {
-        struct stat there
-        {
-        };
-        if (::stat((descriptors / number).c_str(), &there) != 0 || there.st_ino != m_opened.st_ino ||
-            there.st_dev != m_opened.st_dev)
-            continue;
-        std::filesystem::path place = files::linkTarget(descriptors / number, problem);
-        return there.st_nlink > 0 && !problem ? std::optional(std::move(place)) : std::nullopt;
-    }
-    return std::nullopt;
+    return placeOfOpenFile(m_opened);
 }
 
 bool ProjectConnection::checkpoint(Checkpoint how) const

@@ -16,7 +16,6 @@
 #include <memory>
 #include <optional>
 #include <string>
-#include <sys/stat.h>
 
 struct sqlite3;
 
@@ -110,9 +109,7 @@ private:
     std::unique_ptr<LogCopy> m_copy; ///< what is read in the place of the file
     QSqlDatabase m_database;
     int m_transactionDepth = 0;
-    struct stat m_opened
-    {
-    };                                        ///< what the system knew of the file when it was opened
+    FileIdentity m_opened;                    ///< of the file when it was opened
     mutable std::optional<FileStamp> m_stamp; ///< at the last look
     mutable bool m_isOverwritten = false;
     bool m_keepsWritingWhenLost = false;

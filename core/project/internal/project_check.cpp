@@ -21,16 +21,13 @@
 #include "core/project/repositories.h"
 
 #include <algorithm>
-#include <cerrno>
 #include <condition_variable>
-#include <cstring>
 #include <filesystem>
 #include <map>
 #include <mutex>
 #include <set>
 #include <sqlite3.h>
 #include <string>
-#include <sys/stat.h>
 #include <utility>
 #include <vector>
 
@@ -48,12 +45,6 @@ struct KeptFile
 
 namespace {
 
-struct FileOnDisk
-{
-    FileIdentity id;
-    std::int64_t bytes = 0;
-};
-
 Message putOriginalBack()
 {
     return ODO_TEXT("project.put_original_back", "put the original file back in its place");
@@ -61,20 +52,21 @@ Message putOriginalBack()
 
 /// NotFound where there is nothing, Io where the system does not say, InvalidInput where something else is in
 /// its place.
-Result<FileOnDisk> onDisk(const std::filesystem::path &file)
+Result<FileStatus> onDisk(const std::filesystem::path &file)
 {
     const Message what = quotedFileSubject(file);
-    struct stat status = {};
-    if (stat(file.c_str(), &status) != 0) {
-        const bool isMissing = errno == ENOENT || errno == ENOTDIR;
-        return fail(isMissing ? ErrorCode::NotFound : ErrorCode::Io, what, cannotBeRead(std::strerror(errno)),
-                    checkFileIsThere());
+    const auto status = statusOf(file);
+    if (!status) {
+        const bool isMissing = status.error() == std::errc::no_such_file_or_directory ||
+                               status.error() == std::errc::not_a_directory;
+        return fail(isMissing ? ErrorCode::NotFound : ErrorCode::Io, what,
+                    cannotBeRead(status.error().message()), checkFileIsThere());
     }
-    if (!S_ISREG(status.st_mode))
+    if (status->kind != files::Kind::File)
         return fail(ErrorCode::InvalidInput, what,
                     ODO_TEXT("project.no_file_but_other", "it is a folder or a device, not a file"),
                     putOriginalBack());
-    return FileOnDisk{{status.st_dev, status.st_ino}, status.st_size};
+    return *status;
 }
 
 class FileCheck
@@ -94,7 +86,7 @@ public:
             auto known = m_onDisk.find(kept.file);
             if (known == m_onDisk.end())
                 known = m_onDisk.emplace(kept.file, onDisk(kept.file)).first;
-            const Result<FileOnDisk> &found = known->second;
+            const Result<FileStatus> &found = known->second;
             if (!found && found.error().code == ErrorCode::NotFound)
                 report(kept, isMissing(kept.name), kept.adviceWhenMissing);
             else if (!found)
@@ -115,17 +107,17 @@ public:
         std::int64_t all = 0, done = 0;
         std::set<FileIdentity> counted;
         for (const KeptFile *kept : m_whole) {
-            const FileOnDisk &file = *m_onDisk.at(kept->file);
-            all += counted.insert(file.id).second ? file.bytes : 0;
+            const FileStatus &file = *m_onDisk.at(kept->file);
+            all += counted.insert(file.identity).second ? file.bytes : 0;
         }
         std::map<FileIdentity, Result<std::string>> hashes;
         for (const KeptFile *kept : m_whole) {
-            const FileOnDisk &file = *m_onDisk.at(kept->file);
-            auto known = hashes.find(file.id);
+            const FileStatus &file = *m_onDisk.at(kept->file);
+            auto known = hashes.find(file.identity);
             if (known == hashes.end()) {
                 m_control.report(double(done) / double(std::max<std::int64_t>(all, 1)),
                                  readingFile(kept->file));
-                known = hashes.emplace(file.id, fileSha256(kept->file, m_control)).first;
+                known = hashes.emplace(file.identity, fileSha256(kept->file, m_control)).first;
                 done += file.bytes;
             }
             const Result<std::string> &hash = known->second;
@@ -156,7 +148,7 @@ private:
 
     const JobControl &m_control;
     std::vector<ProjectProblem> &m_problems;
-    std::map<std::filesystem::path, Result<FileOnDisk>> m_onDisk;
+    std::map<std::filesystem::path, Result<FileStatus>> m_onDisk;
     std::vector<const KeptFile *> m_whole; ///< there, of the right size, and with a hash
     std::map<std::filesystem::path, std::vector<Message>> m_reported;
 };

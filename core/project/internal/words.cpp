@@ -76,9 +76,9 @@ Message copyToAnotherDisk()
     return ODO_TEXT("project.copy_to_another_disk", "check the disk, and copy the project to another one");
 }
 
-Message writingFailed(int reason)
+Message writingFailed(const std::error_code &reason)
 {
-    return ODO_TEXT("project.writing_failed", "writing it failed (%1)")(foreignWords(std::strerror(reason)));
+    return ODO_TEXT("project.writing_failed", "writing it failed (%1)")(foreignWords(reason.message()));
 }
 
 Message checkDiskAndRetry()

@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <string>
 #include <string_view>
+#include <system_error>
 #include <utility>
 
 namespace odo {
@@ -27,9 +28,9 @@ Message copyToWritableFolder(); ///< advice
 Message anotherProgramWrites();
 Message closeOtherProgram(); ///< advice
 Message diskCannotBeRead();
-Message copyToAnotherDisk();       ///< advice
-Message writingFailed(int reason); ///< an errno
-Message checkDiskAndRetry();       ///< advice
+Message copyToAnotherDisk(); ///< advice
+Message writingFailed(const std::error_code &reason);
+Message checkDiskAndRetry(); ///< advice
 
 Message isDamagedRestoreFile();       ///< advice, of what only a damaged file holds
 Message restoreProject();             ///< advice
