@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/record/sent_positions.h"
 
+#include "core/base/platform/datagram_socket.h"
+
 #include <QSettings>
-#include <net/if.h>
 
 namespace odo {
 namespace {
@@ -40,13 +41,9 @@ void SentPositions::choose() const
 QStringList networkInterfaces()
 {
     QStringList names{QString::fromStdString(BroadcastTarget().interface)};
-    if (struct if_nameindex *all = if_nameindex()) {
-        for (const struct if_nameindex *one = all; one->if_index != 0; ++one) {
-            if (!names.contains(QString::fromUtf8(one->if_name)))
-                names << QString::fromUtf8(one->if_name);
-        }
-        if_freenameindex(all);
-    }
+    for (const std::string &name : networkInterfaceNames())
+        if (!names.contains(QString::fromStdString(name)))
+            names << QString::fromStdString(name);
     return names;
 }
 

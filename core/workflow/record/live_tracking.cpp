@@ -8,14 +8,9 @@
 #include "core/workflow/track/view_tracking.h"
 
 #include <algorithm>
-#include <arpa/inet.h>
 #include <charconv>
 #include <chrono>
 #include <cmath>
-#include <net/if.h>
-#include <netinet/in.h>
-#include <sys/socket.h>
-#include <unistd.h>
 
 namespace odo {
 
@@ -235,34 +230,27 @@ std::optional<double> hueOf(RgbColour colour)
     return 60 * sixths;
 }
 
-Result<in_addr> addressOf(const BroadcastTarget &target)
+Result<std::uint32_t> addressOf(const BroadcastTarget &target)
 {
-    in_addr address{};
-    if (inet_pton(AF_INET, target.address.c_str(), &address) != 1 || target.port == 0)
+    const auto address = ipv4Address(target.address);
+    if (!address || target.port == 0)
         return fail(ErrorCode::InvalidInput, addressSubject(shown(target)),
                     ODO_TEXT("workflow.no_address_with_port", "it is not an IPv4 address with a port"),
                     ODO_TEXT("workflow.write_address", "write it like 224.5.23.2:10006"));
-    return address;
+    return *address;
 }
 
-/// Multicast leaves by this interface, is heard on this machine too, and goes no further than the network
-/// here.
-Result<void> setMulticast(int socket, const BroadcastTarget &target)
+Result<void> setMulticast(const DatagramSocket &socket, const BroadcastTarget &target)
 {
-    ip_mreqn interface {
-    };
-    interface.imr_ifindex = static_cast<int>(if_nametoindex(target.interface.c_str()));
-    const unsigned char hops = 1, heardHere = 1;
-    if (interface.imr_ifindex == 0)
+    const std::error_code problem = socket.sendMulticastBy(target.interface);
+    if (problem == std::errc::no_such_device)
         return fail(ErrorCode::InvalidInput,
                     ODO_TEXT("workflow.interface_of_live_positions",
                              "interface '%1' of live positions")(target.interface),
                     ODO_TEXT("workflow.no_such_interface", "this computer has no interface of that name"),
                     ODO_TEXT("workflow.choose_interface",
                              "choose one that `ip link` lists, or lo to stay on this computer"));
-    if (setsockopt(socket, IPPROTO_IP, IP_MULTICAST_IF, &interface, sizeof interface) != 0 ||
-        setsockopt(socket, IPPROTO_IP, IP_MULTICAST_TTL, &hops, sizeof hops) != 0 ||
-        setsockopt(socket, IPPROTO_IP, IP_MULTICAST_LOOP, &heardHere, sizeof heardHere) != 0)
+    if (problem)
         return fail(
             ErrorCode::Io, livePositionsTo(target),
             ODO_TEXT("workflow.no_multicast", "interface '%1' does not support multicast")(target.interface),
@@ -293,8 +281,9 @@ Result<BroadcastTarget> parseBroadcastTarget(const std::string &text, BroadcastT
 
 bool isMulticastGroup(const std::string &address)
 {
-    in_addr parsed{};
-    return inet_pton(AF_INET, address.c_str(), &parsed) == 1 && IN_MULTICAST(ntohl(parsed.s_addr));
+    constexpr std::uint32_t prefixMask = 0xf0000000, groupPrefix = 0xe0000000;
+    const auto parsed = ipv4Address(address);
+    return parsed && (*parsed & prefixMask) == groupPrefix;
 }
 
 std::vector<SslNumber> sslNumbers(const std::vector<RobotRecord> &robots)
@@ -312,19 +301,15 @@ std::vector<SslNumber> sslNumbers(const std::vector<RobotRecord> &robots)
 Result<std::unique_ptr<LiveBroadcast>> LiveBroadcast::create(const BroadcastTarget &target,
                                                              const std::vector<RobotRecord> &robots)
 {
-    ODO_TRY(addressOf(target));
-    const int socket = ::socket(AF_INET, SOCK_DGRAM | SOCK_CLOEXEC | SOCK_NONBLOCK, 0);
-    if (socket < 0)
+    const auto address = ODO_TRY(addressOf(target));
+    auto socket = DatagramSocket::open();
+    if (!socket)
         return fail(ErrorCode::Io, livePositionsTo(target),
                     ODO_TEXT("workflow.no_socket", "the system could not open a socket"),
                     closeOtherPrograms());
-    if (isMulticastGroup(target.address)) {
-        if (auto set = setMulticast(socket, target); !set) {
-            close(socket);
-            return tl::unexpected(set.error());
-        }
-    }
-    std::unique_ptr<LiveBroadcast> broadcast(new LiveBroadcast(socket, target, robots));
+    if (isMulticastGroup(target.address))
+        ODO_TRY(setMulticast(*socket, target));
+    std::unique_ptr<LiveBroadcast> broadcast(new LiveBroadcast(std::move(*socket), address, target, robots));
     auto thread = startThread(livePositionsTo(target), [&live = *broadcast] { live.sendAll(); });
     if (!thread)
         return tl::unexpected(thread.error());
@@ -332,10 +317,10 @@ Result<std::unique_ptr<LiveBroadcast>> LiveBroadcast::create(const BroadcastTarg
     return broadcast;
 }
 
-LiveBroadcast::LiveBroadcast(int socket, const BroadcastTarget &target,
+LiveBroadcast::LiveBroadcast(DatagramSocket socket, std::uint32_t address, const BroadcastTarget &target,
                              const std::vector<RobotRecord> &robots)
-    : m_socket(socket), m_target(target), m_robots(robots), m_numbers(sslNumbers(robots)),
-      m_yaws(robots.size()), m_moments(momentsAhead)
+    : m_socket(std::move(socket)), m_address(address), m_target(target), m_robots(robots),
+      m_numbers(sslNumbers(robots)), m_yaws(robots.size()), m_moments(momentsAhead)
 {
 }
 
@@ -344,7 +329,6 @@ LiveBroadcast::~LiveBroadcast()
     m_moments.close();
     if (m_thread.joinable())
         m_thread.join();
-    close(m_socket);
 }
 
 void LiveBroadcast::take(const LiveMoment &moment)
@@ -396,14 +380,7 @@ void LiveBroadcast::send(SslFrame &frame, Nanoseconds captured)
     frame.number = m_frame++;
     frame.sentS = nowS;
     frame.capturedS = nowS - toSeconds(steadyNow() - captured);
-    sockaddr_in to{};
-    to.sin_family = AF_INET;
-    to.sin_port = htons(m_target.port);
-    inet_pton(AF_INET, m_target.address.c_str(), &to.sin_addr);
-    const std::string packet = sslVisionPacket(frame);
-    const auto sent =
-        sendto(m_socket, packet.data(), packet.size(), 0, reinterpret_cast<const sockaddr *>(&to), sizeof to);
-    ++(sent == static_cast<ssize_t>(packet.size()) ? m_sent : m_failed);
+    ++(m_socket.send(sslVisionPacket(frame), m_address, m_target.port) ? m_sent : m_failed);
     frame.robots.clear();
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/base/bounded_queue.h"
+#include "core/base/platform/datagram_socket.h"
 #include "core/capture/synchroniser.h"
 #include "core/exchange/ssl_vision.h"
 #include "core/project/records.h"
@@ -166,12 +167,14 @@ public:
     Figures figures() const;
 
 private:
-    LiveBroadcast(int socket, const BroadcastTarget &target, const std::vector<RobotRecord> &robots);
+    LiveBroadcast(DatagramSocket socket, std::uint32_t address, const BroadcastTarget &target,
+                  const std::vector<RobotRecord> &robots);
     void sendAll();
     void addTo(SslFrame &frame, const LiveMoment &moment);
     void send(SslFrame &frame, Nanoseconds captured);
 
-    const int m_socket;
+    const DatagramSocket m_socket;
+    const std::uint32_t m_address;
     const BroadcastTarget m_target;
     const std::vector<RobotRecord> m_robots;
     const std::vector<SslNumber> m_numbers;
