@@ -21,6 +21,18 @@ class TestHouse : public QObject
         QStringList includes; ///< of ours, from the tree's root
     };
 
+    /// Headers of one system only.
+    static const QRegularExpression &platformHeader()
+    {
+        static const QRegularExpression header(QStringLiteral(
+            "^\\s*#\\s*include\\s*<((arpa|linux|mach|net|netinet|netpacket|sys|asm|asm-generic)/.*|"
+            "csignal|signal\\.h|(aio|alloca|dirent|dlfcn|elf|execinfo|fcntl|features|fnmatch|ftw|getopt|glob|"
+            "grp|iconv|ifaddrs|io|langinfo|libgen|libudev|link|malloc|mntent|mqueue|netdb|poll|pthread|pwd|"
+            "regex|sched|semaphore|spawn|strings|syslog|termios|ucontext|ulimit|unistd|utime|utmp|wait|"
+            "windows|winsock2|wordexp)\\.h)>"));
+        return header;
+    }
+
     QString m_root;
     QMap<QString, Source> m_sources; ///< by their paths from the tree's root
 
@@ -36,6 +48,7 @@ private Q_SLOTS:
     void internalHeadersStayInTheirFolder();
     void otherHeadersAreUsedOutsideTheirFolder();
     void includesRunInNoCircle();
+    void platformHeadersStayInTheirFolders();
     void everyFileIsFormatted();
 };
 
@@ -147,6 +160,27 @@ void TestHouse::includesRunInNoCircle()
         QVERIFY2(!leadsTo(path, path, seen, way),
                  qPrintable(path + QLatin1String(" -> ") + way.join(QLatin1String(" -> "))));
     }
+}
+
+/// Others ask the headers of core/base/platform, which name nothing of a system either.
+void TestHouse::platformHeadersStayInTheirFolders()
+{
+    QStringList wrong;
+    int allowed = 0;
+    for (auto source = m_sources.cbegin(); source != m_sources.cend(); ++source) {
+        static const QRegularExpression own(
+            QStringLiteral("^core/(base/platform/\\w+|capture/(v4l2|aravis))/"));
+        const bool isPlatform = own.match(source.key()).hasMatch();
+        for (const QString &line : source->lines)
+            if (!isTest(source.key()) && platformHeader().match(line).hasMatch()) {
+                if (isPlatform)
+                    ++allowed;
+                else
+                    wrong << source.key() + QLatin1String(": ") + line;
+            }
+    }
+    QCOMPARE(wrong.join(u'\n'), QString());
+    QVERIFY(allowed > 30);
 }
 
 void TestHouse::everyFileIsFormatted()
