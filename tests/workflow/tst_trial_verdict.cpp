@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The stored example's trial is sound; each test spoils one thing of it in memory.
+#include "core/project/project.h"
+#include "core/project/repositories.h"
+#include "core/workflow/track/trial_verdict.h"
+#include "core/workflow/trial_sources.h"
+#include "tests/support/registered_test.h"
+#include "tests/ui/support/stored_example.h"
+
+#include <QTemporaryDir>
+#include <QTest>
+#include <fstream>
+
+using namespace odo;
+
+namespace {
+
+struct Example
+{
+    QTemporaryDir folder;
+    std::unique_ptr<Project> project = openStoredExample(folder.path().toStdString());
+    TrialRecord trial = project->trials().find("Trial 1").value();
+    std::vector<RecordingRecord> recordings = project->trials().recordings(trial.id).value();
+    std::vector<AnalysisRecord> analyses = project->analyses().current(trial.id).value();
+
+    Profile &profile() { return analyses.front().profile; }
+    TrialVerdict verdict() { return verdictOn(*project, trial, recordings, analyses).value(); }
+    /// The check with a code, of which there is one.
+    TrialCheck check(const std::string &code)
+    {
+        const TrialVerdict all = verdict();
+        const auto found = std::ranges::find(all.checks, code, &TrialCheck::code);
+        return found == all.checks.end() ? TrialCheck() : *found;
+    }
+};
+
+} // namespace
+
+class TestTrialVerdict : public QObject
+{
+    Q_OBJECT
+private Q_SLOTS:
+    void aSoundTrialPasses()
+    {
+        Example example;
+        const TrialVerdict verdict = example.verdict();
+        QStringList codes;
+        for (const TrialCheck &check : verdict.checks) {
+            codes << QString::fromStdString(check.code);
+            QVERIFY2(check.level == CheckLevel::Pass, check.text.english().c_str());
+        }
+        QCOMPARE(codes, (QStringList{QStringLiteral("results_intact"), QStringLiteral("time_measured"),
+                                     QStringLiteral("few_spikes"), QStringLiteral("motion_possible"),
+                                     QStringLiteral("name_known"), QStringLiteral("frames_regular"),
+                                     QStringLiteral("lens_known"), QStringLiteral("camera_still"),
+                                     QStringLiteral("views_agree"), QStringLiteral("synchronised")}));
+        QVERIFY(verdict.level() == CheckLevel::Pass);
+    }
+
+    void withoutAnAnalysisThereIsNone()
+    {
+        Example example;
+        example.analyses.clear();
+        QVERIFY(example.verdict().checks.empty());
+    }
+
+    void gapsAreDoubtfulAndLongOnesBad()
+    {
+        using namespace std::chrono_literals;
+        Example example;
+        example.profile().gaps = {{2s, 4s}};
+        example.profile().measuredS = 8;
+        QVERIFY(example.check("time_measured").level == CheckLevel::Doubtful);
+        QCOMPARE(example.check("time_measured").text.english(),
+                 "robot '" + example.analyses.front().robotName +
+                     "' in trial 'Trial 1': 8.0 s of 10.0 s were measured; lengths, times and maxima are at "
+                     "least as large as stated");
+        example.profile().measuredS = 1;
+        QVERIFY(example.check("time_measured").level == CheckLevel::Bad);
+        QVERIFY(example.verdict().level() == CheckLevel::Bad);
+    }
+
+    void manySpikes()
+    {
+        Example example;
+        const std::size_t used = std::ranges::count_if(example.profile().samples, isUsed);
+        example.profile().spikes.assign(used / 10, {});
+        QVERIFY(example.check("few_spikes").level == CheckLevel::Doubtful);
+        example.profile().spikes.assign(used / 2, {});
+        QVERIFY(example.check("few_spikes").level == CheckLevel::Bad);
+    }
+
+    void timeStampsThatJump()
+    {
+        Example example;
+        std::vector<Nanoseconds> &times = example.recordings.front().frameTimes;
+        for (std::size_t i = times.size() / 2; i < times.size(); ++i)
+            times[i] += std::chrono::seconds(10);
+        QVERIFY(example.check("frames_regular").level == CheckLevel::Doubtful);
+    }
+
+    void viewsThatAreNotSynchronised()
+    {
+        Example example;
+        example.recordings[1].syncMethod = "none";
+        QVERIFY(example.check("synchronised").level == CheckLevel::Bad);
+        example.recordings[1].syncMethod = "auto";
+        example.recordings[1].startOffsetSigmaS = 0.02;
+        QVERIFY(example.check("synchronised").level == CheckLevel::Doubtful);
+    }
+
+    void impossibleSpeeds()
+    {
+        Example example;
+        for (Metric &metric : example.profile().metrics)
+            if (metric.name == "max_speed")
+                metric.value = 300;
+        QVERIFY(example.check("motion_possible").level == CheckLevel::Doubtful);
+    }
+
+    void changedResults()
+    {
+        Example example;
+        example.analyses.front().proof = AnalysisRecord::Proof::Broken;
+        QVERIFY(example.check("results_intact").level == CheckLevel::Bad);
+    }
+
+    /// Nothing is measured from another file than the one that was added.
+    void aReplacedRecordingIsNamed()
+    {
+        const QTemporaryDir folder;
+        RegisteredView view;
+        view.file = folder.filePath(QStringLiteral("a.mkv")).toStdString();
+        view.recording.cameraName = "A";
+        const auto write = [&](const char *content) { std::ofstream(view.file) << content; };
+        write("abc");
+        view.recording.bytes = 3;
+        view.recording.sha256 =
+            "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad"; // FIPS 180-4
+        QVERIFY(checkRecordings({view}, {}));
+        write("abd");
+        auto changed = checkRecordings({view}, {});
+        QVERIFY(!changed);
+        QCOMPARE(changed.error().message(),
+                 std::string("recording of view 'A': its file has changed since it was "
+                             "added; put the original file back, or import this one "
+                             "as another trial"));
+        write("abcd");
+        changed = checkRecordings({view}, {});
+        QVERIFY(!changed);
+        QCOMPARE(changed.error().why.english(),
+                 std::string("its file has 4 bytes, but had 3 when it was added"));
+        std::filesystem::remove(view.file);
+        QVERIFY(checkRecordings({view}, {})); // its reader says so
+    }
+};
+
+ODOGRAPH_TEST(TestTrialVerdict, QCoreApplication)
+#include "tst_trial_verdict.moc"
