@@ -189,15 +189,15 @@ QJsonArray spikesJson(const std::vector<Spike> &spikes, const std::vector<Occlus
     return array;
 }
 
-QJsonArray doubtsJson(const std::vector<DoubtfulName> &doubts)
+QJsonArray ambiguitiesJson(const std::vector<AmbiguousName> &ambiguities)
 {
     QJsonArray array;
-    for (const DoubtfulName &doubt : doubts) {
+    for (const AmbiguousName &ambiguity : ambiguities) {
         QJsonArray others;
-        for (const std::string &name : doubt.otherNames)
+        for (const std::string &name : ambiguity.otherNames)
             others.append(QString::fromStdString(name));
-        array.append(QJsonObject{{QStringLiteral("from_s"), toSeconds(doubt.from)},
-                                 {QStringLiteral("to_s"), toSeconds(doubt.to)},
+        array.append(QJsonObject{{QStringLiteral("from_s"), toSeconds(ambiguity.from)},
+                                 {QStringLiteral("to_s"), toSeconds(ambiguity.to)},
                                  {QStringLiteral("others"), others}});
     }
     return array;

@@ -27,7 +27,7 @@ QStringList verdictLines(const TrialVerdict &verdict);
 /// gaps[{from_s, to_s}], when nothing was measured, and measured_s, how long something was.
 void insertMeasuredTime(QJsonObject &robot, const Profile &profile);
 /// When it is ambiguous which robot it is: [{from_s, to_s, others[]}].
-QJsonArray doubtsJson(const std::vector<DoubtfulName> &doubts);
+QJsonArray ambiguitiesJson(const std::vector<AmbiguousName> &ambiguities);
 /// When which view did not measure the whole of it: [{from_s, to_s, view, cause, other, reason}].
 QJsonArray occlusionsJson(const std::vector<Occlusion> &occlusions);
 /// Each with its reason among the robot's occlusions.

@@ -6,7 +6,7 @@
 #include "core/base/platform/crash_handler.h"
 #include "core/base/platform/process.h"
 #include "core/base/units.h"
-#include "core/project/place_warning.h"
+#include "core/project/location_warning.h"
 #include "core/project/repositories.h"
 #include "core/workflow/record/completed_recordings.h"
 #include "ui/main_window/language.h"
@@ -175,7 +175,7 @@ Result<std::unique_ptr<Project>> CommandCall::openProject(int index, Project::Ac
     auto project = Project::open(text(index), access);
     if (!project || access == Project::Access::ReadOnly)
         return project;
-    if (const auto warning = placeWarning((*project)->file()))
+    if (const auto warning = locationWarning((*project)->file()))
         warn(*warning);
     const auto recovered = ODO_TRY(recoverTrials(**project, m_control));
     for (const Message &told : recovered)
@@ -249,7 +249,7 @@ Result<OutputTarget> outputOf(const CommandCall &call, const std::string &file, 
                               call.isSet(option::force) ? Existing::ReplaceAny : Existing::ReplaceSameKind);
     if (project && identityOf(target.file))
         ODO_TRY(protectRecordings(*project, call.recordings()));
-    return checkOutput(target, kind).map([&](const OutputPlace &) { return target; });
+    return checkOutput(target, kind).map([&](const OutputLocation &) { return target; });
 }
 
 namespace {
@@ -307,8 +307,8 @@ Result<ReportOptions> readReportOptions(const CommandCall &call)
     options.withMethod = call.isSet(option::method);
     ODO_TRY(applyLanguage(call));
     if (call.isSet(option::logo)) {
-        auto picture = ODO_TRY(readLogo(call.value(option::logo)));
-        options.letterhead.logo = std::move(picture);
+        auto image = ODO_TRY(readLogo(call.value(option::logo)));
+        options.letterhead.logo = std::move(image);
     }
     return options;
 }

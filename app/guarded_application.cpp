@@ -21,7 +21,7 @@ bool GuardedApplication::notify(QObject *receiver, QEvent *event)
     } catch (...) {
         const MessageText *shortage = shortageBeingHandled();
         try {
-            tell(errorLine(shortageNow(cannotDoThis())));
+            report(errorLine(shortageNow(cannotDoThis())));
         } catch (...) { // not even that can be reported
             endForShortage(shortage ? *shortage
                                     : ODO_TEXT("app.unexpected", "something unexpected happened"));
@@ -30,17 +30,17 @@ bool GuardedApplication::notify(QObject *receiver, QEvent *event)
     return false;
 }
 
-void GuardedApplication::tell(const QString &line)
+void GuardedApplication::report(const QString &line)
 {
-    if (m_isTelling)
+    if (m_isReporting)
         return;
-    m_isTelling = true;
+    m_isReporting = true;
     QTimer::singleShot(0, this, [this, line] {
         QMessageBox box(QMessageBox::Critical, applicationDisplayName(), line, QMessageBox::Ok,
                         activeWindow());
         box.setTextFormat(Qt::PlainText);
         box.exec();
-        m_isTelling = false;
+        m_isReporting = false;
     });
 }
 

@@ -14,9 +14,9 @@ public:
     bool notify(QObject *receiver, QEvent *event) override;
 
 private:
-    void tell(const QString &line);
+    void report(const QString &line);
 
-    bool m_isTelling = false; ///< one at a time: what fails at each painting would open boxes without end
+    bool m_isReporting = false; ///< one at a time: what fails at each painting would open boxes without end
 };
 
 /// Before an application is made: settings of the environment by which Qt ends the program or shows nothing,

@@ -45,7 +45,7 @@ constexpr NamedCommand commands[] = {
     {"intrinsics", "import or export a camera's intrinsics", runIntrinsics, false},
     {"layout", "add, show, transform and export layouts of floor markers", runLayout, false},
     {"register", "register a camera to the floor", runRegister, false},
-    {"moved", "check whether a camera or a marker has moved since the registration", runMoved, false},
+    {"moved", "check whether a camera or a marker has moved since the registration", runCheckPosition, false},
     {"revisions", "list the calibrations and registrations of a camera, choose one to use", runRevisions,
      false},
     {"task", "add a task with gates, path and limits; list tasks; set a trial's task", runTask, false},

@@ -31,19 +31,19 @@ void runWorkbench(const std::optional<std::filesystem::path> &project)
                      [&window] { noteOpenProject(window.workspace().project()->file()); });
     const StopRequests stopRequests(window);
     window.show();
-    tellCrashes(window, stateFolder(), project);
+    reportCrashes(window, stateFolder(), project);
     if (project)
         window.beginOpening(*project);
     QApplication::exec();
 }
 
 Result<void> paintWorkbench(const std::filesystem::path &project, const std::string &trial, WindowMode mode,
-                            QSize size, const OutputTarget &picture, const CancelToken &cancel)
+                            QSize size, const OutputTarget &image, const CancelToken &cancel)
 {
     applyAppearance(*qApp);
-    const Message what = ODO_TEXT("app.picture", "image '%1'")(Named::file(picture.file));
+    const Message what = ODO_TEXT("app.picture", "image '%1'")(Named::file(image.file));
     const QByteArray format =
-        QFileInfo(QString::fromStdString(picture.file.string())).suffix().toLatin1().toLower();
+        QFileInfo(QString::fromStdString(image.file.string())).suffix().toLatin1().toLower();
     if (!QImageWriter::supportedImageFormats().contains(format))
         return fail(ErrorCode::WrongCall, what,
                     ODO_TEXT("app.picture_format_unknown", "its format is not supported"),
@@ -68,7 +68,7 @@ Result<void> paintWorkbench(const std::filesystem::path &project, const std::str
     buffer.open(QIODevice::WriteOnly);
     if (!painted.save(&buffer, format.constData())) // which nothing else keeps it from
         throw std::bad_alloc();
-    return writeOutput(picture, {bytes.constData(), static_cast<std::size_t>(bytes.size())});
+    return writeOutput(image, {bytes.constData(), static_cast<std::size_t>(bytes.size())});
 }
 
 } // namespace odo

@@ -21,6 +21,6 @@ void runWorkbench(const std::optional<std::filesystem::path> &project);
 /// image file. Errors: WrongCall for an unknown format, Cancelled, and those of opening the project and
 /// writing the image.
 Result<void> paintWorkbench(const std::filesystem::path &project, const std::string &trial, WindowMode mode,
-                            QSize size, const OutputTarget &picture, const CancelToken &cancel);
+                            QSize size, const OutputTarget &image, const CancelToken &cancel);
 
 } // namespace odo

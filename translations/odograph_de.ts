@@ -76,7 +76,7 @@
     </message>
 </context>
 <context>
-    <name>AnnotatedPicture</name>
+    <name>AnnotatedFrame</name>
     <message>
         <source>slow motion %1×</source>
         <translation>Zeitlupe %1×</translation>
@@ -426,7 +426,7 @@
     </message>
 </context>
 <context>
-    <name>DoubtfulStretches</name>
+    <name>UncertainIntervals</name>
     <message>
         <source>Which robot? Until %1</source>
         <translation>Welcher Roboter? Bis %1</translation>
@@ -8431,7 +8431,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
 </context>
 <context>
-    <name>odo::CameraWishesDialog</name>
+    <name>odo::CameraSettingsDialog</name>
     <message>
         <source>set by the camera</source>
         <translation>wie die Kamera es vorgibt</translation>
@@ -8552,7 +8552,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
 </context>
 <context>
-    <name>odo::ChartPicture</name>
+    <name>odo::ChartImage</name>
     <message>
         <source>&amp;Copy as image</source>
         <translation>Als Bild &amp;kopieren</translation>
@@ -9120,7 +9120,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
 </context>
 <context>
-    <name>odo::FigureGrid</name>
+    <name>odo::MetricGrid</name>
     <message>
         <source>Metrics</source>
         <translation>Kennwerte</translation>
@@ -9131,7 +9131,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
 </context>
 <context>
-    <name>odo::FigureText</name>
+    <name>odo::NumberText</name>
     <message>
         <source>points</source>
         <translation>Punkte</translation>
@@ -10407,7 +10407,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
 </context>
 <context>
-    <name>odo::LensPicturesPage</name>
+    <name>odo::BoardImagesPage</name>
     <message>
         <source>Move it to the left of the image</source>
         <translation>Nach links im Bild bewegen</translation>
@@ -10530,7 +10530,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
 </context>
 <context>
-    <name>odo::LensResultPage</name>
+    <name>odo::CalibrationResultPage</name>
     <message>
         <source>ordinary</source>
         <translation>gewöhnlich</translation>
@@ -10669,7 +10669,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
 </context>
 <context>
-    <name>odo::LensSourcePage</name>
+    <name>odo::CalibrationSourcePage</name>
     <message>
         <source>&amp;From the camera: hold up the board, Odograph takes the images</source>
         <translation>&amp;Vor der Kamera: Tafel halten, Bilder werden von selbst aufgenommen</translation>
@@ -11066,7 +11066,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
 </context>
 <context>
-    <name>odo::MovedDialog</name>
+    <name>odo::CameraPositionDialog</name>
     <message>
         <source>moved %1</source>
         <translation>um %1 bewegt</translation>
@@ -11270,7 +11270,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
 </context>
 <context>
-    <name>odo::PictureArea</name>
+    <name>odo::ImageArea</name>
     <message>
         <source>No view</source>
         <translation>Keine Sicht</translation>
@@ -11281,7 +11281,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
 </context>
 <context>
-    <name>odo::PictureBars</name>
+    <name>odo::ImageBars</name>
     <message>
         <source>Error of each image, with a threshold</source>
         <translation>Fehler jedes Bilds, mit einer Schwelle</translation>
@@ -11296,7 +11296,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
 </context>
 <context>
-    <name>odo::PictureChoice</name>
+    <name>odo::ImageChoice</name>
     <message>
         <source>The camera&apos;s &amp;newest recording</source>
         <translation>In der &amp;neuesten Aufnahme der Kamera</translation>
@@ -11916,7 +11916,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
 </context>
 <context>
-    <name>odo::RevisionPicture</name>
+    <name>odo::RevisionImage</name>
     <message>
         <source>Source image</source>
         <translation>Bild, aus dem sie entstanden ist</translation>
@@ -13641,7 +13641,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
 </context>
 <context>
-    <name>odo::ThroughSourcePage</name>
+    <name>odo::ReferenceCameraPage</name>
     <message>
         <source>Image or video of the camera to register</source>
         <translation>Bild oder Video der einzumessenden Kamera</translation>
@@ -13684,7 +13684,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
 </context>
 <context>
-    <name>odo::ThroughWizard</name>
+    <name>odo::RegisterViaCameraWizard</name>
     <message>
         <source>Register via another camera</source>
         <translation>Über andere Kamera einmessen</translation>
@@ -14315,7 +14315,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
 </context>
 <context>
-    <name>odo::TroubleBar</name>
+    <name>odo::WarningBar</name>
     <message>
         <source>Problem</source>
         <translation>Was los ist</translation>

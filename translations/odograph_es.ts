@@ -76,7 +76,7 @@
     </message>
 </context>
 <context>
-    <name>AnnotatedPicture</name>
+    <name>AnnotatedFrame</name>
     <message>
         <source>slow motion %1×</source>
         <translation>cámara lenta %1×</translation>
@@ -426,7 +426,7 @@
     </message>
 </context>
 <context>
-    <name>DoubtfulStretches</name>
+    <name>UncertainIntervals</name>
     <message>
         <source>Which robot? Until %1</source>
         <translation>¿Qué robot? Hasta %1</translation>
@@ -8431,7 +8431,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     </message>
 </context>
 <context>
-    <name>odo::CameraWishesDialog</name>
+    <name>odo::CameraSettingsDialog</name>
     <message>
         <source>set by the camera</source>
         <translation>como lo tenga la cámara</translation>
@@ -8552,7 +8552,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     </message>
 </context>
 <context>
-    <name>odo::ChartPicture</name>
+    <name>odo::ChartImage</name>
     <message>
         <source>&amp;Copy as image</source>
         <translation>&amp;Copiar como imagen</translation>
@@ -9120,7 +9120,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     </message>
 </context>
 <context>
-    <name>odo::FigureGrid</name>
+    <name>odo::MetricGrid</name>
     <message>
         <source>Metrics</source>
         <translation>Indicadores</translation>
@@ -9131,7 +9131,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     </message>
 </context>
 <context>
-    <name>odo::FigureText</name>
+    <name>odo::NumberText</name>
     <message>
         <source>points</source>
         <translation>puntos</translation>
@@ -10407,7 +10407,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     </message>
 </context>
 <context>
-    <name>odo::LensPicturesPage</name>
+    <name>odo::BoardImagesPage</name>
     <message>
         <source>Move it to the left of the image</source>
         <translation>Muévalo hacia la izquierda de la imagen</translation>
@@ -10530,7 +10530,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     </message>
 </context>
 <context>
-    <name>odo::LensResultPage</name>
+    <name>odo::CalibrationResultPage</name>
     <message>
         <source>ordinary</source>
         <translation>normal</translation>
@@ -10669,7 +10669,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     </message>
 </context>
 <context>
-    <name>odo::LensSourcePage</name>
+    <name>odo::CalibrationSourcePage</name>
     <message>
         <source>&amp;From the camera: hold up the board, Odograph takes the images</source>
         <translation>An&amp;te la cámara: sostenga el tablero y las imágenes se toman automáticamente</translation>
@@ -11066,7 +11066,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     </message>
 </context>
 <context>
-    <name>odo::MovedDialog</name>
+    <name>odo::CameraPositionDialog</name>
     <message>
         <source>moved %1</source>
         <translation>movida %1</translation>
@@ -11270,7 +11270,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     </message>
 </context>
 <context>
-    <name>odo::PictureArea</name>
+    <name>odo::ImageArea</name>
     <message>
         <source>No view</source>
         <translation>Sin vista</translation>
@@ -11281,7 +11281,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     </message>
 </context>
 <context>
-    <name>odo::PictureBars</name>
+    <name>odo::ImageBars</name>
     <message>
         <source>Error of each image, with a threshold</source>
         <translation>Error de cada imagen, con un umbral</translation>
@@ -11296,7 +11296,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     </message>
 </context>
 <context>
-    <name>odo::PictureChoice</name>
+    <name>odo::ImageChoice</name>
     <message>
         <source>The camera&apos;s &amp;newest recording</source>
         <translation>En la última g&amp;rabación de la cámara</translation>
@@ -11916,7 +11916,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     </message>
 </context>
 <context>
-    <name>odo::RevisionPicture</name>
+    <name>odo::RevisionImage</name>
     <message>
         <source>Source image</source>
         <translation>Imagen a partir de la cual se hizo</translation>
@@ -13641,7 +13641,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     </message>
 </context>
 <context>
-    <name>odo::ThroughSourcePage</name>
+    <name>odo::ReferenceCameraPage</name>
     <message>
         <source>Image or video of the camera to register</source>
         <translation>Imagen o video de la cámara por registrar</translation>
@@ -13684,7 +13684,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     </message>
 </context>
 <context>
-    <name>odo::ThroughWizard</name>
+    <name>odo::RegisterViaCameraWizard</name>
     <message>
         <source>Register via another camera</source>
         <translation>Registrar mediante otra cámara</translation>
@@ -14315,7 +14315,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     </message>
 </context>
 <context>
-    <name>odo::TroubleBar</name>
+    <name>odo::WarningBar</name>
     <message>
         <source>Problem</source>
         <translation>Qué ocurre</translation>

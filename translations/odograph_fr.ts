@@ -76,7 +76,7 @@
     </message>
 </context>
 <context>
-    <name>AnnotatedPicture</name>
+    <name>AnnotatedFrame</name>
     <message>
         <source>slow motion %1×</source>
         <translation>ralenti %1×</translation>
@@ -426,7 +426,7 @@
     </message>
 </context>
 <context>
-    <name>DoubtfulStretches</name>
+    <name>UncertainIntervals</name>
     <message>
         <source>Which robot? Until %1</source>
         <translation>Quel robot&#xa0;? Jusqu’à %1</translation>
@@ -8431,7 +8431,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
 </context>
 <context>
-    <name>odo::CameraWishesDialog</name>
+    <name>odo::CameraSettingsDialog</name>
     <message>
         <source>set by the camera</source>
         <translation>selon la caméra</translation>
@@ -8552,7 +8552,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
 </context>
 <context>
-    <name>odo::ChartPicture</name>
+    <name>odo::ChartImage</name>
     <message>
         <source>&amp;Copy as image</source>
         <translation>&amp;Copier comme image</translation>
@@ -9120,7 +9120,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
 </context>
 <context>
-    <name>odo::FigureGrid</name>
+    <name>odo::MetricGrid</name>
     <message>
         <source>Metrics</source>
         <translation>Grandeurs</translation>
@@ -9131,7 +9131,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
 </context>
 <context>
-    <name>odo::FigureText</name>
+    <name>odo::NumberText</name>
     <message>
         <source>points</source>
         <translation>points</translation>
@@ -10407,7 +10407,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
 </context>
 <context>
-    <name>odo::LensPicturesPage</name>
+    <name>odo::BoardImagesPage</name>
     <message>
         <source>Move it to the left of the image</source>
         <translation>Déplacez-la vers la gauche de l’image</translation>
@@ -10530,7 +10530,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
 </context>
 <context>
-    <name>odo::LensResultPage</name>
+    <name>odo::CalibrationResultPage</name>
     <message>
         <source>ordinary</source>
         <translation>ordinaire</translation>
@@ -10669,7 +10669,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
 </context>
 <context>
-    <name>odo::LensSourcePage</name>
+    <name>odo::CalibrationSourcePage</name>
     <message>
         <source>&amp;From the camera: hold up the board, Odograph takes the images</source>
         <translation>De&amp;vant la caméra&#xa0;: tenez la mire, les photos se prennent d’elles-mêmes</translation>
@@ -11066,7 +11066,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
 </context>
 <context>
-    <name>odo::MovedDialog</name>
+    <name>odo::CameraPositionDialog</name>
     <message>
         <source>moved %1</source>
         <translation>a bougé de %1</translation>
@@ -11270,7 +11270,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
 </context>
 <context>
-    <name>odo::PictureArea</name>
+    <name>odo::ImageArea</name>
     <message>
         <source>No view</source>
         <translation>Aucune vue</translation>
@@ -11281,7 +11281,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
 </context>
 <context>
-    <name>odo::PictureBars</name>
+    <name>odo::ImageBars</name>
     <message>
         <source>Error of each image, with a threshold</source>
         <translation>Erreur de chaque photo, avec un seuil</translation>
@@ -11296,7 +11296,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
 </context>
 <context>
-    <name>odo::PictureChoice</name>
+    <name>odo::ImageChoice</name>
     <message>
         <source>The camera&apos;s &amp;newest recording</source>
         <translation>Dans le &amp;dernier enregistrement de la caméra</translation>
@@ -11916,7 +11916,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
 </context>
 <context>
-    <name>odo::RevisionPicture</name>
+    <name>odo::RevisionImage</name>
     <message>
         <source>Source image</source>
         <translation>Photo d’où elle provient</translation>
@@ -13641,7 +13641,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
 </context>
 <context>
-    <name>odo::ThroughSourcePage</name>
+    <name>odo::ReferenceCameraPage</name>
     <message>
         <source>Image or video of the camera to register</source>
         <translation>Photo ou vidéo de la caméra à localiser</translation>
@@ -13684,7 +13684,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
 </context>
 <context>
-    <name>odo::ThroughWizard</name>
+    <name>odo::RegisterViaCameraWizard</name>
     <message>
         <source>Register via another camera</source>
         <translation>Localiser par une autre caméra</translation>
@@ -14315,7 +14315,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
 </context>
 <context>
-    <name>odo::TroubleBar</name>
+    <name>odo::WarningBar</name>
     <message>
         <source>Problem</source>
         <translation>Ce qui ne va pas</translation>

@@ -76,7 +76,7 @@
     </message>
 </context>
 <context>
-    <name>AnnotatedPicture</name>
+    <name>AnnotatedFrame</name>
     <message>
         <source>slow motion %1×</source>
         <translation>슬로 모션 %1×</translation>
@@ -424,7 +424,7 @@
     </message>
 </context>
 <context>
-    <name>DoubtfulStretches</name>
+    <name>UncertainIntervals</name>
     <message>
         <source>Which robot? Until %1</source>
         <translation>어느 로봇? %1까지</translation>
@@ -8425,7 +8425,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
-    <name>odo::CameraWishesDialog</name>
+    <name>odo::CameraSettingsDialog</name>
     <message>
         <source>set by the camera</source>
         <translation>카메라 기본값</translation>
@@ -8546,7 +8546,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
-    <name>odo::ChartPicture</name>
+    <name>odo::ChartImage</name>
     <message>
         <source>&amp;Copy as image</source>
         <translation>그림으로 복사(&amp;C)</translation>
@@ -9112,7 +9112,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
-    <name>odo::FigureGrid</name>
+    <name>odo::MetricGrid</name>
     <message>
         <source>Metrics</source>
         <translation>지표</translation>
@@ -9123,7 +9123,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
-    <name>odo::FigureText</name>
+    <name>odo::NumberText</name>
     <message>
         <source>points</source>
         <translation>점</translation>
@@ -10393,7 +10393,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
-    <name>odo::LensPicturesPage</name>
+    <name>odo::BoardImagesPage</name>
     <message>
         <source>Move it to the left of the image</source>
         <translation>화면 왼쪽으로 옮기십시오</translation>
@@ -10516,7 +10516,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
-    <name>odo::LensResultPage</name>
+    <name>odo::CalibrationResultPage</name>
     <message>
         <source>ordinary</source>
         <translation>일반</translation>
@@ -10655,7 +10655,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
-    <name>odo::LensSourcePage</name>
+    <name>odo::CalibrationSourcePage</name>
     <message>
         <source>&amp;From the camera: hold up the board, Odograph takes the images</source>
         <translation>카메라 앞에서: 보드를 들고 있으면 저절로 사진을 찍음(&amp;F)</translation>
@@ -11051,7 +11051,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
-    <name>odo::MovedDialog</name>
+    <name>odo::CameraPositionDialog</name>
     <message>
         <source>moved %1</source>
         <translation>%1 이동함</translation>
@@ -11255,7 +11255,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
-    <name>odo::PictureArea</name>
+    <name>odo::ImageArea</name>
     <message>
         <source>No view</source>
         <translation>뷰 없음</translation>
@@ -11266,7 +11266,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
-    <name>odo::PictureBars</name>
+    <name>odo::ImageBars</name>
     <message>
         <source>Error of each image, with a threshold</source>
         <translation>사진별 오차와 기준값</translation>
@@ -11281,7 +11281,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
-    <name>odo::PictureChoice</name>
+    <name>odo::ImageChoice</name>
     <message>
         <source>The camera&apos;s &amp;newest recording</source>
         <translation>카메라의 최근 녹화에서(&amp;N)</translation>
@@ -11897,7 +11897,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
-    <name>odo::RevisionPicture</name>
+    <name>odo::RevisionImage</name>
     <message>
         <source>Source image</source>
         <translation>이것을 만든 사진</translation>
@@ -13612,7 +13612,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
-    <name>odo::ThroughSourcePage</name>
+    <name>odo::ReferenceCameraPage</name>
     <message>
         <source>Image or video of the camera to register</source>
         <translation>정합할 카메라의 사진 또는 동영상</translation>
@@ -13655,7 +13655,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
-    <name>odo::ThroughWizard</name>
+    <name>odo::RegisterViaCameraWizard</name>
     <message>
         <source>Register via another camera</source>
         <translation>다른 카메라를 통해 정합</translation>
@@ -14282,7 +14282,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
-    <name>odo::TroubleBar</name>
+    <name>odo::WarningBar</name>
     <message>
         <source>Problem</source>
         <translation>문제 내용</translation>

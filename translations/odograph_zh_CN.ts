@@ -76,7 +76,7 @@
     </message>
 </context>
 <context>
-    <name>AnnotatedPicture</name>
+    <name>AnnotatedFrame</name>
     <message>
         <source>slow motion %1×</source>
         <translation>慢动作 %1×</translation>
@@ -424,7 +424,7 @@
     </message>
 </context>
 <context>
-    <name>DoubtfulStretches</name>
+    <name>UncertainIntervals</name>
     <message>
         <source>Which robot? Until %1</source>
         <translation>哪台机器人？至 %1</translation>
@@ -8425,7 +8425,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
-    <name>odo::CameraWishesDialog</name>
+    <name>odo::CameraSettingsDialog</name>
     <message>
         <source>set by the camera</source>
         <translation>按相机现有设置</translation>
@@ -8546,7 +8546,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
-    <name>odo::ChartPicture</name>
+    <name>odo::ChartImage</name>
     <message>
         <source>&amp;Copy as image</source>
         <translation>复制为图片(&amp;C)</translation>
@@ -9112,7 +9112,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
-    <name>odo::FigureGrid</name>
+    <name>odo::MetricGrid</name>
     <message>
         <source>Metrics</source>
         <translation>指标</translation>
@@ -9123,7 +9123,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
-    <name>odo::FigureText</name>
+    <name>odo::NumberText</name>
     <message>
         <source>points</source>
         <translation>分</translation>
@@ -10393,7 +10393,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
-    <name>odo::LensPicturesPage</name>
+    <name>odo::BoardImagesPage</name>
     <message>
         <source>Move it to the left of the image</source>
         <translation>移向画面左侧</translation>
@@ -10516,7 +10516,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
-    <name>odo::LensResultPage</name>
+    <name>odo::CalibrationResultPage</name>
     <message>
         <source>ordinary</source>
         <translation>普通</translation>
@@ -10655,7 +10655,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
-    <name>odo::LensSourcePage</name>
+    <name>odo::CalibrationSourcePage</name>
     <message>
         <source>&amp;From the camera: hold up the board, Odograph takes the images</source>
         <translation>相机实拍：手持标定板，自动拍摄图片(&amp;F)</translation>
@@ -11051,7 +11051,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
-    <name>odo::MovedDialog</name>
+    <name>odo::CameraPositionDialog</name>
     <message>
         <source>moved %1</source>
         <translation>移动了 %1</translation>
@@ -11255,7 +11255,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
-    <name>odo::PictureArea</name>
+    <name>odo::ImageArea</name>
     <message>
         <source>No view</source>
         <translation>无视角</translation>
@@ -11266,7 +11266,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
-    <name>odo::PictureBars</name>
+    <name>odo::ImageBars</name>
     <message>
         <source>Error of each image, with a threshold</source>
         <translation>各图片的误差，含阈值</translation>
@@ -11281,7 +11281,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
-    <name>odo::PictureChoice</name>
+    <name>odo::ImageChoice</name>
     <message>
         <source>The camera&apos;s &amp;newest recording</source>
         <translation>相机的最新录像(&amp;N)</translation>
@@ -11897,7 +11897,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
-    <name>odo::RevisionPicture</name>
+    <name>odo::RevisionImage</name>
     <message>
         <source>Source image</source>
         <translation>制作时所用的图片</translation>
@@ -13612,7 +13612,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
-    <name>odo::ThroughSourcePage</name>
+    <name>odo::ReferenceCameraPage</name>
     <message>
         <source>Image or video of the camera to register</source>
         <translation>待配准相机的图片或视频</translation>
@@ -13655,7 +13655,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
-    <name>odo::ThroughWizard</name>
+    <name>odo::RegisterViaCameraWizard</name>
     <message>
         <source>Register via another camera</source>
         <translation>通过另一相机配准</translation>
@@ -14282,7 +14282,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
-    <name>odo::TroubleBar</name>
+    <name>odo::WarningBar</name>
     <message>
         <source>Problem</source>
         <translation>问题所在</translation>

@@ -127,20 +127,20 @@ QJsonObject calibrationJson(const CalibrateJob &job)
 {
     const IntrinsicCalibration &calibration = job.calibration();
     QJsonArray rejected;
-    for (const RejectedPicture &picture : calibration.rejected)
-        rejected.append(QJsonObject{{QStringLiteral("file"), QString::fromStdString(picture.file)},
-                                    {QStringLiteral("reason"), english(picture.reason)}});
+    for (const RejectedImage &image : calibration.rejected)
+        rejected.append(QJsonObject{{QStringLiteral("file"), QString::fromStdString(image.file)},
+                                    {QStringLiteral("reason"), english(image.reason)}});
     QJsonObject perImage;
-    for (const CalibrationPicture &picture : calibration.pictures)
-        perImage.insert(QString::fromStdString(picture.view.source), picture.rmsPx);
+    for (const CalibrationImage &image : calibration.images)
+        perImage.insert(QString::fromStdString(image.view.source), image.rmsPx);
     QJsonObject answer{{QStringLiteral("camera"), QString::fromStdString(job.settings().camera)},
                        {QStringLiteral("rms_px"), calibration.rmsPx},
-                       {QStringLiteral("images_used"), qint64(calibration.picturesUsed())},
+                       {QStringLiteral("images_used"), qint64(calibration.imagesUsed())},
                        {QStringLiteral("images_rejected"), rejected},
                        {QStringLiteral("intrinsics"), intrinsicsJson(calibration.intrinsics)},
                        {QStringLiteral("per_image_rms_px"), perImage},
                        {QStringLiteral("crossvalidation_px"), calibration.crossValidationPx},
-                       {QStringLiteral("lens_reason"), english(calibration.lensReason)},
+                       {QStringLiteral("lens_reason"), english(calibration.modelReason)},
                        {QStringLiteral("corners_left_out"), qint64(calibration.cornersLeftOut())},
                        {QStringLiteral("corners_disagreeing"), calibration.disagreeingPart},
                        {QStringLiteral("verdict"), english(calibration.verdict)}};
@@ -179,7 +179,7 @@ Result<void> runCalibrate(const QStringList &arguments, const CancelToken &cance
                 QStringLiteral("%1\nRMS %2 px over %3; %4 not used.")
                     .arg(english(job.calibration().verdict))
                     .arg(job.calibration().rmsPx, 0, 'f', 3)
-                    .arg(counted(job.calibration().picturesUsed(), QStringLiteral("image")))
+                    .arg(counted(job.calibration().imagesUsed(), QStringLiteral("image")))
                     .arg(job.calibration().rejected.size()));
     return {};
 }

@@ -20,7 +20,7 @@ Result<void> runCameras(const QStringList &arguments, const CancelToken &cancel)
 Result<void> runCalibrate(const QStringList &arguments, const CancelToken &cancel);
 Result<void> runIntrinsics(const QStringList &arguments, const CancelToken &cancel);
 Result<void> runLayout(const QStringList &arguments, const CancelToken &cancel);
-Result<void> runMoved(const QStringList &arguments, const CancelToken &cancel);
+Result<void> runCheckPosition(const QStringList &arguments, const CancelToken &cancel);
 Result<void> runRegister(const QStringList &arguments, const CancelToken &cancel);
 Result<void> runReprocess(const QStringList &arguments, const CancelToken &cancel);
 Result<void> runRevisions(const QStringList &arguments, const CancelToken &cancel);

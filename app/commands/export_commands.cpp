@@ -68,7 +68,7 @@ Result<void> exportVideo(const CommandCall &call, const std::string &file)
     const QString name = QString::fromStdString(file);
     call.answer({{QStringLiteral("file"), name},
                  {QStringLiteral("format"), QStringLiteral("video")},
-                 {QStringLiteral("pictures"), job.pictureCount()},
+                 {QStringLiteral("pictures"), job.frameCount()},
                  {QStringLiteral("duration_s"), job.durationS()}},
                 QStringLiteral("Wrote %1: %2 s.").arg(name, QString::number(job.durationS(), 'f', 1)));
     return {};

@@ -123,9 +123,10 @@ Result<AxesChange> changeOf(const CommandCall &call)
     AxesChange change;
     change.originMarker = call.value(option::origin);
     if (call.isSet(option::originAt)) {
-        const auto place = commaPair(call, option::originAt);
-        const auto x = place ? parseLengthM(place->first) : Result<double>(tl::unexpected(place.error()));
-        const auto y = place ? parseLengthM(place->second) : x;
+        const auto location = commaPair(call, option::originAt);
+        const auto x =
+            location ? parseLengthM(location->first) : Result<double>(tl::unexpected(location.error()));
+        const auto y = location ? parseLengthM(location->second) : x;
         if (!x || !y)
             return tl::unexpected(!x ? x.error() : y.error());
         change.originM = Eigen::Vector2d(*x, *y);
@@ -171,10 +172,10 @@ Result<void> transform(CommandCall &call)
                  {QStringLiteral("cameras"), QJsonArray::fromStringList(cameras)}},
                 markersText(outcome.layout.layout) + u'\n' + carried);
     if (!outcome.tasks.empty())
-        CommandCall::warn(
-            ODO_TEXT("app.tasks_stay", "the gates and paths of tasks keep their coordinates in the old axes; "
-                                       "if they belong to this floor, recreate %1")(
-                listed(outcome.tasks, MessageArgument::Kind::Task, MessageArgument::Joint::Comma)));
+        CommandCall::warn(ODO_TEXT("app.tasks_stay",
+                                   "the gates and paths of tasks keep their coordinates in the old axes; "
+                                   "if they belong to this floor, recreate %1")(
+            listed(outcome.tasks, MessageArgument::Kind::Task, MessageArgument::Joint::Comma)));
     return {};
 }
 

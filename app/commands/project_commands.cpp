@@ -282,12 +282,12 @@ QJsonObject provenanceJson(const AnalysisRecord &analysis, const std::vector<Imp
     QJsonArray registrations;
     for (const RecordId id : analysis.registrations)
         registrations.append(qint64(id));
-    QJsonArray overrules;
-    for (const Overrule &overrule : analysis.options.overrules)
-        overrules.append(QJsonObject{{QStringLiteral("frame"), qint64(overrule.frame)},
-                                     {QStringLiteral("spike"), overrule.isSpike}});
+    QJsonArray overrides;
+    for (const ManualOverride &manualOverride : analysis.options.overrides)
+        overrides.append(QJsonObject{{QStringLiteral("frame"), qint64(manualOverride.frame)},
+                                     {QStringLiteral("spike"), manualOverride.isSpike}});
     QJsonObject json{
-        {QStringLiteral("overrules"), overrules},
+        {QStringLiteral("overrules"), overrides},
         {QStringLiteral("analysis"), qint64(analysis.id)},
         {QStringLiteral("made"),
          QDateTime::fromMSecsSinceEpoch(analysis.made.time_since_epoch().count(), Qt::UTC)
@@ -324,8 +324,8 @@ QStringList robotText(const AnalysisRecord &analysis, const std::vector<Occlusio
         lines << QStringLiteral("  spike at %1 s: %2")
                      .arg(toSeconds(spike.time), 0, 'f', 3)
                      .arg(english(reasonAmong(occlusions, spike)));
-    for (const DoubtfulName &doubt : analysis.doubtfulNames)
-        lines << QStringLiteral("  %1").arg(english(doubtfulNamesSentence({&doubt, 1}, analysis.robotName)));
+    for (const AmbiguousName &ambiguity : analysis.ambiguousNames)
+        lines << QStringLiteral("  %1").arg(english(ambiguousNamesText({&ambiguity, 1}, analysis.robotName)));
     for (const Occlusion &one : occlusions)
         lines << QStringLiteral("  %1").arg(english(occlusionSentence(one)));
     if (accuracy)
@@ -383,9 +383,9 @@ Result<void> runShow(const QStringList &arguments, const CancelToken &cancel)
             accuracy = compareWithTruth(analysis.profile, *truth);
         QJsonObject robot{{QStringLiteral("metrics"), metricsJson(analysis.profile.metrics)},
                           {QStringLiteral("spikes"), spikesJson(analysis.profile.spikes, occlusions[a])},
-                          {QStringLiteral("doubts"), doubtsJson(analysis.doubtfulNames)},
+                          {QStringLiteral("doubts"), ambiguitiesJson(analysis.ambiguousNames)},
                           {QStringLiteral("occlusions"), occlusionsJson(occlusions[a])},
-                          {QStringLiteral("doubtful_s"), doubtfulSeconds(analysis.doubtfulNames)},
+                          {QStringLiteral("doubtful_s"), ambiguousSeconds(analysis.ambiguousNames)},
                           {QStringLiteral("height_m"), analysis.profile.heightM},
                           {QStringLiteral("height_estimated"), analysis.profile.heightEstimated},
                           {QStringLiteral("provenance"), provenanceJson(analysis, imported)}};

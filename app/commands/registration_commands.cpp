@@ -5,8 +5,8 @@
 #include "core/base/error.h"
 #include "core/exchange/labelled_points.h"
 #include "core/project/repositories.h"
+#include "core/workflow/calibrate/camera_position_job.h"
 #include "core/workflow/calibrate/cameras.h"
-#include "core/workflow/calibrate/moved_job.h"
 #include "core/workflow/calibrate/register_job.h"
 
 namespace odo {
@@ -36,10 +36,10 @@ Result<std::vector<MarkerPixel>> hintsOf(const CommandCall &call)
 {
     const auto pairs = ODO_TRY(call.pairs(option::hint));
     std::vector<MarkerPixel> hints;
-    for (const auto &[label, place] : pairs) {
-        const auto comma = place.find(',');
-        const auto u = parseNumber(place.substr(0, comma));
-        const auto v = comma == std::string::npos ? u : parseNumber(place.substr(comma + 1));
+    for (const auto &[label, location] : pairs) {
+        const auto comma = location.find(',');
+        const auto u = parseNumber(location.substr(0, comma));
+        const auto v = comma == std::string::npos ? u : parseNumber(location.substr(comma + 1));
         if (comma == std::string::npos || !u || !v)
             return call.wrongCall(ODO_TEXT("app.hint_takes", "--hint takes LABEL=U,V"));
         hints.push_back({label, {*u, *v}});
@@ -67,16 +67,16 @@ Result<void> registerByMarkers(CommandCall &call)
     return {};
 }
 
-Result<void> registerThroughCamera(CommandCall &call)
+Result<void> startRegisterViaCamera(CommandCall &call)
 {
     const auto points = ODO_TRY(readSharedPointsCsv(call.value(option::pixels)));
-    const RegisterThroughSettings settings{call.value(option::camera), call.value(option::through), points};
+    const RegisterViaCameraSettings settings{call.value(option::camera), call.value(option::through), points};
     const auto project = ODO_TRY(call.openProject(0, Project::Access::ReadWrite));
-    RegisterThroughJob job(settings);
+    RegisterViaCameraJob job(settings);
     ODO_TRY(runToEnd(job, *project, call.control()));
     const FloorRegistration &registration = job.record().registration;
     QJsonObject answer = registrationJson(settings.camera, job.layoutName(), registration);
-    answer.insert(QStringLiteral("through"), QString::fromStdString(settings.through));
+    answer.insert(QStringLiteral("through"), QString::fromStdString(settings.reference));
     call.answer(answer, english(registration.verdict));
     return {};
 }
@@ -84,7 +84,7 @@ Result<void> registerThroughCamera(CommandCall &call)
 Result<void> registerAgain(CommandCall &call)
 {
     const auto project = ODO_TRY(call.openProject(0, Project::Access::ReadWrite));
-    const auto record = ODO_TRY(registerWithLensInForce(*project, call.value(option::camera)));
+    const auto record = ODO_TRY(registerWithCurrentIntrinsics(*project, call.value(option::camera)));
     const auto used = ODO_TRY(project->layouts().get(record.layout));
     call.answer(registrationJson(call.value(option::camera), used.layout.name, record.registration),
                 english(record.registration.verdict));
@@ -192,7 +192,7 @@ Result<void> runRegister(const QStringList &arguments, const CancelToken &cancel
         }
         if (!call.isSet(option::pixels))
             return call.lacks(option::through, option::pixels);
-        return registerThroughCamera(call);
+        return startRegisterViaCamera(call);
     }
     if (!call.isSet(option::layout))
         return call.missing(option::layout);
@@ -203,20 +203,20 @@ Result<void> runRegister(const QStringList &arguments, const CancelToken &cancel
 
 namespace {
 
-QString verdictName(MovedCheck::Verdict verdict)
+QString verdictName(CameraPositionCheck::Verdict verdict)
 {
     switch (verdict) {
-    case MovedCheck::Verdict::CameraMoved:
+    case CameraPositionCheck::Verdict::CameraMoved:
         return QStringLiteral("camera");
-    case MovedCheck::Verdict::MarkersMoved:
+    case CameraPositionCheck::Verdict::MarkersMoved:
         return QStringLiteral("markers");
-    case MovedCheck::Verdict::Still:
+    case CameraPositionCheck::Verdict::Still:
         break;
     }
     return QStringLiteral("nothing");
 }
 
-QJsonObject movedJson(const QString &cameraName, const MovedCheck &check)
+QJsonObject movedJson(const QString &cameraName, const CameraPositionCheck &check)
 {
     QJsonArray markers;
     for (const MarkerShift &marker : check.markers)
@@ -236,7 +236,7 @@ QJsonObject movedJson(const QString &cameraName, const MovedCheck &check)
 
 } // namespace
 
-Result<void> runMoved(const QStringList &arguments, const CancelToken &cancel)
+Result<void> runCheckPosition(const QStringList &arguments, const CancelToken &cancel)
 {
     CommandCall call(
         {QStringLiteral("moved"),
@@ -257,22 +257,22 @@ Result<void> runMoved(const QStringList &arguments, const CancelToken &cancel)
         project = call.openProject(0, Project::Access::ReadOnly);
     if (!project)
         return tl::unexpected(project.error());
-    MovedJob job({call.value(option::camera), call.value(option::image), {}});
+    CameraPositionJob job({call.value(option::camera), call.value(option::image), {}});
     auto done = job.prepare(**project);
     if (done)
         done = job.run(call.control());
     if (canKeep && done)
         done = job.commit(**project);
     else if (canKeep && done.error().code == ErrorCode::Undetermined)
-        ODO_TRY(keepNotTold(**project, call.value(option::camera), done.error()));
+        ODO_TRY(keepUndetermined(**project, call.value(option::camera), done.error()));
     if (!done)
         return done;
-    const MovedCheck &check = job.check();
+    const CameraPositionCheck &check = job.check();
     call.answer(movedJson(QString::fromStdString(call.value(option::camera)), check), english(check.words));
-    if (check.verdict == MovedCheck::Verdict::Still)
+    if (check.verdict == CameraPositionCheck::Verdict::Still)
         return {};
     return fail(ErrorCode::InvalidInput, cameraSubject(call.value(option::camera)),
-                check.verdict == MovedCheck::Verdict::CameraMoved
+                check.verdict == CameraPositionCheck::Verdict::CameraMoved
                     ? ODO_TEXT("app.camera_moved", "it has moved since it was registered")
                     : ODO_TEXT("app.marker_moved", "a marker has moved since it was registered"),
                 ODO_TEXT("app.see_answer", "see the output for what to do"));

@@ -121,7 +121,7 @@ QJsonObject comparisonJson(const TrialComparison &compared)
 {
     const std::string_view alignedBy = alignByWord(compared.comparison.alignedBy);
     QJsonArray distances, differences;
-    for (std::size_t station = 0; station < compared.comparison.waysM.size(); ++station) {
+    for (std::size_t station = 0; station < compared.comparison.distancesM.size(); ++station) {
         const auto difference = compared.comparison.timeDifference(1, station);
         if (!difference) // one of the runs was never there
             continue;
@@ -176,7 +176,7 @@ QString comparisonText(const ComparedTrials &trials, const TrialComparison &comp
             .arg(a, b, alignmentWords(comparison.alignedBy),
                  comparison.isTasksPath ? QStringLiteral("the task's path")
                                         : QStringLiteral("the path of a")));
-    for (std::size_t station = comparison.waysM.size(); station-- > 0;) {
+    for (std::size_t station = comparison.distancesM.size(); station-- > 0;) {
         if (const auto last = comparison.timeDifference(1, station)) {
             lines << QStringLiteral("  after %1 m: %2")
                          .arg(comparison.distanceM(station), 0, 'f', 2)

@@ -6,7 +6,7 @@
 #include "core/project/project.h"
 #include "core/project/repositories.h"
 #include "core/tracking/chroma.h"
-#include "core/workflow/calibrate/calibration_pictures.h"
+#include "core/workflow/calibrate/calibration_images.h"
 #include "core/workflow/shared_words.h"
 #include "ui/models/shown_message.h"
 
@@ -47,8 +47,8 @@ Result<RgbColour> pickedColour(const CommandCall &call)
     if (!isWhole || frame < 0)
         return call.wrongCall(
             ODO_TEXT("app.not_a_frame", "--frame '%1' is not a whole number")(call.value(option::frame)));
-    const auto picture = ODO_TRY(pictureOf(call.value(option::pick), frame));
-    const auto picked = pickColour(picture, box);
+    const auto image = ODO_TRY(imageOf(call.value(option::pick), frame));
+    const auto picked = pickColour(image, box);
     return picked ? Result<RgbColour>(picked->colour) : tl::unexpected(picked.error());
 }
 
@@ -78,7 +78,7 @@ Result<RobotRecord> robotFrom(const CommandCall &call)
         robot.heightMode = RobotRecord::Height::Free;
     } else if (height != "auto") {
         const auto heightM = ODO_TRY(call.lengthM(option::height));
-        robot.heightMode = RobotRecord::Height::Told;
+        robot.heightMode = RobotRecord::Height::Given;
         robot.heightM = heightM;
     }
     if (call.isSet(option::size)) {

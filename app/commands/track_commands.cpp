@@ -26,8 +26,8 @@ QJsonObject robotJson(const TrackedRobot &robot)
         {QStringLiteral("max_speed_m_s"), metricValue(profile, "max_speed")}};
     json.insert(QStringLiteral("clearance_mm"),
                 profile.clearanceM ? QJsonValue(toMillimetres(*profile.clearanceM)) : QJsonValue());
-    json.insert(QStringLiteral("doubtful_s"), optionalJson(robot.doubtfulS));
-    json.insert(QStringLiteral("doubts"), doubtsJson(robot.analysis.doubtfulNames));
+    json.insert(QStringLiteral("doubtful_s"), optionalJson(robot.ambiguousS));
+    json.insert(QStringLiteral("doubts"), ambiguitiesJson(robot.analysis.ambiguousNames));
     json.insert(QStringLiteral("occlusions"), occlusionsJson(robot.occlusions));
     insertMeasuredTime(json, profile);
     insertTaskAnswers(json, profile);
@@ -135,19 +135,19 @@ Result<void> runTrack(const QStringList &arguments, const CancelToken &cancel)
 
 namespace {
 
-Result<OverruleRequest> requestOf(const CommandCall &call)
+Result<OverrideRequest> requestOf(const CommandCall &call)
 {
     if (int(call.isSet(option::spike)) + int(call.isSet(option::valid)) + int(call.isSet(option::clear)) != 1)
         return call.wrongCall(
             ODO_TEXT("app.flag_needs_word", "one of --spike, --valid and --clear is needed"));
     if (call.isSet(option::time) == call.isSet(option::frame))
         return call.wrongCall(ODO_TEXT("app.flag_needs_moment", "one of --time and --frame is needed"));
-    OverruleRequest request;
+    OverrideRequest request;
     request.trial = call.text(1);
     request.robot = call.value(option::robot);
-    request.word = call.isSet(option::spike)   ? OverruleRequest::Word::Spike
-                   : call.isSet(option::valid) ? OverruleRequest::Word::Valid
-                                               : OverruleRequest::Word::Clear;
+    request.word = call.isSet(option::spike)   ? OverrideRequest::Word::Spike
+                   : call.isSet(option::valid) ? OverrideRequest::Word::Valid
+                                               : OverrideRequest::Word::Clear;
     const auto number = ODO_TRY(call.number(call.isSet(option::time) ? option::time : option::frame));
     if (call.isSet(option::time) && std::abs(number) > 1e9)
         return call.wrongCall(
@@ -161,14 +161,14 @@ Result<OverruleRequest> requestOf(const CommandCall &call)
     return request;
 }
 
-QString wordsOf(OverruleRequest::Word word)
+QString wordsOf(OverrideRequest::Word word)
 {
     switch (word) {
-    case OverruleRequest::Word::Spike:
+    case OverrideRequest::Word::Spike:
         return QStringLiteral("marked as a spike by hand");
-    case OverruleRequest::Word::Valid:
+    case OverrideRequest::Word::Valid:
         return QStringLiteral("marked as valid by hand");
-    case OverruleRequest::Word::Clear:
+    case OverrideRequest::Word::Clear:
         break;
     }
     return QStringLiteral("manual override removed");
@@ -195,9 +195,9 @@ Result<void> runFlag(const QStringList &arguments, const CancelToken &cancel)
         return parsed.map([](bool) {});
     const auto request = ODO_TRY(requestOf(call));
     const auto project = ODO_TRY(call.openProject(0, Project::Access::ReadWrite));
-    OverruleJob job(request);
+    OverrideJob job(request);
     ODO_TRY(runToEnd(job, *project, call.control()));
-    const OverruleOutcome &outcome = job.outcome();
+    const OverrideOutcome &outcome = job.outcome();
     const Profile &profile = outcome.analysis.profile;
     call.answer({{QStringLiteral("trial"), call.positional(1)},
                  {QStringLiteral("robot"), QString::fromStdString(outcome.robot)},

@@ -44,7 +44,7 @@ Result<ImportSettings> importSettings(const CommandCall &call)
         if (std::abs(*offset) > largestOffsetS)
             return call.wrongCall(
                 ODO_TEXT("app.sync_takes_seconds", "--sync takes seconds from -3600 to 3600"));
-        settings.steps.push_back({ImportSettings::Sync::Told, *offset});
+        settings.steps.push_back({ImportSettings::Sync::Given, *offset});
     }
     settings.team = call.value(option::team);
     settings.task = call.value(option::task);
@@ -357,7 +357,7 @@ Result<void> runRecord(const QStringList &arguments, const CancelToken &cancel)
     settings.warn = CommandCall::warn;
     const auto job = ODO_TRY(recordTrial(*project, settings, call.control()));
     const LiveTrial &recorded = *job;
-    const PairFigures &pairs = recorded.outcome().pairs;
+    const PairStatistics &pairs = recorded.outcome().pairs;
     std::vector<double> errorsS;
     for (const double errorS : pairs.errorsS)
         errorsS.push_back(std::abs(errorS));
@@ -369,7 +369,7 @@ Result<void> runRecord(const QStringList &arguments, const CancelToken &cancel)
         words += viewWords(QString::fromStdString(settings.cameras[i].first), recorded.outcome().views[i]);
     if (!errorsS.empty())
         words += QStringLiteral("\nThe views are %1, which the analysis takes into account.")
-                     .arg(english(inStepWords(percentile(errorsS, 95))));
+                     .arg(english(synchronisationWords(percentile(errorsS, 95))));
     call.answer({{QStringLiteral("trial"), QString::fromStdString(recorded.trial().name)},
                  {QStringLiteral("duration_s"), recorded.trial().durationS},
                  {QStringLiteral("views"), viewsJson(recorded, settings)},

@@ -25,8 +25,8 @@ struct Meeting
 class GateWatch
 {
 public:
-    GateWatch(const Gate &gate, const std::vector<MeasuredPlace> &places)
-        : m_gate(gate), m_places(places), m_along((gate.to - gate.from).normalized()),
+    GateWatch(const Gate &gate, const std::vector<MeasuredPosition> &positions)
+        : m_gate(gate), m_positions(positions), m_along((gate.to - gate.from).normalized()),
           m_across(m_along.y(), -m_along.x()), m_lengthM((gate.to - gate.from).norm())
     {
     }
@@ -34,14 +34,14 @@ public:
     std::vector<GatePassage> passages() const
     {
         std::vector<GatePassage> found;
-        const std::size_t nowhere = m_places.size();
+        const std::size_t nowhere = m_positions.size();
         std::size_t before = nowhere; // the last position that was surely before the line
-        for (std::size_t i = 0; i < m_places.size(); ++i) {
-            if (!m_places[i].joined)
+        for (std::size_t i = 0; i < m_positions.size(); ++i) {
+            if (!m_positions[i].joined)
                 before = nowhere;
             const double distance = across(i);
             const double sure =
-                std::max(leastDistanceM, sigmasToPass * sigmaAlong(m_places[i].own, m_across));
+                std::max(leastDistanceM, sigmasToPass * sigmaAlong(m_positions[i].own, m_across));
             if (distance < -sure) {
                 before = i;
             } else if (distance > sure && before != nowhere) {
@@ -54,12 +54,12 @@ public:
     }
 
 private:
-    double across(std::size_t i) const { return m_across.dot(m_places[i].point->position - m_gate.from); }
+    double across(std::size_t i) const { return m_across.dot(m_positions[i].point->position - m_gate.from); }
 
     /// The distance from the line between a position and the next, with `more` added.
     CubicStep distanceAfter(std::size_t i, double more = 0) const
     {
-        const MeasuredPlace &a = m_places[i], &b = m_places[i + 1];
+        const MeasuredPosition &a = m_positions[i], &b = m_positions[i + 1];
         return {across(i) + more, across(i + 1) + more, m_across.dot(a.point->velocity),
                 m_across.dot(b.point->velocity), b.timeS - a.timeS};
     }
@@ -69,19 +69,19 @@ private:
     double momentFrom(std::size_t i, int step, double more) const
     {
         while ((across(i) + more > 0) == (across(i + 1) + more > 0)) {
-            if (step < 0 && (i == 0 || !m_places[i].joined))
-                return m_places[i].timeS;
-            if (step > 0 && (i + 2 >= m_places.size() || !m_places[i + 2].joined))
-                return m_places[i + 1].timeS;
+            if (step < 0 && (i == 0 || !m_positions[i].joined))
+                return m_positions[i].timeS;
+            if (step > 0 && (i + 2 >= m_positions.size() || !m_positions[i + 2].joined))
+                return m_positions[i + 1].timeS;
             i = step < 0 ? i - 1 : i + 1;
         }
-        return m_places[i].timeS +
-               distanceAfter(i, more).root() * (m_places[i + 1].timeS - m_places[i].timeS);
+        return m_positions[i].timeS +
+               distanceAfter(i, more).root() * (m_positions[i + 1].timeS - m_positions[i].timeS);
     }
 
     Meeting meetingAfter(std::size_t i) const
     {
-        const MeasuredPlace &a = m_places[i], &b = m_places[i + 1];
+        const MeasuredPosition &a = m_positions[i], &b = m_positions[i + 1];
         const double step = b.timeS - a.timeS;
         const CubicStep distance = distanceAfter(i);
         const CubicStep along{m_along.dot(a.point->position - m_gate.from),
@@ -110,7 +110,7 @@ private:
         // From where the track would pass if it lay by σ further on, to where if by σ less far.
         const double ownM = std::max(first.ownM, last.ownM);
         const double ownS = (momentFrom(last.after, 1, -ownM) - momentFrom(first.after, -1, ownM)) / 2;
-        const double withinS = m_places[past].timeS - m_places[before].timeS;
+        const double withinS = m_positions[past].timeS - m_positions[before].timeS;
         const double commonS = first.rateMps * withinS > first.commonM ? first.commonM / first.rateMps
                                : first.commonM > 0                     ? withinS
                                                                        : 0;
@@ -119,7 +119,7 @@ private:
     }
 
     const Gate &m_gate;
-    const std::vector<MeasuredPlace> &m_places;
+    const std::vector<MeasuredPosition> &m_positions;
     Eigen::Vector2d m_along, m_across; ///< across: the way the gate is passed
     double m_lengthM;
 };
@@ -151,10 +151,10 @@ Lap lapOf(const std::vector<const GatePassage *> &way)
 std::vector<GatePassage> findPassages(const std::vector<Gate> &gates, const std::vector<Sample> &samples,
                                       const std::vector<ProfilePoint> &points)
 {
-    const std::vector<MeasuredPlace> places = measuredPlaces(samples, points);
+    const std::vector<MeasuredPosition> positions = measuredPositions(samples, points);
     std::vector<GatePassage> all;
     for (const Gate &gate : gates) {
-        for (GatePassage &passage : GateWatch(gate, places).passages())
+        for (GatePassage &passage : GateWatch(gate, positions).passages())
             all.push_back(std::move(passage));
     }
     std::stable_sort(all.begin(), all.end(),

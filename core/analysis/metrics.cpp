@@ -132,9 +132,9 @@ bool growsInGaps(std::string_view name)
 }
 
 /// The fastest significant turn: by its rate minus twice its σ, as of a curve's largest value.
-Figure fastestTurn(const std::vector<RunInstant> &instants, const std::vector<MotionStretch> &motions)
+UncertainValue fastestTurn(const std::vector<RunInstant> &instants, const std::vector<MotionStretch> &motions)
 {
-    Figure fastest;
+    UncertainValue fastest;
     double surest = -std::numeric_limits<double>::infinity();
     for (const MotionStretch &motion : motions) {
         for (std::size_t i = motion.first; i <= motion.last; ++i) {
@@ -166,13 +166,13 @@ std::vector<Metric> measureRun(const std::vector<RunInstant> &instants)
 
     // A speed scales with lengths; compared with its σ the calibration's scale uncertainty is small, but not
     // zero.
-    const auto scaled = [&](const char *name, const char *unit, Figure figure) {
-        return Metric{name, unit, figure.value, std::hypot(figure.sigma, scale * figure.value)};
+    const auto scaled = [&](const char *name, const char *unit, UncertainValue estimate) {
+        return Metric{name, unit, estimate.value, std::hypot(estimate.sigma, scale * estimate.value)};
     };
     const auto at = [](const RunInstant &instant, Curve curve) {
-        return Figure{instant.point->*curve.value, instant.point->*curve.sigma};
+        return UncertainValue{instant.point->*curve.value, instant.point->*curve.sigma};
     };
-    const Figure turn = fastestTurn(instants, motions); // an angle has no scale
+    const UncertainValue turn = fastestTurn(instants, motions); // an angle has no scale
     std::vector<Metric> metrics{
         course[0],
         course[1],
@@ -315,8 +315,8 @@ const Curve speedCurve{&ProfilePoint::speedMps, &ProfilePoint::sigmaSpeedMps, []
 const Curve accelCurve{&ProfilePoint::accelMps2, &ProfilePoint::sigmaAccelMps2,
                        [](const RunInstant &instant) { return instant.point->sigmaSpeedMps; }};
 
-Figure rootMeanSquare(const std::vector<RunInstant> &instants, const std::vector<MotionStretch> &motions,
-                      Curve curve)
+UncertainValue rootMeanSquare(const std::vector<RunInstant> &instants,
+                              const std::vector<MotionStretch> &motions, Curve curve)
 {
     double squares = 0, errors = 0, count = 0;
     for (const MotionStretch &motion : motions) {
@@ -367,8 +367,8 @@ double weightedPercentile(std::vector<Weighted> &values, double share)
 
 } // namespace
 
-Figure percentile(const std::vector<RunInstant> &instants, const std::vector<MotionStretch> &motions,
-                  Curve curve, double share)
+UncertainValue percentile(const std::vector<RunInstant> &instants, const std::vector<MotionStretch> &motions,
+                          Curve curve, double share)
 {
     std::vector<Weighted> values;
     values.reserve(instants.size());

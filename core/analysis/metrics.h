@@ -18,12 +18,11 @@ namespace odo {
 /// p95_accel (m/s²; half and 95 % of the moving time stay below them), max_turn_rate (rad/s, either way), and
 /// where the path is a circle circle_radius (m, fitCircle). Moving means faster than 20 mm/s and than three σ
 /// of the speed, for at least three valid points in a row; the moments between frames are interpolated. Only
-/// the speed while moving is integrated, so noise adds nothing to the path of a robot that stands still. A gap (GapWatch) contributes to the duration alone: all others
-/// are of what was measured, mean_speed over the measured time, a pause
-/// that a gap interrupts is no stop, and
-/// straightness is left out. σ: from the profile's σ; the calibration's part as a
-/// common scale uncertainty. A maximum is that of the smoothed curve (see largest). A robot that never moves
-/// has a duration of 0, and 0 for all that depends on it.
+/// the speed while moving is integrated, so noise adds nothing to the path of a robot that stands still. A
+/// gap (GapWatch) contributes to the duration alone: all others are of what was measured, mean_speed over the
+/// measured time, a pause that a gap interrupts is no stop, and straightness is left out. σ: from the
+/// profile's σ; the calibration's part as a common scale uncertainty. A maximum is that of the smoothed curve
+/// (see largest). A robot that never moves has a duration of 0, and 0 for all that depends on it.
 std::vector<Metric> measureRun(const std::vector<Sample> &samples, const std::vector<ProfilePoint> &points);
 std::vector<Metric> measureRun(const std::vector<RunInstant> &instants);
 
@@ -50,7 +49,7 @@ struct CircleFit
 std::optional<CircleFit> fitCircle(std::span<const Eigen::Vector2d> path);
 
 /// A value of a curve with its standard deviation.
-struct Figure
+struct UncertainValue
 {
     double value = 0, sigma = 0;
 };
@@ -66,8 +65,8 @@ struct Curve
 extern const Curve speedCurve, accelCurve;
 
 /// Root mean square over the motions' instants; σ: the bound for fully correlated errors. 0 for none.
-Figure rootMeanSquare(const std::vector<RunInstant> &instants, const std::vector<MotionStretch> &motions,
-                      Curve curve);
+UncertainValue rootMeanSquare(const std::vector<RunInstant> &instants,
+                              const std::vector<MotionStretch> &motions, Curve curve);
 
 /// What lies so near to a percentile decides it.
 inline constexpr double sigmasNearPercentile = 1.5;
@@ -75,8 +74,8 @@ inline constexpr double sigmasNearPercentile = 1.5;
 /// The value that a share of the motions' time stays below. The stretches within 1.5 σ of it decide it, each
 /// by its mean, whose error is that of the integral at both ends over the stretch's time, and the value's own
 /// σ at most; stretches independent of one another, weighted by time. 0 for none.
-Figure percentile(const std::vector<RunInstant> &instants, const std::vector<MotionStretch> &motions,
-                  Curve curve, double share);
+UncertainValue percentile(const std::vector<RunInstant> &instants, const std::vector<MotionStretch> &motions,
+                          Curve curve, double share);
 
 /// The instant of the largest significant value: by value minus twice σ, so a badly known point (at the ends,
 /// in a gap) does not win because of its uncertainty. The maximum of noisy values is too large by about their

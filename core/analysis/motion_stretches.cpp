@@ -134,29 +134,30 @@ double sigmaOfPosition(const ProfilePoint &point)
     return std::sqrt((std::pow(point.sigmaXM, 2) + std::pow(point.sigmaYM, 2)) / 2);
 }
 
-std::vector<double> waysOf(const MotionStretch &motion, const std::vector<RunInstant> &instants)
+std::vector<double> distancesOf(const MotionStretch &motion, const std::vector<RunInstant> &instants)
 {
     const auto speed = [&](std::size_t i) { return instants[i].point->speedMps; };
     const RunInstant &first = instants[motion.first];
-    double way = (first.thresholdMps + speed(motion.first)) / 2 * (first.timeS - motion.startS);
-    std::vector<double> ways{way};
+    double distance = (first.thresholdMps + speed(motion.first)) / 2 * (first.timeS - motion.startS);
+    std::vector<double> distances{distance};
     for (std::size_t i = motion.first; i < motion.last; ++i) {
-        way += (speed(i) + speed(i + 1)) / 2 * (instants[i + 1].timeS - instants[i].timeS);
-        ways.push_back(way);
+        distance += (speed(i) + speed(i + 1)) / 2 * (instants[i + 1].timeS - instants[i].timeS);
+        distances.push_back(distance);
     }
-    return ways;
+    return distances;
 }
 
 double lengthOf(const MotionStretch &motion, const std::vector<RunInstant> &instants)
 {
     const RunInstant &last = instants[motion.last];
-    return waysOf(motion, instants).back() +
+    return distancesOf(motion, instants).back() +
            (last.thresholdMps + last.point->speedMps) / 2 * (motion.stopS - last.timeS);
 }
 
-std::vector<double> drivenWay(const std::vector<Sample> &samples, const std::vector<ProfilePoint> &points)
+std::vector<double> distanceTravelled(const std::vector<Sample> &samples,
+                                      const std::vector<ProfilePoint> &points)
 {
-    std::vector<double> ways(samples.size(), 0);
+    std::vector<double> distances(samples.size(), 0);
     const std::vector<RunInstant> instants = validInstants(samples, points);
     const auto sampleOf = [&](std::size_t instant) {
         return static_cast<std::size_t>(instants[instant].point - points.data());
@@ -164,20 +165,20 @@ std::vector<double> drivenWay(const std::vector<Sample> &samples, const std::vec
     double before = 0;
     std::size_t next = 0; // first sample whose way is not set
     for (const MotionStretch &motion : findMotions(instants)) {
-        const std::vector<double> own = waysOf(motion, instants);
+        const std::vector<double> own = distancesOf(motion, instants);
         for (std::size_t i = motion.first; i <= motion.last; ++i) {
             const std::size_t sample = sampleOf(i);
             // A point that is not valid has the distance of the one before it.
-            std::fill(ways.begin() + static_cast<std::ptrdiff_t>(next),
-                      ways.begin() + static_cast<std::ptrdiff_t>(sample),
+            std::fill(distances.begin() + static_cast<std::ptrdiff_t>(next),
+                      distances.begin() + static_cast<std::ptrdiff_t>(sample),
                       i > motion.first ? before + own[i - 1 - motion.first] : before);
-            ways[sample] = before + own[i - motion.first];
+            distances[sample] = before + own[i - motion.first];
             next = sample + 1;
         }
         before += lengthOf(motion, instants);
     }
-    std::fill(ways.begin() + static_cast<std::ptrdiff_t>(next), ways.end(), before);
-    return ways;
+    std::fill(distances.begin() + static_cast<std::ptrdiff_t>(next), distances.end(), before);
+    return distances;
 }
 
 namespace {
@@ -192,10 +193,10 @@ double correlationOf(const Sample &sample)
 
 } // namespace
 
-std::vector<MeasuredPlace> measuredPlaces(const std::vector<Sample> &samples,
-                                          const std::vector<ProfilePoint> &points)
+std::vector<MeasuredPosition> measuredPositions(const std::vector<Sample> &samples,
+                                                const std::vector<ProfilePoint> &points)
 {
-    std::vector<MeasuredPlace> places;
+    std::vector<MeasuredPosition> positions;
     Eigen::Matrix2d common = Eigen::Matrix2d::Zero(); // of the last used sample
     GapWatch gaps;
     for (std::size_t i = 0; i < points.size(); ++i) {
@@ -205,18 +206,18 @@ std::vector<MeasuredPlace> measuredPlaces(const std::vector<Sample> &samples,
             gaps.skip();
             continue;
         }
-        MeasuredPlace place;
-        place.timeS = toSeconds(samples[i].time);
-        place.point = &points[i];
-        place.common = common;
+        MeasuredPosition measured;
+        measured.timeS = toSeconds(samples[i].time);
+        measured.point = &points[i];
+        measured.common = common;
         const double x = std::max(0.0, std::pow(points[i].sigmaXM, 2) - common(0, 0));
         const double y = std::max(0.0, std::pow(points[i].sigmaYM, 2) - common(1, 1));
         const double both = correlationOf(samples[i]) * std::sqrt(x * y);
-        place.own << x, both, both, y;
-        place.joined = gaps.joins(place.timeS);
-        places.push_back(place);
+        measured.own << x, both, both, y;
+        measured.joined = gaps.joins(measured.timeS);
+        positions.push_back(measured);
     }
-    return places;
+    return positions;
 }
 
 double sigmaAlong(const Eigen::Matrix2d &covariance, const Eigen::Vector2d &direction)

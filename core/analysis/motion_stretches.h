@@ -85,19 +85,20 @@ double sigmaOfPosition(const ProfilePoint &point);
 /// The distance travelled from the start of a stretch of motion to each of its instants, metres: the integral
 /// of the speed by the trapezoidal rule, with the ramp from the threshold to the first instant. As long as
 /// the stretch.
-std::vector<double> waysOf(const MotionStretch &motion, const std::vector<RunInstant> &instants);
+std::vector<double> distancesOf(const MotionStretch &motion, const std::vector<RunInstant> &instants);
 
-/// The length of a stretch of motion: waysOf and the ramp at its end, metres.
+/// The length of a stretch of motion: distancesOf and the ramp at its end, metres.
 double lengthOf(const MotionStretch &motion, const std::vector<RunInstant> &instants);
 
 /// The distance travelled up to each sample, metres; it never decreases, and ends with the metric
 /// path_length. It is constant while the robot stands still and where its points are not valid. As long as
 /// samples.
-std::vector<double> drivenWay(const std::vector<Sample> &samples, const std::vector<ProfilePoint> &points);
+std::vector<double> distanceTravelled(const std::vector<Sample> &samples,
+                                      const std::vector<ProfilePoint> &points);
 
 /// One valid point of a profile with the covariance of its position in its two parts: the track's own, which
 /// changes along it, and the calibration's, common to all of it. m², world frame.
-struct MeasuredPlace
+struct MeasuredPosition
 {
     double timeS = 0;
     const ProfilePoint *point = nullptr; ///< refers to the profile it was made from
@@ -107,8 +108,8 @@ struct MeasuredPlace
 
 /// The valid points in order of time, as validInstants gives them. A profile keeps σ of x and y alone: their
 /// correlation comes from the measurement at the same time.
-std::vector<MeasuredPlace> measuredPlaces(const std::vector<Sample> &samples,
-                                          const std::vector<ProfilePoint> &points);
+std::vector<MeasuredPosition> measuredPositions(const std::vector<Sample> &samples,
+                                                const std::vector<ProfilePoint> &points);
 
 /// σ of a position along a unit vector.
 double sigmaAlong(const Eigen::Matrix2d &covariance, const Eigen::Vector2d &direction);

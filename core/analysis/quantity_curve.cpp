@@ -211,8 +211,8 @@ void unite(CurveColumn &column, const CurveColumn &other)
 
 } // namespace
 
-BandPoint::BandPoint(double place, const CurveValue &curveValue)
-    : x(place), value(float(curveValue.value)), reach(float(coverage95 * curveValue.sigma))
+BandPoint::BandPoint(double position, const CurveValue &curveValue)
+    : x(position), value(float(curveValue.value)), reach(float(coverage95 * curveValue.sigma))
 {
 }
 
@@ -222,7 +222,7 @@ CurveValue BandPoint::curveValue() const
 }
 
 std::vector<CurveRun> curveRuns(const std::vector<std::optional<CurveValue>> &values,
-                                const std::vector<double> &places)
+                                const std::vector<double> &positions)
 {
     std::vector<CurveRun> runs;
     const auto exists = [](const std::optional<CurveValue> &value) { return value.has_value(); };
@@ -231,7 +231,7 @@ std::vector<CurveRun> curveRuns(const std::vector<std::optional<CurveValue>> &va
         CurveRun &run = runs.emplace_back(CurveRun{static_cast<std::size_t>(begin - values.begin()), {}});
         run.points.reserve(static_cast<std::size_t>(end - begin));
         for (auto value = begin; value != end; ++value)
-            run.points.emplace_back(places[static_cast<std::size_t>(value - values.begin())], **value);
+            run.points.emplace_back(positions[static_cast<std::size_t>(value - values.begin())], **value);
         begin = std::find_if(end, values.end(), exists);
     }
     return runs;

@@ -69,7 +69,7 @@ std::vector<std::optional<Heading>> headingsOf(const std::vector<ProfilePoint> &
 /// A point of a curve with its 95 % band (1.96 σ), in single precision: a trial may have a million of them.
 struct BandPoint
 {
-    BandPoint(double place, const CurveValue &curveValue);
+    BandPoint(double position, const CurveValue &curveValue);
     double x; ///< the position on the axis below
     float value, reach;
     double low() const { return double(value) - double(reach); }
@@ -87,7 +87,7 @@ struct CurveRun
 
 /// values: one a sample. places: where each sample lies on the axis below.
 std::vector<CurveRun> curveRuns(const std::vector<std::optional<CurveValue>> &values,
-                                const std::vector<double> &places);
+                                const std::vector<double> &positions);
 
 /// The points from low to high, and the next one beyond either end, so that a line runs out of the plot.
 /// Points must be sorted by x.

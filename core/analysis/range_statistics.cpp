@@ -22,7 +22,7 @@ bool isAngle(Quantity quantity)
 }
 
 /// The calibration's variance of a position's axis: the mean over the used samples of a span, m².
-double placeVariance(const Profile &profile, Quantity quantity, const TimeSpan &span)
+double positionVariance(const Profile &profile, Quantity quantity, const TimeSpan &span)
 {
     const int axis = quantity == Quantity::PositionX ? 0 : 1;
     double sum = 0, count = 0;
@@ -143,17 +143,17 @@ ErrorCourse errorCourseOf(Quantity quantity)
 std::vector<CurvePoint> pointsWithin(const Profile &profile, Quantity quantity, const TimeSpan &span)
 {
     const auto values = quantityValues(profile, quantity);
-    const std::vector<MeasuredPlace> places = measuredPlaces(profile.samples, profile.points);
+    const std::vector<MeasuredPosition> positions = measuredPositions(profile.samples, profile.points);
     std::vector<CurvePoint> points;
-    for (const MeasuredPlace &place : places) {
-        const auto i = static_cast<std::size_t>(place.point - profile.points.data());
+    for (const MeasuredPosition &measured : positions) {
+        const auto i = static_cast<std::size_t>(measured.point - profile.points.data());
         if (!values[i] || !span.contains(profile.samples[i].time))
             continue;
-        const double position = sigmaAlong(place.own, errorDirection(*place.point, quantity));
-        CurvePoint point{place.timeS, values[i]->value, isPosition(quantity) ? position : values[i]->sigma,
-                         errorRate(position, place.point->sigmaSpeedMps), place.point->sigmaSpeedMps};
+        const double position = sigmaAlong(measured.own, errorDirection(*measured.point, quantity));
+        CurvePoint point{measured.timeS, values[i]->value, isPosition(quantity) ? position : values[i]->sigma,
+                         errorRate(position, measured.point->sigmaSpeedMps), measured.point->sigmaSpeedMps};
         if (isAngle(quantity))
-            point.integralSigma /= std::max(leastMovingMps, place.point->speedMps);
+            point.integralSigma /= std::max(leastMovingMps, measured.point->speedMps);
         points.push_back(point);
     }
     return points;
@@ -197,9 +197,9 @@ std::optional<RangeStatistics> statisticsOf(const Profile &profile, Quantity qua
     if (isAngle(quantity))
         return result;
     const double scale = sigmaOfScale(profile.samples, profile.points);
-    const double place = isPosition(quantity) ? std::sqrt(placeVariance(profile, quantity, span)) : 0;
+    const double measured = isPosition(quantity) ? std::sqrt(positionVariance(profile, quantity, span)) : 0;
     for (CurveValue *each : {&result.mean, &result.median, &result.least.value, &result.most.value})
-        each->sigma = std::hypot(each->sigma, isPosition(quantity) ? place : scale * each->value);
+        each->sigma = std::hypot(each->sigma, isPosition(quantity) ? measured : scale * each->value);
     result.spread.sigma = std::hypot(result.spread.sigma, scale * result.spread.value);
     return result;
 }
@@ -236,9 +236,9 @@ Result<CurveFit> fitQuantity(const Profile &profile, Quantity quantity, const Ti
     }
     const double scale = sigmaOfScale(profile.samples, profile.points);
     for (int i = 0; i < 3; ++i) {
-        const bool isPlace = isPosition(quantity) && i == 0;
-        fit->covariance(i, i) +=
-            isPlace ? placeVariance(profile, quantity, span) : std::pow(scale * fit->coefficients[i], 2);
+        const bool isAtPosition = isPosition(quantity) && i == 0;
+        fit->covariance(i, i) += isAtPosition ? positionVariance(profile, quantity, span)
+                                              : std::pow(scale * fit->coefficients[i], 2);
     }
     return fit;
 }

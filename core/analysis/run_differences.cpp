@@ -33,16 +33,16 @@ std::optional<double> cutOf(const Eigen::Vector2d &from, const Eigen::Vector2d &
 struct Boundary
 {
     std::string name;
-    double wayM = 0;
+    double pathM = 0;
 };
 
 /// The last way at which the first run can be compared with another one.
 double commonEnd(const RunComparison &comparison)
 {
-    for (std::size_t station = comparison.waysM.size(); station-- > 0;)
+    for (std::size_t station = comparison.distancesM.size(); station-- > 0;)
         for (std::size_t run = 1; run < comparison.runs.size(); ++run)
             if (comparison.timeDifference(run, station))
-                return comparison.waysM[station];
+                return comparison.distancesM[station];
     return comparison.originM;
 }
 
@@ -52,20 +52,20 @@ std::vector<Boundary> boundariesOf(const RunComparison &comparison, const std::v
                  lengthM = lengthOf(comparison.path);
     std::vector<Boundary> boundaries;
     for (const PathGate &gate : gates) {
-        double wayM = gate.stationM;
+        double pathM = gate.stationM;
         if (comparison.path.closed)
-            wayM += lengthM * std::ceil((beginM - shortestM - wayM) / lengthM);
-        for (; wayM <= endM + shortestM; wayM += lengthM) {
-            if (wayM >= beginM - shortestM)
-                boundaries.push_back({gate.name, std::clamp(wayM, beginM, endM)});
+            pathM += lengthM * std::ceil((beginM - shortestM - pathM) / lengthM);
+        for (; pathM <= endM + shortestM; pathM += lengthM) {
+            if (pathM >= beginM - shortestM)
+                boundaries.push_back({gate.name, std::clamp(pathM, beginM, endM)});
             if (!comparison.path.closed)
                 break;
         }
     }
-    std::ranges::stable_sort(boundaries, {}, &Boundary::wayM);
-    if (boundaries.empty() || boundaries.front().wayM > beginM + shortestM)
+    std::ranges::stable_sort(boundaries, {}, &Boundary::pathM);
+    if (boundaries.empty() || boundaries.front().pathM > beginM + shortestM)
         boundaries.insert(boundaries.begin(), {std::string(), beginM});
-    if (boundaries.back().wayM < endM - shortestM)
+    if (boundaries.back().pathM < endM - shortestM)
         boundaries.push_back({std::string(), endM});
     return boundaries;
 }
@@ -91,12 +91,12 @@ Difference longer(const Arrival &fromA, const Arrival &toA, const Arrival &fromB
 
 SectorTimes sectorBetween(const RunComparison &comparison, const Boundary &from, const Boundary &to)
 {
-    SectorTimes sector{from.name, to.name, from.wayM, to.wayM, {}, {}};
-    const auto firstFrom = comparison.runs.front().arrivals.at(from.wayM),
-               firstTo = comparison.runs.front().arrivals.at(to.wayM);
+    SectorTimes sector{from.name, to.name, from.pathM, to.pathM, {}, {}};
+    const auto firstFrom = comparison.runs.front().arrivals.at(from.pathM),
+               firstTo = comparison.runs.front().arrivals.at(to.pathM);
     for (std::size_t run = 0; run < comparison.runs.size(); ++run) {
         const FirstArrivals &arrivals = comparison.runs[run].arrivals;
-        const auto begin = arrivals.at(from.wayM), end = arrivals.at(to.wayM);
+        const auto begin = arrivals.at(from.pathM), end = arrivals.at(to.pathM);
         const bool isKnown = begin && end, isFirstKnown = firstFrom && firstTo;
         sector.times.push_back(isKnown ? std::optional(timeBetween(*begin, *end)) : std::nullopt);
         sector.differences.push_back(
@@ -134,19 +134,19 @@ std::vector<PathGate> thirdsOf(const RunComparison &comparison)
     const double wholeM = comparison.path.closed ? lengthM : commonEnd(comparison) - beginM;
     std::vector<PathGate> gates;
     for (int i = 1; i <= 2; ++i) {
-        const double wayM = beginM + i * wholeM / 3;
+        const double pathM = beginM + i * wholeM / 3;
         gates.push_back({"Gate " + std::to_string(i),
-                         comparison.path.closed ? wayM - lengthM * std::floor(wayM / lengthM) : wayM});
+                         comparison.path.closed ? pathM - lengthM * std::floor(pathM / lengthM) : pathM});
     }
     return gates;
 }
 
-PathPoint pointAt(const ReferencePath &path, double wayM)
+PathPoint pointAt(const ReferencePath &path, double pathM)
 {
     const std::size_t count = path.points.size();
     if (path.closed) {
         const double lengthM = lengthOf(path);
-        wayM -= lengthM * std::floor(wayM / lengthM);
+        pathM -= lengthM * std::floor(pathM / lengthM);
     }
     PathPoint point{path.points.front(), Eigen::Vector2d::UnitX()};
     double stationM = 0;
@@ -156,9 +156,9 @@ PathPoint pointAt(const ReferencePath &path, double wayM)
         if (pieceM <= 0)
             continue;
         point.direction = way / pieceM;
-        point.position = path.points[i] + std::clamp(wayM - stationM, 0.0, pieceM) * point.direction;
+        point.position = path.points[i] + std::clamp(pathM - stationM, 0.0, pieceM) * point.direction;
         stationM += pieceM;
-        if (wayM <= stationM)
+        if (pathM <= stationM)
             break;
     }
     return point;
@@ -169,7 +169,7 @@ std::vector<SectorTimes> sectorTimes(const RunComparison &comparison, const std:
     const std::vector<Boundary> boundaries = boundariesOf(comparison, gates);
     std::vector<SectorTimes> sectors;
     for (std::size_t i = 1; i < boundaries.size(); ++i)
-        if (boundaries[i].wayM - boundaries[i - 1].wayM >= shortestM)
+        if (boundaries[i].pathM - boundaries[i - 1].pathM >= shortestM)
             sectors.push_back(sectorBetween(comparison, boundaries[i - 1], boundaries[i]));
     return sectors;
 }

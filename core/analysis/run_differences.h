@@ -29,7 +29,7 @@ struct PathPoint
 {
     Eigen::Vector2d position = Eigen::Vector2d::Zero(), direction = Eigen::Vector2d::UnitX();
 };
-PathPoint pointAt(const ReferencePath &path, double wayM);
+PathPoint pointAt(const ReferencePath &path, double pathM);
 
 /// A stretch of the path between two neighbouring gates, or from where all have started, or to where the last
 /// of them got.

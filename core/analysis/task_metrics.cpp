@@ -20,12 +20,13 @@ namespace {
 struct Offset
 {
     double valueM = 0, ownM = 0, commonM = 0;
-    double wayM = 0;
+    double pathM = 0;
     double togetherM = 0; ///< distance over which the errors are correlated, at least its own
 };
 
-std::vector<Offset> offsetsOf(const std::vector<RunInstant> &instants, const std::vector<PathPlace> &followed,
-                              const std::vector<MeasuredPlace> &places)
+std::vector<Offset> offsetsOf(const std::vector<RunInstant> &instants,
+                              const std::vector<PathPosition> &followed,
+                              const std::vector<MeasuredPosition> &positions)
 {
     std::vector<Offset> offsets;
     for (const MotionStretch &motion : findMotions(instants)) {
@@ -35,10 +36,10 @@ std::vector<Offset> offsetsOf(const std::vector<RunInstant> &instants, const std
             const double from = instants[i == motion.first ? i : i - 1].timeS;
             const double to = instants[i == motion.last ? i : i + 1].timeS;
             const double speed = instants[i].point->speedMps;
-            const double way = speed * std::max(0.0, to - from) / 2;
-            offsets.push_back({followed[i].offsetM, sigmaAlong(places[i].own, followed[i].left),
-                               sigmaAlong(places[i].common, followed[i].left), way,
-                               std::max(way, speed * correlationTimeS(instants[i]))});
+            const double travelledM = speed * std::max(0.0, to - from) / 2;
+            offsets.push_back({followed[i].offsetM, sigmaAlong(positions[i].own, followed[i].left),
+                               sigmaAlong(positions[i].common, followed[i].left), travelledM,
+                               std::max(travelledM, speed * correlationTimeS(instants[i]))});
         }
     }
     return offsets;
@@ -46,13 +47,13 @@ std::vector<Offset> offsetsOf(const std::vector<RunInstant> &instants, const std
 
 /// σ of a metric that changes by slope(offset) · distance / whole for a change of one offset.
 template <class Slope>
-double sigmaOfFigure(const std::vector<Offset> &offsets, double wholeM, const Slope &slope)
+double sigmaOfValue(const std::vector<Offset> &offsets, double wholeM, const Slope &slope)
 {
     double own = 0, common = 0;
     for (const Offset &offset : offsets) {
         const double weight = slope(offset) / wholeM;
-        own += std::pow(weight * offset.ownM, 2) * offset.wayM * offset.togetherM;
-        common += std::abs(weight) * offset.wayM * offset.commonM;
+        own += std::pow(weight * offset.ownM, 2) * offset.pathM * offset.togetherM;
+        common += std::abs(weight) * offset.pathM * offset.commonM;
     }
     return std::hypot(std::sqrt(own), common);
 }
@@ -73,7 +74,7 @@ double sigmaOfLargest(const std::vector<Offset> &offsets, const Offset &largest)
     double rivals = 0;
     for (const Offset &offset : offsets) {
         if (std::abs(offset.valueM) >= std::abs(largest.valueM) - 2 * largest.ownM && offset.togetherM > 0)
-            rivals += offset.wayM / offset.togetherM;
+            rivals += offset.pathM / offset.togetherM;
     }
     const double chosen = largest.ownM * std::sqrt(2 * std::log(std::max(1.0, rivals)));
     return std::hypot(std::hypot(largest.ownM, chosen), largest.commonM);
@@ -83,12 +84,12 @@ void addOffsets(std::vector<Metric> &metrics, const std::vector<Offset> &offsets
 {
     double whole = 0, sum = 0, magnitudes = 0, squares = 0, noise = 0, folded = 0;
     for (const Offset &offset : offsets) {
-        whole += offset.wayM;
-        sum += offset.wayM * offset.valueM;
-        magnitudes += offset.wayM * std::abs(offset.valueM);
-        squares += offset.wayM * offset.valueM * offset.valueM;
-        noise += offset.wayM * offset.ownM * offset.ownM;
-        folded += offset.wayM * meanMagnitude(offset.valueM, offset.ownM);
+        whole += offset.pathM;
+        sum += offset.pathM * offset.valueM;
+        magnitudes += offset.pathM * std::abs(offset.valueM);
+        squares += offset.pathM * offset.valueM * offset.valueM;
+        noise += offset.pathM * offset.ownM * offset.ownM;
+        folded += offset.pathM * meanMagnitude(offset.valueM, offset.ownM);
     }
     if (!(whole > 0))
         return;
@@ -98,10 +99,10 @@ void addOffsets(std::vector<Metric> &metrics, const std::vector<Offset> &offsets
             return std::abs(a.valueM) - 2 * a.ownM < std::abs(b.valueM) - 2 * b.ownM;
         });
     const double sigmaMean =
-        sigmaOfFigure(offsets, whole, [](const Offset &offset) { return offset.valueM < 0 ? -1.0 : 1.0; });
-    const double sigmaRms = sigmaOfFigure(
+        sigmaOfValue(offsets, whole, [](const Offset &offset) { return offset.valueM < 0 ? -1.0 : 1.0; });
+    const double sigmaRms = sigmaOfValue(
         offsets, whole, [rms](const Offset &offset) { return rms > 0 ? offset.valueM / rms : 0.0; });
-    const double sigmaBias = sigmaOfFigure(offsets, whole, [](const Offset &) { return 1.0; });
+    const double sigmaBias = sigmaOfValue(offsets, whole, [](const Offset &) { return 1.0; });
     const auto add = [&](const char *name, double valueM, double sigmaM) {
         metrics.push_back({name, "mm", toMillimetres(valueM), toMillimetres(sigmaM)});
     };
@@ -115,9 +116,9 @@ void addOffsets(std::vector<Metric> &metrics, const std::vector<Offset> &offsets
 void addPath(std::vector<Metric> &metrics, const ReferencePath &path, const std::vector<Sample> &samples,
              const std::vector<ProfilePoint> &points)
 {
-    const std::vector<MeasuredPlace> places = measuredPlaces(samples, points);
-    const std::vector<PathPlace> followed = followPath(path, places);
-    addOffsets(metrics, offsetsOf(validInstants(samples, points), followed, places));
+    const std::vector<MeasuredPosition> positions = measuredPositions(samples, points);
+    const std::vector<PathPosition> followed = followPath(path, positions);
+    addOffsets(metrics, offsetsOf(validInstants(samples, points), followed, positions));
     metrics.push_back({"path_completed", "1", completedShare(path, followed), std::nullopt});
 }
 
@@ -159,19 +160,19 @@ void addTimes(std::vector<Metric> &metrics, const Task &task, const std::vector<
 
 } // namespace
 
-TaskFigures measureTask(const Task &task, const std::vector<Sample> &samples,
+TaskMetrics measureTask(const Task &task, const std::vector<Sample> &samples,
                         const std::vector<ProfilePoint> &points)
 {
-    TaskFigures figures;
-    figures.passages = findPassages(task.gates, samples, points);
+    TaskMetrics result;
+    result.passages = findPassages(task.gates, samples, points);
     const std::vector<TimeSpan> gaps = gapsBetween(validInstants(samples, points));
-    addTimes(figures.metrics, task, figures.passages, gaps);
+    addTimes(result.metrics, task, result.passages, gaps);
     if (!task.path.points.empty())
-        addPath(figures.metrics, task.path, samples, points);
+        addPath(result.metrics, task.path, samples, points);
     const std::vector<Metric> zones = measureZones(task.zones, samples, points);
-    figures.metrics.insert(figures.metrics.end(), zones.begin(), zones.end());
-    markLowerBounds(figures.metrics, gaps);
-    return figures;
+    result.metrics.insert(result.metrics.end(), zones.begin(), zones.end());
+    markLowerBounds(result.metrics, gaps);
+    return result;
 }
 
 namespace {
@@ -221,17 +222,17 @@ struct Standing
     bool joined = false;
 };
 
-std::vector<Standing> standingsOf(const Zone &zone, const std::vector<MeasuredPlace> &places)
+std::vector<Standing> standingsOf(const Zone &zone, const std::vector<MeasuredPosition> &positions)
 {
     std::vector<Standing> standings;
-    for (const MeasuredPlace &place : places) {
-        const Vector2d &point = place.point->position;
+    for (const MeasuredPosition &position : positions) {
+        const Vector2d &point = position.point->position;
         const Vector2d across = point - nearestOnEdge(zone, point);
         const double depth = isWithin(zone, point) ? across.norm() : -across.norm();
         const Vector2d direction = across.norm() > 0 ? Vector2d(across.normalized()) : Vector2d(1, 0);
-        standings.push_back({place.timeS, zone.rule == ZoneRule::StayOutside ? depth : -depth,
-                             sigmaAlong(place.own, direction), sigmaAlong(place.common, direction),
-                             place.joined});
+        standings.push_back({position.timeS, zone.rule == ZoneRule::StayOutside ? depth : -depth,
+                             sigmaAlong(position.own, direction), sigmaAlong(position.common, direction),
+                             position.joined});
     }
     return standings;
 }
@@ -321,10 +322,10 @@ double depthWithin(const Zone &zone, const Vector2d &point)
 std::vector<ZoneBreach> findZoneBreaches(const std::vector<Zone> &zones, const std::vector<Sample> &samples,
                                          const std::vector<ProfilePoint> &points)
 {
-    const std::vector<MeasuredPlace> places = measuredPlaces(samples, points);
+    const std::vector<MeasuredPosition> positions = measuredPositions(samples, points);
     std::vector<ZoneBreach> breaches;
     for (const Zone &zone : zones) {
-        const std::vector<Standing> standings = standingsOf(zone, places);
+        const std::vector<Standing> standings = standingsOf(zone, positions);
         for (const Stretch &stretch : stretchesBeyond(standings, 0)) {
             const Standing &deepest = standings[stretch.deepest];
             breaches.push_back({zone.name, fromSeconds(stretch.fromS), fromSeconds(stretch.toS),
@@ -341,11 +342,11 @@ std::vector<Metric> measureZones(const std::vector<Zone> &zones, const std::vect
 {
     if (zones.empty())
         return {};
-    const std::vector<MeasuredPlace> places = measuredPlaces(samples, points);
+    const std::vector<MeasuredPosition> positions = measuredPositions(samples, points);
     std::size_t count = 0;
     double timeS = 0, ends = 0, common = 0;
     for (const Zone &zone : zones) {
-        const std::vector<Standing> standings = standingsOf(zone, places);
+        const std::vector<Standing> standings = standingsOf(zone, positions);
         const std::vector<Stretch> stretches = stretchesBeyond(standings, 0);
         const double shiftM = commonSigmaM(standings);
         count += stretches.size();

@@ -10,7 +10,7 @@
 namespace odo {
 
 /// What a task adds to a run's metrics.
-struct TaskFigures
+struct TaskMetrics
 {
     std::vector<GatePassage> passages;
     std::vector<Metric> metrics;
@@ -25,7 +25,7 @@ struct TaskFigures
 /// significant one. σ of a distance metric: the track's own noise to first order with its correlation along
 /// the run, what that noise alone adds to a mean of magnitudes and by selection to a maximum, and the
 /// calibration's part as if it were fully correlated.
-TaskFigures measureTask(const Task &task, const std::vector<Sample> &samples,
+TaskMetrics measureTask(const Task &task, const std::vector<Sample> &samples,
                         const std::vector<ProfilePoint> &points);
 
 /// A stretch in which the robot's reference point broke a zone's rule: outside a zone to stay in, or inside

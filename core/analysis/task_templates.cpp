@@ -74,10 +74,10 @@ Result<Task> taskFromTemplate(TaskTemplate kind, const TemplateSizes &sizes)
     return task;
 }
 
-TemplateSizes suggestedSizes(const Task &task, const Eigen::Vector2d &place)
+TemplateSizes suggestedSizes(const Task &task, const Eigen::Vector2d &position)
 {
     TemplateSizes sizes;
-    sizes.centre = place;
+    sizes.centre = position;
     Eigen::AlignedBox2d box;
     for (const Eigen::Vector2d &point : task.path.points)
         box.extend(point);

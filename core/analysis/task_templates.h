@@ -25,6 +25,6 @@ Result<Task> taskFromTemplate(TaskTemplate kind, const TemplateSizes &sizes);
 
 /// The sizes that a task's gates and path suggest, to rebuild it; for a task without any, the usual ones
 /// about the position.
-TemplateSizes suggestedSizes(const Task &task, const Eigen::Vector2d &place);
+TemplateSizes suggestedSizes(const Task &task, const Eigen::Vector2d &position);
 
 } // namespace odo

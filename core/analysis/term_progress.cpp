@@ -48,32 +48,32 @@ double studentT95(int degrees)
     return z + (g1 + (g2 + (g3 + g4 / n) / n) / n) / n;
 }
 
-TermProgress termProgress(const std::vector<TermFigure> &figures, bool isLessBetter)
+TermProgress termProgress(const std::vector<TermValue> &metrics, bool isLessBetter)
 {
     std::vector<double> days, values;
-    for (const TermFigure &figure : figures) {
-        days.push_back(figure.day);
-        values.push_back(figure.value);
+    for (const TermValue &termValue : metrics) {
+        days.push_back(termValue.day);
+        values.push_back(termValue.value);
     }
     TermProgress progress;
-    progress.count = static_cast<int>(figures.size());
+    progress.count = static_cast<int>(metrics.size());
     progress.best = isLessBetter ? std::ranges::min(values) : std::ranges::max(values);
     progress.median = median(values);
     const double day = meanOf(days), value = meanOf(values);
     progress.atStart = value;
-    if (figures.size() < 2)
+    if (metrics.size() < 2)
         return progress;
     const double daySquares = squaresAbout(day, days);
-    if (figures.size() < 3 || daySquares <= 0) {
+    if (metrics.size() < 3 || daySquares <= 0) {
         progress.spread = std::sqrt(squaresAbout(value, values) / (progress.count - 1));
         return progress;
     }
     double slope = 0;
-    for (const TermFigure &figure : figures)
-        slope += (figure.day - day) * (figure.value - value) / daySquares;
+    for (const TermValue &termValue : metrics)
+        slope += (termValue.day - day) * (termValue.value - value) / daySquares;
     double left = 0;
-    for (const TermFigure &figure : figures) {
-        const double off = figure.value - value - slope * (figure.day - day);
+    for (const TermValue &termValue : metrics) {
+        const double off = termValue.value - value - slope * (termValue.day - day);
         left += off * off;
     }
     const int degrees = progress.count - 2;
@@ -81,31 +81,31 @@ TermProgress termProgress(const std::vector<TermFigure> &figures, bool isLessBet
     const auto [first, last] = std::ranges::minmax(days);
     progress.atStart = value + slope * (first - day);
     progress.change =
-        Figure{slope * (last - first), *progress.spread / std::sqrt(daySquares) * (last - first)};
+        UncertainValue{slope * (last - first), *progress.spread / std::sqrt(daySquares) * (last - first)};
     progress.isBeyondSpread = std::abs(progress.change->value) > studentT95(degrees) * progress.change->sigma;
     return progress;
 }
 
-void rankTeams(std::vector<TeamFigures> &teams, bool isLessBetter)
+void rankTeams(std::vector<TeamStatistics> &teams, bool isLessBetter)
 {
     double squares = 0;
     std::size_t degrees = 0;
-    for (const TeamFigures &team : teams) {
+    for (const TeamStatistics &team : teams) {
         if (team.values.empty())
             continue;
         squares += squaresAbout(meanOf(team.values), team.values);
         degrees += team.values.size() - 1;
     }
     const double spread = degrees > 0 ? std::sqrt(squares / static_cast<double>(degrees)) : 0;
-    for (TeamFigures &team : teams) {
+    for (TeamStatistics &team : teams) {
         const auto count = static_cast<double>(team.values.size());
         team.median = team.values.empty() ? 0 : median(team.values);
         team.sigma = team.values.empty()
                          ? 0
                          : spread / std::sqrt(count) * (count > 2 ? std::sqrt(std::numbers::pi / 2) : 1);
     }
-    for (TeamFigures &team : teams) {
-        const auto isAhead = [&](const TeamFigures &other) {
+    for (TeamStatistics &team : teams) {
+        const auto isAhead = [&](const TeamStatistics &other) {
             const double by = (isLessBetter ? 1 : -1) * (team.median - other.median);
             return !other.values.empty() && by > coverage95 * std::hypot(team.sigma, other.sigma);
         };

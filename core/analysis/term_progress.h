@@ -10,7 +10,7 @@
 namespace odo {
 
 /// A metric of one run in the course of a term.
-struct TermFigure
+struct TermValue
 {
     double day = 0; ///< when, in days since any moment
     double value = 0;
@@ -26,7 +26,7 @@ struct TermProgress
     std::optional<double> spread;
     /// Of the line: how much it rises from the first day to the last, its σ, and its value on the first day.
     /// nullopt for less than three runs, or all at one moment.
-    std::optional<Figure> change;
+    std::optional<UncertainValue> change;
     double atStart = 0;
     /// Whether the change is more than the spread of the runs explains: |change| > t σ with t of 95 % and
     /// count − 2 degrees of freedom.
@@ -37,7 +37,7 @@ struct TermProgress
 /// left over (JCGM 100:2008, H.3.2, equations H.13); the test of the slope is Student's (the same, G.3.2).
 /// The runs' own σ is contained in what is left over; what they have in common (the calibration) changes no
 /// slope. isLessBetter: what best means. figures must not be empty.
-TermProgress termProgress(const std::vector<TermFigure> &figures, bool isLessBetter);
+TermProgress termProgress(const std::vector<TermValue> &metrics, bool isLessBetter);
 
 /// Student's t that is exceeded in either direction in 5 of 100 cases: exact for one and two degrees of
 /// freedom, else the expansion of Cornish and Fisher (Abramowitz and Stegun 1964, 26.7.5), right to 0.003.
@@ -45,7 +45,7 @@ TermProgress termProgress(const std::vector<TermFigure> &figures, bool isLessBet
 double studentT95(int degrees);
 
 /// What one team has to be ranked by.
-struct TeamFigures
+struct TeamStatistics
 {
     std::vector<double> values; ///< of its runs
     double median = 0;          ///< of them; rank
@@ -58,7 +58,7 @@ struct TeamFigures
 /// that spread times √(π/2n), of one or two runs (where it is the mean) the spread over √n. A team is
 /// significantly better if the medians differ by more than 1.96 σ of their difference. If no team has two
 /// runs there is no spread: σ is 0, and each difference counts. Empty teams have rank 0.
-void rankTeams(std::vector<TeamFigures> &teams, bool isLessBetter);
+void rankTeams(std::vector<TeamStatistics> &teams, bool isLessBetter);
 
 /// Whether a smaller value of a metric is better, by its name: for times and distances from the path; for
 /// speeds larger is.

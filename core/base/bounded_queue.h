@@ -24,7 +24,7 @@ public:
     bool push(T value)
     {
         std::unique_lock lock(m_mutex);
-        m_roomOrClosed.wait(lock, [this] { return m_closed || m_values.size() < m_capacity; });
+        m_spaceOrClosed.wait(lock, [this] { return m_closed || m_values.size() < m_capacity; });
         if (m_closed)
             return false;
         m_values.push_back(std::move(value));
@@ -67,7 +67,7 @@ public:
             return std::nullopt;
         T value = std::move(m_values.front());
         m_values.pop_front();
-        m_roomOrClosed.notify_one();
+        m_spaceOrClosed.notify_one();
         return value;
     }
 
@@ -76,7 +76,7 @@ public:
     {
         const std::lock_guard lock(m_mutex);
         m_closed = true;
-        m_roomOrClosed.notify_all();
+        m_spaceOrClosed.notify_all();
         m_valueOrClosed.notify_all();
     }
 
@@ -88,7 +88,7 @@ public:
 
 private:
     mutable std::mutex m_mutex;
-    std::condition_variable m_roomOrClosed, m_valueOrClosed;
+    std::condition_variable m_spaceOrClosed, m_valueOrClosed;
     std::deque<T> m_values;
     const std::size_t m_capacity;
     std::uint64_t m_dropped = 0;

@@ -12,7 +12,7 @@ namespace odo {
 
 namespace {
 
-constexpr std::string_view newPrefix = "crash-", toldPrefix = "told-crash-";
+constexpr std::string_view newPrefix = "crash-", shownPrefix = "told-crash-";
 
 bool isReport(const std::filesystem::path &file, std::string_view prefix)
 {
@@ -61,7 +61,7 @@ std::vector<CrashReport> newCrashReports(const std::filesystem::path &folder)
     return reports;
 }
 
-std::filesystem::path keepToldReport(const CrashReport &report)
+std::filesystem::path keepShownReport(const CrashReport &report)
 {
     constexpr std::size_t mostKept = 10;
     const std::filesystem::path folder = report.file.parent_path();
@@ -70,7 +70,7 @@ std::filesystem::path keepToldReport(const CrashReport &report)
     files::rename(report.file, told, problem);
     if (problem)
         return report.file;
-    const std::vector<std::filesystem::path> kept = reportsOf(folder, toldPrefix);
+    const std::vector<std::filesystem::path> kept = reportsOf(folder, shownPrefix);
     for (std::size_t i = 0; i + mostKept < kept.size(); ++i)
         files::remove(kept[i]);
     return told;

@@ -20,6 +20,6 @@ struct CrashReport
 std::vector<CrashReport> newCrashReports(const std::filesystem::path &folder);
 /// It is not new any more: it gets another name, which is given back, and only the newest ten such are kept.
 /// The old name where that fails.
-std::filesystem::path keepToldReport(const CrashReport &report);
+std::filesystem::path keepShownReport(const CrashReport &report);
 
 } // namespace odo

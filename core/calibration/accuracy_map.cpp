@@ -21,18 +21,18 @@ using Eigen::Matrix2d;
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-bool isInPicture(const Vector2d &pixel, const Intrinsics &lens)
+bool isInImage(const Vector2d &pixel, const Intrinsics &lens)
 {
     return pixel.x() >= -0.5 && pixel.y() >= -0.5 && pixel.x() <= lens.widthPx - 0.5 &&
            pixel.y() <= lens.heightPx - 0.5;
 }
 
-std::optional<Matrix2d> covarianceAt(const FloorView &view, const Vector3d &place, double sigmaPx)
+std::optional<Matrix2d> covarianceAt(const FloorView &view, const Vector3d &position, double sigmaPx)
 {
-    const auto pixel = view.pixelFromWorld(place);
-    if (!pixel || !isInPicture(*pixel, view.camera().intrinsics()))
+    const auto pixel = view.pixelFromWorld(position);
+    if (!pixel || !isInImage(*pixel, view.camera().intrinsics()))
         return std::nullopt;
-    const auto seen = view.locate(*pixel, sigmaPx * sigmaPx * Matrix2d::Identity(), place.z());
+    const auto seen = view.locate(*pixel, sigmaPx * sigmaPx * Matrix2d::Identity(), position.z());
     if (!seen)
         return std::nullopt;
     return seen->pixelCovariance + seen->calibrationCovariance;
@@ -57,7 +57,7 @@ Result<Eigen::Matrix<double, 6, 6>> poseCovariance(const FloorView &view, const 
     std::vector<std::string> seen;
     for (const Marker &marker : layout.markers) {
         const auto pixel = view.pixelFromWorld({marker.pointInWorld.x(), marker.pointInWorld.y(), 0});
-        if (!pixel || !isInPicture(*pixel, view.camera().intrinsics()))
+        if (!pixel || !isInImage(*pixel, view.camera().intrinsics()))
             continue;
         pairs.push_back({marker.pointInWorld, *pixel, marker.label});
         seen.push_back(marker.label);
@@ -102,10 +102,11 @@ AccuracyMap accuracyMap(std::span<const FloorView> views, const FloorGrid &grid,
                         double heightM)
 {
     constexpr double unseen = std::numeric_limits<double>::quiet_NaN();
-    const std::size_t places = static_cast<std::size_t>(std::max(0, grid.columns)) *
-                               static_cast<std::size_t>(std::max(0, grid.rows));
-    AccuracyMap map{grid, std::vector<std::vector<double>>(views.size(), std::vector<double>(places, unseen)),
-                    std::vector<double>(places, unseen)};
+    const std::size_t positions = static_cast<std::size_t>(std::max(0, grid.columns)) *
+                                  static_cast<std::size_t>(std::max(0, grid.rows));
+    AccuracyMap map{grid,
+                    std::vector<std::vector<double>>(views.size(), std::vector<double>(positions, unseen)),
+                    std::vector<double>(positions, unseen)};
     for (int row = 0; row < grid.rows; ++row) {
         for (int column = 0; column < grid.columns; ++column) {
             const Vector2d point = grid.at(column, row);
@@ -130,7 +131,7 @@ Vector2d PlannedCamera::footM() const
     return aimM + distanceM * Vector2d(std::cos(direction), std::sin(direction));
 }
 
-void PlannedCamera::standAt(const Vector2d &footM)
+void PlannedCamera::moveCameraTo(const Vector2d &footM)
 {
     const Vector2d away = footM - aimM;
     distanceM = away.norm();
@@ -159,8 +160,8 @@ Result<FloorView> exactView(const PlannedCamera &camera)
     const double direction = camera.directionDegrees * EIGEN_PI / 180;
     const Vector2d away(std::cos(direction), std::sin(direction));
     const Vector2d foot = camera.footM();
-    const Vector3d place(foot.x(), foot.y(), camera.heightM);
-    const Vector3d forward = (Vector3d(camera.aimM.x(), camera.aimM.y(), 0) - place).normalized();
+    const Vector3d position(foot.x(), foot.y(), camera.heightM);
+    const Vector3d forward = (Vector3d(camera.aimM.x(), camera.aimM.y(), 0) - position).normalized();
     // Along the floor, so that the image is upright; straight down it has no up, and the direction gives one.
     const Vector3d right(-away.y(), away.x(), 0);
     Eigen::Matrix3d axes;
@@ -168,7 +169,7 @@ Result<FloorView> exactView(const PlannedCamera &camera)
     Intrinsics lens = CameraModel::assumed(camera.widthPx, camera.heightPx).intrinsics();
     lens.fxPx = lens.fyPx = 0.5 * camera.widthPx / std::tan(0.5 * camera.fieldOfViewDegrees * EIGEN_PI / 180);
     const auto model = ODO_TRY(CameraModel::create(std::move(lens)));
-    return FloorView(model, {Eigen::Quaterniond(axes), place}, Eigen::Matrix<double, 6, 6>::Zero());
+    return FloorView(model, {Eigen::Quaterniond(axes), position}, Eigen::Matrix<double, 6, 6>::Zero());
 }
 
 } // namespace
@@ -187,14 +188,14 @@ using Eigen::Vector2d;
 constexpr double nearABorder = 0.15; // of the extent
 
 /// The sentence about the values. place: of the worst one.
-Message figureWords(const AccuracySummary &summary, const Vector2d &place, const Vector2d &lower,
+Message metricWords(const AccuracySummary &summary, const Vector2d &position, const Vector2d &lower,
                     const Vector2d &upper, const MarkerLayout &layout)
 {
     const auto nearest = std::ranges::min_element(
-        layout.markers, {}, [&](const Marker &marker) { return (marker.pointInWorld - place).norm(); });
+        layout.markers, {}, [&](const Marker &marker) { return (marker.pointInWorld - position).norm(); });
     const auto isAtBorder = [&](int axis) {
         const double room = nearABorder * (upper[axis] - lower[axis]);
-        return place[axis] < lower[axis] + room || place[axis] > upper[axis] - room;
+        return position[axis] < lower[axis] + room || position[axis] > upper[axis] - room;
     };
     const int borders = int(isAtBorder(0)) + int(isAtBorder(1));
     const MessageArgument worst = millimetres(summary.worstM), marker = Named::marker(nearest->label);
@@ -235,17 +236,17 @@ AccuracySummary summariseAccuracy(const FloorGrid &grid, const std::vector<doubl
     }
     const Vector2d middle = 0.5 * (lower + upper), slack = Vector2d::Constant(0.5 * grid.stepM);
     double fromMiddle = std::numeric_limits<double>::infinity();
-    int places = 0, seen = 0;
+    int positions = 0, seen = 0;
     for (int row = 0; row < grid.rows; ++row) {
         for (int column = 0; column < grid.columns; ++column) {
-            const Vector2d place = grid.at(column, row);
-            if (((place - lower).array() < -slack.array()).any() ||
-                ((place - upper).array() > slack.array()).any())
+            const Vector2d position = grid.at(column, row);
+            if (((position - lower).array() < -slack.array()).any() ||
+                ((position - upper).array() > slack.array()).any())
                 continue;
             const double sigma = sigmaM[grid.index(column, row)];
-            ++places;
-            if ((place - middle).norm() < fromMiddle) {
-                fromMiddle = (place - middle).norm();
+            ++positions;
+            if ((position - middle).norm() < fromMiddle) {
+                fromMiddle = (position - middle).norm();
                 summary.middleM = sigma;
             }
             if (std::isnan(sigma))
@@ -253,15 +254,15 @@ AccuracySummary summariseAccuracy(const FloorGrid &grid, const std::vector<doubl
             ++seen;
             if (!(sigma <= summary.worstM)) {
                 summary.worstM = sigma;
-                worst = place;
+                worst = position;
             }
         }
     }
     if (seen == 0)
         return summary;
-    summary.seenPart = double(seen) / places;
-    summary.words = figureWords(summary, worst, lower, upper, layout);
-    if (seen < places)
+    summary.seenPart = double(seen) / positions;
+    summary.words = metricWords(summary, worst, lower, upper, layout);
+    if (seen < positions)
         summary.words = joined(
             {std::move(summary.words),
              ODO_TEXT("calibration.floor_part_unseen", "%1 of the floor between the markers is out of view.")(
@@ -274,7 +275,7 @@ namespace {
 
 using Eigen::Vector2d;
 
-constexpr int placesAcross = 13, gridAcross = 12, rounds = 4;
+constexpr int positionsAcross = 13, gridAcross = 12, rounds = 4;
 constexpr double aims[] = {-0.2, 0, 0.2}; // of the extent, from the middle towards the camera
 
 struct Score
@@ -291,7 +292,7 @@ class Searcher
 {
 public:
     Searcher(const PlannedCamera &like, const MarkerLayout &layout, std::span<const FloorView> others,
-             const PlaceSearch &search)
+             const CameraPositionSearch &search)
         : m_like(like), m_layout(layout), m_search(search), m_views(others.begin(), others.end()),
           m_grid(gridOver(layout, 0, gridAcross))
     {
@@ -305,14 +306,14 @@ public:
         for (int i = 0; i < across * across; ++i) {
             const int row = i / across;
             const Vector2d share(2.0 * (i % across) / (across - 1) - 1, 2.0 * row / (across - 1) - 1);
-            tryPlace(middle + halfSize.cwiseProduct(share));
+            tryPosition(middle + halfSize.cwiseProduct(share));
         }
     }
     const Eigen::AlignedBox2d &floor() const { return m_floor; }
     const std::optional<PlannedCamera> &best() const { return m_best; }
 
 private:
-    void tryPlace(const Vector2d &foot)
+    void tryPosition(const Vector2d &foot)
     {
         Eigen::AlignedBox2d room(m_floor.min() - Vector2d::Constant(m_search.reachM),
                                  m_floor.max() + Vector2d::Constant(m_search.reachM));
@@ -324,7 +325,7 @@ private:
             camera.aimM = middle;
             if (towards.norm() > 0)
                 camera.aimM += aim * m_floor.sizes().minCoeff() * towards.normalized();
-            camera.standAt(foot);
+            camera.moveCameraTo(foot);
             judge(camera);
         }
     }
@@ -350,7 +351,7 @@ private:
 
     const PlannedCamera &m_like;
     const MarkerLayout &m_layout;
-    const PlaceSearch &m_search;
+    const CameraPositionSearch &m_search;
     std::vector<FloorView> m_views;
     FloorGrid m_grid;
     Eigen::AlignedBox2d m_floor;
@@ -360,9 +361,9 @@ private:
 
 } // namespace
 
-Result<PlannedCamera> bestPlace(const PlannedCamera &like, const MarkerLayout &layout,
-                                std::span<const FloorView> others, const PlaceSearch &search,
-                                const JobControl &control)
+Result<PlannedCamera> bestCameraPosition(const PlannedCamera &like, const MarkerLayout &layout,
+                                         std::span<const FloorView> others,
+                                         const CameraPositionSearch &search, const JobControl &control)
 {
     const Message what = ODO_TEXT("calibration.best_place", "the best camera position");
     Searcher searcher(like, layout, others, search);
@@ -372,13 +373,13 @@ Result<PlannedCamera> bestPlace(const PlannedCamera &like, const MarkerLayout &l
                              "the layout has %1 markers, four are needed")(layout.markers.size()),
                     ODO_TEXT("calibration.make_larger_layout", "make a layout of four markers or more"));
     Vector2d halfSize = 0.5 * searcher.floor().sizes() + Vector2d::Constant(search.reachM);
-    searcher.tryAbout(searcher.floor().center(), halfSize, placesAcross);
+    searcher.tryAbout(searcher.floor().center(), halfSize, positionsAcross);
     for (int round = 0; round < rounds && searcher.best(); ++round) {
         if (control.isCancelled())
             return cancelled(what);
         control.report(double(round + 1) / (rounds + 1),
                        ODO_TEXT("calibration.looking_about", "searching around the best position"));
-        halfSize *= round == 0 ? 1.5 / (placesAcross - 1) : 0.5;
+        halfSize *= round == 0 ? 1.5 / (positionsAcross - 1) : 0.5;
         searcher.tryAbout(searcher.best()->footM(), halfSize, 5);
     }
     if (control.isCancelled())
@@ -388,7 +389,7 @@ Result<PlannedCamera> bestPlace(const PlannedCamera &like, const MarkerLayout &l
     // Why even the plainest position fails says more than that all of them do.
     PlannedCamera plain = like;
     plain.aimM = searcher.floor().center();
-    plain.standAt(plain.aimM - Vector2d(0, 0.5 * searcher.floor().sizes().y() + search.reachM));
+    plain.moveCameraTo(plain.aimM - Vector2d(0, 0.5 * searcher.floor().sizes().y() + search.reachM));
     ODO_TRY(exactView(plain));
     return fail(
         ErrorCode::Undetermined, what,

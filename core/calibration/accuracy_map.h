@@ -62,7 +62,7 @@ struct PlannedCamera
     /// The point of the floor below it.
     Eigen::Vector2d footM() const;
     /// Puts it above that point, aimed at what it is aimed at.
-    void standAt(const Eigen::Vector2d &footM);
+    void moveCameraTo(const Eigen::Vector2d &footM);
 };
 
 /// The view such a camera would have if it were registered by these markers with this σ of one coordinate of
@@ -85,7 +85,7 @@ AccuracySummary summariseAccuracy(const FloorGrid &grid, const std::vector<doubl
                                   const MarkerLayout &layout);
 
 /// Allowed camera positions.
-struct PlaceSearch
+struct CameraPositionSearch
 {
     double reachM = 2;          ///< so far beyond the rectangle about the markers
     bool aboveTheFloor = false; ///< also within that rectangle, as under a ceiling
@@ -98,8 +98,8 @@ struct PlaceSearch
 /// a grid of positions with three aims each, then ever finer around the best. Some hundred milliseconds; any
 /// thread. Errors: no position sees four markers; Cancelled; those of plannedView for the height and the
 /// lens.
-Result<PlannedCamera> bestPlace(const PlannedCamera &like, const MarkerLayout &layout,
-                                std::span<const FloorView> others, const PlaceSearch &search,
-                                const JobControl &control);
+Result<PlannedCamera> bestCameraPosition(const PlannedCamera &like, const MarkerLayout &layout,
+                                         std::span<const FloorView> others,
+                                         const CameraPositionSearch &search, const JobControl &control);
 
 } // namespace odo

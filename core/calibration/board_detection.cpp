@@ -7,7 +7,7 @@
 #include "core/calibration/internal/luma_matrix.h"
 #include "core/calibration/internal/wording.h"
 #include "core/geometry/homography.h"
-#include "core/video/picture.h"
+#include "core/video/image.h"
 
 #include <algorithm>
 #include <cmath>
@@ -63,13 +63,12 @@ std::vector<NamedDictionary> dictionariesFor(const std::string &name)
 }
 
 /// The markers of an image that is `scale` times as large as the one their corners are given in.
-std::vector<ReadMarker> readMarkers(const cv::Mat &picture, double scale, const NamedDictionary &dictionary)
+std::vector<ReadMarker> readMarkers(const cv::Mat &image, double scale, const NamedDictionary &dictionary)
 {
     endIfCancelled();
     std::vector<std::vector<cv::Point2f>> corners;
     std::vector<int> ids;
-    cv::aruco::detectMarkers(picture, cv::aruco::getPredefinedDictionary(dictionary.dictionary), corners,
-                             ids);
+    cv::aruco::detectMarkers(image, cv::aruco::getPredefinedDictionary(dictionary.dictionary), corners, ids);
     std::map<int, std::vector<ReadMarker>> byId;
     for (std::size_t i = 0; i < ids.size(); ++i) {
         ReadMarker marker{ids[i], {}};
@@ -87,7 +86,7 @@ std::vector<ReadMarker> readMarkers(const cv::Mat &picture, double scale, const 
 }
 
 /// A board's corner as the two markers beside it predict it.
-struct ForetoldCorner
+struct PredictedCorner
 {
     Vector2d pointInSquares, pixel;
     double nearestMarkerPx = 0;
@@ -95,10 +94,10 @@ struct ForetoldCorner
 };
 
 /// Corners between markers, in squares from the board's top left; only those with both markers read.
-std::vector<ForetoldCorner> foretellCorners(const std::vector<ReadMarker> &markers,
+std::vector<PredictedCorner> predictCorners(const std::vector<ReadMarker> &markers,
                                             const CharucoLayout &layout, double markerRatio)
 {
-    std::map<std::array<int, 2>, ForetoldCorner> corners;
+    std::map<std::array<int, 2>, PredictedCorner> corners;
     for (const ReadMarker &marker : markers) {
         const auto square = layout.squareOf(marker.id);
         const double margin = 0.5 * (1 - markerRatio);
@@ -116,7 +115,7 @@ std::vector<ForetoldCorner> foretellCorners(const std::vector<ReadMarker> &marke
             const auto pixel = pixelFromSquare->map(at.cast<double>());
             if (!pixel)
                 continue;
-            ForetoldCorner &corner = corners[{at.y(), at.x()}];
+            PredictedCorner &corner = corners[{at.y(), at.x()}];
             const double distance = (*pixel - marker.corners[i]).norm();
             corner.nearestMarkerPx =
                 corner.markers == 0 ? distance : std::min(corner.nearestMarkerPx, distance);
@@ -125,7 +124,7 @@ std::vector<ForetoldCorner> foretellCorners(const std::vector<ReadMarker> &marke
             ++corner.markers;
         }
     }
-    std::vector<ForetoldCorner> sure;
+    std::vector<PredictedCorner> sure;
     for (const auto &[at, corner] : corners) {
         if (corner.markers == 2)
             sure.push_back(corner);
@@ -148,22 +147,22 @@ Message countCorners()
     return ODO_TEXT("calibration.count_corners", "count the inner corners, or leave the size out");
 }
 
-BoardView refined(const cv::Mat &luma, const std::vector<ForetoldCorner> &corners,
+BoardView refined(const cv::Mat &luma, const std::vector<PredictedCorner> &corners,
                   const CharucoLayout &layout, const BoardSpec &spec, const std::string &source)
 {
     BoardView view{source, layout.squaresX - 1, layout.squaresY - 1, {}, {}, BoardPattern::Charuco};
-    for (const ForetoldCorner &corner : corners) {
+    for (const PredictedCorner &corner : corners) {
         // The window must not reach the markers, whose corners would pull.
         const int half = std::clamp(static_cast<int>(corner.nearestMarkerPx / std::sqrt(2.0)) - 1, 2,
                                     widestCornerWindowPx);
-        std::vector<cv::Point2f> place{
+        std::vector<cv::Point2f> position{
             {static_cast<float>(corner.pixel.x()), static_cast<float>(corner.pixel.y())}};
         if (!cv::Rect2f(1, 1, static_cast<float>(luma.cols - 2), static_cast<float>(luma.rows - 2))
-                 .contains(place[0]))
+                 .contains(position[0]))
             continue;
-        cv::cornerSubPix(luma, place, {half, half}, {-1, -1},
+        cv::cornerSubPix(luma, position, {half, half}, {-1, -1},
                          {cv::TermCriteria::COUNT | cv::TermCriteria::EPS, 50, 0.005});
-        const Vector2d pixel(static_cast<double>(place[0].x), static_cast<double>(place[0].y));
+        const Vector2d pixel(static_cast<double>(position[0].x), static_cast<double>(position[0].y));
         if ((pixel - corner.pixel).norm() > half)
             continue;
         view.pixels.push_back(pixel);
@@ -190,15 +189,15 @@ Result<BoardView> findCharucoBoard(const cv::Mat &luma, const BoardSpec &spec, c
     cv::Mat inverted;
     cv::bitwise_not(searched, inverted);
     std::size_t mostMarkers = 0;
-    for (const cv::Mat *picture : {&searched, &std::as_const(inverted)}) {
+    for (const cv::Mat *image : {&searched, &std::as_const(inverted)}) {
         for (const NamedDictionary &dictionary : dictionaries) {
-            const std::vector<ReadMarker> markers = readMarkers(*picture, scale, dictionary);
+            const std::vector<ReadMarker> markers = readMarkers(*image, scale, dictionary);
             mostMarkers = std::max(mostMarkers, markers.size());
             const auto layout = explainMarkers(markers, spec.columns, spec.rows);
             if (!layout)
                 continue;
             const double ratio = measuredMarkerRatio(markers, *layout);
-            BoardView view = refined(luma, foretellCorners(markers, *layout, ratio), *layout, spec, source);
+            BoardView view = refined(luma, predictCorners(markers, *layout, ratio), *layout, spec, source);
             if (view.pixels.size() < leastCornersOfView)
                 return refuseBoard(source,
                                    ODO_TEXT("calibration.few_corners_seen",
@@ -300,7 +299,7 @@ CornerGrid oriented(const CornerGrid &grid, int columns, int rows)
 }
 
 /// Whether the next line of corners beyond a side of the grid would leave the image.
-bool leavesPicture(const CornerGrid &grid, const cv::Mat &luma, bool alongColumns)
+bool leavesImage(const CornerGrid &grid, const cv::Mat &luma, bool alongColumns)
 {
     const int lines = alongColumns ? grid.columns : grid.rows,
               length = alongColumns ? grid.rows : grid.columns;
@@ -410,8 +409,8 @@ Result<CornerGrid> matched(const cv::Mat &luma, const CornerGrid &grid, const Bo
     const std::string found = boardText(std::max(grid.columns, grid.rows), std::min(grid.columns, grid.rows));
     const std::string asked = boardText(spec.columns, spec.rows);
     const bool cutOff = !upright.corners.empty() &&
-                        (upright.columns == spec.columns || leavesPicture(upright, luma, true)) &&
-                        (upright.rows == spec.rows || leavesPicture(upright, luma, false));
+                        (upright.columns == spec.columns || leavesImage(upright, luma, true)) &&
+                        (upright.rows == spec.rows || leavesImage(upright, luma, false));
     if (!cutOff)
         return refuseBoard(source,
                            ODO_TEXT("calibration.board_of_other_size",
@@ -462,7 +461,7 @@ Result<BoardView> findBoard(const Frame &frame, const BoardSpec &spec, const std
     if (frame.y.data == nullptr || frame.y.width < 32 || frame.y.height < 32)
         return refuseBoard(source,
                            ODO_TEXT("calibration.too_small_for_board", "the image is too small for a board"),
-                           useCameraPicture());
+                           useCameraImage());
     const bool told = spec.columns != 0 || spec.rows != 0;
     if (told && (spec.columns < 3 || spec.rows < 3))
         return fail(
@@ -484,7 +483,7 @@ Result<BoardView> findBoard(const Frame &frame, const BoardSpec &spec, const std
         return findCheckerboard(luma, spec, source);
     } catch (const cv::Exception &exception) {
         return fail(ErrorCode::Internal, nameAlone(source), foreignWords(exception.what()),
-                    useAnotherPicture());
+                    useAnotherImage());
     }
 }
 

@@ -95,22 +95,22 @@ std::optional<BoardPlacement> placementOf(const BoardView &view, int widthPx, in
     const auto centre = pixelFromBoard->map(middle);
     const double area = areaOf(placement.outline), room = static_cast<double>(widthPx) * heightPx;
     placement.size = std::sqrt(std::min(1.0, area / room));
-    placement.place = {along(centre->x(), std::sqrt(area), widthPx),
-                       along(centre->y(), std::sqrt(area), heightPx)};
+    placement.position = {along(centre->x(), std::sqrt(area), widthPx),
+                          along(centre->y(), std::sqrt(area), heightPx)};
     placement.slope = slopeAt(pixelFromBoard->matrix(), middle);
     return placement;
 }
 
 double distanceOf(const BoardPlacement &one, const BoardPlacement &other)
 {
-    return (one.place - other.place).lpNorm<1>() + std::abs(one.size - other.size) +
+    return (one.position - other.position).lpNorm<1>() + std::abs(one.size - other.size) +
            (one.slope - other.slope).norm();
 }
 
 namespace {
 
-constexpr double wantedPlace = 0.7, wantedSize = 0.4, wantedSlope = 0.5;
-constexpr int wantedPictures = 10, manyPictures = 40;
+constexpr double wantedPosition = 0.7, wantedSize = 0.4, wantedSlope = 0.5;
+constexpr int wantedImages = 10, manyImages = 40;
 constexpr double wantedPart = 0.5;
 
 double part(double value, double wanted)
@@ -141,14 +141,14 @@ double BoardCoverage::coveredPart() const
 bool BoardCoverage::isEnough() const
 {
     const bool full = x >= 1 && y >= 1 && size >= 1 && skew >= 1 && coveredPart() >= wantedPart;
-    return (full && pictures >= wantedPictures) || pictures >= manyPictures;
+    return (full && images >= wantedImages) || images >= manyImages;
 }
 
 BoardCoverage coverageOf(const std::vector<BoardView> &views, const std::vector<BoardPlacement> &placements,
                          int widthPx, int heightPx)
 {
     BoardCoverage coverage;
-    coverage.pictures = static_cast<int>(views.size());
+    coverage.images = static_cast<int>(views.size());
     for (const BoardView &view : views) {
         for (const Eigen::Vector2d &pixel : view.pixels) {
             const int x = std::clamp(static_cast<int>(pixel.x() * BoardCoverage::across / widthPx), 0,
@@ -160,15 +160,15 @@ BoardCoverage coverageOf(const std::vector<BoardView> &views, const std::vector<
     }
     if (placements.empty())
         return coverage;
-    Eigen::Vector2d least = placements.front().place, most = least;
+    Eigen::Vector2d least = placements.front().position, most = least;
     double largest = 0;
     for (const BoardPlacement &placement : placements) {
-        least = least.cwiseMin(placement.place);
-        most = most.cwiseMax(placement.place);
+        least = least.cwiseMin(placement.position);
+        most = most.cwiseMax(placement.position);
         largest = std::max(largest, placement.size);
     }
-    coverage.x = part((most - least).x(), wantedPlace);
-    coverage.y = part((most - least).y(), wantedPlace);
+    coverage.x = part((most - least).x(), wantedPosition);
+    coverage.y = part((most - least).y(), wantedPosition);
     coverage.size = part(largest, wantedSize);
     coverage.skew = part(spreadOfSlopes(placements), wantedSlope);
     return coverage;
@@ -184,9 +184,9 @@ constexpr double closeEnough = 0.12;
 
 struct Candidate
 {
-    Vector2d place;   ///< of the middle, −1 to 1 of what is free
-    double size;      ///< of the image's height or width, whichever is tighter
-    Vector2d towards; ///< the side that leans away
+    Vector2d position; ///< of the middle, −1 to 1 of what is free
+    double size;       ///< of the image's height or width, whichever is tighter
+    Vector2d towards;  ///< the side that leans away
 };
 
 /// The plainest first.
@@ -241,14 +241,14 @@ std::optional<BoardPlacement> placed(const Candidate &candidate, int columns, in
         least = least.cwiseMin(pixel);
         most = most.cwiseMax(pixel);
     }
-    const Vector2d picture(widthPx, heightPx), extent = most - least;
+    const Vector2d image(widthPx, heightPx), extent = most - least;
     // Outside the inner corners lies a row of squares, and a little white.
     const Vector2d margin(1.2 * extent.x() / (columns - 1), 1.2 * extent.y() / (rows - 1));
     // A tilted board's near side may leave the image: then hold it a little farther away.
-    const Vector2d free = picture - 2 * margin;
+    const Vector2d free = image - 2 * margin;
     const double scale = std::min({1.0, free.x() / extent.x(), free.y() / extent.y()});
     const Vector2d room = 0.5 * (free - scale * extent);
-    const Vector2d middle = 0.5 * picture + candidate.place.cwiseProduct(room);
+    const Vector2d middle = 0.5 * image + candidate.position.cwiseProduct(room);
     for (Vector2d &pixel : view.pixels)
         pixel = middle + scale * (pixel - 0.5 * (least + most));
     return placementOf(view, widthPx, heightPx);
@@ -278,7 +278,8 @@ WantedPose wantedPose(const std::vector<BoardPlacement> &taken, int columns, int
 
 BoardHint hintTowards(const WantedPose &wanted, const BoardPlacement &now)
 {
-    const Vector2d place = wanted.placement.place - now.place, slope = wanted.placement.slope - now.slope;
+    const Vector2d position = wanted.placement.position - now.position,
+                   slope = wanted.placement.slope - now.slope;
     const double size = wanted.placement.size - now.size;
     struct Step
     {
@@ -286,8 +287,8 @@ BoardHint hintTowards(const WantedPose &wanted, const BoardPlacement &now)
         BoardHint less, more;
     };
     // A wrong position hides the slope, so it counts twice.
-    const std::array<Step, 5> steps{{{2 * place.x(), BoardHint::Left, BoardHint::Right},
-                                     {2 * place.y(), BoardHint::Up, BoardHint::Down},
+    const std::array<Step, 5> steps{{{2 * position.x(), BoardHint::Left, BoardHint::Right},
+                                     {2 * position.y(), BoardHint::Up, BoardHint::Down},
                                      {2 * size, BoardHint::Farther, BoardHint::Closer},
                                      {slope.x(), BoardHint::TiltLeft, BoardHint::TiltRight},
                                      {slope.y(), BoardHint::TiltUp, BoardHint::TiltDown}}};
@@ -320,39 +321,39 @@ Error refusedAsKnown(const std::string &source, Message standsAsBefore)
                    ODO_TEXT("calibration.move_board", "move it elsewhere, turn it or tilt it"));
 }
 
-std::optional<Error> faultOf(const CollectedPicture &picture)
+std::optional<Error> faultOf(const CollectedImage &image)
 {
-    const std::string &source = picture.view.source;
-    if (picture.placement.angleDegrees() > mostObliqueDegrees)
+    const std::string &source = image.view.source;
+    if (image.placement.angleDegrees() > mostObliqueDegrees)
         return refusal(
             source,
             ODO_TEXT("calibration.board_too_oblique", "the board is tilted too far, by %1 degrees")(
-                quantity(picture.placement.angleDegrees(), 0)),
+                quantity(image.placement.angleDegrees(), 0)),
             ODO_TEXT("calibration.tilt_less", "tilt it by 30 to 45 degrees"));
-    if (picture.placement.size < leastSize)
+    if (image.placement.size < leastSize)
         return refusal(source,
                        joined({ODO_TEXT("calibration.board_too_small", "the board is too small"),
                                ODO_TEXT("calibration.board_fills", "it fills %1 of the image")(
-                                   quantity(100 * picture.placement.size * picture.placement.size, 0, "%"))},
+                                   quantity(100 * image.placement.size * image.placement.size, 0, "%"))},
                               Join::Colon),
                        ODO_TEXT("calibration.hold_board_closer", "hold it closer to the camera"));
     return std::nullopt;
 }
 
 /// Mean distance of neighbouring corners, by the outline.
-double spacingPx(const CollectedPicture &picture)
+double spacingPx(const CollectedImage &image)
 {
-    const auto &outline = picture.placement.outline;
+    const auto &outline = image.placement.outline;
     const double around = (outline[1] - outline[0]).norm() + (outline[2] - outline[1]).norm() +
                           (outline[3] - outline[2]).norm() + (outline[0] - outline[3]).norm();
-    return around / (2 * std::max(1, picture.view.columns + picture.view.rows - 2));
+    return around / (2 * std::max(1, image.view.columns + image.view.rows - 2));
 }
 
 } // namespace
 
-PictureAnswer BoardCollector::look(const Frame &frame, const std::string &source)
+ImageVerdict BoardCollector::examine(const Frame &frame, const std::string &source)
 {
-    PictureAnswer answer;
+    ImageVerdict answer;
     if (m_widthPx == 0) {
         m_widthPx = frame.format.width;
         m_heightPx = frame.format.height;
@@ -375,40 +376,40 @@ PictureAnswer BoardCollector::look(const Frame &frame, const std::string &source
                     ODO_TEXT("calibration.glue_board_flat", "glue the board onto something stiff and flat"));
         return answer;
     }
-    answer.picture = CollectedPicture{std::move(*view), *placement};
-    answer.refusal = faultOf(*answer.picture);
+    answer.image = CollectedImage{std::move(*view), *placement};
+    answer.refusal = faultOf(*answer.image);
     return answer;
 }
 
-void BoardCollector::keep(const CollectedPicture &picture)
+void BoardCollector::keep(const CollectedImage &image)
 {
-    m_spec.pattern = picture.view.pattern;
-    m_spec.columns = picture.view.columns;
-    m_spec.rows = picture.view.rows;
-    m_pictures.push_back(picture);
+    m_spec.pattern = image.view.pattern;
+    m_spec.columns = image.view.columns;
+    m_spec.rows = image.view.rows;
+    m_images.push_back(image);
 }
 
-PictureAnswer BoardCollector::offer(const Frame &frame, const std::string &source)
+ImageVerdict BoardCollector::offer(const Frame &frame, const std::string &source)
 {
-    PictureAnswer answer = look(frame, source);
-    if (!answer.picture || answer.refusal)
+    ImageVerdict answer = examine(frame, source);
+    if (!answer.image || answer.refusal)
         return answer;
-    for (const CollectedPicture &there : m_pictures) {
-        if (distanceOf(there.placement, answer.picture->placement) >= leastNews)
+    for (const CollectedImage &there : m_images) {
+        if (distanceOf(there.placement, answer.image->placement) >= leastNews)
             continue;
         answer.refusal =
             refusedAsKnown(source, ODO_TEXT("calibration.board_stands_as_in",
                                             "the board is in the same position as in %1")(there.view.source));
         return answer;
     }
-    keep(*answer.picture);
+    keep(*answer.image);
     answer.kept = true;
     return answer;
 }
 
-bool BoardCollector::isStill(const CollectedPicture &picture, Nanoseconds time)
+bool BoardCollector::isStill(const CollectedImage &image, Nanoseconds time)
 {
-    const std::vector<Eigen::Vector2d> &corners = picture.view.pixels;
+    const std::vector<Eigen::Vector2d> &corners = image.view.pixels;
     double moved = corners.size() == m_stillCorners.size() ? 0 : HUGE_VAL;
     for (std::size_t i = 0; i < corners.size() && moved < HUGE_VAL; ++i)
         moved = std::max(moved, (corners[i] - m_stillCorners[i]).norm());
@@ -419,14 +420,14 @@ bool BoardCollector::isStill(const CollectedPicture &picture, Nanoseconds time)
     return time - m_stillSince >= stillFor;
 }
 
-PictureAnswer BoardCollector::watch(const Frame &frame, const std::string &source)
+ImageVerdict BoardCollector::watch(const Frame &frame, const std::string &source)
 {
-    PictureAnswer answer = look(frame, source);
-    if (!answer.picture || answer.refusal)
+    ImageVerdict answer = examine(frame, source);
+    if (!answer.image || answer.refusal)
         return answer;
-    const bool still = isStill(*answer.picture, frame.time);
-    for (const CollectedPicture &there : m_pictures) {
-        if (distanceOf(there.placement, answer.picture->placement) < leastNews) {
+    const bool still = isStill(*answer.image, frame.time);
+    for (const CollectedImage &there : m_images) {
+        if (distanceOf(there.placement, answer.image->placement) < leastNews) {
             answer.refusal =
                 refusedAsKnown(source, ODO_TEXT("calibration.board_stands_as_before",
                                                 "the board is in the same position as in an earlier image"));
@@ -435,16 +436,16 @@ PictureAnswer BoardCollector::watch(const Frame &frame, const std::string &sourc
     }
     if (!still)
         return answer;
-    if (answer.picture->view.edgeWidthPx > sharpOfSpacing * spacingPx(*answer.picture)) {
+    if (answer.image->view.edgeWidthPx > sharpOfSpacing * spacingPx(*answer.image)) {
         answer.refusal =
             refusal(source,
                     joined({ODO_TEXT("calibration.board_not_sharp", "the board is not sharp"),
-                            edgesAreWide(answer.picture->view.edgeWidthPx)},
+                            edgesAreWide(answer.image->view.edgeWidthPx)},
                            Join::Colon),
                     ODO_TEXT("calibration.focus_or_light", "focus the camera, or give more light"));
         return answer;
     }
-    keep(*answer.picture);
+    keep(*answer.image);
     answer.kept = true;
     return answer;
 }
@@ -452,29 +453,29 @@ PictureAnswer BoardCollector::watch(const Frame &frame, const std::string &sourc
 std::vector<BoardView> BoardCollector::views() const
 {
     std::vector<BoardView> views;
-    for (const CollectedPicture &picture : m_pictures)
-        views.push_back(picture.view);
+    for (const CollectedImage &image : m_images)
+        views.push_back(image.view);
     return views;
 }
 
-CollectedPicture BoardCollector::remove(std::size_t index)
+CollectedImage BoardCollector::remove(std::size_t index)
 {
-    CollectedPicture picture = std::move(m_pictures.at(index));
-    m_pictures.erase(m_pictures.begin() + static_cast<std::ptrdiff_t>(index));
-    return picture;
+    CollectedImage image = std::move(m_images.at(index));
+    m_images.erase(m_images.begin() + static_cast<std::ptrdiff_t>(index));
+    return image;
 }
 
-void BoardCollector::insert(std::size_t index, CollectedPicture picture)
+void BoardCollector::insert(std::size_t index, CollectedImage image)
 {
-    const std::size_t at = std::min(index, m_pictures.size());
-    m_pictures.insert(m_pictures.begin() + static_cast<std::ptrdiff_t>(at), std::move(picture));
+    const std::size_t at = std::min(index, m_images.size());
+    m_images.insert(m_images.begin() + static_cast<std::ptrdiff_t>(at), std::move(image));
 }
 
 BoardCoverage BoardCollector::coverage() const
 {
     std::vector<BoardPlacement> placements;
-    for (const CollectedPicture &picture : m_pictures)
-        placements.push_back(picture.placement);
+    for (const CollectedImage &image : m_images)
+        placements.push_back(image.placement);
     return coverageOf(views(), placements, m_widthPx, m_heightPx);
 }
 

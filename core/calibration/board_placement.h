@@ -18,7 +18,7 @@ struct BoardPlacement
     /// Luma pixels.
     std::array<Eigen::Vector2d, 4> outline{};
     /// Of the middle: 0 to 1 between the edges of the image, as far as a board of this size can go.
-    Eigen::Vector2d place = Eigen::Vector2d::Zero();
+    Eigen::Vector2d position = Eigen::Vector2d::Zero();
     double size = 0; ///< root of the outline's area over the image's: 0 to 1
     /// The board's slope: its length is the angle between the board and a frontal one over 45°, from the
     /// foreshortening at its middle (cos of the angle); it points to where the board is farther away, x
@@ -45,7 +45,7 @@ struct BoardCoverage
     /// that differ.
     double x = 0, y = 0, size = 0, skew = 0;
     std::array<int, across * down> corners{}; ///< seen in each field, row by row
-    int pictures = 0;
+    int images = 0;
 
     double coveredPart() const; ///< of the fields
     /// All four are full, half of the fields have corners, and there are ten images; or there are forty.
@@ -88,19 +88,19 @@ WantedPose wantedPose(const std::vector<BoardPlacement> &taken, int columns, int
 BoardHint hintTowards(const WantedPose &wanted, const BoardPlacement &now);
 
 /// An accepted image of the board.
-struct CollectedPicture
+struct CollectedImage
 {
     BoardView view;
     BoardPlacement placement;
 };
 
 /// The outcome for one image.
-struct PictureAnswer
+struct ImageVerdict
 {
     bool kept = false;
     /// why it does not count; none while waiting for the board to be still
     std::optional<Error> refusal;
-    std::optional<CollectedPicture> picture; ///< the board, where it was found, kept or not
+    std::optional<CollectedImage> image; ///< the board, where it was found, kept or not
 };
 
 /// Gathers images of one board until they are enough for a calibration. Refuses, with the reason: no board,
@@ -113,15 +113,15 @@ public:
     explicit BoardCollector(BoardSpec spec) : m_spec(std::move(spec)) {}
 
     /// An image chosen by a person.
-    PictureAnswer offer(const Frame &frame, const std::string &source);
+    ImageVerdict offer(const Frame &frame, const std::string &source);
     /// An image of a stream: kept by itself once the board was still for half a second by the frames' own
     /// time, is sharp, and differs in pose from all before. Frame times must grow.
-    PictureAnswer watch(const Frame &frame, const std::string &source);
+    ImageVerdict watch(const Frame &frame, const std::string &source);
 
-    const std::vector<CollectedPicture> &pictures() const { return m_pictures; }
+    const std::vector<CollectedImage> &images() const { return m_images; }
     std::vector<BoardView> views() const;
-    CollectedPicture remove(std::size_t index);
-    void insert(std::size_t index, CollectedPicture picture);
+    CollectedImage remove(std::size_t index);
+    void insert(std::size_t index, CollectedImage image);
 
     const BoardSpec &spec() const { return m_spec; } ///< 0 columns: not found out yet
     int widthPx() const { return m_widthPx; }
@@ -129,12 +129,12 @@ public:
     BoardCoverage coverage() const;
 
 private:
-    PictureAnswer look(const Frame &frame, const std::string &source);
-    void keep(const CollectedPicture &picture);
-    bool isStill(const CollectedPicture &picture, Nanoseconds time);
+    ImageVerdict examine(const Frame &frame, const std::string &source);
+    void keep(const CollectedImage &image);
+    bool isStill(const CollectedImage &image, Nanoseconds time);
 
     BoardSpec m_spec;
-    std::vector<CollectedPicture> m_pictures;
+    std::vector<CollectedImage> m_images;
     int m_widthPx = 0, m_heightPx = 0;
     std::vector<Eigen::Vector2d> m_stillCorners;
     Nanoseconds m_stillSince{0};

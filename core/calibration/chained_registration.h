@@ -12,15 +12,15 @@ namespace odo {
 struct SharedPoint
 {
     std::string label;
-    Eigen::Vector2d pixel;        ///< in the camera that is to be registered
-    Eigen::Vector2d throughPixel; ///< in the one that is registered already
+    Eigen::Vector2d pixel;          ///< in the camera that is to be registered
+    Eigen::Vector2d referencePixel; ///< in the one that is registered already
 };
 
 /// A camera's registration through another camera.
 struct ChainedRegistration
 {
     FloorRegistration registration; ///< its verdict says how much of the error is the other camera's
-    MarkerLayout places;            ///< floor positions by the other camera; the name stays empty
+    MarkerLayout positions;         ///< floor positions by the other camera; the name stays empty
     std::vector<MarkerPixel> pixels;
 };
 
@@ -33,11 +33,11 @@ struct ChainedRegistration
 /// covariance of this one, so that over a chain of cameras nothing is lost. The other camera's intrinsics
 /// count as exact.
 ///
-/// throughName: the other camera for messages, as cameraSubject() has it. Refuses by name what registerFloor
-/// refuses, and pixels outside the image, points at or beyond the other camera's horizon, and points that are
-/// mirrored between the two images.
-Result<ChainedRegistration> registerThrough(const FloorView &through, const Message &throughName,
-                                            const std::vector<SharedPoint> &points, const CameraModel &camera,
-                                            bool intrinsicsKnown);
+/// referenceName: the other camera for messages, as cameraSubject() has it. Refuses by name what
+/// registerFloor refuses, and pixels outside the image, points at or beyond the other camera's horizon, and
+/// points that are mirrored between the two images.
+Result<ChainedRegistration> registerViaCamera(const FloorView &reference, const Message &referenceName,
+                                              const std::vector<SharedPoint> &points,
+                                              const CameraModel &camera, bool intrinsicsKnown);
 
 } // namespace odo

@@ -3,7 +3,7 @@
 
 #include "core/calibration/internal/plane_pose.h"
 #include "core/calibration/internal/wording.h"
-#include "core/calibration/lens_influence.h"
+#include "core/calibration/intrinsics_influence.h"
 #include "core/geometry/homography.h"
 
 #include <algorithm>
@@ -17,11 +17,11 @@ namespace {
 using Eigen::Vector2d;
 
 constexpr double leastHeightM = 0.05, mostHeightM = 100;
-constexpr double nearestPixels = 1.0;  // markers closer than that are one and the same
-constexpr double nearestPlaces = 1e-3; // of the layout's extent
-constexpr double tooClose = 0.01;      // of the layout's extent: of four markers each must count
+constexpr double nearestPixels = 1.0;     // markers closer than that are one and the same
+constexpr double nearestPositions = 1e-3; // of the layout's extent
+constexpr double tooClose = 0.01;         // of the layout's extent: of four markers each must count
 constexpr double smallHeightM = 0.3, smallExtentM = 0.7; // below both, the numbers may well be centimetres
-constexpr double leastDoubtPx = 1;       // a misfit below it needs no other explanation than noise
+constexpr double leastSigmaPx = 1;       // a misfit below it needs no other explanation than noise
 constexpr double carefulPx = 0.4;        // RMS of markers seen to 0.3 px and measured without an error
 constexpr double otherOrderFits = 0.005; // of the markers' extent in the image
 constexpr double worstMisfit = 0.01;     // of the same: no plane
@@ -87,7 +87,7 @@ Result<void> checkDistances(const std::vector<PointPair> &pairs, double extentM)
         for (std::size_t j = i + 1; j < pairs.size(); ++j) {
             const MessageArgument one = Named::marker(pairs[i].label), other = Named::marker(pairs[j].label);
             const double apartM = (pairs[i].source - pairs[j].source).norm();
-            if (apartM <= nearestPlaces * extentM)
+            if (apartM <= nearestPositions * extentM)
                 return refuse(ODO_TEXT("calibration.markers_at_one_place",
                                        "markers %1 and %2 have the same floor position")(one, other),
                               correctLayout());
@@ -174,11 +174,11 @@ Message orderAdvice(const std::vector<PointPair> &pairs, const CameraModel &came
 
 /// Words about an order of the labels that fits five times better, or as well as markers that are seen and
 /// measured with care; empty where there is none.
-Message doubtOfOrder(const std::vector<PointPair> &pairs, const PlanePose &pose, const CameraModel &camera,
-                     FocalLength focal)
+Message ambiguityOfOrder(const std::vector<PointPair> &pairs, const PlanePose &pose,
+                         const CameraModel &camera, FocalLength focal)
 {
     // With the focal length free, four markers fit in nearly any order: that would prove nothing.
-    if (pose.rmsPx < leastDoubtPx || (focal == FocalLength::Free && pairs.size() == 4))
+    if (pose.rmsPx < leastSigmaPx || (focal == FocalLength::Free && pairs.size() == 4))
         return {};
     return betterOrder(pairs, camera, focal, std::max(0.2 * pose.rmsPx, carefulPx));
 }
@@ -199,7 +199,7 @@ Result<PlanePose> soundPose(const std::vector<PointPair> &pairs, const CameraMod
                 joined({ODO_TEXT("calibration.y_left_of_x", "seen from above, Y must point to the left of X"),
                         ODO_TEXT("calibration.check_signs", "check the signs of the layout")},
                        Join::Colon)));
-    Message better = doubtOfOrder(pairs, *pose, camera, focal);
+    Message better = ambiguityOfOrder(pairs, *pose, camera, focal);
     if (!better.isEmpty())
         return refuse(ODO_TEXT("calibration.other_order_fits", "the markers fit only to %1, but %2")(
                           quantity(pose->rmsPx, 1, "px"), std::move(better)),
@@ -243,7 +243,7 @@ Message unitAdvice(double heightM)
                   Join::Colon);
 }
 
-Result<void> checkPlace(const PlanePose &pose)
+Result<void> checkPosition(const PlanePose &pose)
 {
     const double heightM = pose.worldFromCamera.translation.z();
     if (heightM < leastHeightM)
@@ -265,7 +265,7 @@ double markerSigmaPx(const PlanePose &pose, std::size_t markers)
 
 /// The lens of a pose; where its focal length was estimated, with the covariance of that: one number, by
 /// which both focal lengths scale.
-CameraModel lensOf(const PlanePose &pose)
+CameraModel intrinsicsOf(const PlanePose &pose)
 {
     Intrinsics intrinsics = pose.camera.intrinsics();
     if (!pose.focalSigmaPx)
@@ -281,11 +281,11 @@ CameraModel lensOf(const PlanePose &pose)
 FloorView viewOf(const PlanePose &pose, const CameraModel &lens, const std::vector<PointPair> &pairs)
 {
     const double sigmaPx = markerSigmaPx(pose, pairs.size());
-    std::vector<Vector2d> places;
+    std::vector<Vector2d> positions;
     for (const PointPair &pair : pairs)
-        places.push_back(pair.source);
+        positions.push_back(pair.source);
     return FloorView(lens, pose.worldFromCamera, sigmaPx * sigmaPx * pose.inverseNormal,
-                     poseByLens(lens, pose.worldFromCamera, places));
+                     poseByIntrinsics(lens, pose.worldFromCamera, positions));
 }
 
 /// Fills the errors of the markers and the σ of the floor among them.
@@ -397,10 +397,10 @@ Result<FloorRegistration> registerFloor(const MarkerLayout &layout, const std::v
     ODO_TRY(checkDistances(pairs, layoutM));
     const FocalLength focal = intrinsicsKnown ? FocalLength::Known : FocalLength::Free;
     const auto pose = ODO_TRY(soundPose(pairs, camera, focal));
-    ODO_TRY(checkPlace(pose));
+    ODO_TRY(checkPosition(pose));
 
     FloorRegistration registration;
-    const CameraModel lens = lensOf(pose);
+    const CameraModel lens = intrinsicsOf(pose);
     registration.intrinsics = lens.intrinsics();
     registration.worldFromCamera = pose.worldFromCamera;
     registration.rmsPx = pose.rmsPx;

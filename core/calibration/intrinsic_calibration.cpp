@@ -38,8 +38,7 @@ Message faultOf(const BoardView &view)
 }
 
 /// The usable views; the others go to `rejected` with a reason.
-std::vector<BoardView> usableViews(const std::vector<BoardView> &views,
-                                   std::vector<RejectedPicture> &rejected)
+std::vector<BoardView> usableViews(const std::vector<BoardView> &views, std::vector<RejectedImage> &rejected)
 {
     std::vector<BoardView> usable;
     for (const BoardView &view : views) {
@@ -69,7 +68,7 @@ tl::unexpected<Error> noLensFits(Message advice)
 /// Starts of the models for the same views; views are dropped that have no pose under any model, and models
 /// under which more views have none than under another.
 std::vector<LensStart> startsFor(std::vector<BoardView> &views, int widthPx, int heightPx,
-                                 std::optional<LensModel> model, std::vector<RejectedPicture> &rejected)
+                                 std::optional<LensModel> model, std::vector<RejectedImage> &rejected)
 {
     std::vector<LensModel> models{LensModel::Standard, LensModel::Fisheye, LensModel::Rational};
     if (model)
@@ -112,21 +111,21 @@ std::vector<LensStart> startsFor(std::vector<BoardView> &views, int widthPx, int
 }
 
 /// Fills in the residuals of an image under a lens and a pose, and its RMS over the corners that count.
-void judge(CalibrationPicture &picture, const CameraModel &camera, const RigidTransform &cameraFromBoard)
+void judge(CalibrationImage &image, const CameraModel &camera, const RigidTransform &cameraFromBoard)
 {
-    picture.residualsPx.clear();
+    image.residualsPx.clear();
     double squares = 0, count = 0;
-    for (std::size_t i = 0; i < picture.view.pixels.size(); ++i) {
-        const Eigen::Vector2d &point = picture.view.pointsOnBoard[i];
+    for (std::size_t i = 0; i < image.view.pixels.size(); ++i) {
+        const Eigen::Vector2d &point = image.view.pointsOnBoard[i];
         const auto pixel = camera.project(cameraFromBoard * Eigen::Vector3d(point.x(), point.y(), 0));
-        picture.residualsPx.push_back(pixel ? Eigen::Vector2d(picture.view.pixels[i] - *pixel)
-                                            : Eigen::Vector2d::Constant(std::nan("")));
-        if (!pixel || std::ranges::binary_search(picture.leftOut, i))
+        image.residualsPx.push_back(pixel ? Eigen::Vector2d(image.view.pixels[i] - *pixel)
+                                          : Eigen::Vector2d::Constant(std::nan("")));
+        if (!pixel || std::ranges::binary_search(image.leftOut, i))
             continue;
-        squares += picture.residualsPx.back().squaredNorm();
+        squares += image.residualsPx.back().squaredNorm();
         ++count;
     }
-    picture.rmsPx = count > 0 ? std::sqrt(squares / count) : 0;
+    image.rmsPx = count > 0 ? std::sqrt(squares / count) : 0;
 }
 
 std::optional<RigidTransform> poseOf(const BoardView &view, const CameraModel &camera)
@@ -169,7 +168,7 @@ Result<void> finish(IntrinsicCalibration &calibration, const std::vector<BoardVi
         return cancelled(cannotBeCalibrated());
     const auto sigma = ODO_TRY(checkDetermined(counted, fit, halves, control));
 
-    ODO_TRY(checkPlaces(views, fit.intrinsics.widthPx, fit.intrinsics.heightPx));
+    ODO_TRY(checkPositions(views, fit.intrinsics.widthPx, fit.intrinsics.heightPx));
 
     calibration.intrinsics = fit.intrinsics;
     calibration.rmsPx = fit.rmsPx();
@@ -180,15 +179,15 @@ Result<void> finish(IntrinsicCalibration &calibration, const std::vector<BoardVi
     }
     const auto camera = CameraModel::create(fit.intrinsics);
     std::size_t next = 0;
-    for (CalibrationPicture &picture : calibration.pictures) {
-        picture.outliers.clear();
-        picture.leftOut.clear();
-        if (picture.used) {
-            picture.outliers = outliers[next];
-            picture.leftOut = leftOut[next];
-            judge(picture, *camera, fit.cameraFromBoard[next++]);
-        } else if (const auto pose = poseOf(picture.view, *camera)) {
-            judge(picture, *camera, *pose);
+    for (CalibrationImage &image : calibration.images) {
+        image.outliers.clear();
+        image.leftOut.clear();
+        if (image.used) {
+            image.outliers = outliers[next];
+            image.leftOut = leftOut[next];
+            judge(image, *camera, fit.cameraFromBoard[next++]);
+        } else if (const auto pose = poseOf(image.view, *camera)) {
+            judge(image, *camera, *pose);
         }
     }
     calibration.verdict = calibrationVerdict(calibration, sigma);
@@ -198,16 +197,16 @@ Result<void> finish(IntrinsicCalibration &calibration, const std::vector<BoardVi
 
 } // namespace
 
-std::size_t IntrinsicCalibration::picturesUsed() const
+std::size_t IntrinsicCalibration::imagesUsed() const
 {
-    return static_cast<std::size_t>(std::ranges::count_if(pictures, &CalibrationPicture::used));
+    return static_cast<std::size_t>(std::ranges::count_if(images, &CalibrationImage::used));
 }
 
 std::size_t IntrinsicCalibration::cornersLeftOut() const
 {
     std::size_t count = 0;
-    for (const CalibrationPicture &picture : pictures)
-        count += picture.leftOut.size();
+    for (const CalibrationImage &image : images)
+        count += image.leftOut.size();
     return count;
 }
 
@@ -235,9 +234,9 @@ Result<IntrinsicCalibration> calibrateIntrinsics(const std::vector<BoardView> &v
         return noLensFits(ODO_TEXT("calibration.check_one_camera",
                                    "check that all are of one camera, at one zoom and focus"));
     for (const BoardView &view : used)
-        calibration.pictures.push_back({view, true, 0, {}, {}, {}});
-    calibration.lensTrials = std::move(choice->trials);
-    calibration.lensReason =
+        calibration.images.push_back({view, true, 0, {}, {}, {}});
+    calibration.modelTrials = std::move(choice->trials);
+    calibration.modelReason =
         model || used.size() >= leastViewsForHalves
             ? std::move(choice->reason)
             : ODO_TEXT("calibration.too_few_to_compare", "too few images to compare it with other models");
@@ -246,7 +245,7 @@ Result<IntrinsicCalibration> calibrateIntrinsics(const std::vector<BoardView> &v
 }
 
 Result<IntrinsicCalibration> recalibrate(const IntrinsicCalibration &reference,
-                                         const std::vector<std::size_t> &pictures, const JobControl &control)
+                                         const std::vector<std::size_t> &images, const JobControl &control)
 {
     IntrinsicCalibration calibration = reference;
     calibration.crossValidationPx = 0;
@@ -254,14 +253,14 @@ Result<IntrinsicCalibration> recalibrate(const IntrinsicCalibration &reference,
     const auto camera = ODO_TRY(CameraModel::create(reference.intrinsics));
     std::vector<BoardView> used;
     LensStart start{reference.intrinsics, {}};
-    for (std::size_t i = 0; i < calibration.pictures.size(); ++i) {
-        CalibrationPicture &picture = calibration.pictures[i];
+    for (std::size_t i = 0; i < calibration.images.size(); ++i) {
+        CalibrationImage &image = calibration.images[i];
         const auto pose =
-            std::ranges::find(pictures, i) == pictures.end() ? std::nullopt : poseOf(picture.view, camera);
-        picture.used = pose.has_value();
+            std::ranges::find(images, i) == images.end() ? std::nullopt : poseOf(image.view, camera);
+        image.used = pose.has_value();
         if (!pose)
             continue;
-        used.push_back(picture.view);
+        used.push_back(image.view);
         start.cameraFromBoard.push_back(*pose);
     }
     if (used.size() < leastViews)
@@ -276,11 +275,11 @@ Result<IntrinsicCalibration> recalibrate(const IntrinsicCalibration &reference,
     return calibration;
 }
 
-std::vector<std::size_t> picturesWithin(const IntrinsicCalibration &calibration, double mostRmsPx)
+std::vector<std::size_t> imagesWithin(const IntrinsicCalibration &calibration, double mostRmsPx)
 {
     std::vector<std::size_t> within;
-    for (std::size_t i = 0; i < calibration.pictures.size(); ++i) {
-        if (calibration.pictures[i].rmsPx <= mostRmsPx)
+    for (std::size_t i = 0; i < calibration.images.size(); ++i) {
+        if (calibration.images[i].rmsPx <= mostRmsPx)
             within.push_back(i);
     }
     return within;
@@ -292,7 +291,7 @@ constexpr std::size_t fewViews = 10;
 constexpr double goodM = 0.005, usableM = 0.015; // at worst on the floor, σ
 constexpr double goodFocal = 0.005, usableFocal = 0.015, goodPx = 1, usablePx = 2;
 constexpr double leastCoverage = 0.5; // of the image
-constexpr double standingOut = 3;     // times the median of the images' RMS
+constexpr double outlying = 3;        // times the median of the images' RMS
 
 MessageArgument roundMillimetres(double metres)
 {
@@ -300,12 +299,12 @@ MessageArgument roundMillimetres(double metres)
     return quantity(mm, mm < 10 ? 1 : 0, "mm");
 }
 
-std::vector<const CalibrationPicture *> usedPictures(const IntrinsicCalibration &calibration)
+std::vector<const CalibrationImage *> usedImages(const IntrinsicCalibration &calibration)
 {
-    std::vector<const CalibrationPicture *> used;
-    for (const CalibrationPicture &picture : calibration.pictures) {
-        if (picture.used)
-            used.push_back(&picture);
+    std::vector<const CalibrationImage *> used;
+    for (const CalibrationImage &image : calibration.images) {
+        if (image.used)
+            used.push_back(&image);
     }
     return used;
 }
@@ -313,8 +312,8 @@ std::vector<const CalibrationPicture *> usedPictures(const IntrinsicCalibration 
 double coveredPart(const IntrinsicCalibration &calibration)
 {
     std::vector<BoardView> views;
-    for (const CalibrationPicture *picture : usedPictures(calibration))
-        views.push_back(picture->view);
+    for (const CalibrationImage *image : usedImages(calibration))
+        views.push_back(image->view);
     return coverageOf(views, {}, calibration.intrinsics.widthPx, calibration.intrinsics.heightPx)
         .coveredPart();
 }
@@ -324,7 +323,7 @@ Message graded(const IntrinsicCalibration &calibration, double focalSigma, doubl
     const double worstM = calibration.onFloor ? calibration.onFloor->worstM : 1;
     const bool trusted = calibration.disagreeingPart <= mostOutliers;
     if (worstM < goodM && focalSigma < goodFocal && calibration.rmsPx < goodPx && trusted &&
-        calibration.picturesUsed() >= fewViews && covered >= leastCoverage)
+        calibration.imagesUsed() >= fewViews && covered >= leastCoverage)
         return goodVerdict(std::move(clauses));
     if (worstM < usableM && focalSigma < usableFocal && calibration.rmsPx < usablePx)
         return usableVerdict(std::move(clauses));
@@ -346,49 +345,49 @@ Message floorClause(const IntrinsicCalibration &calibration)
 /// How the images fit, and how their halves do.
 Message fitClauses(const IntrinsicCalibration &calibration, double focalSigma)
 {
-    const std::size_t pictures = calibration.picturesUsed();
+    const std::size_t images = calibration.imagesUsed();
     const MessageArgument rms = quantity(calibration.rmsPx, 2, "px"),
                           focal = quantity(calibration.intrinsics.fxPx, 1, "px"),
                           sigma = percentOf(focalSigma);
     if (!(calibration.crossValidationPx > 0) && calibration.halvesApart)
         return ODO_TEXT("calibration.pictures_fit_halves_apart",
                         "%1 images fit to %2, focal length %3 ± %4, halves at most %5 apart on that floor")(
-            pictures, rms, focal, sigma, roundMillimetres(calibration.halvesApart->worstM));
+            images, rms, focal, sigma, roundMillimetres(calibration.halvesApart->worstM));
     Message fit = ODO_TEXT("calibration.pictures_fit",
-                           "%1 images fit to %2, focal length %3 ± %4")(pictures, rms, focal, sigma);
+                           "%1 images fit to %2, focal length %3 ± %4")(images, rms, focal, sigma);
     if (!(calibration.crossValidationPx > 0))
         return fit;
-    const MessageArgument foretold = quantity(calibration.crossValidationPx, 2, "px");
+    const MessageArgument predicted = quantity(calibration.crossValidationPx, 2, "px");
     Message halves =
         calibration.halvesApart
             ? ODO_TEXT("calibration.halves_foretell_apart",
                        "each half of the images predicts the other to %1, at most %2 apart on that floor")(
-                  foretold, roundMillimetres(calibration.halvesApart->worstM))
+                  predicted, roundMillimetres(calibration.halvesApart->worstM))
             : ODO_TEXT("calibration.halves_foretell",
-                       "each half of the images predicts the other to %1")(foretold);
+                       "each half of the images predicts the other to %1")(predicted);
     return joined({std::move(fit), std::move(halves)}, Join::Semicolon);
 }
 
 /// The images with the highest counts.
 struct Where
 {
-    MessageArgument pictures; ///< "left02.jpg (6) and left09.jpg (3)", those with most of it first
-    bool isAll;               ///< no other image has any
+    MessageArgument images; ///< "left02.jpg (6) and left09.jpg (3)", those with most of it first
+    bool isAll;             ///< no other image has any
 };
 
 Where whereOf(const IntrinsicCalibration &calibration,
-              const std::function<std::size_t(const CalibrationPicture &)> &counted)
+              const std::function<std::size_t(const CalibrationImage &)> &counted)
 {
     constexpr std::size_t mostNamed = 3;
-    std::vector<const CalibrationPicture *> with = usedPictures(calibration);
-    std::erase_if(with, [&](const CalibrationPicture *picture) { return counted(*picture) == 0; });
+    std::vector<const CalibrationImage *> with = usedImages(calibration);
+    std::erase_if(with, [&](const CalibrationImage *image) { return counted(*image) == 0; });
     std::ranges::stable_sort(with, std::ranges::greater{},
-                             [&](const CalibrationPicture *picture) { return counted(*picture); });
+                             [&](const CalibrationImage *image) { return counted(*image); });
     std::vector<Message> names;
-    for (const CalibrationPicture *picture : with) {
+    for (const CalibrationImage *image : with) {
         if (names.size() < mostNamed)
-            names.push_back(ODO_TEXT("calibration.picture_with_corners", "%1 (%2)")(picture->view.source,
-                                                                                    counted(*picture)));
+            names.push_back(
+                ODO_TEXT("calibration.picture_with_corners", "%1 (%2)")(image->view.source, counted(*image)));
     }
     return {listed(std::move(names)), with.size() <= mostNamed};
 }
@@ -396,12 +395,12 @@ Where whereOf(const IntrinsicCalibration &calibration,
 Message disagreeingWords(const IntrinsicCalibration &calibration)
 {
     const Where where =
-        whereOf(calibration, [](const CalibrationPicture &picture) { return picture.outliers.size(); });
+        whereOf(calibration, [](const CalibrationImage &image) { return image.outliers.size(); });
     const MessageText &disagree =
         where.isAll ? ODO_TEXT("calibration.disagree_in", "%1 of the corners disagree, in %2")
                     : ODO_TEXT("calibration.disagree_most_in", "%1 of the corners disagree, most in %2");
     return joined(
-        {disagree(quantity(100 * calibration.disagreeingPart, 0, "%"), where.pictures),
+        {disagree(quantity(100 * calibration.disagreeingPart, 0, "%"), where.images),
          joined(
              {ODO_TEXT("calibration.were_kept", "they were kept"),
               ODO_TEXT("calibration.look_at_pictures",
@@ -416,26 +415,25 @@ Message leftOutWords(const IntrinsicCalibration &calibration)
     if (count == 0)
         return {};
     const Where where =
-        whereOf(calibration, [](const CalibrationPicture &picture) { return picture.leftOut.size(); });
+        whereOf(calibration, [](const CalibrationImage &image) { return image.leftOut.size(); });
     if (count == 1)
-        return ODO_TEXT("calibration.corner_left_out",
-                        "1 outlier corner was left out, in %1.")(where.pictures);
+        return ODO_TEXT("calibration.corner_left_out", "1 outlier corner was left out, in %1.")(where.images);
     const MessageText &words =
         where.isAll ? ODO_TEXT("calibration.corners_left_out_in", "%1 outlier corners were left out, in %2.")
                     : ODO_TEXT("calibration.corners_left_out_most_in",
                                "%1 outlier corners were left out, most in %2.");
-    return words(count, where.pictures);
+    return words(count, where.images);
 }
 
 /// About neighbouring outlier corners.
 Message keptWords(const IntrinsicCalibration &calibration)
 {
-    const auto kept = [](const CalibrationPicture &picture) {
-        return picture.outliers.size() - picture.leftOut.size();
+    const auto kept = [](const CalibrationImage &image) {
+        return image.outliers.size() - image.leftOut.size();
     };
     std::size_t count = 0;
-    for (const CalibrationPicture &picture : calibration.pictures)
-        count += kept(picture);
+    for (const CalibrationImage &image : calibration.images)
+        count += kept(image);
     if (count == 0)
         return {};
     const Where where = whereOf(calibration, kept);
@@ -444,7 +442,7 @@ Message keptWords(const IntrinsicCalibration &calibration)
             ? ODO_TEXT("calibration.corners_kept_in", "%1 neighbouring outlier corners were kept, in %2")
             : ODO_TEXT("calibration.corners_kept_most_in",
                        "%1 neighbouring outlier corners were kept, most in %2");
-    return joined({words(count, where.pictures),
+    return joined({words(count, where.images),
                    ODO_TEXT("calibration.leave_out_pictures",
                             "leave out these images if the board is bent, cut or covered there.")},
                   Join::Colon);
@@ -460,16 +458,16 @@ Message outlierWords(const IntrinsicCalibration &calibration)
 }
 
 /// The image whose misfit is an outlier, if there is one.
-Message oddPicture(const IntrinsicCalibration &calibration)
+Message outlierImage(const IntrinsicCalibration &calibration)
 {
     std::vector<double> rms;
-    const CalibrationPicture *worst = nullptr;
-    for (const CalibrationPicture *picture : usedPictures(calibration)) {
-        rms.push_back(picture->rmsPx);
-        if (worst == nullptr || picture->rmsPx > worst->rmsPx)
-            worst = picture;
+    const CalibrationImage *worst = nullptr;
+    for (const CalibrationImage *image : usedImages(calibration)) {
+        rms.push_back(image->rmsPx);
+        if (worst == nullptr || image->rmsPx > worst->rmsPx)
+            worst = image;
     }
-    if (worst == nullptr || worst->rmsPx <= standingOut * upperMedian(rms))
+    if (worst == nullptr || worst->rmsPx <= outlying * upperMedian(rms))
         return {};
     return joined({ODO_TEXT("calibration.look_at", "Check %1")(worst->view.source),
                    ODO_TEXT("calibration.picture_stands_out",
@@ -484,7 +482,7 @@ Message lensWords(const IntrinsicCalibration &calibration)
         model == LensModel::Standard   ? ODO_TEXT("calibration.standard_lens", "Standard lens")
         : model == LensModel::Rational ? ODO_TEXT("calibration.rational_lens", "Rational lens")
                                        : ODO_TEXT("calibration.fisheye_lens", "Fisheye lens");
-    return sentence(joined({name, calibration.lensReason}, Join::Colon));
+    return sentence(joined({name, calibration.modelReason}, Join::Colon));
 }
 
 Message coverageWords(double covered)
@@ -503,14 +501,14 @@ Message calibrationVerdict(const IntrinsicCalibration &calibration, double focal
 {
     const double covered = coveredPart(calibration);
     Message more;
-    if (calibration.picturesUsed() < fewViews)
+    if (calibration.imagesUsed() < fewViews)
         more = ODO_TEXT("calibration.more_pictures",
                         "More images (%1 or more) would make it more certain.")(fewViews);
     return joined(
         {graded(calibration, focalSigma, covered,
                 joined({floorClause(calibration), fitClauses(calibration, focalSigma)}, Join::Semicolon)),
          lensWords(calibration), outlierWords(calibration), std::move(more), coverageWords(covered),
-         oddPicture(calibration)},
+         outlierImage(calibration)},
         Join::Space);
 }
 

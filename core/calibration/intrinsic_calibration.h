@@ -3,7 +3,7 @@
 
 #include "core/base/job_control.h"
 #include "core/calibration/board_detection.h"
-#include "core/calibration/lens_influence.h"
+#include "core/calibration/intrinsics_influence.h"
 #include "core/geometry/camera_model.h"
 
 #include <optional>
@@ -12,14 +12,14 @@
 
 namespace odo {
 
-struct RejectedPicture
+struct RejectedImage
 {
     std::string file;
     Message reason; ///< a clause
 };
 
 /// An image of a calibration, with its residuals.
-struct CalibrationPicture
+struct CalibrationImage
 {
     BoardView view;   ///< its corners as seen, all of them
     bool used = true; ///< false: left out; its values then come from the intrinsics of the others
@@ -31,7 +31,7 @@ struct CalibrationPicture
 };
 
 /// How well a lens model predicts held-out images.
-struct LensTrial
+struct ModelTrial
 {
     LensModel model = LensModel::Standard;
     /// RMS of each half's corners under the other half's lens; infinite where it cannot predict all
@@ -44,8 +44,8 @@ struct IntrinsicCalibration
     Intrinsics intrinsics;
     /// over all corners that count, sqrt(mean of squared distances)
     double rmsPx = 0;
-    std::vector<CalibrationPicture> pictures; ///< used or left out; in the order given
-    std::vector<RejectedPicture> rejected;    ///< those that cannot be used
+    std::vector<CalibrationImage> images; ///< used or left out; in the order given
+    std::vector<RejectedImage> rejected;  ///< those that cannot be used
     /// RMS of each half's corners under the other half's intrinsics; 0 under 6 views
     double crossValidationPx = 0;
     /// What the uncertainty of the lens alone leaves on the floor of a typical testbed, σ; none for an
@@ -53,13 +53,13 @@ struct IntrinsicCalibration
     std::optional<FloorExpectation> onFloor;
     /// How far the lenses of the two halves are apart on that floor; none under 6 views.
     std::optional<FloorExpectation> halvesApart;
-    std::vector<LensTrial> lensTrials; ///< the compared models; empty if the model was given
-    Message lensReason;                ///< why this model, a clause: "as specified"; "no other model fits"
+    std::vector<ModelTrial> modelTrials; ///< the compared models; empty if the model was given
+    Message modelReason;                 ///< why this model, a clause: "as specified"; "no other model fits"
     /// Share of the outlier corners in the used images. Beyond mostOutliers they were all kept.
     double disagreeingPart = 0;
     Message verdict; ///< the grade, millimetres on the floor, then pixels, then what to do
 
-    std::size_t picturesUsed() const;
+    std::size_t imagesUsed() const;
     std::size_t cornersLeftOut() const;
 };
 
@@ -89,10 +89,10 @@ Result<IntrinsicCalibration> calibrateIntrinsics(const std::vector<BoardView> &v
 /// started from its intrinsics, fast enough to follow a dragged slider. The images not chosen stay in the
 /// answer with used = false. Refuses as calibrateIntrinsics does. Any thread; cancellable.
 Result<IntrinsicCalibration> recalibrate(const IntrinsicCalibration &reference,
-                                         const std::vector<std::size_t> &pictures, const JobControl &control);
+                                         const std::vector<std::size_t> &images, const JobControl &control);
 
 /// The images whose RMS in this calibration is at most so large: for recalibrate, by a threshold.
-std::vector<std::size_t> picturesWithin(const IntrinsicCalibration &calibration, double mostRmsPx);
+std::vector<std::size_t> imagesWithin(const IntrinsicCalibration &calibration, double mostRmsPx);
 
 /// The sentences of IntrinsicCalibration::verdict from all else in it. focalSigma: of the focal length over
 /// itself.

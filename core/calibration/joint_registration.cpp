@@ -4,7 +4,7 @@
 #include "core/base/units.h"
 #include "core/calibration/floor_registration.h"
 #include "core/calibration/internal/wording.h"
-#include "core/calibration/lens_influence.h"
+#include "core/calibration/intrinsics_influence.h"
 #include "core/geometry/camera_model.h"
 #include "core/geometry/floor_view.h"
 #include "core/geometry/homography.h"
@@ -25,8 +25,8 @@ namespace odo {
 struct JointPoint
 {
     std::string label;
-    Eigen::Vector2d place;  ///< measured, or to begin with; metres on the floor
-    bool isMeasured = true; ///< its position has the tape's prior
+    Eigen::Vector2d position; ///< measured, or to begin with; metres on the floor
+    bool isMeasured = true;   ///< its position has the tape's prior
 };
 
 struct JointObservation
@@ -53,8 +53,8 @@ struct JointFit
 {
     std::vector<RigidTransform> poses;
     std::vector<Eigen::Matrix<double, 6, 6>> poseCovariances; ///< as FloorView's
-    std::vector<Eigen::Vector2d> places;
-    std::vector<Eigen::Matrix2d> placeCovariances;
+    std::vector<Eigen::Vector2d> positions;
+    std::vector<Eigen::Matrix2d> positionCovariances;
     double cost = 0;         ///< sum of squares, each over its σ
     double pixelSquares = 0; ///< sum of squared distances in the images
     /// how many of the pixels' coordinates the fit left free (2n − trace of their hat matrix)
@@ -69,7 +69,7 @@ using Eigen::Vector3d;
 struct JointState
 {
     std::vector<RigidTransform> poses;
-    std::vector<Vector2d> places;
+    std::vector<Vector2d> positions;
 };
 
 /// Rows: two an observation, then two a measured point. Columns: six a camera, then two a point.
@@ -87,9 +87,9 @@ LeastSquaresProblem<JointState> problemOf(const JointProblem &problem)
         for (Eigen::Index i = 0; i < observations; ++i) {
             const JointObservation &seen = problem.observations[static_cast<std::size_t>(i)];
             const RigidTransform &pose = state.poses[seen.camera];
-            const Vector2d &place = state.places[seen.point];
+            const Vector2d &position = state.positions[seen.point];
             const Eigen::Matrix3d cameraAxes = pose.rotation.conjugate().toRotationMatrix();
-            const Vector3d fromCamera = Vector3d(place.x(), place.y(), 0) - pose.translation;
+            const Vector3d fromCamera = Vector3d(position.x(), position.y(), 0) - pose.translation;
             Eigen::Matrix<double, 2, 3> pixelByPoint;
             const auto pixel =
                 problem.cameras[seen.camera].model.project(cameraAxes * fromCamera, pixelByPoint);
@@ -112,7 +112,7 @@ LeastSquaresProblem<JointState> problemOf(const JointProblem &problem)
                 continue;
             const Eigen::Index row = 2 * observations + 2 * i;
             residuals.segment<2>(row) =
-                (state.places[static_cast<std::size_t>(i)] - point.place) / problem.tapeSigmaM;
+                (state.positions[static_cast<std::size_t>(i)] - point.position) / problem.tapeSigmaM;
             if (byStep)
                 byStep->block<2, 2>(row, 6 * cameras + 2 * i) =
                     Eigen::Matrix2d::Identity() / problem.tapeSigmaM;
@@ -131,8 +131,8 @@ LeastSquaresProblem<JointState> problemOf(const JointProblem &problem)
                         .normalized();
             moved.poses[i].translation += step.segment<3>(at + 3);
         }
-        for (std::size_t i = 0; i < moved.places.size(); ++i)
-            moved.places[i] += step.segment<2>(static_cast<Eigen::Index>(6 * moved.poses.size() + 2 * i));
+        for (std::size_t i = 0; i < moved.positions.size(); ++i)
+            moved.positions[i] += step.segment<2>(static_cast<Eigen::Index>(6 * moved.poses.size() + 2 * i));
         return moved;
     };
     return squares;
@@ -148,7 +148,7 @@ std::optional<JointFit> fitJointly(const JointProblem &problem)
     for (const JointProblem::Camera &camera : problem.cameras)
         start.poses.push_back(camera.worldFromCamera);
     for (const JointPoint &point : problem.points)
-        start.places.push_back(point.place);
+        start.positions.push_back(point.position);
     const auto squares = problemOf(problem);
     const JointState best = minimise(squares, start);
     Eigen::VectorXd residuals;
@@ -162,7 +162,7 @@ std::optional<JointFit> fitJointly(const JointProblem &problem)
     if (!factors.isInvertible())
         return std::nullopt;
     const Eigen::MatrixXd covariance = scale.asDiagonal() * factors.inverse() * scale.asDiagonal();
-    JointFit fit{best.poses, {}, best.places, {}, residuals.squaredNorm(), 0, 0};
+    JointFit fit{best.poses, {}, best.positions, {}, residuals.squaredNorm(), 0, 0};
     const auto rows = static_cast<Eigen::Index>(2 * problem.observations.size());
     fit.pixelSquares = residuals.head(rows).squaredNorm() * problem.sigmaPx * problem.sigmaPx;
     const Eigen::MatrixXd ofPixels = byStep.topRows(rows);
@@ -173,9 +173,9 @@ std::optional<JointFit> fitJointly(const JointProblem &problem)
         if (!(best.poses[i].translation.z() > 0))
             return std::nullopt;
     }
-    for (std::size_t i = 0; i < best.places.size(); ++i) {
+    for (std::size_t i = 0; i < best.positions.size(); ++i) {
         const auto at = static_cast<Eigen::Index>(6 * best.poses.size() + 2 * i);
-        fit.placeCovariances.emplace_back(covariance.block<2, 2>(at, at));
+        fit.positionCovariances.emplace_back(covariance.block<2, 2>(at, at));
     }
     return fit;
 }
@@ -271,11 +271,11 @@ private:
             std::size_t counted = 0;
             for (const MarkerPixel &pixel : camera.pixels) {
                 if (!pointOf.contains(pixel.label)) {
-                    const auto place = view.floorFromPixel(pixel.pixel, 0);
-                    if (seenBy[pixel.label] < 2 || !place)
+                    const auto position = view.floorFromPixel(pixel.pixel, 0);
+                    if (seenBy[pixel.label] < 2 || !position)
                         continue; // it constrains nothing
                     pointOf[pixel.label] = m_problem.points.size();
-                    m_problem.points.push_back({pixel.label, *place, false});
+                    m_problem.points.push_back({pixel.label, *position, false});
                 }
                 m_problem.observations.push_back({i, pointOf[pixel.label], pixel.pixel});
                 ++counted;
@@ -344,15 +344,15 @@ private:
         for (std::size_t i = 0; i < m_problem.points.size(); ++i) {
             const JointPoint &point = m_problem.points[i];
             if (i >= m_markers) {
-                joint.otherPoints.markers.push_back({point.label, fit.places[i]});
+                joint.otherPoints.markers.push_back({point.label, fit.positions[i]});
                 continue;
             }
-            JointMarker marker{point.label, 0, fit.places[i] - point.place, fit.placeCovariances[i],
+            JointMarker marker{point.label, 0, fit.positions[i] - point.position, fit.positionCovariances[i],
                                !point.isMeasured};
             for (const JointCamera &camera : m_cameras)
                 marker.cameras += std::ranges::count(camera.pixels, point.label, &MarkerPixel::label) > 0;
             if (marker.isSuspicious)
-                joint.doubts.push_back(doubtOf(marker));
+                joint.caveats.push_back(uncertaintyOf(marker));
             joint.markers.push_back(std::move(marker));
         }
         for (std::size_t i = 0; i < m_cameras.size(); ++i)
@@ -363,7 +363,7 @@ private:
         return joint;
     }
 
-    static Message doubtOf(const JointMarker &marker)
+    static Message uncertaintyOf(const JointMarker &marker)
     {
         const MessageArgument label = Named::marker(marker.label),
                               off = quantity(toMillimetres(marker.offM.norm()), 0, "mm");
@@ -393,8 +393,8 @@ private:
             if (point == m_problem.points.end())
                 continue;
             const auto at = static_cast<std::size_t>(point - m_problem.points.begin());
-            const Vector2d &place = fit.places[at];
-            const auto back = view.pixelFromWorld({place.x(), place.y(), 0});
+            const Vector2d &position = fit.positions[at];
+            const auto back = view.pixelFromWorld({position.x(), position.y(), 0});
             const auto seen = view.floorFromPixel(pixel.pixel, 0);
             if (!back || !seen)
                 continue;
@@ -404,7 +404,7 @@ private:
                     return each.camera == index && each.point == at;
                 });
             if (!isUsed)
-                joint.doubts.push_back(joined(
+                joint.caveats.push_back(joined(
                     {ODO_TEXT("calibration.camera_sees_elsewhere",
                               "%1 sees %2 %3 from where the others see it")(
                          Named::camera(camera.name), Named::marker(pixel.label), quantity(errorPx, 1, "px")),
@@ -413,7 +413,7 @@ private:
             if (at >= m_markers)
                 continue;
             // Against the measured position: that is what a person can check.
-            const double errorM = (*seen - measuredPlace(pixel.label)).norm();
+            const double errorM = (*seen - measuredPosition(pixel.label)).norm();
             registration.markers.push_back({pixel.label, errorM, errorPx});
             if (!isUsed || !point->isMeasured)
                 continue;
@@ -433,17 +433,17 @@ private:
         return registration;
     }
 
-    const Vector2d &measuredPlace(const std::string &label) const
+    const Vector2d &measuredPosition(const std::string &label) const
     {
         return std::ranges::find(m_layout.markers, label, &Marker::label)->pointInWorld;
     }
 
     double extentM() const
     {
-        std::vector<Vector2d> places;
+        std::vector<Vector2d> positions;
         for (const Marker &marker : m_layout.markers)
-            places.push_back(marker.pointInWorld);
-        return extentOf(places);
+            positions.push_back(marker.pointInWorld);
+        return extentOf(positions);
     }
 
     MessageArgument others(std::size_t index) const
@@ -458,9 +458,9 @@ private:
 
     static Message verdictOf(const JointRegistration &joint)
     {
-        if (joint.doubts.empty())
+        if (joint.caveats.empty())
             return ODO_TEXT("calibration.all_agree", "The markers and the cameras agree with each other.");
-        return joined(joint.doubts, Join::Space);
+        return joined(joint.caveats, Join::Space);
     }
 
     const MarkerLayout &m_layout;

@@ -38,7 +38,7 @@ struct JointRegistration
     MarkerLayout otherPoints;                     ///< where the points lie that were in no layout
     double rmsPx = 0;                             ///< of all distances in the images
     /// sentences: "U is 23 mm off in all cameras: remeasure it.", "B sees U ..."
-    std::vector<Message> doubts;
+    std::vector<Message> caveats;
     Message verdict; ///< the sentences in `doubts`, or that all agree
 };
 

@@ -3,9 +3,9 @@
 
 #include "core/calibration/floor_registration.h"
 #include "core/calibration/internal/corner_grid.h"
+#include "core/calibration/internal/image_edges.h"
 #include "core/calibration/internal/luma_matrix.h"
 #include "core/calibration/internal/marker_assignment.h"
-#include "core/calibration/internal/picture_edges.h"
 #include "core/calibration/internal/round_markers.h"
 #include "core/calibration/internal/tag_detection.h"
 #include "core/calibration/internal/wording.h"
@@ -24,7 +24,7 @@ namespace {
 
 using Eigen::Vector2d;
 
-constexpr int leastPictureSide = 32;
+constexpr int leastImageSide = 32;
 
 /// Dots' middles are corrected by a first pose, which is off by less than they are.
 std::vector<MarkerPixel> withTrueCentres(std::vector<MarkerPixel> markers,
@@ -75,7 +75,7 @@ std::vector<SeenTag> layoutTags(const Frame &frame, const MarkerLayout &layout, 
     if (all(tags) || isSeenTwice(tags))
         return tags;
     std::ranges::move(
-        foretoldTags(frame, layout, tags, search.intrinsicsKnown ? search.camera : std::nullopt),
+        predictedTags(frame, layout, tags, search.intrinsicsKnown ? search.camera : std::nullopt),
         std::back_inserter(tags));
     return tags;
 }
@@ -86,9 +86,9 @@ Result<std::vector<MarkerPixel>> findMarkers(const Frame &frame, const MarkerLay
                                              const MarkerSearch &search)
 {
     const Message what = ODO_TEXT("calibration.markers_not_found", "the floor markers cannot be found");
-    if (frame.y.data == nullptr || frame.y.width < leastPictureSide || frame.y.height < leastPictureSide)
+    if (frame.y.data == nullptr || frame.y.width < leastImageSide || frame.y.height < leastImageSide)
         return fail(ErrorCode::Undetermined, what,
-                    ODO_TEXT("calibration.picture_too_small", "the image is too small"), useCameraPicture());
+                    ODO_TEXT("calibration.picture_too_small", "the image is too small"), useCameraImage());
     const auto tags = layoutTags(frame, layout, search);
     std::vector<MarkerPixel> markers;
     std::vector<std::string> missing;
@@ -274,9 +274,9 @@ std::optional<SnappedMarker> nearestCrossing(const std::vector<StraightEdge> &ed
 }
 
 /// Points of the edge reach to within a few pixels of a position, and go on from there on one side at least.
-bool reaches(const StraightEdge &edge, const Vector2d &place)
+bool reaches(const StraightEdge &edge, const Vector2d &position)
 {
-    const double at = edge.direction().dot(place - edge.middle);
+    const double at = edge.direction().dot(position - edge.middle);
     return edge.runs(at + roundedPx, at + roundedPx + armPx) ||
            edge.runs(at - roundedPx - armPx, at - roundedPx);
 }
@@ -300,30 +300,30 @@ std::optional<SnappedMarker> nearestCorner(const std::vector<StraightEdge> &edge
 }
 
 /// How much brighter one pair of opposite fields is than the other, in grey values.
-double contrastOf(const cv::Mat &picture, const SaddlePoint &saddle)
+double contrastOf(const cv::Mat &image, const SaddlePoint &saddle)
 {
     const auto fields = [&](const cv::Point2f &diagonal) {
         const cv::Point2f step = fieldPx / static_cast<float>(std::max(1e-3, cv::norm(diagonal))) * diagonal;
-        return greyAt(picture, saddle.position + step) + greyAt(picture, saddle.position - step);
+        return greyAt(image, saddle.position + step) + greyAt(image, saddle.position - step);
     };
     return 0.5 *
            std::abs(fields(saddle.edges[0] + saddle.edges[1]) - fields(saddle.edges[0] - saddle.edges[1]));
 }
 
-std::optional<SnappedMarker> nearestSaddle(const cv::Mat &picture, const Vector2d &near, double reachPx)
+std::optional<SnappedMarker> nearestSaddle(const cv::Mat &image, const Vector2d &near, double reachPx)
 {
     cv::Mat smooth;
-    cv::GaussianBlur(picture, smooth, {0, 0}, 1);
+    cv::GaussianBlur(image, smooth, {0, 0}, 1);
     std::vector<cv::Point2f> best;
     for (const SaddlePoint &saddle : findSaddlePoints(smooth)) {
-        const Vector2d place(saddle.position.x, saddle.position.y);
-        if ((place - near).norm() <= reachPx && contrastOf(smooth, saddle) >= leastContrast &&
-            (best.empty() || (place - near).norm() < (Vector2d(best[0].x, best[0].y) - near).norm()))
+        const Vector2d position(saddle.position.x, saddle.position.y);
+        if ((position - near).norm() <= reachPx && contrastOf(smooth, saddle) >= leastContrast &&
+            (best.empty() || (position - near).norm() < (Vector2d(best[0].x, best[0].y) - near).norm()))
             best = {saddle.position};
     }
     if (best.empty())
         return std::nullopt;
-    cv::cornerSubPix(picture, best, {4, 4}, {-1, -1},
+    cv::cornerSubPix(image, best, {4, 4}, {-1, -1},
                      {cv::TermCriteria::EPS | cv::TermCriteria::COUNT, 40, 0.005});
     return SnappedMarker{SnappedMarker::Kind::Saddle, {best[0].x, best[0].y}, saddleSigmaPx};
 }
@@ -334,13 +334,12 @@ std::optional<SnappedMarker> nearestOfEdges(const Frame &frame, const Vector2d &
     const PixelRect rect = around(near, reachPx + tapeReachPx).clipped({0, 0, frame.y.width, frame.y.height});
     if (rect.width() < 24 || rect.height() < 24)
         return std::nullopt;
-    const cv::Mat picture =
-        lumaMatrix(frame)(cv::Rect(rect.x0, rect.y0, rect.width(), rect.height())).clone();
+    const cv::Mat image = lumaMatrix(frame)(cv::Rect(rect.x0, rect.y0, rect.width(), rect.height())).clone();
     const Vector2d origin(rect.x0, rect.y0), local = near - origin;
-    const auto edges = findStraightEdges(picture);
+    const auto edges = findStraightEdges(image);
     auto found = nearestCrossing(edges, local, reachPx);
     if (!found) {
-        const auto saddle = nearestSaddle(picture, local, reachPx),
+        const auto saddle = nearestSaddle(image, local, reachPx),
                    corner = nearestCorner(edges, local, reachPx);
         // At a saddle two edges meet as well.
         const bool isSaddle =

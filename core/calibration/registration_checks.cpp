@@ -40,36 +40,37 @@ double median(const std::vector<MarkerShift> &markers, double MarkerShift::*valu
     return values.empty() ? 0 : upperMedian(values);
 }
 
-Message wordsOf(const MovedCheck &check, const std::string &name, const std::vector<std::string> &moved)
+Message wordsOf(const CameraPositionCheck &check, const std::string &name,
+                const std::vector<std::string> &moved)
 {
     const MessageArgument camera = Named::camera(name),
-                          inPicture = quantity(check.shiftPx, check.shiftPx < 10 ? 1 : 0, "px"),
+                          inImage = quantity(check.shiftPx, check.shiftPx < 10 ? 1 : 0, "px"),
                           onFloor = quantity(toMillimetres(check.shiftM), check.shiftM < 0.01 ? 1 : 0, "mm");
     Message words;
     switch (check.verdict) {
-    case MovedCheck::Verdict::Still:
+    case CameraPositionCheck::Verdict::Still:
         words = joined(
             {ODO_TEXT("calibration.camera_still", "%1 has not moved")(camera),
              ODO_TEXT("calibration.markers_in_place", "%1 markers are within %2 = %3 of their positions.")(
-                 check.markers.size(), inPicture, onFloor)},
+                 check.markers.size(), inImage, onFloor)},
             Join::Colon);
         break;
-    case MovedCheck::Verdict::CameraMoved:
+    case CameraPositionCheck::Verdict::CameraMoved:
         words = joined(
-            {ODO_TEXT("calibration.camera_moved", "%1 has moved %2 = %3")(camera, inPicture, onFloor),
+            {ODO_TEXT("calibration.camera_moved", "%1 has moved %2 = %3")(camera, inImage, onFloor),
              ODO_TEXT("calibration.register_before_recording", "register it again before you record.")},
             Join::Colon);
         break;
-    case MovedCheck::Verdict::MarkersMoved:
+    case CameraPositionCheck::Verdict::MarkersMoved:
         words =
             moved.size() == 1
                 ? joined({ODO_TEXT("calibration.marker_moved", "Marker %1 has moved %2 = %3, %4 has not")(
-                              Named::marker(moved.front()), inPicture, onFloor, camera),
+                              Named::marker(moved.front()), inImage, onFloor, camera),
                           ODO_TEXT("calibration.put_marker_back",
                                    "move it back, or measure the markers again and register all cameras.")},
                          Join::Colon)
                 : joined({ODO_TEXT("calibration.markers_moved", "Markers %1 have moved %2 = %3, %4 has not")(
-                              listed(moved, MessageArgument::Kind::Marker), inPicture, onFloor, camera),
+                              listed(moved, MessageArgument::Kind::Marker), inImage, onFloor, camera),
                           ODO_TEXT("calibration.put_markers_back",
                                    "move them back, or measure the markers again and register all cameras.")},
                          Join::Colon);
@@ -90,9 +91,9 @@ std::vector<MarkerPixel> findAgain(const Frame &frame, const MarkerLayout &layou
     const auto tags = findTags(frame);
     std::vector<MarkerPixel> found;
     for (const MarkerPixel &marker : stored) {
-        const auto place = std::ranges::find(layout.markers, marker.label, &Marker::label);
-        const auto isIt = [&](const SeenTag &tag) { return tag.number == place - layout.markers.begin(); };
-        if (place != layout.markers.end() && std::ranges::count_if(tags, isIt) == 1) {
+        const auto position = std::ranges::find(layout.markers, marker.label, &Marker::label);
+        const auto isIt = [&](const SeenTag &tag) { return tag.number == position - layout.markers.begin(); };
+        if (position != layout.markers.end() && std::ranges::count_if(tags, isIt) == 1) {
             found.push_back({marker.label, std::ranges::find_if(tags, isIt)->pixel});
             continue;
         }
@@ -107,16 +108,16 @@ std::vector<MarkerPixel> findAgain(const Frame &frame, const MarkerLayout &layou
     return found;
 }
 
-Message whetherMoved(MessageArgument camera)
+Message cameraMovement(MessageArgument camera)
 {
     return ODO_TEXT("calibration.whether_moved", "cannot determine whether %1 has moved")(std::move(camera));
 }
 
-Result<MovedCheck> checkMoved(const std::string &camera, const FloorView &view,
-                              const std::vector<MarkerPixel> &stored, const std::vector<MarkerPixel> &found,
-                              double fitPx)
+Result<CameraPositionCheck> checkCameraPosition(const std::string &camera, const FloorView &view,
+                                                const std::vector<MarkerPixel> &stored,
+                                                const std::vector<MarkerPixel> &found, double fitPx)
 {
-    MovedCheck check;
+    CameraPositionCheck check;
     const double limitPx = movedFrom * std::sqrt(2.0) * std::clamp(fitPx, usualMarkSigmaPx, mostFitPx);
     std::vector<std::string> moved;
     for (const MarkerPixel &marker : stored) {
@@ -130,7 +131,7 @@ Result<MovedCheck> checkMoved(const std::string &camera, const FloorView &view,
             moved.push_back(marker.label);
     }
     if (check.markers.size() < 2)
-        return fail(ErrorCode::Undetermined, whetherMoved(Named::camera(camera)),
+        return fail(ErrorCode::Undetermined, cameraMovement(Named::camera(camera)),
                     ODO_TEXT("calibration.too_few_found_again",
                              "%1 of its %2 markers were found again, two are needed")(check.markers.size(),
                                                                                       stored.size()),
@@ -140,8 +141,8 @@ Result<MovedCheck> checkMoved(const std::string &camera, const FloorView &view,
                            Join::Semicolon));
     if (!moved.empty())
         check.verdict = check.markers.size() - moved.size() >= provesCamera
-                            ? MovedCheck::Verdict::MarkersMoved
-                            : MovedCheck::Verdict::CameraMoved;
+                            ? CameraPositionCheck::Verdict::MarkersMoved
+                            : CameraPositionCheck::Verdict::CameraMoved;
     check.shiftPx = median(check.markers, &MarkerShift::shiftPx, !moved.empty());
     check.shiftM = median(check.markers, &MarkerShift::shiftM, !moved.empty());
     check.words = wordsOf(check, camera, moved);
@@ -200,13 +201,13 @@ Result<Measured> measure(const SeenLength &seen, double heightM)
     return Measured{length, unit.dot(covariance * unit)};
 }
 
-Message judgement(const LengthCheck &check, double toldM)
+Message judgement(const LengthCheck &check, double givenM)
 {
     const double difference = *check.differenceM, allowed = agreesWithin * check.sigmaM;
     Message off =
         (difference < 0 ? ODO_TEXT("calibration.length_shorter", "It is %1 shorter than the %2 entered")
                         : ODO_TEXT("calibration.length_longer", "It is %1 longer than the %2 entered"))(
-            millimetres(std::abs(difference)), millimetres(toldM));
+            millimetres(std::abs(difference)), millimetres(givenM));
     if (std::abs(difference) <= allowed)
         return joined({std::move(off), ODO_TEXT("calibration.inside_expected_error",
                                                 "within the limit of %1 (2.5 σ).")(millimetres(allowed))},
@@ -221,12 +222,13 @@ Message judgement(const LengthCheck &check, double toldM)
 
 } // namespace
 
-Result<LengthCheck> checkLength(std::span<const SeenLength> seen, std::optional<double> toldM, double heightM)
+Result<LengthCheck> checkLength(std::span<const SeenLength> seen, std::optional<double> givenM,
+                                double heightM)
 {
     if (seen.empty())
         return refuseLength(ODO_TEXT("calibration.length_unseen", "no camera shows it"),
                             ODO_TEXT("calibration.mark_ends_in_one", "mark its ends in at least one image"));
-    if (toldM && !(*toldM > 0 && std::isfinite(*toldM)))
+    if (givenM && !(*givenM > 0 && std::isfinite(*givenM)))
         return refuseLength(
             ODO_TEXT("calibration.told_length_not_positive", "the entered length is not above 0"),
             ODO_TEXT("calibration.give_taped_length", "enter the length measured with a tape"));
@@ -256,10 +258,10 @@ Result<LengthCheck> checkLength(std::span<const SeenLength> seen, std::optional<
                 Join::Colon));
         }
     }
-    if (toldM) {
-        check.differenceM = check.lengthM - *toldM;
+    if (givenM) {
+        check.differenceM = check.lengthM - *givenM;
         check.agrees = check.agrees && std::abs(*check.differenceM) <= agreesWithin * check.sigmaM;
-        sentences.push_back(judgement(check, *toldM));
+        sentences.push_back(judgement(check, *givenM));
     }
     check.words = joined(std::move(sentences), Join::Space);
     return check;

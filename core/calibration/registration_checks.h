@@ -24,7 +24,7 @@ struct MarkerShift
     bool isMoved() const { return shiftPx > limitPx; }
 };
 
-struct MovedCheck
+struct CameraPositionCheck
 {
     /// Three unmoved markers prove that the camera has not moved: then the others were moved.
     enum class Verdict { Still, CameraMoved, MarkersMoved } verdict = Verdict::Still;
@@ -41,14 +41,14 @@ std::vector<MarkerPixel> findAgain(const Frame &frame, const MarkerLayout &layou
                                    const std::vector<MarkerPixel> &stored, const CameraModel &camera);
 
 /// The subject of an error when that cannot be determined. camera: its name, or a message that names it.
-Message whetherMoved(MessageArgument camera);
+Message cameraMovement(MessageArgument camera);
 
 /// Compares markers of the registration with the same ones found in a newer image. A shift is one beyond 4 σ
 /// of the difference of two pixels, with σ the larger of 0.3 px and what the registration's markers fit to
 /// (fitPx, its RMS). Undetermined when fewer than two markers were found again. Pure; any thread.
-Result<MovedCheck> checkMoved(const std::string &camera, const FloorView &view,
-                              const std::vector<MarkerPixel> &stored, const std::vector<MarkerPixel> &found,
-                              double fitPx);
+Result<CameraPositionCheck> checkCameraPosition(const std::string &camera, const FloorView &view,
+                                                const std::vector<MarkerPixel> &stored,
+                                                const std::vector<MarkerPixel> &found, double fitPx);
 
 /// A stick (or any known length) as one registered camera sees its two ends.
 struct SeenLength
@@ -73,7 +73,7 @@ struct LengthCheck
 /// Measures the length in each camera and joins the cameras by their information. heightM: of the plane in
 /// which the stick lies. The entered length counts as exact. Errors: no camera, an end at or beyond the
 /// horizon, ends on one pixel, an entered length that is not positive. Pure; any thread.
-Result<LengthCheck> checkLength(std::span<const SeenLength> seen, std::optional<double> toldM,
+Result<LengthCheck> checkLength(std::span<const SeenLength> seen, std::optional<double> givenM,
                                 double heightM = 0);
 
 } // namespace odo

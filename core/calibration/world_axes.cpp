@@ -24,7 +24,7 @@ Message giveOneOfThem()
     return ODO_TEXT("calibration.give_one_of_them", "give one of them");
 }
 
-Result<Vector2d> placeOf(const MarkerLayout &layout, const std::string &label)
+Result<Vector2d> positionOf(const MarkerLayout &layout, const std::string &label)
 {
     const auto marker = std::ranges::find(layout.markers, label, &Marker::label);
     if (marker != layout.markers.end())
@@ -46,8 +46,8 @@ Result<double> turnOf(const MarkerLayout &layout, const AxesChange &change)
             layout,
             ODO_TEXT("calibration.two_directions", "both an angle and a pair of markers were given for X"),
             giveOneOfThem());
-    const Vector2d from = ODO_TRY(placeOf(layout, change.xAlong->first)),
-                   to = ODO_TRY(placeOf(layout, change.xAlong->second));
+    const Vector2d from = ODO_TRY(positionOf(layout, change.xAlong->first)),
+                   to = ODO_TRY(positionOf(layout, change.xAlong->second));
     const Vector2d along = to - from;
     if (!(along.norm() > 0))
         return refuse(
@@ -66,8 +66,8 @@ Result<Vector2d> originOf(const MarkerLayout &layout, const AxesChange &change)
             layout,
             ODO_TEXT("calibration.two_origins", "both a marker and a point were given for the origin"),
             giveOneOfThem());
-    const auto place = placeOf(layout, change.originMarker);
-    return place ? Result<Vector2d>(change.lengthFactor * *place) : place;
+    const auto position = positionOf(layout, change.originMarker);
+    return position ? Result<Vector2d>(change.lengthFactor * *position) : position;
 }
 
 } // namespace

@@ -43,14 +43,14 @@ std::chrono::steady_clock::time_point beginningOfTheTestbed()
 
 CameraDescription describe(const SimulatedCamera &camera)
 {
-    const Intrinsics &lens = camera.view.camera().intrinsics();
+    const Intrinsics &intrinsics = camera.view.camera().intrinsics();
     return {.uri = simulated + camera.name,
             .kind = "simulated",
             .name = ODO_TEXT("capture.simulated_camera", "Simulated camera %1")(Named::camera(camera.name)),
-            .widthPx = lens.widthPx,
-            .heightPx = lens.heightPx,
+            .widthPx = intrinsics.widthPx,
+            .heightPx = intrinsics.heightPx,
             .framesPerSecond = camera.framesPerSecond,
-            .formats = {{formatWords("", lens.widthPx, lens.heightPx, camera.framesPerSecond)}}};
+            .formats = {{formatWords("", intrinsics.widthPx, intrinsics.heightPx, camera.framesPerSecond)}}};
 }
 
 Result<std::unique_ptr<CameraSource>> openSimulated(const std::string &uri)
@@ -69,9 +69,9 @@ Result<std::unique_ptr<CameraSource>> openSimulated(const std::string &uri)
         if (!board)
             return simulatedSceneSource(std::move(description), std::move(scene), static_cast<int>(i),
                                         Pace::Kind::RealTime, beginningOfTheTestbed());
-        const CameraModel &lens = camera.view.camera();
-        return simulatedBoardSource(std::move(description), lens, {},
-                                    heldBoardPoses(lens, {}, boardPoses, seed), Pace::Kind::RealTime);
+        const CameraModel &intrinsics = camera.view.camera();
+        return simulatedBoardSource(std::move(description), intrinsics, {},
+                                    heldBoardPoses(intrinsics, {}, boardPoses, seed), Pace::Kind::RealTime);
     }
     return fail(ErrorCode::NotFound, quotedName(uri),
                 ODO_TEXT("capture.no_simulated_camera", "simulated camera %1 does not exist")(name),
@@ -133,7 +133,7 @@ std::vector<CameraDescription> listCameras()
 
 namespace {
 
-CameraWish wishIn(std::string_view part)
+CameraSetting settingIn(std::string_view part)
 {
     const std::size_t equals = part.find('=');
     if (equals == std::string_view::npos)
@@ -152,27 +152,27 @@ CameraUri splitCameraUri(std::string_view uri, std::string_view scheme)
         return split;
     for (std::string_view rest = all.substr(question + 1); !rest.empty();) {
         const std::size_t ampersand = rest.find('&');
-        split.wishes.push_back(wishIn(rest.substr(0, ampersand)));
+        split.cameraSettings.push_back(settingIn(rest.substr(0, ampersand)));
         rest = ampersand == std::string_view::npos ? std::string_view() : rest.substr(ampersand + 1);
     }
     return split;
 }
 
-bool takesWishes(const std::string &uri)
+bool acceptsSettings(const std::string &uri)
 {
     return uri.starts_with("v4l2:") || uri.starts_with("aravis:");
 }
 
-std::string withoutWishes(const std::string &uri)
+std::string withoutSettings(const std::string &uri)
 {
-    return takesWishes(uri) ? uri.substr(0, uri.find('?')) : uri;
+    return acceptsSettings(uri) ? uri.substr(0, uri.find('?')) : uri;
 }
 
-std::string withWishes(const std::string &uri, const std::vector<CameraWish> &wishes)
+std::string withSettings(const std::string &uri, const std::vector<CameraSetting> &cameraSettings)
 {
-    std::string whole = withoutWishes(uri);
-    for (std::size_t i = 0; i < wishes.size(); ++i)
-        whole += (i == 0 ? '?' : '&') + wishes[i].text;
+    std::string whole = withoutSettings(uri);
+    for (std::size_t i = 0; i < cameraSettings.size(); ++i)
+        whole += (i == 0 ? '?' : '&') + cameraSettings[i].text;
     return whole;
 }
 
@@ -356,7 +356,7 @@ constexpr int mostRefusals = 6; // of half a second each: then the camera will n
 
 } // namespace
 
-Result<Frame> settledPicture(CameraSource &camera, const JobControl &control)
+Result<Frame> settledFrame(CameraSource &camera, const JobControl &control)
 {
     int refusals = 0;
     std::optional<Nanoseconds> first;

@@ -122,7 +122,7 @@ Result<std::unique_ptr<CameraSource>> openCamera(const std::string &uri);
 std::vector<CameraDescription> listCameras();
 
 /// One of the parts behind the '?' of a camera's address: "rate=30". Without a '=' it has no name.
-struct CameraWish
+struct CameraSetting
 {
     std::string text; ///< as it was written
     std::string name, value;
@@ -131,8 +131,8 @@ struct CameraWish
 /// A camera's address taken apart: "SCHEME:PLACE?a=1&b=2".
 struct CameraUri
 {
-    std::string place; ///< empty where the address says none
-    std::vector<CameraWish> wishes =
+    std::string location; ///< empty where the address says none
+    std::vector<CameraSetting> cameraSettings =
         {}; ///< in their order; which of them are understood is for the kind of camera
 };
 
@@ -140,11 +140,11 @@ struct CameraUri
 CameraUri splitCameraUri(std::string_view uri, std::string_view scheme);
 
 /// Which camera an address means, without its settings: "v4l2:/dev/video0".
-std::string withoutWishes(const std::string &uri);
+std::string withoutSettings(const std::string &uri);
 /// With these in place of whatever the address wanted before.
-std::string withWishes(const std::string &uri, const std::vector<CameraWish> &wishes);
+std::string withSettings(const std::string &uri, const std::vector<CameraSetting> &cameraSettings);
 /// USB and network cameras: others are what they are.
-bool takesWishes(const std::string &uri);
+bool acceptsSettings(const std::string &uri);
 
 /// Stands for a camera that could not be opened, so that others can run without it: opens it, again and again
 /// on a thread of its own, until it is there, and is that camera from then on. Until then next() says
@@ -157,7 +157,7 @@ std::unique_ptr<CameraSource> awaitCamera(const std::string &uri, Error why,
 /// One frame of a camera that was just opened, as soon as it has settled: the first ones of a webcam are
 /// dark, its exposure is being found. Takes half a second at least; waits some three seconds
 /// for a camera that is missing. Any thread. Errors: those of the camera; Cancelled.
-Result<Frame> settledPicture(CameraSource &camera, const JobControl &control);
+Result<Frame> settledFrame(CameraSource &camera, const JobControl &control);
 
 /// What errors of a camera are about: "camera v4l2:/dev/video0".
 Message cameraAtAddress(const std::string &uri);

@@ -40,8 +40,8 @@ Error slowCameraError(const std::string &uri, double framesPerSecond, double ask
 
 Message healthWords(const ViewHealth &view)
 {
-    if (view.trouble)
-        return wholeMessage(view.trouble->error);
+    if (view.warning)
+        return wholeMessage(view.warning->error);
     if (view.state == ViewHealth::State::Starting)
         return ODO_TEXT("capture.waiting_for_first_picture", "waiting for the first frame");
     MessageArgument rate = quantity(view.framesPerSecond, 1, "frames/s");
@@ -65,7 +65,7 @@ bool comesByWire(const std::string &kind)
     return kind != "simulated" && kind != "file";
 }
 
-Message inStepWords(double p95S)
+Message synchronisationWords(double p95S)
 {
     return joined({ODO_TEXT("capture.in_step", "synchronised to %1")(quantity(1000 * p95S, 1, "ms")),
                    ODO_TEXT("capture.in_step_as_way", "at %1 that is %2")(
@@ -73,7 +73,7 @@ Message inStepWords(double p95S)
                   Join::Semicolon);
 }
 
-Message roomWords(const DiskHealth &disk)
+Message remainingTimeText(const DiskHealth &disk)
 {
     if (!disk.secondsLeft)
         return {};
@@ -84,21 +84,21 @@ Message roomWords(const DiskHealth &disk)
                              : quantity(std::floor(seconds / 3600), 0, "h"));
 }
 
-std::optional<DiskRoom> diskRoomOf(const std::filesystem::path &folder)
+std::optional<DiskCapacity> diskCapacityOf(const std::filesystem::path &folder)
 {
     std::error_code problem;
     const files::DiskSpace space = files::diskSpace(folder, problem);
     if (problem)
         return std::nullopt;
-    return DiskRoom{space.freeBytes, space.bytes};
+    return DiskCapacity{space.freeBytes, space.bytes};
 }
 
-std::uint64_t DiskWatch::reserved(const DiskRoom &disk) const
+std::uint64_t DiskWatch::reserved(const DiskCapacity &disk) const
 {
     return std::min(mostReserved, disk.size / 20);
 }
 
-std::uint64_t DiskWatch::left(const DiskRoom &disk) const
+std::uint64_t DiskWatch::left(const DiskCapacity &disk) const
 {
     return disk.free - std::min(disk.free, reserved(disk));
 }

@@ -14,7 +14,7 @@
 namespace odo {
 
 /// The current problem, and since when by this machine's steady clock.
-struct Trouble
+struct RecordingWarning
 {
     Error error;
     Nanoseconds since{0};
@@ -42,8 +42,8 @@ struct ViewHealth
     std::optional<bool> automaticsHeld;
     std::vector<Message> notHeld;  ///< names of what goes on changing by itself
     std::optional<ClockFit> clock; ///< with its source and σ; nullopt before the first frame
-    std::optional<Trouble> trouble;
-    std::optional<Trouble> slow; ///< it delivers fewer frames per second than requested
+    std::optional<RecordingWarning> warning;
+    std::optional<RecordingWarning> slow; ///< it delivers fewer frames per second than requested
 };
 
 /// How well the views are synchronised. Errors are of the last ten seconds: how much later the other view's
@@ -66,7 +66,7 @@ struct DiskHealth
     std::optional<double> secondsLeft; ///< until the disk is as full as it may get; nullopt: not known yet
     bool ended = false; ///< the recording of a view has ended by itself; what there is of it is kept
     /// Why it has ended; or that the disk is too slow, reported long before anything is lost.
-    std::optional<Trouble> trouble;
+    std::optional<RecordingWarning> warning;
 };
 
 struct CaptureHealth
@@ -75,7 +75,7 @@ struct CaptureHealth
     PairHealth pairs;
     DiskHealth disk;
     /// That this machine slept while it recorded, until the recording has ended; else for some seconds.
-    std::optional<Trouble> sleep;
+    std::optional<RecordingWarning> sleep;
 };
 
 /// That this machine slept so long, and what that means.
@@ -86,20 +86,20 @@ Error slowCameraError(const std::string &uri, double framesPerSecond, double ask
 /// "30.0 frames/s, none lost", or the problem.
 Message healthWords(const ViewHealth &view);
 /// "synchronised to 1.2 ms; at 2 m/s that is 2.4 mm"; 95 % of the pairs are within it.
-Message inStepWords(double p95S);
+Message synchronisationWords(double p95S);
 /// Whether the frames of a kind of camera come by a cable or a network.
 bool comesByWire(const std::string &kind);
 /// "remaining recording time 42 min"; empty where not known.
-Message roomWords(const DiskHealth &disk);
+Message remainingTimeText(const DiskHealth &disk);
 
-struct DiskRoom
+struct DiskCapacity
 {
     std::uint64_t free = 0; ///< bytes that may still be written
     std::uint64_t size = 0; ///< bytes of the whole disk
 };
 
 /// Of the disk that a folder is on; nullopt where the system does not say.
-std::optional<DiskRoom> diskRoomOf(const std::filesystem::path &folder);
+std::optional<DiskCapacity> diskCapacityOf(const std::filesystem::path &folder);
 
 /// How full a recording may make its disk.
 struct DiskWatch
@@ -108,11 +108,11 @@ struct DiskWatch
     /// enough for the project and everything else on this machine to go on.
     std::uint64_t mostReserved = 200'000'000;
     /// Asked once a second while recording, on the thread that writes.
-    std::function<std::optional<DiskRoom>(const std::filesystem::path &folder)> room = diskRoomOf;
+    std::function<std::optional<DiskCapacity>(const std::filesystem::path &folder)> space = diskCapacityOf;
 
     /// Bytes that a recording may still take.
-    std::uint64_t left(const DiskRoom &disk) const;
-    std::uint64_t reserved(const DiskRoom &disk) const;
+    std::uint64_t left(const DiskCapacity &disk) const;
+    std::uint64_t reserved(const DiskCapacity &disk) const;
 };
 
 } // namespace odo

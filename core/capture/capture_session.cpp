@@ -31,25 +31,25 @@ struct Knot
 using Stretch = std::span<const RawTime>;
 
 /// Feeds a clock map with such a run of frames, the readings among them as they came.
-std::vector<Knot> knotsOf(Stretch pictures, std::span<const ClockReading> readings)
+std::vector<Knot> knotsOf(Stretch frames, std::span<const ClockReading> readings)
 {
     std::vector<Knot> knots;
     ClockMap clock;
     ClockFit newest;
-    Nanoseconds next = pictures.front().device + lookAhead;
-    for (const RawTime &picture : pictures) {
-        while (!readings.empty() && readings.front().after <= picture.arrival) {
+    Nanoseconds next = frames.front().device + lookAhead;
+    for (const RawTime &frame : frames) {
+        while (!readings.empty() && readings.front().after <= frame.arrival) {
             clock.addLatch(readings.front().device, readings.front().before, readings.front().after);
             readings = readings.subspan(1);
         }
-        clock.addArrival(picture.device, picture.arrival);
+        clock.addArrival(frame.device, frame.arrival);
         newest = clock.fit().value_or(newest);
-        if (picture.device >= next + lookAhead) {
+        if (frame.device >= next + lookAhead) {
             knots.push_back({next, newest});
             next += knotEach;
         }
     }
-    knots.push_back({std::max(next, pictures.back().device - lookAhead), newest});
+    knots.push_back({std::max(next, frames.back().device - lookAhead), newest});
     return knots;
 }
 
@@ -70,7 +70,7 @@ Nanoseconds hostTime(const std::vector<Knot> &knots, Nanoseconds device)
 
 /// Whether no clock that just goes on can show both: the steps of the two clocks differ, whatever moment of
 /// each round trip the camera's was read at.
-bool isSetAnewBetween(const ClockReading &a, const ClockReading &b)
+bool isSetBetween(const ClockReading &a, const ClockReading &b)
 {
     const Nanoseconds step = b.device - a.device;
     const Nanoseconds bound = largestClockJump + fromSeconds(fastestClockRate * std::abs(toSeconds(step)));
@@ -80,18 +80,18 @@ bool isSetAnewBetween(const ClockReading &a, const ClockReading &b)
 /// The first frame on the new scale, where the clock was reset between two readings: that whose step
 /// from the one before is least like the usual one, of those between the readings. Arrivals do not show it:
 /// earlier frames may be late by seconds.
-std::size_t firstOnNewScale(Stretch pictures, const ClockReading &before, const ClockReading &after)
+std::size_t firstOnNewScale(Stretch frames, const ClockReading &before, const ClockReading &after)
 {
     const auto [from, to] = std::minmax(before.device, after.device);
     std::vector<Nanoseconds> steps;
-    for (std::size_t i = 1; i < pictures.size(); ++i)
-        steps.push_back(pictures[i].device - pictures[i - 1].device);
+    for (std::size_t i = 1; i < frames.size(); ++i)
+        steps.push_back(frames[i].device - frames[i - 1].device);
     const Nanoseconds usual = steps.empty() ? 0ns : upperMedian(steps);
-    std::size_t first = pictures.front().device > to ? 0 : pictures.size();
+    std::size_t first = frames.front().device > to ? 0 : frames.size();
     Nanoseconds oddest{-1};
-    for (std::size_t i = 1; i < pictures.size(); ++i) {
+    for (std::size_t i = 1; i < frames.size(); ++i) {
         const Nanoseconds odd = std::chrono::abs(steps[i - 1] - usual);
-        if (pictures[i].device >= from && pictures[i - 1].device <= to && odd > oddest) {
+        if (frames[i].device >= from && frames[i - 1].device <= to && odd > oddest) {
             oddest = odd;
             first = i;
         }
@@ -102,37 +102,37 @@ std::size_t firstOnNewScale(Stretch pictures, const ClockReading &before, const 
 /// How many frames and readings come before the next reset of the camera's clock.
 struct StretchSize
 {
-    std::size_t pictures, readings;
+    std::size_t frames, readings;
 };
 
-StretchSize nextStretch(Stretch pictures, std::span<const ClockReading> readings)
+StretchSize nextStretch(Stretch frames, std::span<const ClockReading> readings)
 {
     const auto back = std::ranges::adjacent_find(
-        pictures, [](const RawTime &a, const RawTime &b) { return b.device < a.device; });
+        frames, [](const RawTime &a, const RawTime &b) { return b.device < a.device; });
     const auto backwards =
-        back == pictures.end() ? pictures.size() : static_cast<std::size_t>(back - pictures.begin()) + 1;
-    const auto set = std::ranges::adjacent_find(readings, isSetAnewBetween);
+        back == frames.end() ? frames.size() : static_cast<std::size_t>(back - frames.begin()) + 1;
+    const auto set = std::ranges::adjacent_find(readings, isSetBetween);
     if (set != readings.end()) {
         const auto count = static_cast<std::size_t>(set - readings.begin()) + 1;
-        if (set[1].device < set->device && backwards < pictures.size())
+        if (set[1].device < set->device && backwards < frames.size())
             return {backwards, count};
-        const std::size_t first = firstOnNewScale(pictures.first(backwards), set[0], set[1]);
-        if (first < backwards || backwards == pictures.size())
+        const std::size_t first = firstOnNewScale(frames.first(backwards), set[0], set[1]);
+        if (first < backwards || backwards == frames.size())
             return {first, count};
     }
     const auto later = std::ranges::find_if(readings, [&](const ClockReading &reading) {
-        return backwards < pictures.size() && reading.after > pictures[backwards - 1].arrival;
+        return backwards < frames.size() && reading.after > frames[backwards - 1].arrival;
     });
     return {backwards, static_cast<std::size_t>(later - readings.begin())};
 }
 
-void deriveStretch(Stretch pictures, std::span<const ClockReading> readings, DerivedTimes &into)
+void deriveStretch(Stretch frames, std::span<const ClockReading> readings, DerivedTimes &into)
 {
-    const std::vector<Knot> knots = knotsOf(pictures, readings);
+    const std::vector<Knot> knots = knotsOf(frames, readings);
     for (const Knot &knot : knots)
         into.sigmaS = std::max(into.sigmaS, knot.fit.sigmaS);
-    for (const RawTime &picture : pictures) {
-        Nanoseconds taken = hostTime(knots, picture.device);
+    for (const RawTime &frame : frames) {
+        Nanoseconds taken = hostTime(knots, frame.device);
         if (!into.taken.empty())
             taken = std::max(taken, into.taken.back() + shortestStep);
         into.taken.push_back(taken);
@@ -144,19 +144,19 @@ void deriveStretch(Stretch pictures, std::span<const ClockReading> readings, Der
 DerivedTimes deriveTimes(const RecordedTimes &times)
 {
     DerivedTimes derived;
-    Stretch left(times.pictures);
+    Stretch left(times.frames);
     std::span<const ClockReading> readings(times.readings);
     while (!left.empty()) {
         const StretchSize size = nextStretch(left, readings);
-        if (size.pictures > 0)
-            deriveStretch(left.first(size.pictures), readings.first(size.readings), derived);
-        left = left.subspan(size.pictures);
+        if (size.frames > 0)
+            deriveStretch(left.first(size.frames), readings.first(size.readings), derived);
+        left = left.subspan(size.frames);
         readings = readings.subspan(size.readings);
     }
     return derived;
 }
 
-Message putDiskBack()
+Message reconnectDisk()
 {
     return ODO_TEXT("capture.put_disk_back", "reconnect its disk, or move its folder back");
 }
@@ -167,7 +167,7 @@ using namespace std::chrono_literals;
 
 constexpr Nanoseconds longestWait = 150ms;
 constexpr auto longestEnd = 1s;
-constexpr Nanoseconds shortestPause = 100ms, sleepToldFor = 10s;
+constexpr Nanoseconds shortestPause = 100ms, sleepReportedFor = 10s;
 constexpr double usualFramesPerSecond = 30;
 
 /// Half an interval of the slowest camera: two that run free are never further apart.
@@ -241,7 +241,7 @@ CaptureHealth CaptureSession::health() const
     double shares = 0; // of what is left, that the views write a second
     for (std::size_t view = 0; view < m_writers.size(); ++view) {
         const ViewWriter::State state = m_writers[view]->state(now);
-        health.views[view].lostByUs += state.withoutRoom;
+        health.views[view].lostByUs += state.droppedWhenFull;
         health.disk.recordedS =
             view == 0 ? state.recordedS : std::min(health.disk.recordedS, state.recordedS);
         health.disk.bytes += state.bytes;
@@ -249,9 +249,9 @@ CaptureHealth CaptureSession::health() const
         if (state.secondsLeft)
             shares += 1 / std::max(*state.secondsLeft, 1e-3);
         if (state.problem && !health.disk.ended)
-            health.disk.trouble = Trouble{*state.problem, now};
-        else if (state.slow && !health.disk.trouble)
-            health.disk.trouble = state.slow;
+            health.disk.warning = RecordingWarning{*state.problem, now};
+        else if (state.slow && !health.disk.warning)
+            health.disk.warning = state.slow;
         health.disk.ended |= state.problem.has_value();
     }
     if (shares > 0)
@@ -260,27 +260,27 @@ CaptureHealth CaptureSession::health() const
 }
 
 /// It is found out by who looks first; the mutex is held.
-std::optional<Trouble> CaptureSession::sleep(Nanoseconds now) const
+std::optional<RecordingWarning> CaptureSession::sleep(Nanoseconds now) const
 {
     const Nanoseconds slept = machineSlept() - m_slept;
     if (slept >= shortestPause) {
         m_slept += slept;
-        m_sleep = Trouble{machineSleptError(slept), now};
+        m_sleep = RecordingWarning{machineSleptError(slept), now};
     }
-    if (m_writers.empty() && m_sleep && now - m_sleep->since > sleepToldFor)
+    if (m_writers.empty() && m_sleep && now - m_sleep->since > sleepReportedFor)
         m_sleep.reset();
     return m_sleep;
 }
 
-std::optional<double> CaptureSession::secondsOfRoom(const std::filesystem::path &folder) const
+std::optional<double> CaptureSession::remainingSeconds(const std::filesystem::path &folder) const
 {
     double bytesPerSecond = 0;
     for (const auto &view : m_views)
         bytesPerSecond += view->bytesPerSecond();
-    const std::optional<DiskRoom> room = m_disk.room(folder);
-    if (!room || bytesPerSecond <= 0)
+    const std::optional<DiskCapacity> space = m_disk.space(folder);
+    if (!space || bytesPerSecond <= 0)
         return std::nullopt;
-    return static_cast<double>(m_disk.left(*room)) / bytesPerSecond;
+    return static_cast<double>(m_disk.left(*space)) / bytesPerSecond;
 }
 
 void CaptureSession::startRecording(const std::vector<std::filesystem::path> &files, Nanoseconds preRoll)
@@ -329,7 +329,7 @@ RecordingOutcome CaptureSession::stopRecording()
     std::vector<std::vector<Nanoseconds>> taken;
     for (const ViewRecording &view : outcome.views)
         taken.push_back(view.taken);
-    outcome.pairs = pairFigures(taken, m_tolerance);
+    outcome.pairs = pairStatistics(taken, m_tolerance);
     return outcome;
 }
 

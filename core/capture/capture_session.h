@@ -47,7 +47,7 @@ struct ViewRecording
 struct RecordingOutcome
 {
     std::vector<ViewRecording> views; ///< in the order of the cameras
-    PairFigures pairs;                ///< of the frames recorded
+    PairStatistics pairs;             ///< of the frames recorded
 };
 
 /// When recorded frames were taken, by this machine's steady clock.
@@ -62,7 +62,7 @@ struct DerivedTimes
 DerivedTimes deriveTimes(const RecordedTimes &times);
 
 /// The advice where a file that is needed for a recording is no longer there.
-Message putDiskBack();
+Message reconnectDisk();
 
 class FramePairing;
 class ViewCapture;
@@ -123,7 +123,7 @@ public:
     /// The remaining recording time on the disk of a folder, at what the cameras send now, before a
     /// recording starts; nullopt while that is not known, and without a pre-roll. Asks the disk: quick for
     /// one in this machine.
-    std::optional<double> secondsOfRoom(const std::filesystem::path &folder) const;
+    std::optional<double> remainingSeconds(const std::filesystem::path &folder) const;
     /// Records all views from so long ago, but no longer ago than the settings keep, each to its own new MKV
     /// file; holds the cameras' automatics still. Returns at once: what cannot be written shows in health().
     /// Not while one goes on.
@@ -138,7 +138,7 @@ public:
     RecordingOutcome stopRecording();
 
 private:
-    std::optional<Trouble> sleep(Nanoseconds now) const;
+    std::optional<RecordingWarning> sleep(Nanoseconds now) const;
 
     Nanoseconds m_tolerance{0};
     const DiskWatch m_disk;
@@ -148,7 +148,7 @@ private:
     mutable std::mutex m_mutex; ///< guards what follows
     std::vector<std::shared_ptr<ViewWriter>> m_writers; ///< none while nothing is recorded
     mutable Nanoseconds m_slept = machineSlept();       ///< when it was last looked
-    mutable std::optional<Trouble> m_sleep;             ///< the last one
+    mutable std::optional<RecordingWarning> m_sleep;    ///< the last one
 };
 
 } // namespace odo

@@ -79,7 +79,7 @@ Nanoseconds ClockFit::hostTime(Nanoseconds deviceTime) const
     return host + since + fromSeconds(rate * toSeconds(since));
 }
 
-void ClockMap::startAnewIfSet(std::optional<Nanoseconds> &last, Nanoseconds device, Nanoseconds host)
+void ClockMap::restartIfSet(std::optional<Nanoseconds> &last, Nanoseconds device, Nanoseconds host)
 {
     const bool backwards = last && device < *last;
     // A frame may be late by any time, but is never early.
@@ -97,7 +97,7 @@ void ClockMap::startAnewIfSet(std::optional<Nanoseconds> &last, Nanoseconds devi
 
 void ClockMap::addArrival(Nanoseconds device, Nanoseconds host)
 {
-    startAnewIfSet(m_lastArrival, device, host);
+    restartIfSet(m_lastArrival, device, host);
     const auto behind = [](const Arrival &one) { return one.host - one.device; };
     const Arrival arrival{device, host};
     const bool sameQuarter =
@@ -116,7 +116,7 @@ void ClockMap::addArrival(Nanoseconds device, Nanoseconds host)
 void ClockMap::addLatch(Nanoseconds device, Nanoseconds before, Nanoseconds after)
 {
     const Nanoseconds host = before + (after - before) / 2;
-    startAnewIfSet(m_lastLatch, device, after); // like a frame it may be late, and is never early
+    restartIfSet(m_lastLatch, device, after); // like a frame it may be late, and is never early
     m_latches.push_back({device, host, after - before});
     while (m_latches.front().device < device - memory)
         m_latches.pop_front();

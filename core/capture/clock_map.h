@@ -65,7 +65,7 @@ private:
     {
         Nanoseconds device, host, roundTrip;
     };
-    void startAnewIfSet(std::optional<Nanoseconds> &last, Nanoseconds device, Nanoseconds host);
+    void restartIfSet(std::optional<Nanoseconds> &last, Nanoseconds device, Nanoseconds host);
     void refit();
     ClockFit fitArrivals() const;
     std::optional<ClockFit> fitLatches() const;

@@ -291,12 +291,12 @@ SetupFinding checkStep(const std::vector<CheckedCamera> &cameras, const PairHeal
                 ODO_TEXT("capture.look_again", "wait a few seconds, then check again")};
     if (pairs.p95S > badStepS)
         return {
-            Verdict::Warning, what, inStepWords(pairs.p95S),
+            Verdict::Warning, what, synchronisationWords(pairs.p95S),
             ODO_TEXT("capture.set_rate_or_trigger", "set both to the same rate, or trigger them together")};
-    return {Verdict::Good, what, inStepWords(pairs.p95S), {}};
+    return {Verdict::Good, what, synchronisationWords(pairs.p95S), {}};
 }
 
-SetupFinding checkPictureSize(const CheckedCamera &camera)
+SetupFinding checkFrameSize(const CheckedCamera &camera)
 {
     const Message what =
         ODO_TEXT("capture.picture_size_of_camera", "Frame size, camera %1")(Named::camera(camera.name));
@@ -331,7 +331,7 @@ std::vector<SetupFinding> checkSetup(std::vector<CheckedCamera> cameras, const P
     }
     std::vector<SetupFinding> findings;
     for (const CheckedCamera &camera : cameras) {
-        findings.push_back(checkPictureSize(camera));
+        findings.push_back(checkFrameSize(camera));
         findings.push_back(checkAutomatics(camera));
         findings.push_back(checkFlicker(camera));
     }
@@ -380,15 +380,15 @@ std::vector<std::string> sortedNamesIn(const std::filesystem::path &folder)
 void findUsb(VideoNode &node, const std::filesystem::path &device)
 {
     std::error_code problem;
-    std::filesystem::path place = files::realPath(device, problem);
+    std::filesystem::path location = files::realPath(device, problem);
     if (problem)
         return;
-    for (const std::filesystem::path &part : place) {
+    for (const std::filesystem::path &part : location) {
         if (part.string().starts_with("usb") && part.string().size() > 3)
             node.usbBus = part.string();
     }
-    for (; node.usbBus.size() > 0 && place != place.parent_path(); place = place.parent_path()) {
-        if (const auto speed = valueIn<double>(place / "speed")) {
+    for (; node.usbBus.size() > 0 && location != location.parent_path(); location = location.parent_path()) {
+        if (const auto speed = valueIn<double>(location / "speed")) {
             node.usbMbps = *speed;
             return;
         }

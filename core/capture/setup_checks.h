@@ -75,7 +75,7 @@ SetupFinding checkAutomatics(const CheckedCamera &camera);
 /// Cameras of different rates, or whose frames are taken far apart.
 SetupFinding checkStep(const std::vector<CheckedCamera> &cameras, const PairHealth &pairs);
 /// A registration is valid for one frame size.
-SetupFinding checkPictureSize(const CheckedCamera &camera);
+SetupFinding checkFrameSize(const CheckedCamera &camera);
 
 /// All of them, the worst first.
 std::vector<SetupFinding> checkSetup(std::vector<CheckedCamera> cameras, const PairHealth &pairs,

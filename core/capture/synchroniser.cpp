@@ -26,7 +26,7 @@ Synchroniser::Synchroniser(Settings settings)
 void Synchroniser::add(std::size_t view, TimedFrame frame)
 {
     if (m_newest[view] && frame.taken <= *m_newest[view]) {
-        ++m_figures.unpaired;
+        ++m_statistics.unpaired;
         return;
     }
     m_newest[view] = frame.taken;
@@ -72,15 +72,15 @@ std::vector<FrameSet> Synchroniser::takeRest()
     return sets;
 }
 
-PairFigures Synchroniser::takeFigures()
+PairStatistics Synchroniser::takeStatistics()
 {
-    return std::exchange(m_figures, {});
+    return std::exchange(m_statistics, {});
 }
 
 void Synchroniser::dropUnpaired(std::size_t view)
 {
     m_waiting[view].pop_front();
-    ++m_figures.unpaired;
+    ++m_statistics.unpaired;
 }
 
 FrameSet Synchroniser::takeFirst()
@@ -98,11 +98,11 @@ FrameSet Synchroniser::takeFirst()
         if (!set.views[view])
             continue;
         alone = false;
-        ++m_figures.pairs;
-        m_figures.errorsS.push_back(toSeconds(set.views[view]->taken - first.taken));
+        ++m_statistics.pairs;
+        m_statistics.errorsS.push_back(toSeconds(set.views[view]->taken - first.taken));
     }
     if (alone && m_settings.views > 1)
-        ++m_figures.unpaired;
+        ++m_statistics.unpaired;
     set.views.front() = std::move(first);
     return set;
 }
@@ -155,7 +155,7 @@ void FramePairing::add(std::size_t view, TimedFrame frame, Nanoseconds now)
     const std::lock_guard lock(m_mutex);
     m_synchroniser.add(view, std::move(frame));
     m_synchroniser.take(now);
-    const PairFigures fresh = m_synchroniser.takeFigures();
+    const PairStatistics fresh = m_synchroniser.takeStatistics();
     m_pairs += fresh.pairs;
     m_unpaired += fresh.unpaired;
     for (const double errorS : fresh.errorsS)
@@ -187,7 +187,8 @@ PairHealth FramePairing::health(Nanoseconds now) const
     return health;
 }
 
-PairFigures pairFigures(const std::vector<std::vector<Nanoseconds>> &takenOfViews, Nanoseconds tolerance)
+PairStatistics pairStatistics(const std::vector<std::vector<Nanoseconds>> &takenOfViews,
+                              Nanoseconds tolerance)
 {
     Synchroniser synchroniser({takenOfViews.size(), tolerance, std::chrono::years(100)});
     std::vector<std::size_t> next(takenOfViews.size());
@@ -205,7 +206,7 @@ PairFigures pairFigures(const std::vector<std::vector<Nanoseconds>> &takenOfView
         synchroniser.take({});
     }
     synchroniser.takeRest();
-    return synchroniser.takeFigures();
+    return synchroniser.takeStatistics();
 }
 
 } // namespace odo

@@ -26,7 +26,7 @@ struct FrameSet
 };
 
 /// How well the views are synchronised. A pair is a frame of the first view with one of another view.
-struct PairFigures
+struct PairStatistics
 {
     std::uint64_t pairs = 0;
     std::uint64_t unpaired = 0; ///< frames of any view that were left without a partner
@@ -59,7 +59,7 @@ public:
     std::vector<FrameSet> takeRest();
 
     /// The statistics since they were last taken.
-    PairFigures takeFigures();
+    PairStatistics takeStatistics();
 
 private:
     bool isDecided(Nanoseconds time, Nanoseconds now) const;
@@ -71,7 +71,7 @@ private:
     const Settings m_settings;
     std::vector<std::deque<TimedFrame>> m_waiting; ///< of each view
     std::vector<std::optional<Nanoseconds>> m_newest;
-    PairFigures m_figures;
+    PairStatistics m_statistics;
 };
 
 /// Pairs the frames of live cameras, and monitors how well the views are synchronised. Any thread.
@@ -98,6 +98,7 @@ private:
 };
 
 /// How the frames of several views pair, by when they were taken; each view's in order.
-PairFigures pairFigures(const std::vector<std::vector<Nanoseconds>> &takenOfViews, Nanoseconds tolerance);
+PairStatistics pairStatistics(const std::vector<std::vector<Nanoseconds>> &takenOfViews,
+                              Nanoseconds tolerance);
 
 } // namespace odo

@@ -12,7 +12,7 @@ namespace odo {
 
 namespace {
 
-constexpr int maxPicturePx = 100'000;
+constexpr int maxImagePx = 100'000;
 
 Message useCalibrationFile()
 {
@@ -28,8 +28,8 @@ public:
     Result<ImportedIntrinsics> read()
     {
         ImportedIntrinsics imported;
-        for (auto step :
-             {&CalibrationReader::readSize, &CalibrationReader::readMatrix, &CalibrationReader::readLens}) {
+        for (auto step : {&CalibrationReader::readSize, &CalibrationReader::readMatrix,
+                          &CalibrationReader::parseIntrinsics}) {
             ODO_TRY((this->*step)(imported.intrinsics));
         }
         if (const YamlNode *name = m_root.find("camera_name"))
@@ -79,10 +79,10 @@ private:
     Result<std::vector<double>> matrix(const YamlNode &node, const std::string &name, int &rows,
                                        int &cols) const
     {
-        const auto toldRows = wholeNumber(node, "rows", 0, 100);
-        const auto toldCols = ODO_TRY(toldRows ? wholeNumber(node, "cols", 0, 100) : toldRows);
-        rows = *toldRows;
-        cols = toldCols;
+        const auto givenRows = wholeNumber(node, "rows", 0, 100);
+        const auto givenCols = ODO_TRY(givenRows ? wholeNumber(node, "cols", 0, 100) : givenRows);
+        rows = *givenRows;
+        cols = givenCols;
         const auto data = ODO_TRY(entry(node, "data"));
         const auto count = static_cast<std::size_t>(rows) * static_cast<std::size_t>(cols);
         if (data->items.size() != count)
@@ -99,8 +99,8 @@ private:
 
     Result<void> readSize(Intrinsics &into)
     {
-        const auto width = wholeNumber(m_root, "image_width", 1, maxPicturePx);
-        const auto height = ODO_TRY(width ? wholeNumber(m_root, "image_height", 1, maxPicturePx) : width);
+        const auto width = wholeNumber(m_root, "image_width", 1, maxImagePx);
+        const auto height = ODO_TRY(width ? wholeNumber(m_root, "image_height", 1, maxImagePx) : width);
         into.widthPx = *width;
         into.heightPx = height;
         return {};
@@ -126,7 +126,7 @@ private:
         return {};
     }
 
-    Result<void> readLens(Intrinsics &into)
+    Result<void> parseIntrinsics(Intrinsics &into)
     {
         const auto node = ODO_TRY(entry(m_root, "distortion_coefficients"));
         int rows = 0, cols = 0;
@@ -146,25 +146,25 @@ private:
 
     Result<LensModel> lensModel(int line, std::size_t count) const
     {
-        const YamlNode *told = m_root.find("distortion_model");
-        if (told == nullptr) { // OpenCV: given by the number of coefficients
+        const YamlNode *given = m_root.find("distortion_model");
+        if (given == nullptr) { // OpenCV: given by the number of coefficients
             const YamlNode *fisheye = m_root.find("fisheye_model");
             if (fisheye != nullptr && fisheye->text != "0")
                 return LensModel::Fisheye;
             return count > 5 ? LensModel::Rational : LensModel::Standard;
         }
-        if (told->text == "plumb_bob" || (told->text.empty() && count == 0))
+        if (given->text == "plumb_bob" || (given->text.empty() && count == 0))
             return LensModel::Standard;
-        if (told->text == "rational_polynomial")
+        if (given->text == "rational_polynomial")
             return LensModel::Rational;
-        if (told->text == "equidistant" || told->text == "fisheye")
+        if (given->text == "equidistant" || given->text == "fisheye")
             return LensModel::Fisheye;
         return failure(
-            told->line == 0 ? line : told->line,
+            given->line == 0 ? line : given->line,
             ODO_TEXT(
                 "exchange.lens_model_not_known",
                 "the lens model '%1' is unknown (known models: plumb_bob, rational_polynomial, equidistant)")(
-                told->text.substr(0, 40)));
+                given->text.substr(0, 40)));
     }
 
     const std::filesystem::path &m_file;
@@ -238,7 +238,7 @@ std::string quoted(const std::string &name)
     return text + "'";
 }
 
-std::string pictureSize(const Intrinsics &k)
+std::string imageSizePx(const Intrinsics &k)
 {
     return "image_width: " + std::to_string(k.widthPx) + "\nimage_height: " + std::to_string(k.heightPx) +
            "\n";
@@ -257,12 +257,12 @@ std::string intrinsicsText(const std::string &cameraName, const Intrinsics &intr
                           0.0);
     if (format == IntrinsicsFormat::OpenCv) {
         const std::string fisheye = intrinsics.model == LensModel::Fisheye ? "fisheye_model: 1\n" : "";
-        return "%YAML:1.0\n---\n" + pictureSize(intrinsics) + "camera_name: " + quoted(cameraName) + "\n" +
+        return "%YAML:1.0\n---\n" + imageSizePx(intrinsics) + "camera_name: " + quoted(cameraName) + "\n" +
                fisheye + matrixText("camera_matrix", " !!opencv-matrix", 3, cameraMatrix(intrinsics)) +
                matrixText("distortion_coefficients", " !!opencv-matrix", 1, distortion);
     }
     const Intrinsics &k = intrinsics;
-    return pictureSize(k) + "camera_name: " + quoted(cameraName) + "\n" +
+    return imageSizePx(k) + "camera_name: " + quoted(cameraName) + "\n" +
            matrixText("camera_matrix", "", 3, cameraMatrix(k)) +
            "distortion_model: " + rosModelName(k.model) + "\n" +
            matrixText("distortion_coefficients", "", 1, distortion) +

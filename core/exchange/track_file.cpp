@@ -207,7 +207,7 @@ std::optional<Result<TrackHeader>> readTrackHeader(const std::vector<std::string
 namespace {
 
 constexpr std::size_t mostTrackBytes = std::size_t(256) << 20;
-constexpr std::size_t mostPlaces = 1'500'000; // with what is computed of them they take half a gigabyte
+constexpr std::size_t mostPositions = 1'500'000; // with what is computed of them they take half a gigabyte
 constexpr double mostM = 100e3;
 constexpr auto longest = std::chrono::hours(24 * 7);
 constexpr std::size_t leastPositions = 3, tumEntries = 8;
@@ -321,7 +321,7 @@ Result<void> TrackReader::add(FileTrack &track, const ImportedPosition &position
         return wrong(
             ODO_TEXT("exchange.place_too_far", "its position is more than 100 km away"),
             ODO_TEXT("exchange.check_unit_of_places", "check the unit of the positions: m, cm or mm"));
-    if (++m_places > mostPlaces)
+    if (++m_places > mostPositions)
         return wrong(ODO_TEXT("exchange.too_many_places", "the file has more than 1.5 million positions"),
                      ODO_TEXT("exchange.check_one_run", "check that all lines are of one run"));
     track.positions.push_back(position);

@@ -90,10 +90,10 @@ QJsonValue importedOf(const AnalysisRecord &analysis, const std::vector<Imported
 
 QJsonObject provenanceObject(const AnalysisRecord &analysis, const std::vector<ImportedTrack> &imported)
 {
-    QJsonArray views, registrations, overrules;
-    for (const Overrule &overrule : analysis.options.overrules)
-        overrules.append(QJsonObject{{QStringLiteral("frame"), static_cast<qint64>(overrule.frame)},
-                                     {QStringLiteral("spike"), overrule.isSpike}});
+    QJsonArray views, registrations, overrides;
+    for (const ManualOverride &manualOverride : analysis.options.overrides)
+        overrides.append(QJsonObject{{QStringLiteral("frame"), static_cast<qint64>(manualOverride.frame)},
+                                     {QStringLiteral("spike"), manualOverride.isSpike}});
     for (const std::string &view : analysis.views)
         views.append(qtText(view));
     for (const RecordId id : analysis.registrations)
@@ -105,7 +105,7 @@ QJsonObject provenanceObject(const AnalysisRecord &analysis, const std::vector<I
         {QStringLiteral("max_speed_m_s"), numberOrNull(analysis.options.maxSpeedMps)},
         {QStringLiteral("max_accel_m_s2"), numberOrNull(analysis.options.maxAccelMps2)},
         {QStringLiteral("longest_bridged_gap_s"), toSeconds(analysis.options.longestBridgedGap)},
-        {QStringLiteral("overrules"), overrules},
+        {QStringLiteral("overrules"), overrides},
         {QStringLiteral("views"), views},
         {QStringLiteral("registrations"), registrations},
         {QStringLiteral("imported"), importedOf(analysis, imported)},

@@ -13,7 +13,7 @@ Message cannotBeWritten(std::string because)
     return ODO_TEXT("files.cannot_be_written", "it cannot be written (%1)")(foreignWords(std::move(because)));
 }
 
-tl::unexpected<Error> cannotBeLookedAt(Message what, const std::error_code &problem, Message advice)
+tl::unexpected<Error> cannotBeInspected(Message what, const std::error_code &problem, Message advice)
 {
     return fail(
         ErrorCode::Io, std::move(what),
@@ -73,7 +73,7 @@ Message chooseAnotherNameOrFolder()
     return ODO_TEXT("files.choose_name_or_folder", "choose another name or folder");
 }
 
-Message chooseFolderWithRoom()
+Message chooseFolderWithSpace()
 {
     return ODO_TEXT("files.choose_folder_with_room",
                     "choose a folder that you may write to and that has free space");
@@ -84,7 +84,7 @@ Message chooseWritableFolder()
     return ODO_TEXT("files.choose_writable_folder", "choose a folder that you may write to");
 }
 
-Message makeRoomOnDisk()
+Message freeDiskSpace()
 {
     return ODO_TEXT("files.make_room", "free some disk space and try again");
 }

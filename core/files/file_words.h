@@ -20,16 +20,16 @@ Message noSuchFolder(const std::filesystem::path &folder);
 Message isThereAlready();
 
 /// The Io of a file of which the system does not say what it is; the InvalidInput of one that cannot be made.
-tl::unexpected<Error> cannotBeLookedAt(Message what, const std::error_code &problem, Message advice);
+tl::unexpected<Error> cannotBeInspected(Message what, const std::error_code &problem, Message advice);
 tl::unexpected<Error> nameIsTooLong(Message what);
 
 /// Advice.
 Message nameAFile();
 Message chooseAnotherName();
 Message chooseAnotherNameOrFolder();
-Message chooseFolderWithRoom();
+Message chooseFolderWithSpace();
 Message chooseWritableFolder();
-Message makeRoomOnDisk();
+Message freeDiskSpace();
 Message checkItsFolder(); ///< its free space and rights
 Message makeFolderFirst();
 Message checkFileMayBeRead();

@@ -163,7 +163,7 @@ class OutputCheck
 public:
     OutputCheck(const OutputTarget &target, ResolvedPath path) : m_target(target), m_path(std::move(path)) {}
 
-    Result<OutputPlace> run(std::optional<FileKind> kind)
+    Result<OutputLocation> run(std::optional<FileKind> kind)
     {
         if (!m_exists && m_found.error() != std::errc::no_such_file_or_directory)
             return m_found.error() == std::errc::filename_too_long ? nameIsTooLong(what())
@@ -176,9 +176,9 @@ public:
         if (m_exists && !m_target.isOwnMedia && isInSomeMedia())
             return refused(
                 ODO_TEXT("files.is_in_some_media_folder", "it is in a media folder beside a project"));
-        OutputPlace place{m_path.real, m_exists, FileKind::Empty, m_status.permissions};
+        OutputLocation location{m_path.real, m_exists, FileKind::Empty, m_status.permissions};
         if (!m_exists)
-            return isNamedAsProject(kind) ? refused(namesAProject()) : Result<OutputPlace>(place);
+            return isNamedAsProject(kind) ? refused(namesAProject()) : Result<OutputLocation>(location);
         if (m_target.existing == Existing::Refuse || m_target.isOwnMedia)
             return fail(ErrorCode::AlreadyExists, what(), isThereAlready(), chooseAnotherNameOrFolder());
         if (const auto problem = checkAccess(m_path.real, FileAccess::Write))
@@ -186,14 +186,14 @@ public:
         const auto found = ODO_TRY(existingKind());
         if (isNamedAsProject(kind))
             return refused(namesAProject());
-        place.kind = found;
-        if (kind && m_target.existing == Existing::ReplaceSameKind && place.kind != FileKind::Empty &&
-            !isSameKind(place.kind, *kind))
+        location.kind = found;
+        if (kind && m_target.existing == Existing::ReplaceSameKind && location.kind != FileKind::Empty &&
+            !isSameKind(location.kind, *kind))
             return fail(
                 ErrorCode::WrongCall, what(),
                 ODO_TEXT("files.is_of_another_kind", "a file of another kind has that name"),
                 ODO_TEXT("files.replace_by_force", "choose another name, or replace it with --force"));
-        return place;
+        return location;
     }
 
     Result<void> runForProject() const
@@ -347,7 +347,7 @@ private:
 
 } // namespace
 
-Result<OutputPlace> checkOutput(const OutputTarget &target, std::optional<FileKind> kind)
+Result<OutputLocation> checkOutput(const OutputTarget &target, std::optional<FileKind> kind)
 {
     // Before links are followed one by one: those in /proc lead to what has no name.
     std::error_code unknown;
@@ -379,17 +379,18 @@ OutputFile::OutputFile(OutputTarget target, FileKind kind, std::unique_ptr<Tempo
 
 Result<std::unique_ptr<OutputFile>> OutputFile::open(const OutputTarget &target, FileKind kind)
 {
-    const auto place = ODO_TRY(checkOutput(target, kind));
-    auto temporary = ODO_TRY(TemporaryFile::make(place.real.parent_path(), quotedFileSubject(target.file)));
-    if (place.exists) // its readers stay the same; not every file system can
-        static_cast<void>(temporary->handle().setPermissions(place.permissions));
+    const auto location = ODO_TRY(checkOutput(target, kind));
+    auto temporary =
+        ODO_TRY(TemporaryFile::make(location.real.parent_path(), quotedFileSubject(target.file)));
+    if (location.exists) // its readers stay the same; not every file system can
+        static_cast<void>(temporary->handle().setPermissions(location.permissions));
     return std::unique_ptr<OutputFile>(new OutputFile(target, kind, std::move(temporary)));
 }
 
 tl::unexpected<Error> OutputFile::failure(std::string because) const
 {
     return fail(ErrorCode::Io, quotedFileSubject(m_target.file), cannotBeWritten(std::move(because)),
-                chooseFolderWithRoom());
+                chooseFolderWithSpace());
 }
 
 Result<void> OutputFile::write(std::string_view bytes)
@@ -401,10 +402,10 @@ Result<void> OutputFile::write(std::string_view bytes)
 Result<void> OutputFile::commit()
 {
     for (;;) {
-        const auto place = ODO_TRY(checkOutput(m_target, m_kind));
-        if (place.exists)
-            return m_temporary->replace(place.real);
-        auto published = m_temporary->publish(place.real);
+        const auto location = ODO_TRY(checkOutput(m_target, m_kind));
+        if (location.exists)
+            return m_temporary->replace(location.real);
+        auto published = m_temporary->publish(location.real);
         if (published || published.error().code != ErrorCode::AlreadyExists)
             return published; // else somebody was quicker: is that file one that may be replaced?
     }

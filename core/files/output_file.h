@@ -37,7 +37,7 @@ struct OutputTarget
 };
 
 /// The file that an output would take the place of, or become.
-struct OutputPlace
+struct OutputLocation
 {
     std::filesystem::path real; ///< without links
     bool exists = false;
@@ -51,7 +51,7 @@ struct OutputPlace
 /// (InputFiles), folders, devices and the like, and names that end in .odo for what is no project. Other
 /// errors: AlreadyExists, NotFound (no such folder), ReadOnly, Io. kind: of what is written; nothing: not
 /// known yet, so the kind of an existing file doesn't count. Any thread; reads at most kindBytes.
-Result<OutputPlace> checkOutput(const OutputTarget &target, std::optional<FileKind> kind);
+Result<OutputLocation> checkOutput(const OutputTarget &target, std::optional<FileKind> kind);
 
 /// Checks whether a project may be created there: not under the name of another one's log, lock or backup,
 /// nor in its media folder (WrongCall), nor where a log or journal is left that SQLite would apply to it

@@ -54,7 +54,7 @@ Result<void> checkMayBeRead(const std::filesystem::path &file, const Message &wh
     std::error_code problem;
     const files::Kind kind = files::kindOf(file, problem);
     if (problem)
-        return cannotBeLookedAt(what, problem, checkFileMayBeRead());
+        return cannotBeInspected(what, problem, checkFileMayBeRead());
     if (kind == files::Kind::Missing)
         return fail(ErrorCode::NotFound, what, noSuchFile(),
                     ODO_TEXT("files.check_name", "check the name and the folder"));

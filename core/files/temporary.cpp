@@ -90,8 +90,7 @@ tl::unexpected<Error> cannotMake(const std::filesystem::path &folder, const Mess
     if (!files::isFolder(folder))
         return fail(ErrorCode::NotFound, what, noSuchFolder(folder), makeFolderFirst());
     if (isDiskFull(reason))
-        return fail(ErrorCode::Io, what, ODO_TEXT("files.disk_is_full", "the disk is full"),
-                    makeRoomOnDisk());
+        return fail(ErrorCode::Io, what, ODO_TEXT("files.disk_is_full", "the disk is full"), freeDiskSpace());
     return fail(ErrorCode::ReadOnly, what,
                 ODO_TEXT("files.folder_not_writable", "the folder '%1' cannot be written to (%2)")(
                     Named::file(folder), foreignWords(reason.message())),
@@ -165,7 +164,7 @@ tl::unexpected<Error> TemporaryFile::failure(const std::error_code &reason) cons
 {
     if (reason == std::errc::file_exists)
         return fail(ErrorCode::AlreadyExists, m_what, isThereAlready(), chooseAnotherNameOrFolder());
-    return fail(ErrorCode::Io, m_what, cannotBeWritten(reason.message()), chooseFolderWithRoom());
+    return fail(ErrorCode::Io, m_what, cannotBeWritten(reason.message()), chooseFolderWithSpace());
 }
 
 Result<void> TemporaryFile::sync() const

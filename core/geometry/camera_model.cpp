@@ -278,7 +278,7 @@ std::optional<Vector2d> CameraModel::projectFisheye(const Vector3d &point,
     return Vector2d(centre + focal.cwiseProduct(bent * outward));
 }
 
-PixelByLens CameraModel::pixelByLens(const Vector3d &pointInCamera) const
+PixelByIntrinsics CameraModel::pixelByIntrinsics(const Vector3d &pointInCamera) const
 {
     const auto coefficients = static_cast<Eigen::Index>(m_intrinsics.distortion.size());
     const Vector2d focal(m_intrinsics.fxPx, m_intrinsics.fyPx);
@@ -299,7 +299,7 @@ PixelByLens CameraModel::pixelByLens(const Vector3d &pointInCamera) const
         bent = distort(m_coefficients, ideal, unused);
         byCoefficients = distortedByCoefficients(m_coefficients, ideal);
     }
-    PixelByLens by(2, 4 + coefficients);
+    PixelByIntrinsics by(2, 4 + coefficients);
     by.leftCols<4>() << bent.x(), 0, 1, 0, 0, bent.y(), 0, 1;
     by.rightCols(coefficients) = focal.asDiagonal() * byCoefficients.leftCols(coefficients);
     return by;

@@ -29,7 +29,7 @@ struct Intrinsics
 };
 
 /// Derivative of a pixel by the values of a lens, a column each of (fx, fy, cx, cy, distortion...).
-using PixelByLens = Eigen::Matrix<double, 2, Eigen::Dynamic, Eigen::ColMajor, 2, 12>;
+using PixelByIntrinsics = Eigen::Matrix<double, 2, Eigen::Dynamic, Eigen::ColMajor, 2, 12>;
 
 /// Maps between pixels and viewing directions of one camera, with lens distortion.
 /// Camera frame: x right, y down, z forward. Immutable, safe to share between threads.
@@ -54,7 +54,7 @@ public:
 
     /// Derivative of project's pixel by the lens (2 × (4 + the number of coefficients)); to be asked only for
     /// points that project() has a pixel for.
-    PixelByLens pixelByLens(const Eigen::Vector3d &pointInCamera) const;
+    PixelByIntrinsics pixelByIntrinsics(const Eigen::Vector3d &pointInCamera) const;
 
     /// Direction (x, y, 1) in the camera frame seen by a pixel; for a fisheye beyond 90° (x, y, z) with unit
     /// norm. nullopt where the inversion does not converge (Newton, to 1e-12).

@@ -38,23 +38,23 @@ Eigen::Matrix3d crossMatrix(const Vector3d &v)
 
 /// Of (pose, lens), where the pose follows the lens.
 Eigen::MatrixXd jointCovariance(const Eigen::Matrix<double, 6, 6> &pose, const Eigen::MatrixXd &lens,
-                                const PoseByLens &poseByLens)
+                                const PoseByIntrinsics &poseByIntrinsics)
 {
-    if (lens.size() == 0 || poseByLens.cols() != lens.rows() || !poseByLens.allFinite())
+    if (lens.size() == 0 || poseByIntrinsics.cols() != lens.rows() || !poseByIntrinsics.allFinite())
         return pose;
     Eigen::MatrixXd joint(6 + lens.rows(), 6 + lens.rows());
-    const Eigen::MatrixXd together = poseByLens * lens;
-    joint << pose + together * poseByLens.transpose(), together, together.transpose(), lens;
+    const Eigen::MatrixXd together = poseByIntrinsics * lens;
+    joint << pose + together * poseByIntrinsics.transpose(), together, together.transpose(), lens;
     return joint;
 }
 
 } // namespace
 
 FloorView::FloorView(CameraModel camera, RigidTransform worldFromCamera,
-                     Eigen::Matrix<double, 6, 6> poseCovariance, const PoseByLens &poseByLens)
+                     Eigen::Matrix<double, 6, 6> poseCovariance, const PoseByIntrinsics &poseByIntrinsics)
     : m_camera(std::move(camera)), m_worldFromCamera(std::move(worldFromCamera)),
       m_cameraFromWorld(m_worldFromCamera.inverse()), m_poseCovariance(std::move(poseCovariance)),
-      m_jointCovariance(jointCovariance(m_poseCovariance, m_camera.intrinsics().covariance, poseByLens))
+      m_jointCovariance(jointCovariance(m_poseCovariance, m_camera.intrinsics().covariance, poseByIntrinsics))
 {
 }
 
@@ -89,8 +89,9 @@ std::optional<FloorView::Slopes> FloorView::slopesAt(const Vector3d &point) cons
     slopes.pixelByJoint.resize(2, m_jointCovariance.rows());
     slopes.pixelByJoint.leftCols<3>() = slopes.pixelByWorld * crossMatrix(fromCamera);
     slopes.pixelByJoint.middleCols<3>(3) = -slopes.pixelByWorld;
-    if (hasLensPart())
-        slopes.pixelByJoint.rightCols(slopes.pixelByJoint.cols() - 6) = m_camera.pixelByLens(pointInCamera);
+    if (hasIntrinsicsPart())
+        slopes.pixelByJoint.rightCols(slopes.pixelByJoint.cols() - 6) =
+            m_camera.pixelByIntrinsics(pointInCamera);
     return slopes;
 }
 

@@ -35,14 +35,14 @@ struct FloorPosition
 
 /// Derivative of a camera's fitted pose by the lens that it was fitted with: rows as FloorView's
 /// poseCovariance, a column each of (fx, fy, cx, cy, distortion...).
-using PoseByLens = Eigen::Matrix<double, 6, Eigen::Dynamic>;
+using PoseByIntrinsics = Eigen::Matrix<double, 6, Eigen::Dynamic>;
 
 /// One camera registered to the floor: its intrinsics, its pose, and the covariance of both.
 ///
 /// Whoever fits a pose with a wrong lens gets a wrong pose, and on the floor between the markers the two
 /// errors cancel in part. So the errors of pose p and lens l are treated jointly, δp = ε + G·δl with ε of
-/// poseCovariance and G = poseByLens: cov(p) = P + GΣGᵀ, cov(p, l) = GΣ, cov(l) = Σ, and a floor point has
-/// P_x + KΣKᵀ with K = (dx/dp)·G + dx/dl (first order; the usual elimination of nuisance parameters).
+/// poseCovariance and G = poseByIntrinsics: cov(p) = P + GΣGᵀ, cov(p, l) = GΣ, cov(l) = Σ, and a floor point
+/// has P_x + KΣKᵀ with K = (dx/dp)·G + dx/dl (first order; the usual elimination of nuisance parameters).
 ///
 /// World: X along O→U, Y towards V, Z up, right-handed, floor at z = 0. Immutable, safe to share between
 /// threads.
@@ -51,11 +51,11 @@ class FloorView
 public:
     /// poseCovariance: 6×6 of (rotation vector of a left-applied perturbation of the camera's axes, in
     /// radians, in the world frame; then camera position, in metres, in the world frame); zero where unknown.
-    /// It is what the pose would have if the lens were exact. poseByLens (6 × (4 + the number of
+    /// It is what the pose would have if the lens were exact. poseByIntrinsics (6 × (4 + the number of
     /// coefficients)): how the pose follows the lens. Without it, or without a covariance in the camera's
     /// intrinsics, they count as exact.
     FloorView(CameraModel camera, RigidTransform worldFromCamera, Eigen::Matrix<double, 6, 6> poseCovariance,
-              const PoseByLens &poseByLens = PoseByLens(6, 0));
+              const PoseByIntrinsics &poseByIntrinsics = PoseByIntrinsics(6, 0));
 
     const CameraModel &camera() const { return m_camera; }
     const RigidTransform &worldFromCamera() const { return m_worldFromCamera; }
@@ -68,7 +68,7 @@ public:
     std::optional<Eigen::Vector2d> floorFromPixel(const Eigen::Vector2d &pixel, double heightM) const;
 
     /// How the errors of the lens reach the floor is known.
-    bool hasLensPart() const { return m_jointCovariance.rows() > 6; }
+    bool hasIntrinsicsPart() const { return m_jointCovariance.rows() > 6; }
 
     /// As floorFromPixel, with covariances propagated to first order.
     std::optional<FloorPosition> locate(const Eigen::Vector2d &pixel, const Eigen::Matrix2d &pixelCovariance,

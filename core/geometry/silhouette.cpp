@@ -120,11 +120,11 @@ void addCorners(const SolidLevel &level, double roundShare, std::vector<Vector2d
     }
 }
 
-bool addPixels(const FloorView &view, const std::vector<Vector2d> &places, double heightM,
+bool addPixels(const FloorView &view, const std::vector<Vector2d> &positions, double heightM,
                std::vector<Vector2d> &pixels)
 {
-    for (const Vector2d &place : places) {
-        const auto pixel = view.pixelFromWorld({place.x(), place.y(), heightM});
+    for (const Vector2d &position : positions) {
+        const auto pixel = view.pixelFromWorld({position.x(), position.y(), heightM});
         if (!pixel)
             return false;
         pixels.push_back(*pixel);
@@ -175,7 +175,7 @@ SolidShape asLevels(SolidShape shape)
     return shape;
 }
 
-SolidShape movedPlace(SolidShape levels, const Vector2d &shiftM)
+SolidShape shiftedPosition(SolidShape levels, const Vector2d &shiftM)
 {
     for (SolidLevel &level : levels.levels) {
         level.frontM -= shiftM.x();
@@ -252,10 +252,10 @@ std::vector<float> supportOf(const std::vector<Eigen::Vector2d> &points, const E
 }
 
 bool isWithinSupport(const std::vector<float> &support, const Eigen::Vector2d &about,
-                     const Eigen::Vector2d &place, double beyondPx)
+                     const Eigen::Vector2d &position, double beyondPx)
 {
     for (std::size_t k = 0; k < support.size(); ++k)
-        if (supportDirection(k).dot(place - about) > double(support[k]) + beyondPx)
+        if (supportDirection(k).dot(position - about) > double(support[k]) + beyondPx)
             return false;
     return true;
 }

@@ -49,7 +49,8 @@ struct SolidShape
     /// along and across the heading, of all of it; of a cylinder both are the diameter
     double lengthM = 0, widthM = 0;
     double baseM = 0, topM = 0; ///< above the floor
-    /// of Form::Levels, from below; the middle of what they cover is the position, unless movedPlace moved it
+    /// of Form::Levels, from below; the middle of what they cover is the position, unless shiftedPosition
+    /// moved it
     std::array<SolidLevel, 3> levels = {};
     /// of Form::Levels: radius of their corners against half of their shorter side, 0 to 1
     double roundShare = 0;
@@ -58,7 +59,7 @@ struct SolidShape
 /// The same solid as one of levels.
 SolidShape asLevels(SolidShape shape);
 /// A solid of levels with its reference point moved so far forward and left. Metres.
-SolidShape movedPlace(SolidShape levels, const Eigen::Vector2d &shiftM);
+SolidShape shiftedPosition(SolidShape levels, const Eigen::Vector2d &shiftM);
 
 /// What a view sees of the solid with its footprint's centre at a floor position, its length turned by
 /// headingRad from the world's X: the moments of the outline that its projected edges enclose (for a convex
@@ -84,7 +85,7 @@ std::vector<float> supportOf(const std::vector<Eigen::Vector2d> &points, const E
 
 /// Whether a point is within all support lines, or at most so far beyond one. Pure.
 bool isWithinSupport(const std::vector<float> &support, const Eigen::Vector2d &about,
-                     const Eigen::Vector2d &place, double beyondPx = 0);
+                     const Eigen::Vector2d &position, double beyondPx = 0);
 
 /// The polygon that a support function bounds: the points p with n·(p − about) ≤ support in every direction.
 /// Its corners in pixels, in the order of the directions, none twice. It contains the region's convex hull

@@ -115,7 +115,7 @@ Result<std::vector<TeamRecord>> readTeams(const ProjectConnection &connection, c
                                           const RecordId *id)
 {
     std::vector<TeamRecord> teams;
-    std::unordered_map<RecordId, std::size_t> placeOf;
+    std::unordered_map<RecordId, std::size_t> positionOf;
     const auto read = [&](const QString &sql, const char *order, const auto &take) {
         Statement select(connection, sql + QLatin1String(condition) + QLatin1String(order));
         if (id)
@@ -126,11 +126,11 @@ Result<std::vector<TeamRecord>> readTeams(const ProjectConnection &connection, c
         });
     };
     const auto teamOf = [&](const Statement &row) -> TeamRecord * {
-        const auto place = placeOf.find(row.integer(0));
-        return place == placeOf.end() ? nullptr : &teams[place->second];
+        const auto location = positionOf.find(row.integer(0));
+        return location == positionOf.end() ? nullptr : &teams[location->second];
     };
     auto done = read(teamColumns, " ORDER BY team.id", [&](const Statement &row) {
-        placeOf.emplace(row.integer(0), teams.size());
+        positionOf.emplace(row.integer(0), teams.size());
         teams.push_back({row.integer(0), row.name(1), row.name(2), row.name(3)});
     });
     if (done)

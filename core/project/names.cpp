@@ -70,7 +70,7 @@ Message hasCharacters(qsizetype count)
     return ODO_TEXT("project.has_characters", "it has %1 characters")(count);
 }
 
-Message typeNameAnew()
+Message retypeName()
 {
     return ODO_TEXT("project.type_name_anew", "type the name again");
 }
@@ -83,7 +83,7 @@ Result<void> checkNamed(const Message &what, const std::string &name, const Mess
     };
     const std::optional<QString> text = decode(name);
     if (!text)
-        return refuse(isNotUtf8(), typeNameAnew());
+        return refuse(isNotUtf8(), retypeName());
     const QList<uint> characters = text->toUcs4();
     if (characters.size() > maxNameLength)
         return refuse(hasCharacters(characters.size()), useAtMost(maxNameLength));
@@ -95,7 +95,7 @@ Result<void> checkNamed(const Message &what, const std::string &name, const Mess
         return refuse(
             ODO_TEXT("project.holds_invisible", "it holds an invisible character, %1")(
                 QStringLiteral("U+%1").arg(*hidden, 4, 16, QLatin1Char('0')).toUpper().toStdString()),
-            typeNameAnew());
+            retypeName());
     if (std::ranges::none_of(characters, isSeen))
         return refuse(ODO_TEXT("project.name_empty", "it is empty"), ifEmpty);
     return {};
@@ -130,7 +130,7 @@ Message wordOf(RecordKind kind)
         return ODO_TEXT("project.kind_gate", "gate");
     case RecordKind::Zone:
         return ODO_TEXT("project.kind_zone", "zone");
-    case RecordKind::Figure:
+    case RecordKind::Metric:
         return ODO_TEXT("project.kind_figure", "metric");
     case RecordKind::Tag:
         return ODO_TEXT("project.kind_tag", "tag");
@@ -138,7 +138,7 @@ Message wordOf(RecordKind kind)
         return ODO_TEXT("project.kind_calibration", "calibration");
     case RecordKind::Registration:
         return ODO_TEXT("project.kind_registration", "registration");
-    case RecordKind::Lens:
+    case RecordKind::Intrinsics:
         return ODO_TEXT("project.kind_lens", "lens calibration");
     }
     return {};

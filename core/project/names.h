@@ -32,11 +32,11 @@ enum class RecordKind {
     Track,
     Gate,
     Zone,
-    Figure,
+    Metric,
     Tag,
     Calibration,
     Registration,
-    Lens,
+    Intrinsics,
 };
 
 /// A name as it is stored and compared: composed (NFC), without blanks around it.

@@ -13,7 +13,7 @@ namespace odo {
 
 namespace {
 
-std::filesystem::path placeFolder(const std::filesystem::path &file)
+std::filesystem::path locationFolder(const std::filesystem::path &file)
 {
     return file.has_parent_path() ? file.parent_path() : std::filesystem::path(".");
 }
@@ -43,7 +43,7 @@ Result<void> NewFile::prepare()
 {
     std::error_code problem;
     static_cast<void>(files::kindOf(m_target, problem));
-    const std::filesystem::path folder = placeFolder(m_target);
+    const std::filesystem::path folder = locationFolder(m_target);
     if (m_target.filename().empty())
         return fail(ErrorCode::InvalidInput, m_what, ODO_TEXT("project.no_file_name", "it has no file name"),
                     ODO_TEXT("project.give_file_a_name", "give the file a name"));
@@ -65,7 +65,7 @@ Result<void> NewFile::publish()
     if (const std::error_code problem = giveFreeName(m_temporary, m_target))
         return problem == std::errc::file_exists ? alreadyThere() : ioError(problem);
     // some file systems cannot sync a folder: the file itself is safe already
-    syncToDisk(placeFolder(m_target));
+    syncToDisk(locationFolder(m_target));
     return {};
 }
 

@@ -305,9 +305,9 @@ bool Project::isOverwritten() const
     return m_impl->connection->isOverwritten();
 }
 
-std::optional<std::filesystem::path> Project::presentPlace() const
+std::optional<std::filesystem::path> Project::currentLocation() const
 {
-    return m_impl->connection->presentPlace();
+    return m_impl->connection->currentLocation();
 }
 
 Result<ProjectState> Project::state() const

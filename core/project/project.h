@@ -119,7 +119,7 @@ public:
     /// while somebody writes to it as this program does.
     bool isOverwritten() const;
     /// Where the file is now that was opened; nothing where it was deleted.
-    std::optional<std::filesystem::path> presentPlace() const;
+    std::optional<std::filesystem::path> currentLocation() const;
     /// Shows whether anything was changed since.
     Result<ProjectState> state() const;
     /// Writes what the log holds into the project file, without waiting for those who read: a copy of the

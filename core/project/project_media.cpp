@@ -22,15 +22,15 @@ namespace odo {
 
 namespace {
 
-Result<void> addPictures(Project &project, RecordId camera, ReferredFiles &files)
+Result<void> addImages(Project &project, RecordId camera, ReferredFiles &files)
 {
     const auto lenses = ODO_TRY(project.cameras().allIntrinsics(camera));
     for (const IntrinsicsRecord &lens : lenses)
-        for (const StoredPicture &picture : lens.files)
-            files.add(project.file(), picture.path);
+        for (const StoredImage &image : lens.files)
+            files.add(project.file(), image.path);
     const auto registrations = ODO_TRY(project.cameras().allRegistrations(camera));
     for (const RegistrationRecord &registration : registrations)
-        files.add(project.file(), registration.picture.path);
+        files.add(project.file(), registration.image.path);
     return {};
 }
 
@@ -41,7 +41,7 @@ Result<void> addAllOf(Project &project, ReferredFiles &files)
         files.add(project.file(), recording.path);
     const auto cameras = ODO_TRY(project.cameras().all());
     for (const CameraRecord &camera : cameras)
-        ODO_TRY(addPictures(project, camera.id, files));
+        ODO_TRY(addImages(project, camera.id, files));
     return {};
 }
 
@@ -106,7 +106,7 @@ Result<ReferredFiles> filesUsedBeside(const std::filesystem::path &project)
         const auto other = Project::openAgain(beside, Project::Access::ReadOnly);
         const Result<void> added = other ? addAllOf(**other, files) : tl::unexpected(other.error());
         if (!added)
-            return fail(added.error().code, lookForStrays(),
+            return fail(added.error().code, findStrayFiles(),
                         ODO_TEXT("project.may_be_used_beside",
                                  "project '%1' beside it may use them, and cannot be read (%2)")(
                             Named::file(beside.filename()), added.error().why),
@@ -206,7 +206,7 @@ Result<std::vector<std::filesystem::path>> unusedFiles(Project &project)
     std::error_code problem;
     addAllBelow(media, files, problem);
     if (problem && problem != std::errc::no_such_file_or_directory)
-        return cannotLookIn(media, problem);
+        return cannotSearch(media, problem);
     // Who adds a trial holds its files until it is in the project: checked in this order, none of them is
     // mistaken for a stray one.
     std::erase_if(files, [&](const std::filesystem::path &file) {

@@ -215,7 +215,7 @@ std::vector<std::filesystem::path> foldersFor(const Project &project)
             folders.push_back(folder);
     };
     add(files::absolute(project.file()).parent_path());
-    if (const auto now = project.presentPlace())
+    if (const auto now = project.currentLocation())
         add(now->parent_path());
     add(homeFolder());
     return folders;
@@ -231,7 +231,7 @@ Result<std::filesystem::path> rescueProject(const Project &project)
     Result<void> done = fail(ErrorCode::NotFound, what,
                              ODO_TEXT("project.no_place_to_rescue_to",
                                       "its folder is gone, and no home folder exists to rescue it to"),
-                             putFileBack());
+                             returnFile());
     for (const std::filesystem::path &folder : foldersFor(project)) {
         for (int number = 1; number <= mostNames; ++number) {
             const std::string ending =

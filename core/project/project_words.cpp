@@ -23,12 +23,12 @@ Message redoSubject()
     return ODO_TEXT("project.redo", "redo");
 }
 
-Message lookForStrays()
+Message findStrayFiles()
 {
     return ODO_TEXT("project.look_for_strays", "find stray files");
 }
 
-Message lookIn(const std::filesystem::path &folder)
+Message searchIn(const std::filesystem::path &folder)
 {
     return ODO_TEXT("project.look_in", "search '%1'")(Named::file(folder));
 }
@@ -48,10 +48,10 @@ Message readingFile(const std::filesystem::path &file)
     return ODO_TEXT("project.reading", "reading %1")(Named::file(file.filename()));
 }
 
-tl::unexpected<Error> cannotLookIn(const std::filesystem::path &folder, const std::error_code &problem)
+tl::unexpected<Error> cannotSearch(const std::filesystem::path &folder, const std::error_code &problem)
 {
     return fail(
-        ErrorCode::Io, lookIn(folder), foreignWords(problem.message()),
+        ErrorCode::Io, searchIn(folder), foreignWords(problem.message()),
         ODO_TEXT("project.check_folder_is_there", "check that the folder exists and that you may read it"));
 }
 
@@ -77,7 +77,7 @@ Message endRecordingFirst()
     return ODO_TEXT("project.end_recording_first", "end its recording first");
 }
 
-Message putBackAndOpenAgain()
+Message restoreAndReopen()
 {
     return ODO_TEXT("project.put_back_and_open",
                     "put the file back in its place, and open the project again");

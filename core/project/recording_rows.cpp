@@ -295,13 +295,13 @@ Result<TrialRecord> TrialRepository::begin(const TrialRecord &trial,
 
 Result<void> TrialRepository::appendRawTimes(RecordId recording, const RecordedTimes &times)
 {
-    if (times.pictures.empty() && times.readings.empty())
+    if (times.frames.empty() && times.readings.empty())
         return {};
     Statement insert(
         m_connection,
         QStringLiteral(
             "INSERT INTO raw_time_chunk SELECT ?, COUNT(*), ?, ? FROM raw_time_chunk WHERE recording_id=?"));
-    insert.bind(recording).bind(packRawTimes(times.pictures)).bind(packClockReadings(times.readings));
+    insert.bind(recording).bind(packRawTimes(times.frames)).bind(packClockReadings(times.readings));
     return insert.bind(recording).run();
 }
 
@@ -314,7 +314,7 @@ Result<RecordedTimes> TrialRepository::rawTimes(RecordId recording) const
         QStringLiteral(
             "SELECT pictures, readings FROM raw_time_chunk WHERE recording_id=? ORDER BY position"));
     auto read = select.bind(recording).eachRow([&](const Statement &row) -> Result<void> {
-        ODO_TRY(unpackRawTimes(row.blob(0), what, times.pictures));
+        ODO_TRY(unpackRawTimes(row.blob(0), what, times.frames));
         return unpackClockReadings(row.blob(1), what, times.readings);
     });
     if (!read)

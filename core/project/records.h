@@ -32,7 +32,7 @@ struct CameraRecord
 };
 
 /// An image of a calibration or of a registration, in the project's media folder.
-struct StoredPicture
+struct StoredImage
 {
     std::string path; ///< as a recording's; empty: it was not kept
     std::string sha256;
@@ -47,21 +47,21 @@ struct IntrinsicsRecord
     Instant made;
     Message origin; ///< "calibrated from 14 images", "imported from A.yaml"
     /// For an import: rmsPx 0 and no images. What follows from the rest is not stored: onFloor
-    /// (expectedOnFloor gives it), halvesApart, lensTrials. With its images' corners it can be recomputed
+    /// (expectedOnFloor gives it), halvesApart, modelTrials. With its images' corners it can be recomputed
     /// (recalibrate); those of projects before format 5 have none.
     IntrinsicCalibration calibration;
-    BoardSpec board;                  ///< as it was found out; 0 columns: not known
-    std::string softwareVersion;      ///< that made it; empty: not known
-    std::vector<StoredPicture> files; ///< one for each of calibration.pictures, or none at all
+    BoardSpec board;                ///< as it was found out; 0 columns: not known
+    std::string softwareVersion;    ///< that made it; empty: not known
+    std::vector<StoredImage> files; ///< one for each of calibration.pictures, or none at all
 };
 
 /// A check of the camera position, by the camera's markers in a newer image.
 struct RegistrationCheck
 {
     Instant made;
-    /// NotTold: too few markers were found again.
-    enum class Outcome { Still, CameraMoved, MarkersMoved, NotTold } outcome = Outcome::Still;
-    double shiftPx = 0, shiftM = 0; ///< as MovedCheck
+    /// Undetermined: too few markers were found again.
+    enum class Outcome { Still, CameraMoved, MarkersMoved, Undetermined } outcome = Outcome::Still;
+    double shiftPx = 0, shiftM = 0; ///< as CameraPositionCheck
     Message words;
 };
 
@@ -77,7 +77,7 @@ struct RegistrationRecord
     std::vector<MarkerPixel> pixels;
     FloorRegistration registration;
     std::string softwareVersion;                ///< that made it; empty: not known
-    StoredPicture picture;                      ///< in which the markers were seen
+    StoredImage image;                          ///< in which the markers were seen
     std::optional<RegistrationCheck> lastCheck; ///< read only; added by addCheck
 };
 
@@ -96,7 +96,7 @@ struct RobotRecord
     RecordId id = 0;
     std::string name;
     std::optional<RgbColour> colour; ///< by which it is tracked; none: by background subtraction
-    enum class Height { Told, Automatic, Free } heightMode = Height::Automatic;
+    enum class Height { Given, Automatic, Free } heightMode = Height::Automatic;
     std::optional<double> heightM; ///< when the mode is Told
     std::optional<double> lengthM, widthM;
     DrawingColour drawingColour = DrawingColour::Automatic;
@@ -217,7 +217,7 @@ struct ImportedTrack
 
 /// An interval in which it is ambiguous which of several robots of the same appearance a robot is:
 /// it may be another one from then on.
-struct DoubtfulName
+struct AmbiguousName
 {
     Nanoseconds from{0}, to{0};          ///< of the trial, from not after to
     std::vector<RecordId> others;        ///< that it may be; empty where that is not known
@@ -249,14 +249,14 @@ struct AnalysisRecord
     std::vector<std::string> views;      ///< names of the views, bit i of Sample::views
     Profile profile;
     /// in order; found as the observations were made, so a reanalysis keeps them
-    std::vector<DoubtfulName> doubtfulNames;
+    std::vector<AmbiguousName> ambiguousNames;
     /// Read only: whether positions and metrics are as they were when it was made. NotKept: it is older than
     /// digests.
     enum class Proof { NotKept, Holds, Broken } proof = Proof::NotKept;
 };
 
 /// One metric of a trial's newest analysis.
-struct TrialFigure
+struct TrialMetric
 {
     RecordId trial = 0, robot = 0;
     Metric metric;

@@ -63,7 +63,7 @@ public:
     Result<LayoutRecord> find(const std::string &name) const;
     Result<LayoutRecord> get(RecordId id) const;
     /// Moves the markers; the labels and their order must be the stored ones.
-    Result<void> setPlaces(const LayoutRecord &layout);
+    Result<void> setPoints(const LayoutRecord &layout);
 
 private:
     ProjectConnection &m_connection;
@@ -216,9 +216,10 @@ public:
     Result<void> addObservations(const ObservationSeries &series);
     Result<std::optional<ObservationSeries>> currentObservations(RecordId recording, RecordId robot) const;
     /// Manual overrides of samples of a robot; replaces the previous ones. At most one a frame.
-    Result<void> setOverrules(RecordId trial, RecordId robot, const std::vector<Overrule> &overrules);
+    Result<void> setManualOverrides(RecordId trial, RecordId robot,
+                                    const std::vector<ManualOverride> &overrides);
     /// In order of the frames.
-    Result<std::vector<Overrule>> overrules(RecordId trial, RecordId robot) const;
+    Result<std::vector<ManualOverride>> overrides(RecordId trial, RecordId robot) const;
     /// Where a person marked robots in the frames of a trial; replaces the previous marks. At most
     /// one a robot and recording.
     Result<void> setPointedOut(RecordId trial, const std::vector<PointedOutRobot> &robots);
@@ -239,7 +240,7 @@ private:
 };
 
 /// A robot's run in a trial of a task that is scored.
-struct ScoredFigures
+struct ScoredMetrics
 {
     RecordId trial = 0, robot = 0, task = 0; ///< the task that the trial has
     bool isByTask = false; ///< its newest analysis was measured by it, or the task has no course (hasCourse)
@@ -265,16 +266,16 @@ public:
     /// stored.
     Result<std::vector<AnalysisRecord>> current(RecordId trial) const;
     /// When it was ambiguous which robot an analysis is of, in order.
-    Result<std::vector<DoubtfulName>> doubtfulNames(RecordId analysis) const;
+    Result<std::vector<AmbiguousName>> ambiguousNames(RecordId analysis) const;
     /// Metrics alone, for lists: the newest of each robot, cheap.
     Result<std::vector<AnalysisRecord>> currentMetrics(RecordId trial) const;
     /// One metric of the newest analysis of each robot, of the trials from one moment to another (both belong
     /// to them), by its name.
-    Result<std::vector<TrialFigure>> figures(const std::string &metric, Instant from, Instant to) const;
+    Result<std::vector<TrialMetric>> trialMetrics(const std::string &metric, Instant from, Instant to) const;
     /// What runs of scored tasks are scored by, of the newest analysis of each robot, of the trials from one
     /// moment to another (both belong to them): the metrics that the scoring names, and the counts of
     /// scoringMetrics().
-    Result<std::vector<ScoredFigures>> scoredFigures(Instant from, Instant to) const;
+    Result<std::vector<ScoredMetrics>> scoredMetrics(Instant from, Instant to) const;
     /// In order of their ids.
     Result<std::vector<OtherwiseMeasured>> trialsMeasuredOtherwise() const;
     /// How many of the newest analyses were made before digests were kept, so that nothing proves them.

@@ -144,7 +144,7 @@ public:
         std::uintmax_t committed = 0;
         std::vector<std::byte> block(static_cast<std::size_t>(frameBytes()));
         for (std::uintmax_t frame = 0; frame < m_frames; ++frame) {
-            if (!m_bytes->read(block, placeOf(frame)) || !isOfThisLog(block))
+            if (!m_bytes->read(block, positionOf(frame)) || !isOfThisLog(block))
                 break;
             sums.add(std::span(block).first(2 * sizeAt));
             sums.add(std::span(block).subspan(frameHeaderBytes));
@@ -160,13 +160,13 @@ private:
     explicit Log(const DatabaseBytes &bytes) : m_bytes(&bytes) {}
 
     std::uintmax_t frameBytes() const { return frameHeaderBytes + m_pageBytes; }
-    std::uintmax_t placeOf(std::uintmax_t frame) const { return logHeaderBytes + frame * frameBytes(); }
+    std::uintmax_t positionOf(std::uintmax_t frame) const { return logHeaderBytes + frame * frameBytes(); }
     /// A page with its header and its own first bytes; nullopt where it is not of this log.
     std::optional<std::array<std::byte, frameHeaderBytes + headerBytes>> readStart(std::uintmax_t frame) const
     {
         std::array<std::byte, frameHeaderBytes + headerBytes> start{};
-        return m_bytes->read(start, placeOf(frame)) && isOfThisLog(start) ? std::optional(start)
-                                                                          : std::nullopt;
+        return m_bytes->read(start, positionOf(frame)) && isOfThisLog(start) ? std::optional(start)
+                                                                             : std::nullopt;
     }
     /// The header of the database that a page of the log holds; nullopt where it holds another page.
     std::optional<Header> firstPageAt(std::uintmax_t frame) const

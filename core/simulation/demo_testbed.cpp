@@ -207,12 +207,12 @@ std::vector<SimulatedRobot> circlingRobots(const std::vector<RobotAppearance> &a
     const std::size_t count = std::min(appearances.size(), most), outside = std::min(count, onACircle);
     for (std::size_t i = 0; i < count; ++i) {
         const bool isOutside = i < outside;
-        const auto place = double(isOutside ? i : i - outside),
-                   places = double(isOutside ? outside : count - outside);
+        const auto position = double(isOutside ? i : i - outside),
+                   positions = double(isOutside ? outside : count - outside);
         const double radiusM = isOutside ? outerM : innerM;
         robots.push_back(demoRobot(std::to_string(i + 1), appearances[i],
                                    makeEllipseMotion(middle, radiusM, radiusM, periodS,
-                                                     2 * std::numbers::pi * place / places, 1.5)));
+                                                     2 * std::numbers::pi * position / positions, 1.5)));
     }
     return robots;
 }

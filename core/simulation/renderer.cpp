@@ -19,12 +19,12 @@ namespace odo {
 namespace {
 
 /// Room for the chroma filter on all sides, on even pixels.
-PixelRect dirtyRect(const PixelRect &bounds, const PixelRect &picture)
+PixelRect dirtyRect(const PixelRect &bounds, const PixelRect &image)
 {
     constexpr int margin = 4;
     const PixelRect even = {(bounds.x0 - margin) & ~1, (bounds.y0 - margin) & ~1,
                             (bounds.x1 + margin + 1) & ~1, (bounds.y1 + margin + 1) & ~1};
-    return even.clipped(picture);
+    return even.clipped(image);
 }
 
 /// Joins rectangles until no two meet.
@@ -70,7 +70,7 @@ struct SceneRenderer::Impl
         : scene(std::move(theScene)), camera(theCamera), settings(checkedCamera(scene, camera)),
           outline(settings.view.camera(), settings.view.cameraFromWorld()),
           still(paintFloor(scene.floor, settings.view)),
-          sensor(settings.sensor, outline.pictureRect().x1, outline.pictureRect().y1,
+          sensor(settings.sensor, outline.imageRect().x1, outline.imageRect().y1,
                  randomHash(scene.seed, static_cast<std::uint64_t>(camera)))
     {
         sensor.take(still);
@@ -83,10 +83,10 @@ struct SceneRenderer::Impl
             sensor.restore(rect);
         dirty.clear();
         for (const PaintedThing &thing : things)
-            dirty.push_back(dirtyRect(thing.bounds, outline.pictureRect()));
+            dirty.push_back(dirtyRect(thing.bounds, outline.imageRect()));
         dirty = disjoint(dirty);
         for (const PixelRect &rect : dirty) {
-            RgbPicture part = still.part(rect);
+            RgbImage part = still.part(rect);
             for (const PaintedThing &thing : things) {
                 if (!thing.bounds.meets(rect))
                     continue;
@@ -102,8 +102,8 @@ struct SceneRenderer::Impl
     SimulatedScene scene;
     const int camera;
     const SimulatedCamera &settings;
-    const PictureOutline outline;
-    const RgbPicture still;
+    const ImageOutline outline;
+    const RgbImage still;
     Sensor sensor;
     std::vector<PixelRect> dirty; ///< where the sensor differs from the still frame; disjoint
 };
@@ -132,11 +132,11 @@ Frame SceneRenderer::render(std::int64_t frame)
     assert(frame >= 0);
     const double timeS = frameSceneTime(d.scene, d.camera, frame);
     d.paint(thingsInExposure(d.scene, d.camera, d.outline, timeS));
-    const auto picture = static_cast<std::uint64_t>(framePicture(d.scene, d.camera, frame));
+    const auto image = static_cast<std::uint64_t>(sourceFrame(d.scene, d.camera, frame));
     const SensorModel &model = d.settings.sensor;
     const double gain =
         gainInExposure(model, timeS) * lightInExposure(d.scene.lights, model.exposureS, timeS);
-    return FrameBuffer::toFrame(d.sensor.read(gain, picture), frame, frameStamp(d.scene, d.camera, frame));
+    return FrameBuffer::toFrame(d.sensor.read(gain, image), frame, frameStamp(d.scene, d.camera, frame));
 }
 
 namespace {
@@ -184,21 +184,21 @@ class BoardPainter
 {
 public:
     BoardPainter(const CameraModel &camera, const SimulatedBoard &board)
-        : m_board(board), m_outline(camera, board.cameraFromBoard), m_picture(m_outline.pictureRect())
+        : m_board(board), m_outline(camera, board.cameraFromBoard), m_image(m_outline.imageRect())
     {
     }
 
-    RgbPicture paint()
+    RgbImage paint()
     {
-        const PixelRect rect = m_picture.rect();
+        const PixelRect rect = m_image.rect();
         for (int y = rect.y0; y < rect.y1; ++y)
-            std::fill_n(m_picture.row(y), rect.width(), wall);
+            std::fill_n(m_image.row(y), rect.width(), wall);
         PolygonLayer paper(rect);
         const double s = m_board.squareM;
         // A rim of one square of white around the outermost squares.
         addRectangle(paper, {-2 * s, -2 * s}, {(m_board.columns + 1) * s, (m_board.rows + 1) * s},
                      boardWhite);
-        paper.paintOver(m_picture);
+        paper.paintOver(m_image);
 
         PolygonLayer ink(rect);
         int marker = 0;
@@ -211,8 +211,8 @@ public:
                     addMarker(ink, corner, marker++);
             }
         }
-        ink.paintOver(m_picture);
-        return std::move(m_picture);
+        ink.paintOver(m_image);
+        return std::move(m_image);
     }
 
 private:
@@ -239,8 +239,8 @@ private:
     }
 
     const SimulatedBoard &m_board;
-    const PictureOutline m_outline;
-    RgbPicture m_picture;
+    const ImageOutline m_outline;
+    RgbImage m_image;
 };
 
 } // namespace
@@ -250,11 +250,11 @@ Frame renderBoard(const CameraModel &camera, const SimulatedBoard &board, double
 {
     assert(board.columns > 0 && board.rows > 0 && board.squareM > 0 && noiseSigma >= 0);
     assert(board.markerRatio > 0 && board.markerRatio < 1);
-    const RgbPicture picture = BoardPainter(camera, board).paint();
+    const RgbImage image = BoardPainter(camera, board).paint();
     SensorModel model;
     model.noiseSigma = noiseSigma;
-    Sensor sensor(model, picture.rect().width(), picture.rect().height(), seed);
-    sensor.take(picture);
+    Sensor sensor(model, image.rect().width(), image.rect().height(), seed);
+    sensor.take(image);
     return FrameBuffer::toFrame(sensor.read(1.0, 0), 0, Nanoseconds{0});
 }
 
@@ -284,20 +284,21 @@ RigidTransform randomPose(const CameraModel &camera, const SimulatedBoard &board
     const auto uniform = [&](double low, double high) {
         return std::uniform_real_distribution<double>(low, high)(random);
     };
-    const Intrinsics &lens = camera.intrinsics();
+    const Intrinsics &intrinsics = camera.intrinsics();
     const double boardWidthM = (board.columns + 1) * board.squareM;
     const double share = uniform(0.3, 0.7); // of the frame's width
-    const double distanceM = lens.fxPx * boardWidthM / (share * lens.widthPx);
-    const Eigen::Vector2d target(uniform(0.2, 0.8) * lens.widthPx, uniform(0.2, 0.8) * lens.heightPx);
+    const double distanceM = intrinsics.fxPx * boardWidthM / (share * intrinsics.widthPx);
+    const Eigen::Vector2d target(uniform(0.2, 0.8) * intrinsics.widthPx,
+                                 uniform(0.2, 0.8) * intrinsics.heightPx);
     const double tilt = uniform(0.2, 0.7), towards = uniform(0, 2 * std::numbers::pi);
     RigidTransform pose;
     pose.rotation = Eigen::AngleAxisd(uniform(-0.3, 0.3), Eigen::Vector3d::UnitZ()) *
                     Eigen::AngleAxisd(tilt, Eigen::Vector3d(std::cos(towards), std::sin(towards), 0));
     const Eigen::Vector3d middle((board.columns - 1) * board.squareM / 2,
                                  (board.rows - 1) * board.squareM / 2, 0);
-    const Eigen::Vector3d place((target.x() - lens.cxPx) / lens.fxPx * distanceM,
-                                (target.y() - lens.cyPx) / lens.fyPx * distanceM, distanceM);
-    pose.translation = place - pose.rotation * middle;
+    const Eigen::Vector3d position((target.x() - intrinsics.cxPx) / intrinsics.fxPx * distanceM,
+                                   (target.y() - intrinsics.cyPx) / intrinsics.fyPx * distanceM, distanceM);
+    pose.translation = position - pose.rotation * middle;
     return pose;
 }
 

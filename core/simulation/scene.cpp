@@ -81,19 +81,19 @@ std::int64_t frameCount(const SimulatedScene &scene, int camera)
     return taken - (std::lower_bound(dropped.begin(), dropped.end(), taken) - dropped.begin());
 }
 
-std::int64_t framePicture(const SimulatedScene &scene, int camera, std::int64_t frame)
+std::int64_t sourceFrame(const SimulatedScene &scene, int camera, std::int64_t frame)
 {
     const SimulatedCamera &cam = cameraOf(scene, camera);
-    std::int64_t picture = takenIndex(cam, frame);
-    while (picture > 0 && contains(cam.sensor.doubledFrames, picture))
-        --picture;
-    return picture;
+    std::int64_t source = takenIndex(cam, frame);
+    while (source > 0 && contains(cam.sensor.doubledFrames, source))
+        --source;
+    return source;
 }
 
 double frameSceneTime(const SimulatedScene &scene, int camera, std::int64_t frame)
 {
     const SimulatedCamera &cam = cameraOf(scene, camera);
-    const double clockS = clockOfTakenS(scene, camera, framePicture(scene, camera, frame));
+    const double clockS = clockOfTakenS(scene, camera, sourceFrame(scene, camera, frame));
     return cam.startOffsetS + sceneSeconds(cam, clockS);
 }
 

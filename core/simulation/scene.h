@@ -124,7 +124,7 @@ struct SimulatedCamera
 
 /// What is at a marker's position: a tag (numbered in the layout's order), a black ring with a hole of half
 /// its diameter, or a black disc.
-enum class MarkerFigure { Tag, Ring, Dot };
+enum class MarkerShape { Tag, Ring, Dot };
 
 /// The floor: a texture of tiles and grain that is the same for a seed, with markers where a layout
 /// says.
@@ -142,7 +142,7 @@ struct SimulatedFloor
     std::vector<FloorPatch> patches;
     double shadowStrength = 0.35; ///< of the soft shadow where a robot meets the floor; 0: none
     double gloss = 0;             ///< how strong the mirror images in it are; 1: a mirror
-    MarkerFigure markerFigure = MarkerFigure::Tag;
+    MarkerShape markerShape = MarkerShape::Tag;
 };
 
 /// A whole simulated testbed with known truth. Rendering is deterministic for a seed, whatever the order of
@@ -166,7 +166,7 @@ struct SimulatedScene
 std::int64_t frameCount(const SimulatedScene &scene, int camera);
 /// Number, among the frames the camera took (delivered or not), of the frame that delivered frame i shows;
 /// a doubled frame shows the one taken before it.
-std::int64_t framePicture(const SimulatedScene &scene, int camera, std::int64_t frame);
+std::int64_t sourceFrame(const SimulatedScene &scene, int camera, std::int64_t frame);
 /// Scene time of the middle of the exposure of the frame that delivered frame i shows.
 double frameSceneTime(const SimulatedScene &scene, int camera, std::int64_t frame);
 /// The time stamp that the camera gives it (its own, drifting clock), zero at its first frame.

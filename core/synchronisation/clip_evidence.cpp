@@ -17,8 +17,8 @@ constexpr double nearFlashSigmas = 5;
 constexpr double rarely = 0.05;              // of the frames
 constexpr double leastDisagreementS = 0.002; // less is no harm
 
-std::optional<Eigen::Vector2d> placeSeen(const FloorView &view, const Observation &observation,
-                                         double heightM)
+std::optional<Eigen::Vector2d> positionSeen(const FloorView &view, const Observation &observation,
+                                            double heightM)
 {
     if (!observation.found || observation.score < leastEvidenceScore || observation.touchesBorder)
         return std::nullopt;
@@ -29,7 +29,7 @@ std::optional<Eigen::Vector2d> placeSeen(const FloorView &view, const Observatio
 struct GroupSight
 {
     double timeS = 0;
-    std::vector<Eigen::Vector2d> places;
+    std::vector<Eigen::Vector2d> positions;
 };
 
 /// The observations of a view are of equal frames.
@@ -43,9 +43,9 @@ std::vector<GroupSight> sightsOf(const NamedView &view, const std::vector<NamedR
         GroupSight &sight = sights.emplace_back();
         sight.timeS = toSeconds(view.robots[group.front()][i].time);
         for (const std::size_t robot : group) {
-            if (const auto place =
-                    placeSeen(*view.floorView, view.robots[robot][i], robots[robot].heightM.value_or(0)))
-                sight.places.push_back(*place);
+            if (const auto position =
+                    positionSeen(*view.floorView, view.robots[robot][i], robots[robot].heightM.value_or(0)))
+                sight.positions.push_back(*position);
         }
     }
     return sights;
@@ -57,7 +57,7 @@ std::size_t robotsThere(const std::vector<std::vector<GroupSight>> &views, std::
     for (std::size_t count = most; count > 1; --count) {
         for (const std::vector<GroupSight> &sights : views) {
             const auto seen = std::count_if(sights.begin(), sights.end(), [count](const GroupSight &sight) {
-                return sight.places.size() >= count;
+                return sight.positions.size() >= count;
             });
             if (double(seen) > rarely * double(sights.size()))
                 return count;
@@ -70,11 +70,11 @@ std::vector<TimedPosition> middleTrack(const std::vector<GroupSight> &sights, st
 {
     std::vector<TimedPosition> track;
     for (const GroupSight &sight : sights) {
-        if (sight.places.size() != robotCount)
+        if (sight.positions.size() != robotCount)
             continue;
         Eigen::Vector2d sum = Eigen::Vector2d::Zero();
-        for (const Eigen::Vector2d &place : sight.places)
-            sum += place;
+        for (const Eigen::Vector2d &position : sight.positions)
+            sum += position;
         track.push_back({sight.timeS, sum / double(robotCount)});
     }
     return track;

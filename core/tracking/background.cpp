@@ -241,8 +241,8 @@ constexpr int limitedBlack = 16;
 /// The common part of two frames.
 PixelRect commonPart(const Frame &a, const Frame &b)
 {
-    const PixelRect picture{0, 0, b.y.width, b.y.height};
-    return a.validRegion.value_or(picture).clipped(b.validRegion.value_or(picture)).clipped(picture);
+    const PixelRect image{0, 0, b.y.width, b.y.height};
+    return a.validRegion.value_or(image).clipped(b.validRegion.value_or(image)).clipped(image);
 }
 
 struct Change

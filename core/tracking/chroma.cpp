@@ -80,7 +80,7 @@ ChromaRect chromaRectOf(const ChromaGrid &grid, const PixelRect &box)
 {
     const Eigen::Vector2d first = grid.fromLuma({box.x0, box.y0}),
                           end = grid.fromLuma({box.x1 - 1, box.y1 - 1});
-    const auto up = [](double place) { return static_cast<int>(std::ceil(place - 1e-9)); };
+    const auto up = [](double position) { return static_cast<int>(std::ceil(position - 1e-9)); };
     return ChromaRect{up(first.x()), up(first.y()), static_cast<int>(std::floor(end.x() + 1e-9)) + 1,
                       static_cast<int>(std::floor(end.y() + 1e-9)) + 1}
         .clippedTo(grid.bounds());

@@ -64,16 +64,16 @@ void ColourTracker::Impl::compareColours(std::size_t robot)
         // A learned colour cannot be compared with one that was only given.
         const bool learned = own.isLearned() && theirs.isLearned();
         const double overlap =
-            learned ? ownNow.overlap(theirs.density()) : own.toldDensity().overlap(theirs.toldDensity());
+            learned ? ownNow.overlap(theirs.density()) : own.givenDensity().overlap(theirs.givenDensity());
         alikes[robot * followers.size() + other] = alikes[other * followers.size() + robot] = overlap > alike;
     }
 }
 
 void ColourTracker::Impl::measureShares(TrackedFrame &frame)
 {
-    const ChromaDensity picture = frame.backgroundWithout({});
+    const ChromaDensity image = frame.backgroundWithout({});
     for (const RobotFollower &follower : followers)
-        sharesAlike.push_back(follower.model().shareAlike(picture));
+        sharesAlike.push_back(follower.model().shareAlike(image));
 }
 
 /// What the frame shows besides the robot, which fills the rectangle; and the other robots' colours.
@@ -106,10 +106,11 @@ bool ColourTracker::Impl::isTaken(const Candidate &candidate, std::size_t robot)
 /// Whether another robot is seen where this one should be.
 bool ColourTracker::Impl::isHidden(std::size_t robot, const TrackedFrame &frame) const
 {
-    const Eigen::Vector2d place = frame.grid().fromLuma(followers[robot].predictedPx(frame));
+    const Eigen::Vector2d position = frame.grid().fromLuma(followers[robot].predictedPx(frame));
     for (std::size_t other = 0; other < followers.size(); ++other) {
         if (other != robot && last[other].found &&
-            followers[other].occupied().contains(static_cast<int>(place.x()), static_cast<int>(place.y())))
+            followers[other].occupied().contains(static_cast<int>(position.x()),
+                                                 static_cast<int>(position.y())))
             return true;
     }
     return false;

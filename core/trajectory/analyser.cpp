@@ -21,7 +21,7 @@ namespace {
 // Where the height is triangulated in every frame.
 constexpr double freePlaneSigmaM = 0.002;
 // A ruler's: both of its ends are read to the nearest millimetre, 1 mm/√12 each.
-constexpr double toldHeightSigmaM = 0.00041;
+constexpr double givenHeightSigmaM = 0.00041;
 // Pixel noise alone moves the height of a frame by some millimetres.
 constexpr double leastScatterM = 0.02;
 
@@ -83,7 +83,7 @@ Result<void> checkViews(const std::vector<ViewTrack> &views)
 }
 
 /// What all views saw, projected at the robot's height.
-struct PlacedRobot
+struct PositionedRobot
 {
     std::vector<std::vector<Sighting>> views;
     double planeSigmaM = 0; ///< of the plane used
@@ -98,45 +98,46 @@ struct PlacedRobot
 std::vector<std::vector<Sighting>> lookAtPlane(const std::vector<ViewTrack> &views,
                                                const std::vector<Nanoseconds> &times, double planeM)
 {
-    auto sightings = lookFromAllViews(views, times, planeM);
-    const double scatterM = heightScatterM(lookFromAllViews(views, times, 0), planeM);
+    auto sightings = viewFromAllSides(views, times, planeM);
+    const double scatterM = heightScatterM(viewFromAllSides(views, times, 0), planeM);
     if (scatterM < leastScatterM)
         return sightings;
     for (auto &view : sightings) {
         for (Sighting &sighting : view) {
-            const Eigen::Vector2d shift = scatterM * sighting.place.displacementPerMetreHeight;
+            const Eigen::Vector2d shift = scatterM * sighting.position.displacementPerMetreHeight;
             if (sighting.seen)
-                sighting.place.calibrationCovariance += shift * shift.transpose();
+                sighting.position.calibrationCovariance += shift * shift.transpose();
         }
     }
     return sightings;
 }
 
 /// The outlines are a solid's silhouettes: each gives the floor position of that solid.
-std::optional<PlacedRobot> placeSolid(const std::vector<ViewTrack> &views,
-                                      const std::vector<Nanoseconds> &times, const RobotShape &told)
+std::optional<PositionedRobot> positionSolid(const std::vector<ViewTrack> &views,
+                                             const std::vector<Nanoseconds> &times, const RobotShape &given)
 {
-    auto solid = findSolid(views, told);
+    auto solid = findSolid(views, given);
     if (!solid)
         return std::nullopt;
-    PlacedRobot placed;
+    PositionedRobot placed;
     for (std::size_t v = 0; v < views.size(); ++v) {
         placed.views.push_back(views[v].floorView ? sightingsAt(times, solid->seen[v])
                                                   : std::vector<Sighting>(times.size()));
         solid->seen[v] = {};
     }
     const double ofTop =
-        told.heightM ? toldHeightSigmaM * middleHeightM(solid->shape) / solid->shape.topM : 0;
+        given.heightM ? givenHeightSigmaM * middleHeightM(solid->shape) / solid->shape.topM : 0;
     placed.planeSigmaM = std::hypot(ofTop, solid->sigmaMiddleM);
     placed.heightM = solid->shape.topM;
-    placed.estimated = !told.heightM;
+    placed.estimated = !given.heightM;
     placed.clearanceM = solid->shape.baseM;
     return placed;
 }
 
 /// Whole silhouettes that no solid explains show now one part of the robot and now another (it looks like the
 /// floor, or like its shadow): the position in them is hardly better known than they are large.
-void doubtUnexplained(const std::vector<ViewTrack> &views, std::vector<std::vector<Sighting>> &sightings)
+void uncertaintyUnexplained(const std::vector<ViewTrack> &views,
+                            std::vector<std::vector<Sighting>> &sightings)
 {
     constexpr double shareOfRadius = 0.7;
     for (std::size_t v = 0; v < views.size(); ++v) {
@@ -150,21 +151,22 @@ void doubtUnexplained(const std::vector<ViewTrack> &views, std::vector<std::vect
         const Eigen::Vector3d camera = views[v].floorView->cameraInWorld();
         const double focalPx = views[v].floorView->camera().intrinsics().fxPx;
         for (Sighting &sighting : sightings[v]) {
-            const Eigen::Vector2d &place = sighting.place.pointInWorld;
-            const double awayM = (camera - Eigen::Vector3d(place.x(), place.y(), 0)).norm(),
-                         doubtM = shareOfRadius * radiusPx * awayM / focalPx;
-            sighting.place.calibrationCovariance += Eigen::Matrix2d::Identity() * doubtM * doubtM;
+            const Eigen::Vector2d &position = sighting.position.pointInWorld;
+            const double awayM = (camera - Eigen::Vector3d(position.x(), position.y(), 0)).norm(),
+                         uncertaintyM = shareOfRadius * radiusPx * awayM / focalPx;
+            sighting.position.calibrationCovariance +=
+                Eigen::Matrix2d::Identity() * uncertaintyM * uncertaintyM;
         }
     }
 }
 
 /// One height for the whole run: given, or estimated from the views, or (from one view alone) unknown.
-Result<PlacedRobot> placeAtOneHeight(const std::vector<ViewTrack> &views,
-                                     const std::vector<Nanoseconds> &times, const RobotShape &shape)
+Result<PositionedRobot> positionAtOneHeight(const std::vector<ViewTrack> &views,
+                                            const std::vector<Nanoseconds> &times, const RobotShape &shape)
 {
-    const bool markTold = shape.heightM && isMarkAtTop(views, *shape.heightM);
-    if (!markTold) {
-        if (auto solid = placeSolid(views, times, shape))
+    const bool markShown = shape.heightM && isMarkAtTop(views, *shape.heightM);
+    if (!markShown) {
+        if (auto solid = positionSolid(views, times, shape))
             return std::move(*solid);
     }
     if (!shape.referenceM.isZero())
@@ -175,27 +177,28 @@ Result<PlacedRobot> placeAtOneHeight(const std::vector<ViewTrack> &views,
             ODO_TEXT("trajectory.centre_reference", "set its reference point to 0,0 and track again"));
     const PlaneChoice plane = choosePlane(views, times, shape);
     const bool known = plane.heightM > 0;
-    PlacedRobot placed{known ? lookAtPlane(views, times, plane.planeM) : lookFromAllViews(views, times, 0),
-                       plane.sigmaM,
-                       plane.heightM,
-                       plane.estimated,
-                       {}};
-    doubtUnexplained(views, placed.views);
+    PositionedRobot placed{known ? lookAtPlane(views, times, plane.planeM)
+                                 : viewFromAllSides(views, times, 0),
+                           plane.sigmaM,
+                           plane.heightM,
+                           plane.estimated,
+                           {}};
+    uncertaintyUnexplained(views, placed.views);
     return placed;
 }
 
-Result<PlacedRobot> place(const std::vector<ViewTrack> &views, const std::vector<Nanoseconds> &times,
-                          const RobotShape &shape)
+Result<PositionedRobot> position(const std::vector<ViewTrack> &views, const std::vector<Nanoseconds> &times,
+                                 const RobotShape &shape)
 {
     if (!shape.heightVaries)
-        return placeAtOneHeight(views, times, shape);
-    auto placed = freeHeight(lookFromAllViews(views, times, 0));
+        return positionAtOneHeight(views, times, shape);
+    auto placed = freeHeight(viewFromAllSides(views, times, 0));
     if (!placed)
         return fail(ErrorCode::Undetermined, cannotMeasurePath(),
                     ODO_TEXT("trajectory.seldom_together", "its height is set to be triangulated, but two "
                                                            "registered views rarely saw it at the same time"),
                     ODO_TEXT("trajectory.add_view", "add a second view, or set one height for the robot"));
-    return PlacedRobot{std::move(placed->views), freePlaneSigmaM, placed->medianHeightM, true, {}};
+    return PositionedRobot{std::move(placed->views), freePlaneSigmaM, placed->medianHeightM, true, {}};
 }
 
 double meanDisagreement(const std::vector<Sample> &samples)
@@ -261,7 +264,7 @@ Result<MeasuredRobot> measure(const std::vector<ViewTrack> &views, const RobotSh
         times.push_back(timeOf(views.front(), observation));
         frames.push_back(observation.frame);
     }
-    auto placed = ODO_TRY(place(views, times, shape));
+    auto placed = ODO_TRY(position(views, times, shape));
     FusionSettings settings;
     settings.planeSigmaM = placed.planeSigmaM;
     settings.measurement = estimateOutlineNoise(placed.views);
@@ -272,7 +275,7 @@ Result<MeasuredRobot> measure(const std::vector<ViewTrack> &views, const RobotSh
     flagContradictions(robot.track, apartM);
     chooseByMotion(robot.track, settings, options.longestBridgedGap);
     alignSingleViews(robot.track, placed.views, views);
-    applyOverrules(robot.track.samples, options.overrules);
+    applyOverrides(robot.track.samples, options.overrides);
     return robot;
 }
 
@@ -292,34 +295,35 @@ Result<Profile> analyse(const std::vector<ViewTrack> &views, const RobotShape &s
     return profile;
 }
 
-void applyOverrules(std::vector<Sample> &samples, std::span<const Overrule> overrules)
+void applyOverrides(std::vector<Sample> &samples, std::span<const ManualOverride> overrides)
 {
-    for (const Overrule &overrule : overrules) {
-        const auto sample = std::find_if(samples.begin(), samples.end(),
-                                         [&](const Sample &one) { return one.frame == overrule.frame; });
+    for (const ManualOverride &manualOverride : overrides) {
+        const auto sample = std::find_if(samples.begin(), samples.end(), [&](const Sample &one) {
+            return one.frame == manualOverride.frame;
+        });
         if (sample == samples.end() || !sample->position)
             continue;
         sample->flags |= flagBit(SampleFlag::ByHand);
-        if (overrule.isSpike)
+        if (manualOverride.isSpike)
             sample->flags |= flagBit(SampleFlag::Jump);
         else
             sample->flags &= ~rejectingFlags;
     }
 }
 
-std::vector<Overrule> withOverrule(std::vector<Overrule> overrules, Overrule added)
+std::vector<ManualOverride> withOverride(std::vector<ManualOverride> overrides, ManualOverride added)
 {
-    overrules = withoutOverrule(std::move(overrules), added.frame);
-    const auto behind = std::find_if(overrules.begin(), overrules.end(),
-                                     [&](const Overrule &one) { return one.frame > added.frame; });
-    overrules.insert(behind, added);
-    return overrules;
+    overrides = withoutOverride(std::move(overrides), added.frame);
+    const auto behind = std::find_if(overrides.begin(), overrides.end(),
+                                     [&](const ManualOverride &one) { return one.frame > added.frame; });
+    overrides.insert(behind, added);
+    return overrides;
 }
 
-std::vector<Overrule> withoutOverrule(std::vector<Overrule> overrules, std::int64_t frame)
+std::vector<ManualOverride> withoutOverride(std::vector<ManualOverride> overrides, std::int64_t frame)
 {
-    std::erase_if(overrules, [&](const Overrule &one) { return one.frame == frame; });
-    return overrules;
+    std::erase_if(overrides, [&](const ManualOverride &one) { return one.frame == frame; });
+    return overrides;
 }
 
 } // namespace odo

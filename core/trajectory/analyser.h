@@ -50,11 +50,11 @@ struct RobotShape
 };
 
 /// A manual override of one sample. The raw measurement is kept in either case.
-struct Overrule
+struct ManualOverride
 {
     std::int64_t frame = 0; ///< of the first view
     bool isSpike = false;   ///< true: it is not used; false: it is, whatever speaks against it
-    bool operator==(const Overrule &) const = default;
+    bool operator==(const ManualOverride &) const = default;
 };
 
 struct AnalysisOptions
@@ -64,7 +64,7 @@ struct AnalysisOptions
     double maxAccelMps2 = 50;
     Nanoseconds longestBridgedGap = std::chrono::milliseconds(1500);
     /// at most one a frame; for frames that are not there without effect
-    std::vector<Overrule> overrules = {};
+    std::vector<ManualOverride> overrides = {};
     std::optional<Task> task = {}; ///< its gates and path are measured (withTask)
 };
 
@@ -81,13 +81,13 @@ Result<Profile> analyse(const std::vector<ViewTrack> &views, const RobotShape &s
 /// Sets ByHand on the samples that a person has judged: with Jump where it is called a spike, without any
 /// flag that rejects where it is called valid. Samples without a position have nothing to judge and stay as
 /// they are. Whoever flags samples afterwards leaves those alone.
-void applyOverrules(std::vector<Sample> &samples, std::span<const Overrule> overrules);
+void applyOverrides(std::vector<Sample> &samples, std::span<const ManualOverride> overrides);
 
 /// The list with one more word, in place of an older one on the same frame, in order of the frames.
-std::vector<Overrule> withOverrule(std::vector<Overrule> overrules, Overrule added);
+std::vector<ManualOverride> withOverride(std::vector<ManualOverride> overrides, ManualOverride added);
 
 /// The list without any word on a frame.
-std::vector<Overrule> withoutOverrule(std::vector<Overrule> overrules, std::int64_t frame);
+std::vector<ManualOverride> withoutOverride(std::vector<ManualOverride> overrides, std::int64_t frame);
 
 /// Offset and rate of a view's own clock (zero at its first frame) against the first view's, in which all
 /// times are given.

@@ -78,12 +78,12 @@ ImportedSeries::ImportedSeries(const std::vector<ImportedPosition> &track, doubl
     const bool isStated =
         std::ranges::any_of(track, [](const ImportedPosition &one) { return one.sigmaM.has_value(); });
     m_times.reserve(track.size());
-    m_places.reserve(track.size());
+    m_positions.reserve(track.size());
     m_sigmas.reserve(isStated ? track.size() : 0);
     for (const ImportedPosition &one : track) {
         m_times.push_back(one.time);
-        m_places.push_back(one.position ? std::array{one.position->x(), one.position->y()}
-                                        : std::array{none, none});
+        m_positions.push_back(one.position ? std::array{one.position->x(), one.position->y()}
+                                           : std::array{none, none});
         if (isStated)
             m_sigmas.push_back(one.sigmaM ? std::array{one.sigmaM->x(), one.sigmaM->y()}
                                           : std::array{noiseM, noiseM});
@@ -95,11 +95,11 @@ Sample ImportedSeries::sample(std::size_t i) const
     Sample sample;
     sample.time = m_times[i];
     sample.frame = static_cast<std::int64_t>(i);
-    if (std::isnan(m_places[i][0])) {
+    if (std::isnan(m_positions[i][0])) {
         sample.flags = flagBit(SampleFlag::Lost);
         return sample;
     }
-    sample.position = Eigen::Vector2d(m_places[i][0], m_places[i][1]);
+    sample.position = Eigen::Vector2d(m_positions[i][0], m_positions[i][1]);
     const auto [x, y] = m_sigmas.empty() ? std::array{m_noiseM, m_noiseM} : m_sigmas[i];
     sample.covariance = Eigen::Vector2d(x * x, y * y).asDiagonal();
     return sample;
@@ -165,7 +165,7 @@ FusedTrack trackOf(std::vector<Sample> samples, const AnalysisOptions &options)
     FusedTrack track;
     track.evidence.resize(samples.size());
     track.samples = std::move(samples);
-    applyOverrules(track.samples, options.overrules);
+    applyOverrides(track.samples, options.overrides);
     return track;
 }
 
@@ -212,7 +212,7 @@ private:
             auto samples = ODO_TRY(m_raw.chunk(startOfStretch(stretch, m_raw.count), learntLength));
             learnt.insert(learnt.end(), samples.begin(), samples.end());
         }
-        applyOverrules(learnt, m_options.overrules);
+        applyOverrides(learnt, m_options.overrides);
         m_known = flagSpikes(learnt, m_options, importedNoise());
         return {};
     }
@@ -259,9 +259,9 @@ private:
         auto samples = ODO_TRY(m_raw.chunk(0, m_raw.count));
         for (std::size_t i = 0; i < samples.size(); ++i)
             samples[i].flags = m_profile.flags[i];
-        TaskFigures figures = measureTask(*m_options.task, samples, m_profile.points);
-        m_profile.passages = std::move(figures.passages);
-        m_profile.metrics.insert(m_profile.metrics.end(), figures.metrics.begin(), figures.metrics.end());
+        TaskMetrics metrics = measureTask(*m_options.task, samples, m_profile.points);
+        m_profile.passages = std::move(metrics.passages);
+        m_profile.metrics.insert(m_profile.metrics.end(), metrics.metrics.begin(), metrics.metrics.end());
         return {};
     }
 

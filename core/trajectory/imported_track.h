@@ -58,8 +58,8 @@ public:
 
 private:
     std::vector<Nanoseconds> m_times;
-    std::vector<std::array<double, 2>> m_places; ///< NaN: not measured
-    std::vector<std::array<double, 2>> m_sigmas; ///< as stated; empty: none is, all have the noise
+    std::vector<std::array<double, 2>> m_positions; ///< NaN: not measured
+    std::vector<std::array<double, 2>> m_sigmas;    ///< as stated; empty: none is, all have the noise
     double m_noiseM;
 };
 

@@ -122,7 +122,7 @@ LivePosition LiveTrack::positionAt(Nanoseconds time)
     m_times.push_back(time);
     m_numbers.push_back(m_next++);
     for (std::size_t v = 0; v < m_views.size(); ++v) {
-        const auto at = lookFromAllViews({newestOf(m_views[v])}, {time}, m_plane.planeM);
+        const auto at = viewFromAllSides({newestOf(m_views[v])}, {time}, m_plane.planeM);
         m_sightings[v].push_back(at.front().front());
         keepLast(m_sightings[v], keptTimes);
     }

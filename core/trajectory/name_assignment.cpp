@@ -233,7 +233,7 @@ public:
     }
 
 private:
-    std::size_t robots() const { return m_evidence.toldHueRad.size(); }
+    std::size_t robots() const { return m_evidence.givenHueRad.size(); }
 
     const NameEvidence &m_evidence;
     const std::vector<std::size_t> &m_names;
@@ -260,16 +260,16 @@ double disagreementOf(const std::vector<Lessons::Pair> &pairs, double planeM)
     return distances.empty() ? 0 : upperMedian(std::move(distances));
 }
 
-FoundNames decideNames(const NameEvidence &evidence, std::size_t views, std::optional<double> toldPlaneM)
+FoundNames decideNames(const NameEvidence &evidence, std::size_t views, std::optional<double> givenPlaneM)
 {
     NameKnowledge knowledge;
-    knowledge.planeM = toldPlaneM.value_or(usualPlaneM);
+    knowledge.planeM = givenPlaneM.value_or(usualPlaneM);
     knowledge.floorSigmaM = firstSigmaM;
     const std::vector<std::size_t> first = searchNames(evidence, views, knowledge).names;
 
     const Lessons lessons(evidence, first, views);
     const auto pairs = lessons.pairs();
-    knowledge.planeM = toldPlaneM ? *toldPlaneM : planeOf(pairs);
+    knowledge.planeM = givenPlaneM ? *givenPlaneM : planeOf(pairs);
     knowledge.floorSigmaM = secondSigmaM;
     knowledge.viewsAgree = disagreementOf(pairs, knowledge.planeM) < mostDisagreementM;
     knowledge.looks = lessons.looks();
@@ -278,8 +278,8 @@ FoundNames decideNames(const NameEvidence &evidence, std::size_t views, std::opt
 }
 
 /// Half the mean of the given heights, if all are given.
-std::optional<double> toldPlane(const std::vector<NamedRobot> &robots,
-                                const std::vector<std::size_t> &considered)
+std::optional<double> givenPlane(const std::vector<NamedRobot> &robots,
+                                 const std::vector<std::size_t> &considered)
 {
     double sum = 0;
     for (const std::size_t robot : considered) {
@@ -291,32 +291,35 @@ std::optional<double> toldPlane(const std::vector<NamedRobot> &robots,
 }
 
 /// The times of ambiguous links, joined where they overlap.
-std::vector<NameDoubt> doubtsOf(const FoundNames &found, const NameEvidence &evidence,
-                                const std::vector<std::size_t> &considered)
+std::vector<NameAmbiguity> ambiguitiesOf(const FoundNames &found, const NameEvidence &evidence,
+                                         const std::vector<std::size_t> &considered)
 {
-    std::vector<NameDoubt> all;
-    for (const DoubtfulLink &link : found.doubts) {
+    std::vector<NameAmbiguity> all;
+    for (const AmbiguousLink &link : found.ambiguities) {
         const double fromS = evidence.tracklets[link.before].tracklet.end.timeS,
                      toS = evidence.tracklets[link.behind].tracklet.begin.timeS;
         const std::size_t name = found.names[link.behind];
-        NameDoubt &doubt = all.emplace_back(NameDoubt{considered[name], fromS, std::max(fromS, toS)});
+        NameAmbiguity &ambiguity =
+            all.emplace_back(NameAmbiguity{considered[name], fromS, std::max(fromS, toS)});
         if (link.otherName != name)
-            doubt.others = {considered[link.otherName]};
+            ambiguity.others = {considered[link.otherName]};
     }
-    std::ranges::sort(all, {}, [](const NameDoubt &doubt) { return std::pair(doubt.robot, doubt.fromS); });
-    std::vector<NameDoubt> joined;
-    for (const NameDoubt &doubt : all) {
-        if (joined.empty() || joined.back().robot != doubt.robot || doubt.fromS > joined.back().toS) {
-            joined.push_back(doubt);
+    std::ranges::sort(
+        all, {}, [](const NameAmbiguity &ambiguity) { return std::pair(ambiguity.robot, ambiguity.fromS); });
+    std::vector<NameAmbiguity> joined;
+    for (const NameAmbiguity &ambiguity : all) {
+        if (joined.empty() || joined.back().robot != ambiguity.robot || ambiguity.fromS > joined.back().toS) {
+            joined.push_back(ambiguity);
             continue;
         }
-        NameDoubt &earlier = joined.back();
-        earlier.toS = std::max(earlier.toS, doubt.toS);
-        earlier.others.insert(earlier.others.end(), doubt.others.begin(), doubt.others.end());
+        NameAmbiguity &earlier = joined.back();
+        earlier.toS = std::max(earlier.toS, ambiguity.toS);
+        earlier.others.insert(earlier.others.end(), ambiguity.others.begin(), ambiguity.others.end());
     }
-    for (NameDoubt &doubt : joined) {
-        std::ranges::sort(doubt.others);
-        doubt.others.erase(std::unique(doubt.others.begin(), doubt.others.end()), doubt.others.end());
+    for (NameAmbiguity &ambiguity : joined) {
+        std::ranges::sort(ambiguity.others);
+        ambiguity.others.erase(std::unique(ambiguity.others.begin(), ambiguity.others.end()),
+                               ambiguity.others.end());
     }
     return joined;
 }
@@ -327,7 +330,7 @@ std::vector<std::vector<std::size_t>> robotsOfLikeColours(const std::vector<Name
 {
     std::vector<std::vector<std::size_t>> groups;
     const auto areAlike = [&](std::size_t a, std::size_t b) {
-        const auto hueA = toldHue(robots[a]), hueB = toldHue(robots[b]);
+        const auto hueA = givenHue(robots[a]), hueB = givenHue(robots[b]);
         return hueA && hueB ? std::abs(hueDifference(*hueA, *hueB)) < confusableHueRad
                             : hueA.has_value() == hueB.has_value();
     };
@@ -359,13 +362,14 @@ NameOutcome assignNames(std::vector<NamedView> &views, const std::vector<NamedRo
                                     evidence.nothingThere.end());
         if (evidence.tracklets.empty() || std::ranges::max(evidence.slots) < 2)
             continue;
-        FoundNames found = decideNames(evidence, views.size(), toldPlane(robots, considered));
+        FoundNames found = decideNames(evidence, views.size(), givenPlane(robots, considered));
         keepContradicting(evidence, considered.size(), found.names);
         const FrameNames frames = framesOf(evidence, found.names, views, considered);
         for (std::size_t v = 0; v < views.size(); ++v)
             outcome.renamed += rename(views[v], considered, frames[v]);
         if (considered.size() > 1)
-            std::ranges::move(doubtsOf(found, evidence, considered), std::back_inserter(outcome.doubts));
+            std::ranges::move(ambiguitiesOf(found, evidence, considered),
+                              std::back_inserter(outcome.ambiguities));
     }
     return outcome;
 }

@@ -40,7 +40,7 @@ struct NamedView
 };
 
 /// An interval after which it is ambiguous which robot is which.
-struct NameDoubt
+struct NameAmbiguity
 {
     std::size_t robot = 0;
     double fromS = 0, toS = 0; ///< of the first view's clock
@@ -50,8 +50,8 @@ struct NameDoubt
 
 struct NameOutcome
 {
-    std::int64_t renamed = 0;      ///< observations (found ones) that changed their robot
-    std::vector<NameDoubt> doubts; ///< in order, those of a robot apart from one another
+    std::int64_t renamed = 0;               ///< observations (found ones) that changed their robot
+    std::vector<NameAmbiguity> ambiguities; ///< in order, those of a robot apart from one another
     /// view and number of what was pointed out where nothing was followed
     std::vector<std::pair<std::size_t, std::size_t>> nothingThere;
 };

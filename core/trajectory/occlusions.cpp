@@ -98,7 +98,7 @@ public:
 
 private:
     /// Where the middle of a robot is in the frame, and how large it usually is there.
-    struct Place
+    struct RobotPosition
     {
         Eigen::Vector2d pixel;
         double radiusPx = 0, distanceM = 0; ///< from the camera
@@ -106,7 +106,7 @@ private:
 
     double focalPx() const { return m_view.floorView->camera().intrinsics().fxPx; }
 
-    std::optional<Place> placeOf(std::size_t robot, const ProfilePoint &point) const
+    std::optional<RobotPosition> positionOf(std::size_t robot, const ProfilePoint &point) const
     {
         const Eigen::Vector3d middle(point.position.x(), point.position.y(),
                                      silhouettePlaneM(m_robots[robot].profile->heightM));
@@ -114,8 +114,8 @@ private:
         if (!pixel)
             return std::nullopt;
         const double distanceM = (middle - m_view.floorView->cameraInWorld()).norm();
-        return Place{*pixel, robot < m_radiiM.size() ? m_radiiM[robot] * focalPx() / distanceM : 0,
-                     distanceM};
+        return RobotPosition{*pixel, robot < m_radiiM.size() ? m_radiiM[robot] * focalPx() / distanceM : 0,
+                             distanceM};
     }
 
     /// Where it was searched; one entry a frame, found or not.
@@ -155,10 +155,10 @@ private:
         std::vector<double> radiiM;
         const Profile *profile = m_robots[robot].profile;
         for (std::size_t i = 0; profile && i < profile->samples.size(); ++i) {
-            const auto place = placeOf(robot, profile->points[i]);
-            const Observation *seen = place ? observationAt(robot, profile->samples[i].time) : nullptr;
+            const auto position = positionOf(robot, profile->points[i]);
+            const Observation *seen = position ? observationAt(robot, profile->samples[i].time) : nullptr;
             if (seen && !seen->touchesBorder)
-                radiiM.push_back(radiusOf(*seen) * place->distanceM / focalPx());
+                radiiM.push_back(radiusOf(*seen) * position->distanceM / focalPx());
         }
         return radiiM.empty() ? 0 : upperMedian(std::move(radiiM));
     }
@@ -184,35 +184,36 @@ private:
         if (isMeasured || isElsewhere || !isRecordedAt(robot, sample.time) ||
             hasFlag(sample.flags, SampleFlag::DuplicateFrame))
             return std::nullopt;
-        const auto place = placeOf(robot, profile.points[i]);
-        if (!place || insidePx(place->pixel) < 0)
+        const auto position = positionOf(robot, profile.points[i]);
+        if (!position || insidePx(position->pixel) < 0)
             return std::nullopt;
-        if (seen ? seen->touchesBorder : insidePx(place->pixel) < place->radiusPx)
+        if (seen ? seen->touchesBorder : insidePx(position->pixel) < position->radiusPx)
             return OcclusionLabel{OcclusionCause::CutByEdge, {}};
-        if (const auto label = labelByOther(robot, sample.time, *place, seen))
+        if (const auto label = labelByOther(robot, sample.time, *position, seen))
             return label;
         if (!seen)
             return OcclusionLabel{OcclusionCause::NotVisible, {}};
-        return OcclusionLabel{radiusOf(*seen) < place->radiusPx ? OcclusionCause::PartlyVisible
-                                                                : OcclusionCause::OutlineTooLarge,
+        return OcclusionLabel{radiusOf(*seen) < position->radiusPx ? OcclusionCause::PartlyVisible
+                                                                   : OcclusionCause::OutlineTooLarge,
                               {}};
     }
 
     /// By the nearest robot whose outline can meet this one's.
-    std::optional<OcclusionLabel> labelByOther(std::size_t robot, Nanoseconds time, const Place &place,
-                                               const Observation *seen) const
+    std::optional<OcclusionLabel> labelByOther(std::size_t robot, Nanoseconds time,
+                                               const RobotPosition &position, const Observation *seen) const
     {
         std::optional<OcclusionLabel> label;
         double nearest = touchingRadii;
         for (std::size_t other = 0; other < m_robots.size(); ++other) {
-            const auto its = other == robot ? std::nullopt : placeAt(other, time);
+            const auto its = other == robot ? std::nullopt : positionAt(other, time);
             const double radii =
-                its ? (its->pixel - place.pixel).norm() / (its->radiusPx + place.radiusPx) : nearest;
+                its ? (its->pixel - position.pixel).norm() / (its->radiusPx + position.radiusPx) : nearest;
             if (!(radii < nearest))
                 continue;
             nearest = radii;
-            const bool isBehind = its->distanceM < place.distanceM &&
-                                  (its->pixel - place.pixel).norm() < std::max(its->radiusPx, place.radiusPx);
+            const bool isBehind =
+                its->distanceM < position.distanceM &&
+                (its->pixel - position.pixel).norm() < std::max(its->radiusPx, position.radiusPx);
             label = OcclusionLabel{!isBehind ? OcclusionCause::OneOutline
                                    : seen    ? OcclusionCause::PartlyHiddenBehind
                                              : OcclusionCause::HiddenBehind,
@@ -221,7 +222,7 @@ private:
         return label;
     }
 
-    std::optional<Place> placeAt(std::size_t robot, Nanoseconds time) const
+    std::optional<RobotPosition> positionAt(std::size_t robot, Nanoseconds time) const
     {
         if (!isWatched(m_robots[robot]))
             return std::nullopt;
@@ -229,7 +230,8 @@ private:
         const auto at = std::ranges::lower_bound(profile.samples, time, {}, &Sample::time);
         return at == profile.samples.end()
                    ? std::nullopt
-                   : placeOf(robot, profile.points[static_cast<std::size_t>(at - profile.samples.begin())]);
+                   : positionOf(robot,
+                                profile.points[static_cast<std::size_t>(at - profile.samples.begin())]);
     }
 
     const OcclusionView &m_view;
@@ -337,7 +339,7 @@ namespace {
 constexpr Nanoseconds longestAtEnd = std::chrono::milliseconds(500);
 
 /// Rejected spikes in between do not show where it is; but mostly spikes is another matter than not seen.
-bool mostlyUnseen(const std::vector<Sample> &samples, std::size_t begin, std::size_t end)
+bool mostlyHidden(const std::vector<Sample> &samples, std::size_t begin, std::size_t end)
 {
     std::size_t unseen = 0;
     for (std::size_t i = begin; i < end; ++i)
@@ -350,7 +352,7 @@ Message ofMeasuredPart()
     return ODO_TEXT("trajectory.figures_of_seen", "the metrics cover only the measured part");
 }
 
-Message unseenStretch(const Sample &left, const Sample *back)
+Message gapText(const Sample &left, const Sample *back)
 {
     const MessageArgument since = quantity(toSeconds(left.time), 1, "s"),
                           x = quantity(left.position->x(), 2, "m"), y = quantity(left.position->y(), 2, "m");
@@ -374,7 +376,7 @@ Message unmeasuredSentence(const TimeSpan &gap)
                   Join::Semicolon);
 }
 
-std::vector<Message> describeUnseenStretches(const Profile &profile, Nanoseconds longestBridgedGap)
+std::vector<Message> describeGaps(const Profile &profile, Nanoseconds longestBridgedGap)
 {
     const std::vector<Sample> &samples = profile.samples;
     std::vector<Message> sentences;
@@ -387,16 +389,16 @@ std::vector<Message> describeUnseenStretches(const Profile &profile, Nanoseconds
         if (last && next.time - last->time > longestBridgedGap) {
             if (since == i) // not even a frame
                 sentences.push_back(unmeasuredSentence({last->time, next.time}));
-            else if (mostlyUnseen(samples, since, i))
-                sentences.push_back(unseenStretch(*last, &next));
+            else if (mostlyHidden(samples, since, i))
+                sentences.push_back(gapText(*last, &next));
         }
         last = &next;
     }
     if (!last)
         return sentences;
     const auto since = static_cast<std::size_t>(last - samples.data()) + 1;
-    if (samples.back().time - last->time > longestAtEnd && mostlyUnseen(samples, since, samples.size()))
-        sentences.push_back(unseenStretch(*last, nullptr));
+    if (samples.back().time - last->time > longestAtEnd && mostlyHidden(samples, since, samples.size()))
+        sentences.push_back(gapText(*last, nullptr));
     return sentences;
 }
 

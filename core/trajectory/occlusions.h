@@ -72,7 +72,7 @@ std::vector<std::vector<Occlusion>> findOcclusions(std::span<const OcclusionView
 /// profile has nothing there: between sightings longer than a gap that is bridged, or over half a second at
 /// the end. It says when and where the robot left and what to do. Without subject, to be put behind
 /// "robot R: ".
-std::vector<Message> describeUnseenStretches(const Profile &profile, Nanoseconds longestBridgedGap);
+std::vector<Message> describeGaps(const Profile &profile, Nanoseconds longestBridgedGap);
 /// Of a gap in whatever track, without subject.
 Message unmeasuredSentence(const TimeSpan &gap);
 

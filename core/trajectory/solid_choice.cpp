@@ -23,34 +23,35 @@ constexpr double taper = 0.1, topShift = 0.15; // of guesses whose upper part si
 // What the same errors of all outlines (shadows at the foot, sides that look like the floor) leave in the
 // position of a solid that is fitted to them, as a share of its length: measured with known robots
 // (tests/workflow/tst_any_look). Across the heading most robots are alike on both sides.
-constexpr double placeAlong = 0.008, placeAcross = 0.005;
+constexpr double positionAlong = 0.008, positionAcross = 0.005;
 
 using Axes = std::vector<std::vector<BodyAxis>>;
 
 /// A box where each view saw it, with its axes.
-struct PlacedSolid
+struct PositionedSolid
 {
     FoundSolid solid;
     Axes axes;
 };
 
-PlacedSolid placedSolid(const std::vector<ViewTrack> &views, const ShapeEstimate &estimate)
+PositionedSolid positionedSolid(const std::vector<ViewTrack> &views, const ShapeEstimate &estimate)
 {
     Axes axes = trackAxis(views, estimate.shape);
-    return {{estimate.shape, estimate.sigmaMiddleM, placeBody(views, estimate.shape, axes)}, std::move(axes)};
+    return {{estimate.shape, estimate.sigmaMiddleM, positionBody(views, estimate.shape, axes)},
+            std::move(axes)};
 }
 
 /// Positions a box or cylinder by another point of it, for which its front must be known: of a cylinder only
 /// its motion shows it.
 void moveToReference(const std::vector<ViewTrack> &views, const Eigen::Vector2d &referenceM,
-                     PlacedSolid &placed)
+                     PositionedSolid &placed)
 {
     FoundSolid &solid = placed.solid;
     placed.axes = solid.shape.form == SolidShape::Form::Cylinder
                       ? directionsOfMotion(views, solid.seen, placed.axes)
                       : directedAxes(views, solid.seen, std::move(placed.axes));
-    solid.shape = movedPlace(asLevels(solid.shape), referenceM);
-    solid.seen = placeBody(views, solid.shape, placed.axes);
+    solid.shape = shiftedPosition(asLevels(solid.shape), referenceM);
+    solid.seen = positionBody(views, solid.shape, placed.axes);
 }
 
 /// Whether most of what was found may be a silhouette of all of the robot: of one that is mostly seen in
@@ -77,8 +78,8 @@ bool haveSupport(const std::vector<ViewTrack> &views)
 
 /// What a box leaves unexplained, a solid of several levels may explain.
 std::optional<LevelFit> bestLevels(const std::vector<CommonOutlines> &times,
-                                   const std::vector<ViewTrack> &views, const RobotShape &told,
-                                   const PlacedSolid &box)
+                                   const std::vector<ViewTrack> &views, const RobotShape &given,
+                                   const PositionedSolid &box)
 {
     // A body that is nearly square does not show its axis, but mostly moves along it.
     const Axes directed = directedAxes(views, box.solid.seen, box.axes),
@@ -87,50 +88,51 @@ std::optional<LevelFit> bestLevels(const std::vector<CommonOutlines> &times,
         {&directed, {taper, 0}}, {&moved, {taper, topShift}}, {&moved, {taper, -topShift}}};
     std::optional<LevelFit> best;
     for (const auto &[directions, start] : starts) {
-        auto fit = fitLevels(times, views, *directions, box.solid.seen, box.solid.shape, told, start);
+        auto fit = fitLevels(times, views, *directions, box.solid.seen, box.solid.shape, given, start);
         if (fit && (!best || fit->misfit < best->misfit))
             best = std::move(fit);
     }
     return best;
 }
 
-std::optional<FoundSolid> findSolidOfLevels(const std::vector<ViewTrack> &views, const RobotShape &told,
-                                            const PlacedSolid &box)
+std::optional<FoundSolid> findSolidOfLevels(const std::vector<ViewTrack> &views, const RobotShape &given,
+                                            const PositionedSolid &box)
 {
     const std::vector<CommonOutlines> times = levelTimes(views);
-    const std::optional<LevelFit> best = bestLevels(times, views, told, box);
+    const std::optional<LevelFit> best = bestLevels(times, views, given, box);
     const auto learned =
-        best && best->misfit < worstLevelMisfit ? learnReach(times, *best, told) : std::nullopt;
+        best && best->misfit < worstLevelMisfit ? learnReach(times, *best, given) : std::nullopt;
     if (!learned)
         return std::nullopt;
-    FoundSolid solid{movedPlace(best->shape, learned->middleM + told.referenceM),
+    FoundSolid solid{shiftedPosition(best->shape, learned->middleM + given.referenceM),
                      best->sigmaTopM * middleHeightM(best->shape) / best->shape.topM,
                      {}};
-    const SolidDoubt doubt{learned->outlines, best->lastingPx,
-                           std::hypot(learned->sigmaForwardM, placeAlong * best->shape.lengthM),
-                           std::hypot(learned->sigmaLeftM, placeAcross * best->shape.lengthM)};
-    solid.seen = placeBody(views, solid.shape,
-                           trackDirection(views, solid.shape, learned->outlines, best->poses), doubt);
+    const SolidUncertainty uncertainty{
+        learned->outlines, best->lastingPx,
+        std::hypot(learned->sigmaForwardM, positionAlong * best->shape.lengthM),
+        std::hypot(learned->sigmaLeftM, positionAcross * best->shape.lengthM)};
+    solid.seen = positionBody(
+        views, solid.shape, trackDirection(views, solid.shape, learned->outlines, best->poses), uncertainty);
     return solid;
 }
 
 } // namespace
 
-std::optional<double> misfitOfOutlines(const std::vector<ViewTrack> &views, const RobotShape &told)
+std::optional<double> misfitOfOutlines(const std::vector<ViewTrack> &views, const RobotShape &given)
 {
     if (!haveSupport(views) || !areMostlyWhole(views))
         return std::nullopt;
     const auto guess = estimateShape(views, {});
     const auto levels =
-        guess ? bestLevels(levelTimes(views), views, told, placedSolid(views, *guess)) : std::nullopt;
+        guess ? bestLevels(levelTimes(views), views, given, positionedSolid(views, *guess)) : std::nullopt;
     return levels ? std::optional(levels->misfit) : std::nullopt;
 }
 
-double explainedShare(const std::vector<ViewTrack> &views, const RobotShape &told)
+double explainedShare(const std::vector<ViewTrack> &views, const RobotShape &given)
 {
-    if (told.heightM && isMarkAtTop(views, *told.heightM)) // which goes without a solid
+    if (given.heightM && isMarkAtTop(views, *given.heightM)) // which goes without a solid
         return 1;
-    const auto solid = findSolid(views, told);
+    const auto solid = findSolid(views, given);
     double all = 0, explained = 0;
     for (std::size_t v = 0; solid && v < solid->seen.size(); ++v) {
         for (const Sighting &sighting : solid->seen[v]) {
@@ -141,22 +143,23 @@ double explainedShare(const std::vector<ViewTrack> &views, const RobotShape &tol
     return all > 0 ? explained / all : 0;
 }
 
-std::optional<FoundSolid> findSolid(const std::vector<ViewTrack> &views, const RobotShape &told)
+std::optional<FoundSolid> findSolid(const std::vector<ViewTrack> &views, const RobotShape &given)
 {
     if (haveSupport(views)) {
         if (!areMostlyWhole(views))
             return std::nullopt;
         // A box that is only where the search begins need not have the size of the robot's whole outline.
         const auto guess = estimateShape(views, {});
-        if (auto levels = guess ? findSolidOfLevels(views, told, placedSolid(views, *guess)) : std::nullopt)
+        if (auto levels =
+                guess ? findSolidOfLevels(views, given, positionedSolid(views, *guess)) : std::nullopt)
             return levels;
     }
-    const auto box = estimateShape(views, told);
+    const auto box = estimateShape(views, given);
     if (!box || box->misfit > worstShapeMisfit)
         return std::nullopt;
-    PlacedSolid placed = placedSolid(views, *box);
-    if (!told.referenceM.isZero())
-        moveToReference(views, told.referenceM, placed);
+    PositionedSolid placed = positionedSolid(views, *box);
+    if (!given.referenceM.isZero())
+        moveToReference(views, given.referenceM, placed);
     return std::move(placed.solid);
 }
 
@@ -165,7 +168,7 @@ namespace {
 constexpr std::size_t mostTimes = 30, leastShapeTimes = 5;
 constexpr double independentTimes =
     4; // the outlines' errors repeat wherever the robot is seen from the same side
-constexpr double placeSigmaPx =
+constexpr double positionSigmaPx =
     0.7; // of a centroid against the other views', the registration's error being in it
 constexpr double goodMisfit = 1.5;
 constexpr double impossible = 1e3; // a residual, where the solid would lie behind the camera
@@ -214,7 +217,7 @@ struct OutlineResidual
         }
         Eigen::Map<OutlineDifferences> differences(residual);
         differences =
-            outlineDifferences(outline.moments, *model, sigmaOfOutline(outline.moments), placeSigmaPx);
+            outlineDifferences(outline.moments, *model, sigmaOfOutline(outline.moments), positionSigmaPx);
         return true;
     }
 };
@@ -253,8 +256,8 @@ struct ShapeFit
 double guessedSizeM(const CommonOutlines::Outline &outline, double heightM)
 {
     const SolidShape solid{SolidShape::Form::Box, guessM, guessM, 0, heightM};
-    const auto place = outline.view->floorFromPixel(outline.moments.centrePx, heightM / 2);
-    const auto model = place ? silhouetteMoments(*outline.view, solid, *place, 0) : std::nullopt;
+    const auto position = outline.view->floorFromPixel(outline.moments.centrePx, heightM / 2);
+    const auto model = position ? silhouetteMoments(*outline.view, solid, *position, 0) : std::nullopt;
     return model && model->areaPx2 > 0 ? guessM * std::sqrt(outline.moments.areaPx2 / model->areaPx2)
                                        : guessM;
 }
@@ -268,9 +271,9 @@ Pose firstPose(const CommonOutlines &common, const SolidShape &solid)
             misfits.push_back(std::move(*misfit));
     }
     const CommonOutlines::Outline &first = common.outlines.front();
-    const Eigen::Vector2d place = first.view->floorFromPixel(first.moments.centrePx, middleHeightM(solid))
-                                      .value_or(Eigen::Vector2d::Zero());
-    Pose pose{place.x(), place.y(), 0};
+    const Eigen::Vector2d position = first.view->floorFromPixel(first.moments.centrePx, middleHeightM(solid))
+                                         .value_or(Eigen::Vector2d::Zero());
+    Pose pose{position.x(), position.y(), 0};
     double leastCost = HUGE_VAL;
     for (int i = 0; i < startAngles; ++i) {
         const double angle = i * std::numbers::pi / startAngles;
@@ -361,21 +364,22 @@ std::optional<ShapeFit> fitSolid(const std::vector<CommonOutlines> &times, const
 }
 
 /// The solids that the given sizes allow: first those on the floor, which most robots are.
-std::vector<ShapeCandidate> candidatesFor(const std::vector<CommonOutlines> &times, const RobotShape &told)
+std::vector<ShapeCandidate> candidatesFor(const std::vector<CommonOutlines> &times, const RobotShape &given)
 {
-    const bool sizeTold = told.lengthM && told.widthM;
-    const double heightM = told.heightM.value_or(guessHeightM);
+    const bool hasGivenSize = given.lengthM && given.widthM;
+    const double heightM = given.heightM.value_or(guessHeightM);
     const double sizeM = guessedSizeM(times.front().outlines.front(), heightM);
-    const double lengthM = sizeTold ? *told.lengthM : 1.15 * sizeM,
-                 widthM = sizeTold ? *told.widthM : sizeM / 1.15;
-    const bool maybeRound = !sizeTold || std::max(lengthM, widthM) <= roundEnough * std::min(lengthM, widthM);
+    const double lengthM = hasGivenSize ? *given.lengthM : 1.15 * sizeM,
+                 widthM = hasGivenSize ? *given.widthM : sizeM / 1.15;
+    const bool maybeRound =
+        !hasGivenSize || std::max(lengthM, widthM) <= roundEnough * std::min(lengthM, widthM);
     std::vector<ShapeCandidate> candidates;
     for (const double base : {0.0, 1.0, 0.3}) {
         ShapeCandidate box{
             SolidShape::Form::Box, {std::log(lengthM), std::log(widthM), std::log(heightM), base}, {}};
-        if (sizeTold)
+        if (hasGivenSize)
             box.constant = {LogLength, LogWidth};
-        if (told.heightM)
+        if (given.heightM)
             box.constant.push_back(LogTop);
         if (base == 0 || base == 1)
             box.constant.push_back(BaseShare);
@@ -384,8 +388,8 @@ std::vector<ShapeCandidate> candidatesFor(const std::vector<CommonOutlines> &tim
             continue;
         ShapeCandidate cylinder = box;
         cylinder.kind = SolidShape::Form::Cylinder;
-        cylinder.form[LogLength] = std::log(sizeTold ? (lengthM + widthM) / 2 : sizeM);
-        if (!sizeTold)
+        cylinder.form[LogLength] = std::log(hasGivenSize ? (lengthM + widthM) / 2 : sizeM);
+        if (!hasGivenSize)
             cylinder.constant.insert(cylinder.constant.begin(), LogWidth);
         candidates.push_back(cylinder);
     }
@@ -412,14 +416,14 @@ void findClearance(ShapeFit &standing, const std::vector<CommonOutlines> &times,
 
 } // namespace
 
-std::optional<ShapeEstimate> estimateShape(const std::vector<ViewTrack> &views, const RobotShape &told)
+std::optional<ShapeEstimate> estimateShape(const std::vector<ViewTrack> &views, const RobotShape &given)
 {
     const std::vector<CommonOutlines> times = commonOutlines(views, mostTimes);
     if (times.size() < leastShapeTimes)
         return std::nullopt;
     std::optional<ShapeFit> best;
     ShapeCandidate bestCandidate;
-    for (const ShapeCandidate &candidate : candidatesFor(times, told)) {
+    for (const ShapeCandidate &candidate : candidatesFor(times, given)) {
         if (best && best->misfit < goodMisfit && candidate.form[BaseShare] > 0)
             break;
         const auto fit = fitSolid(times, candidate);
@@ -438,7 +442,7 @@ std::optional<ShapeEstimate> estimateShape(const std::vector<ViewTrack> &views, 
         return std::nullopt;
     if (bestCandidate.form[BaseShare] == 0)
         findClearance(*best, times, bestCandidate);
-    return ShapeEstimate{best->solid, best->sigmaTopM, best->sigmaMiddleM, !told.heightM, best->misfit};
+    return ShapeEstimate{best->solid, best->sigmaTopM, best->sigmaMiddleM, !given.heightM, best->misfit};
 }
 
 } // namespace odo

@@ -21,15 +21,15 @@ struct FoundSolid
 /// The simplest solid that explains the outlines of all views: a box or a cylinder (estimateShape), or, where
 /// outlines were measured by their support, one of several levels (fitLevels), with what they show beyond
 /// that (learnReach). nullopt: none explains them. Pure.
-std::optional<FoundSolid> findSolid(const std::vector<ViewTrack> &views, const RobotShape &told);
+std::optional<FoundSolid> findSolid(const std::vector<ViewTrack> &views, const RobotShape &given);
 
 /// How badly the best solid of several levels explains the outlines of all views, in units of half a pixel;
 /// nullopt: they were not measured by their support, or too few of them show all of a robot. Pure.
-std::optional<double> misfitOfOutlines(const std::vector<ViewTrack> &views, const RobotShape &told);
+std::optional<double> misfitOfOutlines(const std::vector<ViewTrack> &views, const RobotShape &given);
 
 /// The share of the outlines, without those cut by the frame's edge, that are the solid's; 0 where no solid
 /// was found, 1 for a mark on top of a robot of a given height.
-double explainedShare(const std::vector<ViewTrack> &views, const RobotShape &told);
+double explainedShare(const std::vector<ViewTrack> &views, const RobotShape &given);
 
 struct ShapeEstimate
 {
@@ -52,6 +52,6 @@ struct ShapeEstimate
 /// such solid explains the outlines.
 constexpr double worstShapeMisfit = 4;
 
-std::optional<ShapeEstimate> estimateShape(const std::vector<ViewTrack> &views, const RobotShape &told);
+std::optional<ShapeEstimate> estimateShape(const std::vector<ViewTrack> &views, const RobotShape &given);
 
 } // namespace odo

@@ -28,7 +28,7 @@ std::vector<std::vector<Sighting>> sightingsOf(const Profile &profile, const std
     std::vector<std::vector<Sighting>> all;
     for (const ViewTrack &view : views)
         if (view.floorView)
-            all.push_back(sightingsAt(times, placeObservations(view, silhouettePlaneM(profile.heightM))));
+            all.push_back(sightingsAt(times, positionObservations(view, silhouettePlaneM(profile.heightM))));
     return all;
 }
 
@@ -40,7 +40,7 @@ double expectedSquare(const std::vector<std::vector<Sighting>> &views, std::size
         const Sighting &sighting = view[sample];
         if (!sighting.seen)
             continue;
-        const double variance = totalCovariance(sighting.place).trace();
+        const double variance = totalCovariance(sighting.position).trace();
         second = std::max(second, std::min(largest, variance));
         largest = std::max(largest, variance);
     }
@@ -49,14 +49,14 @@ double expectedSquare(const std::vector<std::vector<Sighting>> &views, std::size
 
 void count(ViewDisagreement &result)
 {
-    if (result.places.empty())
+    if (result.positions.empty())
         return;
     std::vector<double> apart;
     double squares = 0, expected = 0;
-    for (const Disagreement &place : result.places) {
-        apart.push_back(place.apartM);
-        squares += place.apartM * place.apartM;
-        expected += place.expectedM * place.expectedM;
+    for (const Disagreement &position : result.positions) {
+        apart.push_back(position.apartM);
+        squares += position.apartM * position.apartM;
+        expected += position.expectedM * position.expectedM;
     }
     const auto number = static_cast<double>(apart.size());
     result.rmsM = std::sqrt(squares / number);
@@ -79,7 +79,7 @@ ViewDisagreement disagreementOf(const Profile &profile, const std::vector<ViewTr
         if (!sample.viewDisagreementM || !sample.position || isRejected(sample.flags) || square <= 0)
             continue;
         const double step = profile.points[i].valid ? profile.points[i].speedMps * stepSigmaS : 0;
-        result.places.push_back(
+        result.positions.push_back(
             {sample.time, *sample.position, *sample.viewDisagreementM, std::sqrt(square + step * step)});
     }
     count(result);
@@ -108,8 +108,8 @@ std::vector<Difference> differencesOf(const std::vector<Sighting> &a, const std:
     for (std::size_t i = 0; i < std::min(a.size(), b.size()); ++i) {
         if (!a[i].seen || !b[i].seen || a[i].cut || b[i].cut)
             continue;
-        const Eigen::Vector2d apart = a[i].place.pointInWorld - b[i].place.pointInWorld;
-        const Eigen::Matrix2d covariance = totalCovariance(a[i].place) + totalCovariance(b[i].place);
+        const Eigen::Vector2d apart = a[i].position.pointInWorld - b[i].position.pointInWorld;
+        const Eigen::Matrix2d covariance = totalCovariance(a[i].position) + totalCovariance(b[i].position);
         differences.push_back({i, a[i].time, apart.dot(covariance.inverse() * apart), apart.norm()});
     }
     return differences;
@@ -178,7 +178,7 @@ double settleAt(std::size_t i, const std::vector<ViewPair> &pairs, std::vector<s
         if (doAnyAgree)
             sighting.seen = false;
         else
-            sighting.place.calibrationCovariance += (least[v] - 1) * totalCovariance(sighting.place);
+            sighting.position.calibrationCovariance += (least[v] - 1) * totalCovariance(sighting.position);
     }
     return apartM;
 }
@@ -247,7 +247,7 @@ constexpr double sureScore = 0.3;
 constexpr double usualSlowShare = 0.8, usualSlowLengthM = 0.1;
 constexpr double mostSlowShare = 0.98, leastNoiseScale = 0.1, mostScale = 100;
 constexpr std::size_t binCount = 16;
-constexpr double longestWayM = 0.4;
+constexpr double longestPathM = 0.4;
 constexpr std::size_t longestLag = 60; // sightings
 constexpr double leastPairsInBin = 40; // in a bin
 constexpr double outlier = 30;         // times the typical squared change: a false sighting
@@ -274,8 +274,9 @@ std::vector<WhitenedDisagreement> disagreements(const std::vector<Sighting> &a,
     for (std::size_t i = 0; i < std::min(a.size(), b.size()); ++i) {
         if (!isSure(a[i]) || !isSure(b[i]))
             continue;
-        const Eigen::LLT<Eigen::Matrix2d> root(a[i].place.pixelCovariance + b[i].place.pixelCovariance);
-        found.push_back({travel[i], root.matrixL().solve(a[i].place.pointInWorld - b[i].place.pointInWorld)});
+        const Eigen::LLT<Eigen::Matrix2d> root(a[i].position.pixelCovariance + b[i].position.pixelCovariance);
+        found.push_back(
+            {travel[i], root.matrixL().solve(a[i].position.pointInWorld - b[i].position.pointInWorld)});
     }
     return found;
 }
@@ -289,14 +290,14 @@ struct Variogram
     {
         for (std::size_t i = 0; i < series.size(); ++i) {
             for (std::size_t j = i + 1; j < std::min(series.size(), i + longestLag); ++j) {
-                const double wayM = series[j].travelM - series[i].travelM;
-                if (wayM >= longestWayM)
+                const double pathM = series[j].travelM - series[i].travelM;
+                if (pathM >= longestPathM)
                     break;
                 const double squared = (series[j].whitened - series[i].whitened).squaredNorm();
                 if (squared > mostChange)
                     continue;
-                const auto bin = static_cast<std::size_t>(wayM / longestWayM * binCount);
-                way[bin] += wayM;
+                const auto bin = static_cast<std::size_t>(pathM / longestPathM * binCount);
+                way[bin] += pathM;
                 change[bin] += squared / 4;
                 count[bin] += 1;
             }
@@ -359,7 +360,7 @@ std::vector<double> travelOf(const std::vector<std::vector<Sighting>> &views)
                           behind = std::min(times - 1, i + stepReach);
         for (const auto &view : views) {
             if (view[before].seen && view[behind].seen && behind > before)
-                return (view[behind].place.pointInWorld - view[before].place.pointInWorld).norm() /
+                return (view[behind].position.pointInWorld - view[before].position.pointInWorld).norm() /
                        static_cast<double>(behind - before);
         }
         return 0.0;
@@ -399,13 +400,13 @@ MeasurementNoise estimateOutlineNoise(const std::vector<std::vector<Sighting>> &
 
 namespace {
 
-constexpr double leastTrimmed = 0.4;  // share of the outlines
-constexpr double scoreOfWhole = 0.25; // too little to learn from, enough to be measured by
-constexpr double doubtRadii = 0.08;   // of where the outline's middle is
+constexpr double leastTrimmed = 0.4;      // share of the outlines
+constexpr double scoreOfWhole = 0.25;     // too little to learn from, enough to be measured by
+constexpr double uncertaintyRadii = 0.08; // of where the outline's middle is
 
 } // namespace
 
-void doubtUntrimmed(const std::vector<std::vector<Observation> *> &views)
+void uncertaintyUntrimmed(const std::vector<std::vector<Observation> *> &views)
 {
     double trimmed = 0, all = 0;
     for (const auto *view : views) {
@@ -420,9 +421,9 @@ void doubtUntrimmed(const std::vector<std::vector<Observation> *> &views)
         for (Observation &one : *view) {
             if (!one.found || one.isTrimmed)
                 continue;
-            const double doubtPx2 = doubtRadii * doubtRadii * one.areaPx / std::numbers::pi;
+            const double uncertaintyPx2 = uncertaintyRadii * uncertaintyRadii * one.areaPx / std::numbers::pi;
             one.score = std::min(one.score, scoreOfWhole);
-            one.centreCovariancePx2 += Eigen::Matrix2d::Identity() * doubtPx2;
+            one.centreCovariancePx2 += Eigen::Matrix2d::Identity() * uncertaintyPx2;
         }
     }
 }

@@ -24,7 +24,7 @@ struct Disagreement
 /// Where and by how much the views' floor positions of a robot differ in a run.
 struct ViewDisagreement
 {
-    std::vector<Disagreement> places;           ///< in order of time
+    std::vector<Disagreement> positions;        ///< in order of time
     double rmsM = 0, medianM = 0, largestM = 0; ///< of apartM; 0 without positions
     double expectedRmsM = 0;                    ///< root mean square of expectedM
     /// How much larger than expected from the stated σ; 0 without positions.
@@ -76,6 +76,6 @@ MeasurementNoise estimateOutlineNoise(const std::vector<std::vector<Sighting>> &
 /// there they are before or behind its body and cannot be distinguished from it. Such outlines are not used
 /// to learn its form, and give its position only roughly. views: what each view saw of one robot, as tracked.
 /// Pure.
-void doubtUntrimmed(const std::vector<std::vector<Observation> *> &views);
+void uncertaintyUntrimmed(const std::vector<std::vector<Observation> *> &views);
 
 } // namespace odo

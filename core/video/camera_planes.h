@@ -38,10 +38,10 @@ struct RgbView
 /// Planes of an image of packed colours: luma at full size, U and V the mean of each 2×2 pixels, so that
 /// they lie in their middle (siting Center; of an odd last column or row, of what there is); full range,
 /// BT.601 as JFIF 1.02 defines it. Any thread.
-Frame rgbPlanes(const RgbView &picture, std::int64_t index, Nanoseconds time);
+Frame rgbPlanes(const RgbView &image, std::int64_t index, Nanoseconds time);
 
 /// Planes of an image without colours: luma as it is, no chroma (128, 4:2:0); full range. Any thread.
-Frame monoPlanes(const PlaneView &picture, std::int64_t index, Nanoseconds time);
+Frame monoPlanes(const PlaneView &image, std::int64_t index, Nanoseconds time);
 
 /// The memory layout of luma and chroma. Yuyv, Uyvy: 4:2:2, samples in the order of the name. Nv12:
 /// 4:2:0, a plane of luma, then one of U and V in turn.

@@ -85,10 +85,10 @@ bool sameLayout(const FrameFormat &a, const FrameFormat &b);
 struct Frame;
 
 /// A frame as it was coded, kept so that more of it can be decoded later. Any thread.
-class CodedPicture
+class CodedImage
 {
 public:
-    virtual ~CodedPicture() = default;
+    virtual ~CodedImage() = default;
     /// All of it. InvalidInput when its data are damaged.
     virtual Result<Frame> decodeWhole() const = 0;
 };
@@ -104,7 +104,7 @@ struct Frame
     std::shared_ptr<const void> owner;
     /// Set when only a part was decoded: samples outside it are of no meaning, wholeFrame() gives the rest.
     std::optional<PixelRect> validRegion;
-    std::shared_ptr<const CodedPicture> coded; ///< set together with validRegion
+    std::shared_ptr<const CodedImage> coded; ///< set together with validRegion
 };
 
 /// The same frame (index and time as here), fully decoded; itself when it already is.

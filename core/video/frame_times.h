@@ -50,7 +50,7 @@ struct RawTime
 /// them.
 struct RecordedTimes
 {
-    std::vector<RawTime> pictures;
+    std::vector<RawTime> frames;
     std::vector<ClockReading> readings;
 };
 

@@ -66,7 +66,7 @@ struct PlaneMemory
 
 struct JpegDecoder::Impl
 {
-    explicit Impl(const FrameFormat &pictureFormat);
+    explicit Impl(const FrameFormat &imageFormat);
     ~Impl() { jpeg_destroy_decompress(&decoder); }
 
     bool isSuitable() const;
@@ -85,7 +85,7 @@ struct JpegDecoder::Impl
     jpeg_decompress_struct decoder{};
 };
 
-JpegDecoder::Impl::Impl(const FrameFormat &pictureFormat) : format(pictureFormat)
+JpegDecoder::Impl::Impl(const FrameFormat &imageFormat) : format(imageFormat)
 {
     std::size_t bytes = 0;
     for (std::size_t p = 0; p < planes.size(); ++p) {
@@ -150,15 +150,15 @@ void JpegDecoder::Impl::decodeWhole(std::uint8_t *memory)
 std::optional<PixelRect> JpegDecoder::Impl::worthwhile(const PixelRect &region) const
 {
     const int unitX = decoder.max_h_samp_factor * DCTSIZE, unitY = decoder.max_v_samp_factor * DCTSIZE;
-    const PixelRect picture{0, 0, format.width, format.height};
-    const PixelRect inside = region.clipped(picture);
+    const PixelRect bounds{0, 0, format.width, format.height};
+    const PixelRect inside = region.clipped(bounds);
     if (inside.isEmpty())
         return std::nullopt;
     const PixelRect grown = PixelRect{inside.x0 / unitX * unitX, inside.y0 / unitY * unitY,
                                       roundedUp(inside.x1, unitX), roundedUp(inside.y1, unitY)}
-                                .clipped(picture);
+                                .clipped(bounds);
     const double share = static_cast<double>(grown.width()) * grown.height() /
-                         (static_cast<double>(picture.width()) * picture.height());
+                         (static_cast<double>(bounds.width()) * bounds.height());
     return share > mostRegionShare ? std::nullopt : std::optional(grown);
 }
 
@@ -426,9 +426,9 @@ std::optional<FrameFormat> formatOf(Bytes header)
     return format;
 }
 
-void append(std::vector<std::uint8_t> &segment, int place, const JHUFF_TBL &table)
+void append(std::vector<std::uint8_t> &segment, int frameNumber, const JHUFF_TBL &table)
 {
-    segment.push_back(static_cast<std::uint8_t>(place));
+    segment.push_back(static_cast<std::uint8_t>(frameNumber));
     std::size_t values = 0;
     for (std::size_t length = 1; length <= 16; ++length) {
         segment.push_back(table.bits[length]);

@@ -13,10 +13,10 @@
 namespace odo {
 
 /// A frame of an MJPEG stream of which only a part was decoded, with its packet.
-class JpegPicture : public CodedPicture
+class JpegImage : public CodedImage
 {
 public:
-    JpegPicture(libav::PacketPtr packet, std::shared_ptr<JpegDecoder> decoder)
+    JpegImage(libav::PacketPtr packet, std::shared_ptr<JpegDecoder> decoder)
         : m_packet(std::move(packet)), m_decoder(std::move(decoder))
     {
     }
@@ -82,9 +82,9 @@ Result<libav::CodecPtr> openDecoder(const VideoInput &input)
 }
 
 /// The decoder found nothing wrong in it.
-bool isSound(const AVFrame &picture)
+bool isSound(const AVFrame &avFrame)
 {
-    return picture.decode_error_flags == 0 && (picture.flags & AV_FRAME_FLAG_CORRUPT) == 0;
+    return avFrame.decode_error_flags == 0 && (avFrame.flags & AV_FRAME_FLAG_CORRUPT) == 0;
 }
 
 } // namespace
@@ -126,11 +126,11 @@ struct VideoReader::Impl
     bool startAt(std::size_t keyPacket);
     bool isWhole(const AVPacket &coded);
     bool isPredicted() const;
-    void judge(const AVFrame &picture);
+    void judge(const AVFrame &avFrame);
     bool readPacket();
     bool sendPacket();
-    libav::FramePtr decodePicture();
-    std::optional<Frame> frameFrom(libav::FramePtr picture, std::int64_t place) const;
+    libav::FramePtr decodeNextFrame();
+    std::optional<Frame> frameFrom(libav::FramePtr avFrame, std::int64_t frameNumber) const;
     std::optional<Frame> decodeJpegFrame();
     std::optional<Frame> decodeFrame();
     void decodeTo(std::size_t frame);
@@ -163,19 +163,19 @@ bool VideoReader::Impl::startAt(std::size_t keyPacket)
     const bool byDecodeTime = std::string_view(input->container().iformat->name).starts_with("mov");
     if (!input->seek(byDecodeTime && key.dts != AV_NOPTS_VALUE ? key.dts : key.pts))
         return false;
-    std::int64_t place = -1;
+    std::int64_t frameNumber = -1;
     do {
         if (input->read(*packet) < 0)
             return false;
         // They follow one another as in the index, which a search for each would take long to find in a large
         // file.
-        const auto next = static_cast<std::size_t>(place + 1);
-        const bool follows =
-            place >= 0 && next < index.packets.size() && index.packets[next].pts == timeStampOf(*packet);
-        place = follows ? place + 1 : index.packetOf(timeStampOf(*packet));
-        if (place > static_cast<std::int64_t>(keyPacket))
+        const auto next = static_cast<std::size_t>(frameNumber + 1);
+        const bool follows = frameNumber >= 0 && next < index.packets.size() &&
+                             index.packets[next].pts == timeStampOf(*packet);
+        frameNumber = follows ? frameNumber + 1 : index.packetOf(timeStampOf(*packet));
+        if (frameNumber > static_cast<std::int64_t>(keyPacket))
             return false;
-        packetsRead = static_cast<std::size_t>(std::max<std::int64_t>(place, 0)) + 1;
+        packetsRead = static_cast<std::size_t>(std::max<std::int64_t>(frameNumber, 0)) + 1;
     } while (timeStampOf(*packet) != key.pts);
     avcodec_flush_buffers(decoder.get());
     packetWaits = true;
@@ -201,11 +201,11 @@ bool VideoReader::Impl::isPredicted() const
     return codec && (codec->props & AV_CODEC_PROP_INTRA_ONLY) == 0;
 }
 
-void VideoReader::Impl::judge(const AVFrame &picture)
+void VideoReader::Impl::judge(const AVFrame &avFrame)
 {
-    if (!isSound(picture))
+    if (!isSound(avFrame))
         isSpoiled = isPredicted();
-    else if (picture.key_frame != 0)
+    else if (avFrame.key_frame != 0)
         isSpoiled = false;
 }
 
@@ -240,27 +240,27 @@ bool VideoReader::Impl::sendPacket()
     return true;
 }
 
-libav::FramePtr VideoReader::Impl::decodePicture()
+libav::FramePtr VideoReader::Impl::decodeNextFrame()
 {
-    libav::FramePtr picture(libav::allocated(av_frame_alloc()));
+    libav::FramePtr avFrame(libav::allocated(av_frame_alloc()));
     for (;;) {
-        const int error = libav::checked(avcodec_receive_frame(decoder.get(), picture.get()));
+        const int error = libav::checked(avcodec_receive_frame(decoder.get(), avFrame.get()));
         if (error == 0)
-            return picture;
+            return avFrame;
         if (error == AVERROR_EOF || (error == AVERROR(EAGAIN) && !sendPacket()))
             return nullptr;
     }
 }
 
 /// What libavcodec made as a frame, if it is sound.
-std::optional<Frame> VideoReader::Impl::frameFrom(libav::FramePtr picture, std::int64_t place) const
+std::optional<Frame> VideoReader::Impl::frameFrom(libav::FramePtr avFrame, std::int64_t frameNumber) const
 {
-    if (place < 0 || place >= static_cast<std::int64_t>(index.frames.size()) || !isSound(*picture) ||
-        !fits(*picture, info.format, pixelFormat))
+    if (frameNumber < 0 || frameNumber >= static_cast<std::int64_t>(index.frames.size()) ||
+        !isSound(*avFrame) || !fits(*avFrame, info.format, pixelFormat))
         return std::nullopt;
-    Frame frame = frameOf(std::move(picture), info.format);
-    frame.index = place;
-    frame.time = index.times[static_cast<std::size_t>(place)];
+    Frame frame = frameOf(std::move(avFrame), info.format);
+    frame.index = frameNumber;
+    frame.time = index.times[static_cast<std::size_t>(frameNumber)];
     return frame;
 }
 
@@ -268,24 +268,24 @@ std::optional<Frame> VideoReader::Impl::frameFrom(libav::FramePtr picture, std::
 std::optional<Frame> VideoReader::Impl::decodeJpegFrame()
 {
     while (readPacket()) {
-        const std::int64_t place = index.counted ? counted++ : index.frameOf(packet->pts);
-        if (place < 0 || place >= static_cast<std::int64_t>(index.frames.size()))
+        const std::int64_t frameNumber = index.counted ? counted++ : index.frameOf(packet->pts);
+        if (frameNumber < 0 || frameNumber >= static_cast<std::int64_t>(index.frames.size()))
             continue;
         Frame frame;
-        const auto outcome = jpegDecoder->decode(JpegPicture::bytesOf(*packet), region, frame);
+        const auto outcome = jpegDecoder->decode(JpegImage::bytesOf(*packet), region, frame);
         if (outcome == JpegDecoder::Outcome::Decoded) {
-            frame.index = place;
-            frame.time = index.times[static_cast<std::size_t>(place)];
+            frame.index = frameNumber;
+            frame.time = index.times[static_cast<std::size_t>(frameNumber)];
             if (frame.validRegion)
-                frame.coded = std::make_shared<JpegPicture>(
+                frame.coded = std::make_shared<JpegImage>(
                     libav::PacketPtr(libav::allocated(av_packet_clone(packet.get()))), jpegDecoder);
             return frame;
         }
-        libav::FramePtr picture(libav::allocated(av_frame_alloc()));
+        libav::FramePtr avFrame(libav::allocated(av_frame_alloc()));
         if (outcome == JpegDecoder::Outcome::NotSuitable &&
             libav::checked(avcodec_send_packet(decoder.get(), packet.get())) == 0 &&
-            libav::checked(avcodec_receive_frame(decoder.get(), picture.get())) == 0)
-            if (auto found = frameFrom(std::move(picture), place))
+            libav::checked(avcodec_receive_frame(decoder.get(), avFrame.get())) == 0)
+            if (auto found = frameFrom(std::move(avFrame), frameNumber))
                 return found;
     }
     return std::nullopt;
@@ -296,12 +296,12 @@ std::optional<Frame> VideoReader::Impl::decodeFrame()
 {
     if (jpegDecoder)
         return decodeJpegFrame();
-    while (libav::FramePtr picture = decodePicture()) {
-        const std::int64_t place = index.counted ? counted++ : index.frameOf(picture->pts);
-        judge(*picture);
+    while (libav::FramePtr avFrame = decodeNextFrame()) {
+        const std::int64_t frameNumber = index.counted ? counted++ : index.frameOf(avFrame->pts);
+        judge(*avFrame);
         if (isSpoiled)
             continue;
-        if (auto frame = frameFrom(std::move(picture), place))
+        if (auto frame = frameFrom(std::move(avFrame), frameNumber))
             return frame;
     }
     return std::nullopt;

@@ -107,7 +107,7 @@ struct VideoWriter::Impl
     }
     Result<void> openContainer(const OutputTarget &target);
     Result<void> addStream();
-    Result<void> encode(const AVFrame *picture);
+    Result<void> encode(const AVFrame *avFrame);
     Result<void> mux(AVPacket *packet) const;
     Result<void> muxThroughFilter(AVPacket *packet);
     int closeFile();
@@ -190,9 +190,9 @@ Result<void> VideoWriter::Impl::muxThroughFilter(AVPacket *packet)
     return {};
 }
 
-Result<void> VideoWriter::Impl::encode(const AVFrame *picture)
+Result<void> VideoWriter::Impl::encode(const AVFrame *avFrame)
 {
-    if (const int error = avcodec_send_frame(encoder.get(), picture); error < 0)
+    if (const int error = avcodec_send_frame(encoder.get(), avFrame); error < 0)
         return problem(error);
     const libav::PacketPtr packet(libav::allocated(av_packet_alloc()));
     for (;;) {
@@ -259,11 +259,11 @@ Result<void> VideoWriter::write(const Frame &frame)
             ErrorCode::InvalidInput, what,
             ODO_TEXT("video.time_not_after", "its time is not later than that of the frame before"),
             ODO_TEXT("video.write_in_order", "write the frames in order, at least a microsecond apart"));
-    auto picture = ODO_TRY(pictureOf(frame, *d.encoder, timeUs));
+    auto avFrame = ODO_TRY(avFrameOf(frame, *d.encoder, timeUs));
     d.started = true;
     d.lastUs = timeUs;
     d.lastTime = frame.time;
-    auto encoded = d.encode(picture.get());
+    auto encoded = d.encode(avFrame.get());
     d.failed = !encoded;
     return encoded;
 }

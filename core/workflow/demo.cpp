@@ -12,7 +12,7 @@
 #include "core/project/repositories.h"
 #include "core/simulation/demo_testbed.h"
 #include "core/simulation/renderer.h"
-#include "core/video/picture.h"
+#include "core/video/image.h"
 #include "core/workflow/calibrate/calibrate_job.h"
 #include "core/workflow/calibrate/register_job.h"
 #include "core/workflow/import/import_trial_job.h"
@@ -101,7 +101,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char *className = "Year 9 robotics";
-constexpr int boardPictures = 14;
+constexpr int boardImages = 14;
 constexpr double boardNoise = 1.5; // of 255
 
 Message demoAdvice()
@@ -142,7 +142,7 @@ RobotRecord recordOf(const SimulatedRobot &simulated)
     if (!simulated.parts.empty())
         return robot;
     robot.colour = simulated.colour;
-    robot.heightMode = RobotRecord::Height::Told;
+    robot.heightMode = RobotRecord::Height::Given;
     robot.heightM = simulated.heightM;
     robot.lengthM = simulated.lengthM;
     robot.widthM = simulated.widthM;
@@ -174,8 +174,8 @@ private:
 
     Result<void> calibrateCameras()
     {
-        const fs::path pictures = m_folder / "calibration";
-        ODO_TRY(makeFolder(pictures));
+        const fs::path images = m_folder / "calibration";
+        ODO_TRY(makeFolder(images));
         for (const SimulatedCamera &camera : testbed().cameras) {
             m_control.report(0.02, ODO_TEXT("workflow.calibrating_camera",
                                             "calibrating camera %1")(Named::camera(camera.name)));
@@ -184,13 +184,13 @@ private:
             SimulatedBoard board;
             settings.board.squareM = board.squareM;
             int number = 0;
-            for (const RigidTransform &pose : heldBoardPoses(camera.view.camera(), board, boardPictures, 7)) {
+            for (const RigidTransform &pose : heldBoardPoses(camera.view.camera(), board, boardImages, 7)) {
                 if (m_control.isCancelled())
                     return demoCancelled();
                 board.cameraFromBoard = pose;
                 const std::string suffix = (number < 9 ? "_0" : "_") + std::to_string(number + 1) + ".png";
-                const fs::path file = pictures / (camera.name + suffix);
-                ODO_TRY(writePicture(
+                const fs::path file = images / (camera.name + suffix);
+                ODO_TRY(writeImage(
                     renderBoard(camera.view.camera(), board, boardNoise, std::uint32_t(100 + number)), file));
                 settings.files.push_back(file);
                 ++number;
@@ -250,7 +250,7 @@ private:
             RegisterSettings settings;
             settings.camera = camera.name;
             settings.layout = m_layout;
-            settings.pictureFile = videoFile(0, camera);
+            settings.imageFile = videoFile(0, camera);
             RegisterJob job(std::move(settings));
             if (auto done = runToEnd(job, m_project, {m_control.cancel, {}}); !done)
                 return done;
@@ -292,7 +292,7 @@ private:
                 settings.robots.push_back(robot.name);
             for (const SimulatedCamera &camera : trial.scene.cameras)
                 settings.videos.emplace_back(camera.name, videoFile(t, camera));
-            settings.steps = {{ImportSettings::Sync::Told,
+            settings.steps = {{ImportSettings::Sync::Given,
                                frameSceneTime(trial.scene, 1, 0) - frameSceneTime(trial.scene, 0, 0)}};
             ImportTrialJob job(std::move(settings));
             if (auto done = runToEnd(job, m_project, {m_control.cancel, {}}); !done)

@@ -57,18 +57,18 @@ namespace odo {
 /// ThreadSanitizer cannot see in a library that is not built with it; in its builds we declare that order
 /// here, so that whatever it still reports is ours.
 template <class Call>
-class CallOnItsWay
+class PendingCall
 {
 public:
-    explicit CallOnItsWay(Call call) : m_call(std::move(call)) {}
+    explicit PendingCall(Call call) : m_call(std::move(call)) {}
     // NOLINTNEXTLINE(performance-noexcept-move-constructor): may throw what the call's own may
-    CallOnItsWay(CallOnItsWay &&other) noexcept(std::is_nothrow_move_constructible_v<Call>)
+    PendingCall(PendingCall &&other) noexcept(std::is_nothrow_move_constructible_v<Call>)
         : m_call(std::move(other.m_call))
     {
         handOver();
     }
-    ~CallOnItsWay() { takeOver(); }
-    CallOnItsWay &operator=(CallOnItsWay &&) = delete;
+    ~PendingCall() { takeOver(); }
+    PendingCall &operator=(PendingCall &&) = delete;
 
     void operator()()
     {
@@ -99,7 +99,7 @@ private:
 template <class Call>
 void callLater(QObject *context, Call &&call)
 {
-    QMetaObject::invokeMethod(context, CallOnItsWay<std::decay_t<Call>>(std::forward<Call>(call)),
+    QMetaObject::invokeMethod(context, PendingCall<std::decay_t<Call>>(std::forward<Call>(call)),
                               Qt::QueuedConnection);
 }
 

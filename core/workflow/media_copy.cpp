@@ -151,7 +151,7 @@ Result<MediaCopy> copyIntoMedia(const std::filesystem::path &source, const std::
         ODO_TRY(isThere ? held(original, what, control) : copied(original, mediaFolder, name, what, control));
     const auto bytes = copy.file.bytes();
     if (!bytes)
-        return cannotBeLookedAt(what, bytes.error(), checkFileIsThere());
+        return cannotBeInspected(what, bytes.error(), checkFileIsThere());
     copy.bytes = *bytes;
     return copy;
 }

@@ -35,7 +35,7 @@ Result<std::vector<std::filesystem::path>> filesOfSizes(const std::filesystem::p
     if (control.isCancelled())
         return cancelled(ODO_TEXT("workflow.look_for_lost_videos", "search for lost videos"));
     if (problem)
-        return cannotLookIn(folder, problem);
+        return cannotSearch(folder, problem);
     return files;
 }
 
@@ -71,10 +71,10 @@ Result<void> RelinkJob::run(const JobControl &control)
     ODO_TRY(findLost());
     control.report(0, ODO_TEXT("workflow.looking_for_files", "searching for files"));
     const auto files = ODO_TRY(filesOfSizes(m_folder, m_lost, control));
-    ODO_TRY(look(files, control));
+    ODO_TRY(inspect(files, control));
     if (m_found.empty())
         return fail(
-            ErrorCode::NotFound, lookIn(m_folder),
+            ErrorCode::NotFound, searchIn(m_folder),
             m_lost.size() == 1
                 ? Message(ODO_TEXT("workflow.lost_video_not_there", "the lost video is not in this folder"))
                 : ODO_TEXT("workflow.lost_videos_not_there",
@@ -83,7 +83,7 @@ Result<void> RelinkJob::run(const JobControl &control)
     return {};
 }
 
-Result<void> RelinkJob::look(const std::vector<std::filesystem::path> &files, const JobControl &control)
+Result<void> RelinkJob::inspect(const std::vector<std::filesystem::path> &files, const JobControl &control)
 {
     for (std::size_t i = 0; i < files.size() && m_found.size() < m_lost.size(); ++i) {
         control.report(static_cast<double>(i) / static_cast<double>(files.size()), readingFile(files[i]));
@@ -165,7 +165,7 @@ Result<void> FindStraysJob::run(const JobControl &control)
         m_others.insert(m_others.end(), some->begin(), some->end());
     for (const std::filesystem::path &file : m_strays) {
         if (control.isCancelled())
-            return cancelled(lookForStrays());
+            return cancelled(findStrayFiles());
         // a link leads to what is somebody else's
         const bool isFile = files::kindOfItself(file) == files::Kind::File;
         if (isFile && file.extension() != inTheMaking && VideoInput::open(file))

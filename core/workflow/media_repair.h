@@ -34,7 +34,7 @@ private:
         std::filesystem::path file;
     };
     Result<void> findLost();
-    Result<void> look(const std::vector<std::filesystem::path> &files, const JobControl &control);
+    Result<void> inspect(const std::vector<std::filesystem::path> &files, const JobControl &control);
 
     const std::filesystem::path m_folder;
     std::filesystem::path m_project;

@@ -111,11 +111,11 @@ Result<void> PackJob::prepare(Project &project)
 {
     m_project = realProjectFile(project.file()); // whose name its media folder has
     m_mediaFolder = project.mediaFolder();
-    return checkOutput(m_archive, FileKind::Zip).map([](const OutputPlace &) {});
+    return checkOutput(m_archive, FileKind::Zip).map([](const OutputLocation &) {});
 }
 
 /// Which videos come from elsewhere, and which are lost or replaced.
-Result<void> PackJob::look(Project &project, const JobControl &control)
+Result<void> PackJob::inspect(Project &project, const JobControl &control)
 {
     const auto trials = ODO_TRY(project.trials().names());
     std::map<RecordId, std::string> names;
@@ -159,7 +159,7 @@ Result<void> PackJob::copyProject(const std::filesystem::path &copy, std::vector
 {
     {
         const auto original = ODO_TRY(Project::openAgain(m_project, Project::Access::ReadOnly));
-        ODO_TRY(look(*original, control));
+        ODO_TRY(inspect(*original, control));
         ODO_TRY(original->saveCopy(copy));
     }
     entries.push_back({m_project.filename().string(), copy});
@@ -207,12 +207,12 @@ Result<void> takeAll(const Result<std::vector<Record>> &records, const Take &tak
 }
 
 /// Without the images of its calibration.
-Result<void> takeLens(Project &from, RecordId camera, Project &to, RecordId newCamera)
+Result<void> takeIntrinsics(Project &from, RecordId camera, Project &to, RecordId newCamera)
 {
-    auto lens = from.cameras().currentIntrinsics(camera);
-    if (!lens || !*lens)
-        return lens ? Result<void>() : tl::unexpected(lens.error());
-    IntrinsicsRecord taken = **lens;
+    auto intrinsics = from.cameras().currentIntrinsics(camera);
+    if (!intrinsics || !*intrinsics)
+        return intrinsics ? Result<void>() : tl::unexpected(intrinsics.error());
+    IntrinsicsRecord taken = **intrinsics;
     taken.camera = newCamera;
     taken.files.clear();
     return withoutValue(to.cameras().addIntrinsics(taken));
@@ -224,7 +224,7 @@ Result<void> takeSetUp(Project &from, Project &to, const JobControl &control)
         if (control.isCancelled())
             return cancelled(ODO_TEXT("workflow.new_project", "new project"));
         const auto added = to.cameras().add(record);
-        return added ? takeLens(from, record.id, to, added->id) : tl::unexpected(added.error());
+        return added ? takeIntrinsics(from, record.id, to, added->id) : tl::unexpected(added.error());
     };
     const auto layout = [&](const LayoutRecord &record) {
         return withoutValue(to.layouts().add(record.layout));

@@ -48,7 +48,7 @@ private:
         RecordId recording = 0;
         std::filesystem::path file;
     };
-    Result<void> look(Project &project, const JobControl &control);
+    Result<void> inspect(Project &project, const JobControl &control);
     Result<void> copyProject(const std::filesystem::path &copy, std::vector<ArchiveEntry> &entries,
                              const JobControl &control);
 

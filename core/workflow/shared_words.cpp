@@ -80,7 +80,7 @@ Message robotNotTracked(const std::string &robot, const std::vector<std::string>
         Named::robot(robot), quotedNames(robots, MessageArgument::Kind::Robot));
 }
 
-Message noRobotToLookFor()
+Message noRobotToTrack()
 {
     return ODO_TEXT("workflow.no_robot", "the project has no robot to track");
 }

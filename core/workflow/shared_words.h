@@ -32,7 +32,7 @@ Message trackItFirst();
 /// robots: that were tracked in the trial.
 Message severalRobots(const std::vector<std::string> &robots);
 Message robotNotTracked(const std::string &robot, const std::vector<std::string> &robots);
-Message noRobotToLookFor();
+Message noRobotToTrack();
 Message noSuchFrame();
 Message chooseFrame(std::int64_t first, std::int64_t last);
 Message chooseAnotherOne();

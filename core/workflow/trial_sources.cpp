@@ -2,7 +2,7 @@
 #include "core/workflow/trial_sources.h"
 
 #include "core/base/error.h"
-#include "core/calibration/lens_influence.h"
+#include "core/calibration/intrinsics_influence.h"
 #include "core/project/project.h"
 #include "core/project/recording_rows.h"
 #include "core/project/repositories.h"
@@ -116,7 +116,7 @@ Result<std::vector<RobotRecord>> robotsToTrack(Project &project, const TrialReco
         return robots;
     auto all = project.robots().all();
     if (all && all->empty())
-        return fail(ErrorCode::NotFound, trialSubject(trial.name), noRobotToLookFor(),
+        return fail(ErrorCode::NotFound, trialSubject(trial.name), noRobotToTrack(),
                     joined({ODO_TEXT("workflow.add_one_with", "add one with"),
                             nameAlone(std::string("odograph robot add PROJECT NAME --colour #rrggbb"))},
                            Join::Colon));

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/simulation/demo_testbed.h"
 #include "core/simulation/renderer.h"
-#include "core/video/picture.h"
+#include "core/video/image.h"
 #include "tests/support/calling_test.h"
 #include "tests/support/registered_test.h"
 
@@ -109,7 +109,7 @@ private Q_SLOTS:
         write("playlist.mkv", "#EXTM3U\n#EXT-X-TARGETDURATION:5\n#EXTINF:5,\na.mkv\n#EXT-X-ENDLIST\n");
         write("broken.yaml", "image_width: 640\ncamera_matrix: [[[[\n");
         write("foreign.odo", "not a database");
-        QVERIFY(writePicture(SceneRenderer(demoTestbed(1), 0).render(0), path("noboard.png").toStdString())
+        QVERIFY(writeImage(SceneRenderer(demoTestbed(1), 0).render(0), path("noboard.png").toStdString())
                     .has_value());
     }
 

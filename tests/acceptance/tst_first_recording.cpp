@@ -62,7 +62,7 @@ private Q_SLOTS:
 private:
     QString project() const { return m_folder.filePath(QStringLiteral("demo.odo")); }
     QByteArray record(const QString &trial, const QStringList &robots) const;
-    std::vector<Place> placesOf(const QString &trial, const QString &robot) const;
+    std::vector<Place> paletteIndicesOf(const QString &trial, const QString &robot) const;
 
     QTemporaryDir m_folder;
 };
@@ -88,7 +88,7 @@ QByteArray TestFirstRecording::record(const QString &trial, const QStringList &r
 }
 
 /// In each frame in which the robot was measured.
-std::vector<Place> TestFirstRecording::placesOf(const QString &trial, const QString &robot) const
+std::vector<Place> TestFirstRecording::paletteIndicesOf(const QString &trial, const QString &robot) const
 {
     const QString table = m_folder.filePath(QStringLiteral("run.csv"));
     const ProgramRun run = runProgram({QStringLiteral("export"), project(), trial, QStringLiteral("-o"),
@@ -144,7 +144,7 @@ void TestFirstRecording::theRobotsThatAreUpAreFound()
         const QJsonObject tracked =
             track.json().value(QStringLiteral("robots")).toObject().value(robots[i]).toObject();
         const double frames = tracked.value(QStringLiteral("frames")).toDouble();
-        const std::vector<Place> places = placesOf(trial, robots[i]);
+        const std::vector<Place> places = paletteIndicesOf(trial, robots[i]);
         const Errors errors = errorsOf(places, *shown[std::size_t(i)].motion);
         qInfo("%s: %.0f frames, %zu measured, RMS %.2f mm, worst %.2f mm", qPrintable(robots[i]), frames,
               places.size(), 1e3 * errors.rmsM, 1e3 * errors.worstM);

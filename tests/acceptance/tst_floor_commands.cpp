@@ -2,7 +2,7 @@
 #include "core/exchange/intrinsics_yaml.h"
 #include "core/simulation/demo_testbed.h"
 #include "core/simulation/renderer.h"
-#include "core/video/picture.h"
+#include "core/video/image.h"
 #include "tests/support/calling_test.h"
 #include "tests/support/patience.h"
 #include "tests/support/registered_test.h"
@@ -28,7 +28,7 @@ class TestFloorCommands : public QObject, CallingTest
     }
     void draw(const SimulatedScene &scene, int camera, const char *name) const
     {
-        const auto written = writePicture(SceneRenderer(scene, camera).render(0), path(name).toStdString());
+        const auto written = writeImage(SceneRenderer(scene, camera).render(0), path(name).toStdString());
         QVERIFY2(written.has_value(), written ? "" : written.error().message().c_str());
     }
 
@@ -46,7 +46,7 @@ private Q_SLOTS:
                                 {"V", {-0.0001, 2.2}},
                                 {"D", {3, 2.2007}},
                                 {"E", {1.1, 0.7}}}};
-        scene.floor.markerFigure = MarkerFigure::Ring;
+        scene.floor.markerShape = MarkerShape::Ring;
         draw(scene, 0, "a.png");
         draw(scene, 1, "b.png");
         for (int camera : {0, 1}) {
@@ -186,7 +186,7 @@ private Q_SLOTS:
         // Four rings of a rectangle look the same turned by a half turn.
         write("four.csv", "label,x_mm,y_mm\nO,0,0\nU,3000,0\nV,0,2200\nD,3000,2200\n");
         SimulatedScene scene = demoTestbed(4);
-        scene.floor.markerFigure = MarkerFigure::Ring;
+        scene.floor.markerShape = MarkerShape::Ring;
         draw(scene, 0, "four.png");
         QCOMPARE(run("layout add %P four %/four.csv").exitStatus, 0);
         const ProgramRun asked = run("register %P --camera A --layout four --image %/four.png");

@@ -269,10 +269,10 @@ private Q_SLOTS:
     {
         for (const QString &command : commands()) {
             const bool isVideo = command.contains(QLatin1String("video")),
-                       isPicture = command.startsWith(QLatin1String("snapshot"));
-            const QString file = path(QStringLiteral("out/") + (isVideo     ? QStringLiteral("o.mp4")
-                                                                : isPicture ? QStringLiteral("o.png")
-                                                                            : QStringLiteral("o")));
+                       isImage = command.startsWith(QLatin1String("snapshot"));
+            const QString file = path(QStringLiteral("out/") + (isVideo   ? QStringLiteral("o.mp4")
+                                                                : isImage ? QStringLiteral("o.png")
+                                                                          : QStringLiteral("o")));
             QDir(m_folder.path()).mkpath(QStringLiteral("out"));
             const auto run = [&](const QStringList &more) {
                 return runProgram(callOf(command) << file << more);

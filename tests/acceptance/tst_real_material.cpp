@@ -24,7 +24,7 @@ class TestRealMaterial : public QObject
     QString project() const { return m_folder.filePath(QStringLiteral("real.odo")); }
     QString data(const char *name) const { return m_data + u'/' + QString::fromLatin1(name); }
 
-    QStringList pictures(const char *folder, const char *pattern) const
+    QStringList images(const char *folder, const char *pattern) const
     {
         QStringList files;
         const QDir dir(data(folder));
@@ -57,7 +57,7 @@ private Q_SLOTS:
 
     void theStereoChessboardsGiveThePublishedFocalLength()
     {
-        const QJsonObject answer = calibrated("left", pictures("chessboard-stereo", "left*.jpg"),
+        const QJsonObject answer = calibrated("left", images("chessboard-stereo", "left*.jpg"),
                                               {QStringLiteral("--square"), QStringLiteral("25mm")});
         const QJsonObject intrinsics = answer.value(QStringLiteral("intrinsics")).toObject();
         QCOMPARE(answer.value(QStringLiteral("images_used")).toInt(), 13);
@@ -76,7 +76,7 @@ private Q_SLOTS:
     {
         QFETCH(QString, folder);
         QFETCH(double, focal);
-        const QJsonObject answer = calibrated("portrait", pictures(folder.toLatin1(), "*.jpg"),
+        const QJsonObject answer = calibrated("portrait", images(folder.toLatin1(), "*.jpg"),
                                               {QStringLiteral("--square"), QStringLiteral("60mm")});
         const double found =
             answer.value(QStringLiteral("intrinsics")).toObject().value(QStringLiteral("fx")).toDouble();

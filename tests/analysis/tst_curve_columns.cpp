@@ -130,10 +130,10 @@ private Q_SLOTS:
         values[0].reset();
         values[4].reset();
         values[5].reset();
-        std::vector<double> places;
+        std::vector<double> positions;
         for (int i = 0; i < 10; ++i)
-            places.push_back(3 * i);
-        const auto runs = curveRuns(values, places);
+            positions.push_back(3 * i);
+        const auto runs = curveRuns(values, positions);
         QCOMPARE(runs.size(), std::size_t(2));
         QCOMPARE(runs[0].firstSample, std::size_t(1));
         QCOMPARE(runs[1].points.front().x, 18.0);

@@ -14,7 +14,7 @@ using namespace odo::test;
 
 namespace {
 
-std::map<std::string, Metric> figuresOf(const ReferencePath &path, const Run &run)
+std::map<std::string, Metric> metricsOf(const ReferencePath &path, const Run &run)
 {
     Task task;
     task.path = path;
@@ -24,9 +24,9 @@ std::map<std::string, Metric> figuresOf(const ReferencePath &path, const Run &ru
     return named;
 }
 
-std::vector<PathPlace> followed(const ReferencePath &path, const Run &run)
+std::vector<PathPosition> followed(const ReferencePath &path, const Run &run)
 {
-    return followPath(path, measuredPlaces(run.samples, run.points));
+    return followPath(path, measuredPositions(run.samples, run.points));
 }
 
 Course evenly(Eigen::Vector2d from, Eigen::Vector2d velocity)
@@ -87,28 +87,28 @@ private Q_SLOTS:
     {
         // 40 mm to the left of it, from 0.3 m before its start to 0.2 m past its end.
         const Run run = exactly(evenly({-0.3, 0.04}, {0.5, 0}), 5);
-        const auto places = followed(line, run);
-        QVERIFY(places.front().beyondEnd && places.back().beyondEnd && !places[60].beyondEnd);
-        QVERIFY(std::abs(places[60].stationM - 0.7) < 1e-9);
-        QVERIFY(std::abs(places[60].offsetM - 0.04) < 1e-12);
-        auto figures = figuresOf(line, run);
+        const auto positions = followed(line, run);
+        QVERIFY(positions.front().beyondEnd && positions.back().beyondEnd && !positions[60].beyondEnd);
+        QVERIFY(std::abs(positions[60].stationM - 0.7) < 1e-9);
+        QVERIFY(std::abs(positions[60].offsetM - 0.04) < 1e-12);
+        auto figures = metricsOf(line, run);
         for (const char *name :
              {"cross_track_mean", "cross_track_rms", "cross_track_max", "cross_track_bias"})
             QVERIFY2(std::abs(figures[name].value - 40) < 1e-6, name);
         QCOMPARE(figures["path_completed"].value, 1.0);
-        const auto right = figuresOf(line, exactly(evenly({-0.3, -0.04}, {0.5, 0}), 5));
+        const auto right = metricsOf(line, exactly(evenly({-0.3, -0.04}, {0.5, 0}), 5));
         QVERIFY(std::abs(right.at("cross_track_bias").value + 40) < 1e-6);
         QVERIFY(std::abs(right.at("cross_track_mean").value - 40) < 1e-6);
     }
     void halfTheWayIsHalfThePath()
     {
-        const auto figures = figuresOf(line, exactly(evenly({0, 0.01}, {0.5, 0}), 2));
+        const auto figures = metricsOf(line, exactly(evenly({0, 0.01}, {0.5, 0}), 2));
         QVERIFY(std::abs(figures.at("path_completed").value - 0.5) < 0.002);
         // To and fro twice over the first half is still half.
         const Course swing = [](double t) {
             return Truth{{0.5 - 0.5 * std::cos(2 * t), 0}, {std::sin(2 * t), 0}, {2 * std::cos(2 * t), 0}};
         };
-        QVERIFY(std::abs(figuresOf(line, exactly(swing, 6.3)).at("path_completed").value - 0.5) < 0.002);
+        QVERIFY(std::abs(metricsOf(line, exactly(swing, 6.3)).at("path_completed").value - 0.5) < 0.002);
     }
     void aPauseWeighsNothing()
     {
@@ -119,14 +119,14 @@ private Q_SLOTS:
             truth.position = {t < 2 ? 0.5 * t : t < 10 ? 1.0 : 1 + 0.5 * (t - 10), t < 2 ? 0 : 0.05};
             return truth;
         };
-        const auto figures = figuresOf(line, exactly(course, 12));
+        const auto figures = metricsOf(line, exactly(course, 12));
         QVERIFY2(std::abs(figures.at("cross_track_mean").value - 25) < 0.6,
                  qPrintable(QString::number(figures.at("cross_track_mean").value)));
     }
     void roundACircleInClosedForm()
     {
         // 30 mm outside with a swing of 20 mm: mean 30, RMS √(30² + 20²/2), most 50 mm; outside is right.
-        const auto figures = figuresOf(circlePath({0, 0}, 0.5), exactly(wavyCircle(0.5, 0.03, 0.02, 4), 12));
+        const auto figures = metricsOf(circlePath({0, 0}, 0.5), exactly(wavyCircle(0.5, 0.03, 0.02, 4), 12));
         QVERIFY(std::abs(figures.at("cross_track_mean").value - 30) < 0.4);
         QVERIFY(std::abs(figures.at("cross_track_bias").value + 30) < 0.4);
         QVERIFY(std::abs(figures.at("cross_track_rms").value - std::sqrt(30 * 30 + 20 * 20 / 2)) < 0.4);
@@ -142,15 +142,15 @@ private Q_SLOTS:
             std::mt19937 random(seed);
             const Run run = smoothed(course, 18, 0.004, random);
             double gone = 0;
-            const auto places = followed(path, run);
-            for (std::size_t i = 1; i < places.size(); ++i) {
-                QVERIFY(!places[i].jumped);
-                const double step = std::remainder(places[i].stationM - places[i - 1].stationM, length);
+            const auto positions = followed(path, run);
+            for (std::size_t i = 1; i < positions.size(); ++i) {
+                QVERIFY(!positions[i].jumped);
+                const double step = std::remainder(positions[i].stationM - positions[i - 1].stationM, length);
                 QVERIFY(std::abs(step) < 0.08);
                 gone += step;
             }
             QVERIFY2(std::abs(gone / length - 3) < 0.01, qPrintable(QString::number(gone / length)));
-            QCOMPARE(figuresOf(path, run).at("path_completed").value, 1.0);
+            QCOMPARE(metricsOf(path, run).at("path_completed").value, 1.0);
         }
     }
     void aShortCutIsAJumpAndNotCounted()
@@ -158,24 +158,24 @@ private Q_SLOTS:
         // Round the right loop of the eight twice, never the left one.
         const Course course = figureEight(0.95, 0.6, 6);
         const Course right = [course](double t) { return course(std::fmod(t, 3.0)); };
-        const auto places = followed(figureEightPath({0, 0}, 0.95, 0.6), exactly(right, 6));
+        const auto positions = followed(figureEightPath({0, 0}, 0.95, 0.6), exactly(right, 6));
         const auto jumps =
-            std::count_if(places.begin(), places.end(), [](const PathPlace &p) { return p.jumped; });
+            std::count_if(positions.begin(), positions.end(), [](const PathPosition &p) { return p.jumped; });
         QCOMPARE(jumps, 1);
-        QVERIFY(std::abs(completedShare(figureEightPath({0, 0}, 0.95, 0.6), places) - 0.5) < 0.02);
+        QVERIFY(std::abs(completedShare(figureEightPath({0, 0}, 0.95, 0.6), positions) - 0.5) < 0.02);
     }
     void aRobotThatNeverMovesHasNoDistance()
     {
-        const auto figures = figuresOf(line, exactly(evenly({1, 0.1}, {0, 0}), 3, 0.001));
+        const auto figures = metricsOf(line, exactly(evenly({1, 0.1}, {0, 0}), 3, 0.001));
         QCOMPARE(figures.size(), std::size_t(1));
         QCOMPARE(figures.at("path_completed").value, 0.0);
-        QCOMPARE(figuresOf(line, {}).at("path_completed").value, 0.0);
+        QCOMPARE(metricsOf(line, {}).at("path_completed").value, 0.0);
     }
     void theCalibrationsShiftIsInTheSigma()
     {
         Eigen::Matrix2d common;
         common << 0, 0, 0, 0.006 * 0.006; // across the line only
-        const auto figures = figuresOf(line, exactly(evenly({0, 0.04}, {0.5, 0}), 4, 0, common));
+        const auto figures = metricsOf(line, exactly(evenly({0, 0.04}, {0.5, 0}), 4, 0, common));
         for (const char *name :
              {"cross_track_mean", "cross_track_rms", "cross_track_max", "cross_track_bias"})
             QVERIFY2(std::abs(*figures.at(name).sigma - 6) < 1e-6, name);
@@ -193,11 +193,11 @@ private Q_SLOTS:
         QFETCH(double, outM);
         const Course course = wavyCircle(0.5, outM, swingM, 5);
         const ReferencePath path = circlePath({0, 0}, 0.5);
-        auto truth = figuresOf(path, exactly(course, 10));
+        auto truth = metricsOf(path, exactly(course, 10));
         std::map<std::string, double> squares, stated;
         for (unsigned seed = 0; seed < 100; ++seed) {
             std::mt19937 random(seed);
-            for (const auto &[name, metric] : figuresOf(path, smoothed(course, 10, 0.003, random))) {
+            for (const auto &[name, metric] : metricsOf(path, smoothed(course, 10, 0.003, random))) {
                 if (!metric.sigma)
                     continue;
                 squares[name] += std::pow(metric.value - truth[name].value, 2);
@@ -214,7 +214,7 @@ private Q_SLOTS:
     {
         // Exactly on the path: the mean magnitude is all noise, and its σ reaches down to zero.
         std::mt19937 random(3);
-        const auto figures = figuresOf(line, smoothed(evenly({0, 0}, {0.5, 0}), 4, 0.004, random));
+        const auto figures = metricsOf(line, smoothed(evenly({0, 0}, {0.5, 0}), 4, 0.004, random));
         for (const char *name : {"cross_track_mean", "cross_track_rms"}) {
             const Metric &metric = figures.at(name);
             QVERIFY2(metric.value < 2.5 * *metric.sigma, name);

@@ -16,7 +16,7 @@ namespace {
 constexpr double rate = 60;
 
 /// Round a circle of 1 m at 0.5 m/s, from a rest of half a second on: exact positions of σ = 1 mm.
-Eigen::Vector2d placeAt(double timeS)
+Eigen::Vector2d positionAt(double timeS)
 {
     const double angle = 0.5 * std::max(0.0, timeS - 0.5);
     return {std::cos(angle), std::sin(angle)};
@@ -29,7 +29,7 @@ Profile circle(double durationS)
         Sample sample;
         sample.frame = i;
         sample.time = fromSeconds(i / rate);
-        sample.position = placeAt(i / rate);
+        sample.position = positionAt(i / rate);
         sample.covariance = Eigen::Matrix2d::Identity() * 1e-6;
         profile.samples.push_back(sample);
     }
@@ -81,23 +81,23 @@ private Q_SLOTS:
     void wayDrivenIsThePathLength()
     {
         const Profile profile = circle(5);
-        const std::vector<double> ways = drivenWay(profile.samples, profile.points);
-        QCOMPARE(ways.size(), profile.points.size());
-        QVERIFY(std::is_sorted(ways.begin(), ways.end()));
-        QCOMPARE(ways[10], 0.0); // it stands
+        const std::vector<double> distances = distanceTravelled(profile.samples, profile.points);
+        QCOMPARE(distances.size(), profile.points.size());
+        QVERIFY(std::is_sorted(distances.begin(), distances.end()));
+        QCOMPARE(distances[10], 0.0); // it stands
         // The blur of the sudden start is some frames long.
-        QVERIFY(std::abs(ways.back() - 0.5 * 4.5) < 0.02);
-        QVERIFY(std::abs(ways[200] - ways[100] - 0.5 * 100 / rate) < 2e-3);
+        QVERIFY(std::abs(distances.back() - 0.5 * 4.5) < 0.02);
+        QVERIFY(std::abs(distances[200] - distances[100] - 0.5 * 100 / rate) < 2e-3);
         for (const Metric &metric : measureRun(profile.samples, profile.points))
             if (metric.name == "path_length")
-                QVERIFY(std::abs(metric.value - ways.back()) < 1e-9);
+                QVERIFY(std::abs(metric.value - distances.back()) < 1e-9);
     }
     void nothingDrivesNoWay()
     {
-        QVERIFY(drivenWay({}, {}).empty());
+        QVERIFY(distanceTravelled({}, {}).empty());
         Profile profile = circle(0.3); // it only stands
-        for (const double way : drivenWay(profile.samples, profile.points))
-            QCOMPARE(way, 0.0);
+        for (const double distance : distanceTravelled(profile.samples, profile.points))
+            QCOMPARE(distance, 0.0);
     }
 };
 

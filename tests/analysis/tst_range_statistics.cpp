@@ -281,7 +281,7 @@ private Q_SLOTS:
         std::mt19937 random(7);
         const TimeSpan span = spanOf(0.5, 2.5);
         const double begin = 0.5, end = 2.5;
-        Scatter mean, slope, start, path, speedByPlace, accelByPlace, meanAccel;
+        Scatter mean, slope, start, path, speedByPosition, accelByPosition, meanAccel;
         for (int run = 0; run < 400; ++run) {
             const Profile profile =
                 runOf(evenly, 3, {0.002, slowShare}, random, static_cast<Smoother>(smoother));
@@ -294,16 +294,16 @@ private Q_SLOTS:
             start.add(line->coefficients[0], 0.4 + 0.3 * begin, line->sigma(0));
             const auto driven = pathWithin(profile, span);
             path.add(driven->value, evenly(end) - evenly(begin), driven->sigma);
-            const auto place = fitQuantity(profile, Quantity::PositionX, span, FitShape::Parabola);
-            speedByPlace.add(place->coefficients[1], 0.4 + 0.3 * begin, place->sigma(1));
-            accelByPlace.add(place->coefficients[2], 0.15, place->sigma(2));
+            const auto position = fitQuantity(profile, Quantity::PositionX, span, FitShape::Parabola);
+            speedByPosition.add(position->coefficients[1], 0.4 + 0.3 * begin, position->sigma(1));
+            accelByPosition.add(position->coefficients[2], 0.15, position->sigma(2));
         }
         std::vector<std::pair<const char *, Scatter>> all{{"mean speed", mean},
                                                           {"slope", slope},
                                                           {"start", start},
                                                           {"path", path},
-                                                          {"speed by place", speedByPlace},
-                                                          {"acceleration by place", accelByPlace}};
+                                                          {"speed by place", speedByPosition},
+                                                          {"acceleration by place", accelByPosition}};
         if (hasAcceleration)
             all.push_back({"mean acceleration", meanAccel});
         for (const auto &[name, scatter] : all)

@@ -17,11 +17,11 @@ using namespace odo::test;
 namespace {
 
 /// Rests until startS, then drives along a line at an even speed, and waits once at a place.
-Course evenRun(double startS, double speedMps, double placeM = 1e9, double waitS = 0, double lengthM = 2)
+Course evenRun(double startS, double speedMps, double stationM = 1e9, double waitS = 0, double lengthM = 2)
 {
     return [=](double t) {
         double u = std::max(0.0, t - startS);
-        const double reachedS = placeM / speedMps;
+        const double reachedS = stationM / speedMps;
         const bool waits = u > reachedS && u < reachedS + waitS;
         if (u >= reachedS)
             u = std::max(reachedS, u - waitS);
@@ -86,7 +86,7 @@ void checkDifferences(const RunComparison &comparison, const std::function<doubl
                       double toleranceS, int atLeast)
 {
     int seen = 0;
-    for (std::size_t i = 0; i < comparison.waysM.size(); ++i) {
+    for (std::size_t i = 0; i < comparison.distancesM.size(); ++i) {
         const auto difference = comparison.timeDifference(1, i);
         if (!difference)
             continue;
@@ -158,11 +158,11 @@ private Q_SLOTS:
         const Profile whole = exact(evenRun(0.5, 0.5), 6), half = exact(evenRun(0.5, 0.5, 1e9, 0, 1.1), 6);
         const auto comparison = compared(whole, half, byTask());
         QVERIFY2(comparison, qPrintable(message(comparison)));
-        QVERIFY(comparison->waysM.back() > 1.9); // the first run is shown to its end
+        QVERIFY(comparison->distancesM.back() > 1.9); // the first run is shown to its end
         double last = 0;
-        for (std::size_t i = 0; i < comparison->waysM.size(); ++i)
+        for (std::size_t i = 0; i < comparison->distancesM.size(); ++i)
             if (comparison->timeDifference(1, i))
-                last = comparison->waysM[i];
+                last = comparison->distancesM[i];
         QVERIFY2(std::abs(last - 1.1) < 0.011, qPrintable(QString::number(last)));
     }
 
@@ -192,13 +192,13 @@ private Q_SLOTS:
     void theDistanceToAlignByCanBeTold()
     {
         ComparisonOptions options = byTask(AlignBy::Distance);
-        options.placeM = 1;
+        options.stationM = 1;
         const Profile fast = exact(evenRun(0.5, 0.5), 6), slow = exact(evenRun(1.3, 0.4), 8);
         const auto comparison = compared(fast, slow, options);
         QVERIFY2(comparison, qPrintable(message(comparison)));
         QVERIFY(std::abs(comparison->timeDifferenceAt(1, 1)->value) < 1e-9);
         QVERIFY(std::abs(comparison->timeDifferenceAt(1, 1.5)->value - (0.5 / 0.4 - 0.5 / 0.5)) < 1e-6);
-        options.placeM = 5;
+        options.stationM = 5;
         QVERIFY(message(compared(fast, slow, options))
                     .contains(QLatin1String("was not seen at the position used for alignment; choose")));
     }

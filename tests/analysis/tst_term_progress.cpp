@@ -78,10 +78,10 @@ private Q_SLOTS:
         int wrong = 0;
         constexpr int terms = 4000;
         for (int term = 0; term < terms; ++term) {
-            std::vector<TermFigure> figures;
+            std::vector<TermValue> termValues;
             for (int run = 0; run < runs; ++run)
-                figures.push_back({day(random), noise(random)});
-            wrong += termProgress(figures, true).isBeyondSpread ? 1 : 0;
+                termValues.push_back({day(random), noise(random)});
+            wrong += termProgress(termValues, true).isBeyondSpread ? 1 : 0;
         }
         QVERIFY2(std::abs(wrong / double(terms) - 0.05) < 4 * 0.0035, qPrintable(QString::number(wrong)));
     }
@@ -89,7 +89,7 @@ private Q_SLOTS:
     /// Pooled by hand: squares 2 (about 10) and 2 (about 13), degrees 2 and 2: spread 1.
     void ranksByWhatIsBeyondDoubt()
     {
-        std::vector<TeamFigures> teams(4);
+        std::vector<TeamStatistics> teams(4);
         teams[0].values = {9, 10, 11};
         teams[1].values = {12, 13, 14};
         teams[2].values = {10.5};
@@ -109,7 +109,7 @@ private Q_SLOTS:
 
     void withoutASpreadEveryDifferenceCounts()
     {
-        std::vector<TeamFigures> teams(3);
+        std::vector<TeamStatistics> teams(3);
         teams[0].values = {2};
         teams[1].values = {1};
         teams[2].values = {1};

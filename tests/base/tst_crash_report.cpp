@@ -190,7 +190,7 @@ private Q_SLOTS:
                 reports[0].signal == "SIGSEGV");
         QVERIFY(reports[15].signal.empty());
         for (const CrashReport &report : reports)
-            QCOMPARE(keepToldReport(report).filename().string(), "told-" + report.file.filename().string());
+            QCOMPARE(keepShownReport(report).filename().string(), "told-" + report.file.filename().string());
         QVERIFY(newCrashReports(folder()).empty());
         QCOMPARE(left().filter(QStringLiteral("told-")).size(), 10);
         QVERIFY(left().contains(QStringLiteral("notes.txt")));

@@ -13,7 +13,7 @@ namespace odo::test {
 
 namespace {
 
-constexpr int widthPx = 1280, heightPx = 720, pictures = 60;
+constexpr int widthPx = 1280, heightPx = 720, images = 60;
 constexpr double noisePx = 0.1;
 
 CameraModel trueCamera()
@@ -37,7 +37,7 @@ std::vector<BoardView> seenBoards()
     std::mt19937 random(17);
     std::normal_distribution<double> noise(0, noisePx);
     std::vector<BoardView> views;
-    for (const RigidTransform &pose : heldBoardPoses(camera, board, pictures, 3)) {
+    for (const RigidTransform &pose : heldBoardPoses(camera, board, images, 3)) {
         views.push_back({"picture" + std::to_string(views.size()), board.columns, board.rows, {}, {}});
         for (int i = 0; i < board.columns * board.rows; ++i) {
             const int row = i / board.columns;
@@ -84,11 +84,11 @@ QString milliseconds(double value)
 
 } // namespace
 
-std::vector<Figure> measureCalibration(int rounds)
+std::vector<Measurement> measureCalibration(int rounds)
 {
     cv::setNumThreads(1); // so that all of its work is on the thread that is clocked
     const std::vector<BoardView> views = seenBoards();
-    std::vector<std::size_t> most(pictures - 5);
+    std::vector<std::size_t> most(images - 5);
     std::iota(most.begin(), most.end(), std::size_t(0));
     std::vector<double> opencv, told, chosen, again;
     double theirs = 0;
@@ -108,12 +108,12 @@ std::vector<Figure> measureCalibration(int rounds)
     const auto faster = [&](const char *name, const std::vector<double> &times,
                             std::optional<double> demanded) {
         const double own = median(times);
-        return Figure{QString::fromLatin1(name),
-                      reference / own,
-                      demanded,
-                      {},
-                      {},
-                      cvText + QStringLiteral(", here ") + milliseconds(own)};
+        return Measurement{QString::fromLatin1(name),
+                           reference / own,
+                           demanded,
+                           {},
+                           {},
+                           cvText + QStringLiteral(", here ") + milliseconds(own)};
     };
     return {faster("cv::calibrateCamera / calibration, 60 images, lens model given", told, 5),
             faster("cv::calibrateCamera / calibration, 60 images, lens model chosen", chosen, 5),

@@ -34,7 +34,7 @@ PureDecoding decodeByLibavcodec(const std::filesystem::path &file)
     if (avcodec_open2(decoder.get(), codec, nullptr) < 0)
         return result;
     const libav::PacketPtr packet(av_packet_alloc());
-    const libav::FramePtr picture(av_frame_alloc());
+    const libav::FramePtr image(av_frame_alloc());
     const double begin = threadCpuS();
     for (bool more = true; more;) {
         more = av_read_frame(opened, packet.get()) >= 0;
@@ -44,7 +44,7 @@ PureDecoding decodeByLibavcodec(const std::filesystem::path &file)
         }
         avcodec_send_packet(decoder.get(), more ? packet.get() : nullptr);
         av_packet_unref(packet.get());
-        while (avcodec_receive_frame(decoder.get(), picture.get()) == 0)
+        while (avcodec_receive_frame(decoder.get(), image.get()) == 0)
             ++result.frames;
     }
     result.seconds = threadCpuS() - begin;

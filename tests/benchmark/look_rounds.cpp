@@ -97,7 +97,7 @@ LookRound runRound(const LookClip &clip, const Background &background)
     return round;
 }
 
-void addFigures(const LookClip &clip, const std::vector<LookRound> &rounds, std::vector<Figure> &figures)
+void addMetrics(const LookClip &clip, const std::vector<LookRound> &rounds, std::vector<Measurement> &metrics)
 {
     const auto medianOf = [&](const auto &of) {
         std::vector<double> values;
@@ -112,7 +112,7 @@ void addFigures(const LookClip &clip, const std::vector<LookRound> &rounds, std:
     const QString robots = clip.robots == 1 ? QStringLiteral("1 robot of any look")
                                             : QStringLiteral("%1 robots of any look").arg(clip.robots);
     const double leastRatio = clip.robots == 1 ? 25 : 12;
-    figures.push_back({QStringLiteral("MOG2 / work after decoding, ") + robots,
+    metrics.push_back({QStringLiteral("MOG2 / work after decoding, ") + robots,
                        medianOf([](const LookRound &r) { return r.subtractS / r.trackS; }),
                        leastRatio,
                        {},
@@ -121,7 +121,7 @@ void addFigures(const LookClip &clip, const std::vector<LookRound> &rounds, std:
                            .arg(ms(&LookRound::subtractS), ms(&LookRound::trackS))
                            .arg(rounds.front().found)
                            .arg(rounds.front().frames * std::int64_t(clip.robots))});
-    figures.push_back({QStringLiteral("H.264: decode / (decode + track), ") + robots,
+    metrics.push_back({QStringLiteral("H.264: decode / (decode + track), ") + robots,
                        medianOf([](const LookRound &r) { return r.decodeS / (r.decodeS + r.trackS); }),
                        clip.robots == 1 ? std::optional(0.95) : std::nullopt,
                        {},
@@ -131,9 +131,10 @@ void addFigures(const LookClip &clip, const std::vector<LookRound> &rounds, std:
 
 } // namespace
 
-Result<std::vector<Figure>> measureLooks(const std::filesystem::path &folder, double durationS, int rounds)
+Result<std::vector<Measurement>> measureLooks(const std::filesystem::path &folder, double durationS,
+                                              int rounds)
 {
-    std::vector<Figure> figures;
+    std::vector<Measurement> metrics;
     for (const std::size_t robots : {std::size_t(1), std::size_t(6)}) {
         const auto clip = provideClip(folder, robots, durationS);
         if (!clip)
@@ -145,9 +146,9 @@ Result<std::vector<Figure>> measureLooks(const std::filesystem::path &folder, do
         std::vector<LookRound> all;
         for (int round = 0; round < rounds; ++round)
             all.push_back(runRound(*clip, *background));
-        addFigures(*clip, all, figures);
+        addMetrics(*clip, all, metrics);
     }
-    return figures;
+    return metrics;
 }
 
 } // namespace odo::test

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/base/error.h"
-#include "tests/benchmark/figures.h"
+#include "tests/benchmark/metrics.h"
 
 #include <filesystem>
 
@@ -12,6 +12,7 @@ namespace odo::test {
 /// of the background (MOG2) on the same frames and beside decoding; each ratio is taken within its round, and
 /// the median of the rounds counts. The clips, H.264 of 8 Mbit/s, are rendered into a folder; those that are
 /// there are used again.
-Result<std::vector<Figure>> measureLooks(const std::filesystem::path &folder, double durationS, int rounds);
+Result<std::vector<Measurement>> measureLooks(const std::filesystem::path &folder, double durationS,
+                                              int rounds);
 
 } // namespace odo::test

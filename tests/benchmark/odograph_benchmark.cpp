@@ -91,12 +91,12 @@ int main(int argc, char *argv[])
 {
     const QCoreApplication app(argc, argv);
     const Order order = orderFrom(app);
-    const std::vector<Figure> calibration = measureCalibration(order.rounds);
+    const std::vector<Measurement> calibration = measureCalibration(order.rounds);
     if (calibration.empty())
         return fail(QStringLiteral("the boards cannot be calibrated from"));
     if (order.calibrationOnly) {
-        print(figuresTable(calibration));
-        return std::ranges::all_of(calibration, &Figure::isMet) ? 0 : 1;
+        print(metricsTable(calibration));
+        return std::ranges::all_of(calibration, &Measurement::isMet) ? 0 : 1;
     }
     const QTemporaryDir scratch;
     const QString folder = order.folder.isEmpty() ? scratch.path() : order.folder;
@@ -105,21 +105,21 @@ int main(int argc, char *argv[])
     if (!clips)
         return fail(QString::fromStdString(clips.error().message()));
 
-    std::vector<Figure> figures = measureSpeed(*clips, order.rounds);
-    if (figures.empty())
+    std::vector<Measurement> metrics = measureSpeed(*clips, order.rounds);
+    if (metrics.empty())
         return fail(QStringLiteral("the clips in %1 cannot be read; remove them").arg(folder));
     const auto looks = measureLooks(folder.toStdString(), order.durationS, order.rounds);
     if (!looks)
         return fail(QString::fromStdString(looks.error().message()));
-    figures.insert(figures.end(), looks->begin(), looks->end());
-    figures.push_back(measureColdSearch(clips->h264));
-    figures.insert(figures.end(), calibration.begin(), calibration.end());
-    const std::vector<Figure> centres = measureCentres(*clips);
-    figures.insert(figures.end(), centres.begin(), centres.end());
-    print(figuresTable(figures));
-    QJsonObject json{{QStringLiteral("figures"), figuresJson(figures)}};
+    metrics.insert(metrics.end(), looks->begin(), looks->end());
+    metrics.push_back(measureColdSearch(clips->h264));
+    metrics.insert(metrics.end(), calibration.begin(), calibration.end());
+    const std::vector<Measurement> centres = measureCentres(*clips);
+    metrics.insert(metrics.end(), centres.begin(), centres.end());
+    print(metricsTable(metrics));
+    QJsonObject json{{QStringLiteral("figures"), metricsJson(metrics)}};
     bool met =
-        std::all_of(figures.begin(), figures.end(), [](const Figure &figure) { return figure.isMet(); });
+        std::all_of(metrics.begin(), metrics.end(), [](const Measurement &metric) { return metric.isMet(); });
 
     if (!order.scenes.isEmpty()) {
         const auto measured = measureScenes(order);

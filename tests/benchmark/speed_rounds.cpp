@@ -40,7 +40,7 @@ double searchPerFrame(const BenchmarkClip &clip)
         TrackedFrame tracked(**frame);
         const ChromaDensity background = tracked.backgroundWithout({});
         const ColourModel model(chromaOf(clip.scene.robots[0].colour, (*frame)->format));
-        const ChromaTable table = model.toldTable(&background);
+        const ChromaTable table = model.givenColourTable(&background);
         const double begin = threadCpuS();
         finder.find(tracked.grid(), table, tracked.grid().bounds(), tracked.searchStep());
         seconds += workS(begin, threadCpuS());
@@ -97,7 +97,7 @@ QString robotsText(std::size_t i)
                                 : QStringLiteral("%1 robots").arg(robotNumbers[i]);
 }
 
-void addH264(const Rounds &rounds, std::size_t i, std::vector<Figure> &figures)
+void addH264(const Rounds &rounds, std::size_t i, std::vector<Measurement> &metrics)
 {
     const auto decode = [i](const Round &r) { return r.h264Tracked[i].decodeS; };
     const auto after = [i](const Round &r) { return r.h264Tracked[i].afterS; };
@@ -105,13 +105,13 @@ void addH264(const Rounds &rounds, std::size_t i, std::vector<Figure> &figures)
     const auto opencv = [i](const Round &r) { return r.opencv[i].tracked.afterS; };
     const auto toBgr = [i](const Round &r) { return r.opencv[i].toBgrS; };
     const std::array<double, 2> leastShare{0.97, 0.94};
-    figures.push_back({QStringLiteral("H.264: decode / (decode + track), ") + robotsText(i),
+    metrics.push_back({QStringLiteral("H.264: decode / (decode + track), ") + robotsText(i),
                        rounds.median([&](const Round &r) { return decode(r) / (decode(r) + after(r)); }),
                        leastShare[i],
                        {},
                        {},
                        QStringLiteral("decode %1 ms, track %2 ms").arg(rounds.ms(decode), rounds.ms(after))});
-    figures.push_back({QStringLiteral("H.264: pure libavcodec / (read + track), ") + robotsText(i),
+    metrics.push_back({QStringLiteral("H.264: pure libavcodec / (read + track), ") + robotsText(i),
                        rounds.median([&](const Round &r) { return pure(r) / (decode(r) + after(r)); }),
                        {},
                        {},
@@ -119,13 +119,13 @@ void addH264(const Rounds &rounds, std::size_t i, std::vector<Figure> &figures)
                        QStringLiteral("pure libavcodec %1 ms").arg(rounds.ms(pure))});
     const QString parts = QStringLiteral("HSV, back projection and CamShift %1 ms; to BGR %2 ms")
                               .arg(rounds.ms(opencv), rounds.ms(toBgr));
-    figures.push_back({QStringLiteral("OpenCV's loop / work after decoding, ") + robotsText(i),
+    metrics.push_back({QStringLiteral("OpenCV's loop / work after decoding, ") + robotsText(i),
                        rounds.median([&](const Round &r) { return opencv(r) / after(r); }),
                        i == 0 ? 60.0 : 30.0,
                        {},
                        {},
                        parts});
-    figures.push_back({QStringLiteral("the same with the way to BGR, ") + robotsText(i),
+    metrics.push_back({QStringLiteral("the same with the way to BGR, ") + robotsText(i),
                        rounds.median([&](const Round &r) { return (toBgr(r) + opencv(r)) / after(r); }),
                        {},
                        {},
@@ -133,11 +133,11 @@ void addH264(const Rounds &rounds, std::size_t i, std::vector<Figure> &figures)
                        QString()});
 }
 
-void addMjpeg(const Rounds &rounds, std::size_t i, std::vector<Figure> &figures)
+void addMjpeg(const Rounds &rounds, std::size_t i, std::vector<Measurement> &metrics)
 {
     const auto pure = [](const Round &r) { return r.mjpeg.seconds; };
     const auto add = [&](const char *name, std::optional<double> atLeast, auto of) {
-        figures.push_back(
+        metrics.push_back(
             {QStringLiteral("MJPEG, ") + QString::fromLatin1(name) +
                  QStringLiteral(": tracked / pure libavcodec, ") + robotsText(i),
              rounds.median([&](const Round &r) { return pure(r) / of(r).seconds(); }),
@@ -153,18 +153,18 @@ void addMjpeg(const Rounds &rounds, std::size_t i, std::vector<Figure> &figures)
         [i](const Round &r) -> const TrackedClip & { return r.mjpegNotShown[i]; });
 }
 
-void addCentres(const QString &name, const CentreErrors &errors, bool ours, std::vector<Figure> &figures)
+void addCentres(const QString &name, const CentreErrors &errors, bool ours, std::vector<Measurement> &metrics)
 {
     const QString detail =
         QStringLiteral("%1 positions, %2 not found").arg(errors.places).arg(errors.notFound);
     const QString px = QStringLiteral(" px");
-    figures.push_back({name + QStringLiteral(", mean"),
+    metrics.push_back({name + QStringLiteral(", mean"),
                        errors.meanPx,
                        {},
                        ours ? std::optional(0.10) : std::nullopt,
                        px,
                        detail});
-    figures.push_back({name + QStringLiteral(", 95th percentile"),
+    metrics.push_back({name + QStringLiteral(", 95th percentile"),
                        errors.p95Px,
                        {},
                        ours ? std::optional(0.25) : std::nullopt,
@@ -174,7 +174,7 @@ void addCentres(const QString &name, const CentreErrors &errors, bool ours, std:
 
 } // namespace
 
-std::vector<Figure> measureSpeed(const BenchmarkClips &clips, int rounds)
+std::vector<Measurement> measureSpeed(const BenchmarkClips &clips, int rounds)
 {
     const Round warm = runRound(clips);
     if (warm.h264.frames == 0 || warm.h264.frames != warm.h264Tracked[0].frames ||
@@ -183,39 +183,39 @@ std::vector<Figure> measureSpeed(const BenchmarkClips &clips, int rounds)
     Rounds all;
     for (int i = 0; i < rounds; ++i)
         all.add(runRound(clips));
-    std::vector<Figure> figures;
+    std::vector<Measurement> metrics;
     for (std::size_t i = 0; i < robotNumbers.size(); ++i)
-        addH264(all, i, figures);
+        addH264(all, i, metrics);
     for (std::size_t i = 0; i < robotNumbers.size(); ++i)
-        addMjpeg(all, i, figures);
+        addMjpeg(all, i, metrics);
     const auto projection = [](const Round &r) { return r.opencv[0].backProjectionS; };
     const auto search = [](const Round &r) { return r.searchPerFrameS * double(r.h264.frames); };
-    figures.push_back(
+    metrics.push_back(
         {QStringLiteral("calcBackProject / search of the whole frame"),
          all.median([&](const Round &r) { return projection(r) / search(r); }),
          10.0,
          {},
          {},
          QStringLiteral("back projection %1 ms, search %2 ms").arg(all.ms(projection), all.ms(search))});
-    return figures;
+    return metrics;
 }
 
-std::vector<Figure> measureCentres(const BenchmarkClips &clips)
+std::vector<Measurement> measureCentres(const BenchmarkClips &clips)
 {
-    std::vector<Figure> figures;
+    std::vector<Measurement> metrics;
     constexpr std::size_t robots = 3;
     addCentres(QStringLiteral("centre, H.264"), centreErrors(clips.h264, trackClip(clips.h264, robots, true)),
-               true, figures);
+               true, metrics);
     addCentres(QStringLiteral("centre, MJPEG, not shown"),
-               centreErrors(clips.mjpeg, trackClip(clips.mjpeg, robots, false)), true, figures);
+               centreErrors(clips.mjpeg, trackClip(clips.mjpeg, robots, false)), true, metrics);
     addCentres(QStringLiteral("centre, H.264, CamShift"),
-               centreErrors(clips.h264, trackByOpencv(clips.h264, robots).tracked), false, figures);
+               centreErrors(clips.h264, trackByOpencv(clips.h264, robots).tracked), false, metrics);
     addCentres(QStringLiteral("centre, MJPEG, CamShift"),
-               centreErrors(clips.mjpeg, trackByOpencv(clips.mjpeg, robots).tracked), false, figures);
-    return figures;
+               centreErrors(clips.mjpeg, trackByOpencv(clips.mjpeg, robots).tracked), false, metrics);
+    return metrics;
 }
 
-Figure measureColdSearch(const BenchmarkClip &clip)
+Measurement measureColdSearch(const BenchmarkClip &clip)
 {
     const auto reader = VideoReader::open(clip.file);
     constexpr std::size_t robots = 3;

@@ -5,7 +5,7 @@
 #include "core/simulation/demo_testbed.h"
 #include "core/simulation/renderer.h"
 #include "core/video/jpeg.h"
-#include "tests/calibration/pictures.h"
+#include "tests/calibration/images.h"
 
 #include <cmath>
 #include <opencv2/imgproc.hpp>
@@ -40,14 +40,14 @@ inline std::vector<MarkerPixel> markersIn(const FloorView &view, const MarkerLay
 /// The picture as a webcam gives it: blurred by its lens, with noise, and through JPEG of quality 85.
 inline Frame asByWebcam(const Frame &clean, double blurPx, double noiseSigma, std::uint32_t seed)
 {
-    cv::Mat picture(clean.y.height, clean.y.width, CV_32F), noise(picture.size(), CV_32F);
-    for (int y = 0; y < picture.rows; ++y)
-        std::copy_n(clean.y.row(y), picture.cols, picture.ptr<float>(y));
-    cv::GaussianBlur(picture, picture, {0, 0}, blurPx);
+    cv::Mat image(clean.y.height, clean.y.width, CV_32F), noise(image.size(), CV_32F);
+    for (int y = 0; y < image.rows; ++y)
+        std::copy_n(clean.y.row(y), image.cols, image.ptr<float>(y));
+    cv::GaussianBlur(image, image, {0, 0}, blurPx);
     cv::RNG(seed).fill(noise, cv::RNG::NORMAL, 0, noiseSigma);
-    picture += noise;
-    picture.convertTo(picture, CV_8U);
-    Frame frame = frameOf(picture);
+    image += noise;
+    image.convertTo(image, CV_8U);
+    Frame frame = frameOf(image);
     frame.format.fullRange = true;
     const std::vector<std::uint8_t> bytes = JpegEncoder(85).encode(frame).value();
     JpegDecoder(jpegFormat(bytes).value()).decode(bytes, std::nullopt, frame);
@@ -57,7 +57,7 @@ inline Frame asByWebcam(const Frame &clean, double blurPx, double noiseSigma, st
 /// Some camera 1 to 3.5 m above the floor and up to some 6 m away, of three picture sizes and different
 /// lenses, that has all markers in its picture, with a blur of 0.3 to 0.9 px and noise of 1 to 5 grey values,
 /// through JPEG.
-inline DrawnView drawFloorView(const MarkerLayout &layout, MarkerFigure figure, double markerM,
+inline DrawnView drawFloorView(const MarkerLayout &layout, MarkerShape shape, double markerM,
                                std::uint32_t seed)
 {
     std::mt19937 random(seed);
@@ -70,12 +70,12 @@ inline DrawnView drawFloorView(const MarkerLayout &layout, MarkerFigure figure, 
     for (;;) {
         const auto &size = sizes[random() % 3];
         const double direction = 2 * EIGEN_PI * share(random), away = 1 + 4 * share(random);
-        const Eigen::Vector3d place(middle.x() + away * std::cos(direction),
-                                    middle.y() + away * std::sin(direction), 1.2 + 2.3 * share(random));
+        const Eigen::Vector3d position(middle.x() + away * std::cos(direction),
+                                       middle.y() + away * std::sin(direction), 1.2 + 2.3 * share(random));
         const Eigen::Vector3d aim(middle.x() + 0.4 * (share(random) - 0.5),
                                   middle.y() + 0.4 * (share(random) - 0.5), 0);
         const FloorView view =
-            simulatedView(place, aim, size[0], size[1], size[0] * (0.5 + 0.5 * share(random)));
+            simulatedView(position, aim, size[0], size[1], size[0] * (0.5 + 0.5 * share(random)));
         drawn.truth = markersIn(view, layout, 30);
         if (drawn.truth.empty())
             continue;
@@ -89,7 +89,7 @@ inline DrawnView drawFloorView(const MarkerLayout &layout, MarkerFigure figure, 
     drawn.scene.floor.textureSeed = seed;
     drawn.scene.floor.textureAmplitude = 0.03 + 0.06 * share(random);
     drawn.scene.floor.markers = layout;
-    drawn.scene.floor.markerFigure = figure;
+    drawn.scene.floor.markerShape = shape;
     drawn.scene.floor.markerSideM = markerM;
     const double blurPx = 0.3 + 0.6 * share(random), noiseSigma = 1 + 4 * share(random);
     drawn.frame = asByWebcam(SceneRenderer(drawn.scene, 0).render(0), blurPx, noiseSigma, seed);

@@ -52,7 +52,7 @@ Frame rendered(const RigidTransform &cameraFromBoard, double milliseconds = 0, b
     return frame;
 }
 
-bool refusedWith(const PictureAnswer &answer, const char *words)
+bool refusedWith(const ImageVerdict &answer, const char *words)
 {
     if (!answer.refusal || answer.kept)
         return false;
@@ -74,7 +74,7 @@ private Q_SLOTS:
     {
         const BoardPlacement placement = placementOfPose(frontal);
         // The middle of the picture is half a pixel off the lens's centre.
-        QVERIFY((placement.place - Vector2d(0.5, 0.5)).norm() < 0.01);
+        QVERIFY((placement.position - Vector2d(0.5, 0.5)).norm() < 0.01);
         QVERIFY(placement.skew() < 1e-3);
         const double f = camera.intrinsics().fxPx / 0.45 * 0.025;
         QVERIFY(std::abs(placement.size - std::sqrt(8 * f * 5 * f / (widthPx * heightPx))) < 1e-6);
@@ -106,8 +106,8 @@ private Q_SLOTS:
     {
         QVERIFY(!coverageOf({}, {}, widthPx, heightPx).isEnough());
         std::vector<BoardPlacement> placements(2);
-        placements[0].place = {0.1, 0.5};
-        placements[1].place = {0.45, 0.5};
+        placements[0].position = {0.1, 0.5};
+        placements[1].position = {0.45, 0.5};
         placements[1].size = 0.1;
         placements[1].slope = {0.5, 0};
         const BoardCoverage half = coverageOf({}, placements, widthPx, heightPx);
@@ -156,7 +156,7 @@ private Q_SLOTS:
     {
         QFETCH(bool, charuco);
         BoardCollector collector({});
-        const PictureAnswer first = collector.offer(rendered(frontal, 0, charuco), "a.png");
+        const ImageVerdict first = collector.offer(rendered(frontal, 0, charuco), "a.png");
         QVERIFY2(first.kept, first.refusal ? first.refusal->message().c_str() : "");
         QCOMPARE(*collector.spec().pattern, charuco ? BoardPattern::Charuco : BoardPattern::Checkerboard);
         QCOMPARE(collector.spec().columns, 9);
@@ -165,7 +165,7 @@ private Q_SLOTS:
                             "the board is in the same position as in a.png"));
         QVERIFY(collector.offer(rendered(posed({0, 0, 0.45}, 0, 30), 0, charuco), "c.png").kept);
         QCOMPARE(collector.views().size(), std::size_t(2));
-        QCOMPARE(collector.coverage().pictures, 2);
+        QCOMPARE(collector.coverage().images, 2);
     }
 
     void saysWhyAPictureDoesNotCount()
@@ -190,7 +190,7 @@ private Q_SLOTS:
         QVERIFY(!collector.watch(rendered(frontal, 0), "0").kept);
         QVERIFY(!collector.watch(rendered(posed({0.01, 0, 0.45}, 0, 0), 300), "300").kept); // moved: 11 px
         QVERIFY(!collector.watch(rendered(posed({0.0102, 0, 0.45}, 0, 0), 600), "600").kept);
-        const PictureAnswer still = collector.watch(rendered(posed({0.01, 0, 0.45}, 0, 0), 800), "800");
+        const ImageVerdict still = collector.watch(rendered(posed({0.01, 0, 0.45}, 0, 0), 800), "800");
         QVERIFY(still.kept);
         QVERIFY(!still.refusal);
         QVERIFY(refusedWith(collector.watch(rendered(posed({0.01, 0, 0.45}, 0, 0), 1400), "1400"),
@@ -202,12 +202,12 @@ private Q_SLOTS:
         BoardCollector collector({});
         QVERIFY(collector.offer(rendered(frontal), "a.png").kept);
         QVERIFY(collector.offer(rendered(posed({0, 0, 0.45}, 30, 0)), "b.png").kept);
-        CollectedPicture taken = collector.remove(0);
+        CollectedImage taken = collector.remove(0);
         QCOMPARE(taken.view.source, std::string("a.png"));
-        QCOMPARE(collector.pictures().front().view.source, std::string("b.png"));
+        QCOMPARE(collector.images().front().view.source, std::string("b.png"));
         collector.insert(0, std::move(taken));
-        QCOMPARE(collector.pictures().front().view.source, std::string("a.png"));
-        QCOMPARE(collector.coverage().pictures, 2);
+        QCOMPARE(collector.images().front().view.source, std::string("a.png"));
+        QCOMPARE(collector.coverage().images, 2);
     }
 };
 

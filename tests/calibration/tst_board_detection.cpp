@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/calibration/board_detection.h"
-#include "tests/calibration/pictures.h"
+#include "tests/calibration/images.h"
 #include "tests/support/registered_test.h"
 
 #include <Eigen/Geometry>
@@ -39,16 +39,16 @@ cv::Mat seen(const cv::Mat &board, const cv::Matx33d &warp, cv::Size size, doubl
 {
     constexpr int fine = 4;
     const cv::Matx33d toFine(fine, 0, 0.5 * (fine - 1), 0, fine, 0.5 * (fine - 1), 0, 0, 1);
-    cv::Mat large, picture;
+    cv::Mat large, image;
     cv::warpPerspective(board, large, cv::Mat(toFine * warp), size * fine, cv::INTER_LINEAR,
                         cv::BORDER_CONSTANT, cv::Scalar(120));
-    cv::resize(large, picture, size, 0, 0, cv::INTER_AREA);
-    cv::GaussianBlur(picture, picture, {0, 0}, blurPx);
+    cv::resize(large, image, size, 0, 0, cv::INTER_AREA);
+    cv::GaussianBlur(image, image, {0, 0}, blurPx);
     cv::Mat noise(size, CV_16SC1);
     cv::RNG random(9);
     random.fill(noise, cv::RNG::NORMAL, 0, 2.0);
-    cv::add(picture, noise, picture, cv::noArray(), CV_8U);
-    return picture;
+    cv::add(image, noise, image, cv::noArray(), CV_8U);
+    return image;
 }
 
 /// A corner of the flat board lies between pixels: half a pixel before the square's first.
@@ -68,9 +68,9 @@ BoardSpec spec(BoardPattern pattern, int columns, int rows)
     return board;
 }
 
-bool refusedWith(const cv::Mat &picture, const BoardSpec &board, const char *words)
+bool refusedWith(const cv::Mat &image, const BoardSpec &board, const char *words)
 {
-    const auto view = findBoard(frameOf(picture), board, "p.png");
+    const auto view = findBoard(frameOf(image), board, "p.png");
     if (view)
         return false;
     const bool told = view.error().message().find(words) != std::string::npos &&
@@ -86,9 +86,9 @@ cv::Mat flatCharuco(int squaresX, int squaresY, double ratio, cv::aruco::PREDEFI
 {
     const auto board = cv::aruco::CharucoBoard::create(squaresX, squaresY, 1.0F, static_cast<float>(ratio),
                                                        cv::aruco::getPredefinedDictionary(name));
-    cv::Mat picture;
-    board->draw({squaresX * 60 + 60, squaresY * 60 + 60}, picture, 30, 1);
-    return picture;
+    cv::Mat image;
+    board->draw({squaresX * 60 + 60, squaresY * 60 + 60}, image, 30, 1);
+    return image;
 }
 
 } // namespace
@@ -113,9 +113,9 @@ private Q_SLOTS:
         QFETCH(int, columns);
         QFETCH(int, rows);
         QFETCH(bool, told);
-        const cv::Mat picture = seen(flatCheckerboard(columns, rows), someWarp, {640, 480});
+        const cv::Mat image = seen(flatCheckerboard(columns, rows), someWarp, {640, 480});
         const auto view = findBoard(
-            frameOf(picture), spec(BoardPattern::Checkerboard, told ? columns : 0, told ? rows : 0), "p.png");
+            frameOf(image), spec(BoardPattern::Checkerboard, told ? columns : 0, told ? rows : 0), "p.png");
         QVERIFY2(view.has_value(), view ? "" : view.error().message().c_str());
         QCOMPARE(view->columns, columns);
         QCOMPARE(view->rows, rows);
@@ -148,10 +148,10 @@ private Q_SLOTS:
     }
     void saysWhichSizeItFound()
     {
-        const cv::Mat picture = seen(flatCheckerboard(9, 6), someWarp, {640, 480});
-        QVERIFY(refusedWith(picture, spec(BoardPattern::Checkerboard, 8, 6),
+        const cv::Mat image = seen(flatCheckerboard(9, 6), someWarp, {640, 480});
+        QVERIFY(refusedWith(image, spec(BoardPattern::Checkerboard, 8, 6),
                             "this board has 9x6 inner corners, not 8x6"));
-        QVERIFY(refusedWith(picture, spec(BoardPattern::Checkerboard, 10, 7),
+        QVERIFY(refusedWith(image, spec(BoardPattern::Checkerboard, 10, 7),
                             "this board has 9x6 inner corners, not 10x7"));
     }
     void saysWhenThereIsNone()
@@ -168,25 +168,24 @@ private Q_SLOTS:
     }
     void refusesWhatIsNoBoard()
     {
-        const cv::Mat picture(480, 640, CV_8UC1, cv::Scalar(90));
-        QVERIFY(
-            refusedWith(picture, spec(BoardPattern::Checkerboard, 1, 6), "1x6 inner corners is too small"));
+        const cv::Mat image(480, 640, CV_8UC1, cv::Scalar(90));
+        QVERIFY(refusedWith(image, spec(BoardPattern::Checkerboard, 1, 6), "1x6 inner corners is too small"));
         BoardSpec board = spec(BoardPattern::Charuco, 0, 0);
         board.dictionary = "DICT_9X9";
-        QVERIFY(refusedWith(picture, board, "marker dictionary DICT_9X9 does not exist"));
+        QVERIFY(refusedWith(image, board, "marker dictionary DICT_9X9 does not exist"));
         board.squareM = 0;
-        QVERIFY(refusedWith(picture, board, "the squares have no size"));
+        QVERIFY(refusedWith(image, board, "the squares have no size"));
     }
     void refusesABlurredBoard()
     {
-        const cv::Mat picture = seen(flatCheckerboard(9, 6), someWarp, {640, 480}, 8);
-        QVERIFY(refusedWith(picture, spec(BoardPattern::Checkerboard, 9, 6), "blurred"));
+        const cv::Mat image = seen(flatCheckerboard(9, 6), someWarp, {640, 480}, 8);
+        QVERIFY(refusedWith(image, spec(BoardPattern::Checkerboard, 9, 6), "blurred"));
     }
     void aBoardCutOffByTheBorderIsTakenAsFarAsItIsSeen()
     {
         const cv::Matx33d shifted = oblique(0.9, 0.05, {-75, 40}); // the first column is left of the picture
-        const cv::Mat picture = seen(flatCheckerboard(9, 6), shifted, {640, 480});
-        const auto view = findBoard(frameOf(picture), spec(BoardPattern::Checkerboard, 9, 6), "p.png");
+        const cv::Mat image = seen(flatCheckerboard(9, 6), shifted, {640, 480});
+        const auto view = findBoard(frameOf(image), spec(BoardPattern::Checkerboard, 9, 6), "p.png");
         QVERIFY2(view.has_value(), view ? "" : view.error().message().c_str());
         QCOMPARE(view->columns, 9);
         QCOMPARE(view->pixels.size(), std::size_t(48));
@@ -217,11 +216,11 @@ private Q_SLOTS:
         if (inverted)
             cv::bitwise_not(flat, flat);
         const cv::Matx33d warp = oblique(1.35, 0.15, {120, 10});
-        const cv::Mat picture = seen(flat, warp, {900, 720});
+        const cv::Mat image = seen(flat, warp, {900, 720});
         for (bool told : {true, false}) {
             const auto view = findBoard(
-                frameOf(picture),
-                spec(BoardPattern::Charuco, told ? squaresX - 1 : 0, told ? squaresY - 1 : 0), "p.png");
+                frameOf(image), spec(BoardPattern::Charuco, told ? squaresX - 1 : 0, told ? squaresY - 1 : 0),
+                "p.png");
             QVERIFY2(view.has_value(), view ? "" : view.error().message().c_str());
             QCOMPARE(view->columns, squaresX - 1);
             QCOMPARE(view->rows, squaresY - 1);

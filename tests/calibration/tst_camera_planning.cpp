@@ -74,11 +74,11 @@ private Q_SLOTS:
     {
         PlannedCamera camera;
         camera.aimM = {1, 2};
-        camera.standAt({-0.5, 0.25});
+        camera.moveCameraTo({-0.5, 0.25});
         QVERIFY((camera.footM() - Vector2d(-0.5, 0.25)).norm() < 1e-12);
         QVERIFY((camera.aimM - Vector2d(1, 2)).norm() == 0);
         const double before = camera.directionDegrees;
-        camera.standAt(camera.aimM); // straight above
+        camera.moveCameraTo(camera.aimM); // straight above
         QCOMPARE(camera.directionDegrees, before);
         QCOMPARE(camera.distanceM, 0.0);
     }
@@ -87,8 +87,8 @@ private Q_SLOTS:
         PlannedCamera like;
         like.heightM = 2;
         like.fieldOfViewDegrees = 70;
-        const PlaceSearch search{1.5, false, 0, 0.1};
-        const auto best = bestPlace(like, layout(), {}, search, {});
+        const CameraPositionSearch search{1.5, false, 0, 0.1};
+        const auto best = bestCameraPosition(like, layout(), {}, search, {});
         QVERIFY2(best.has_value(), best ? "" : best.error().message().c_str());
         QCOMPARE(best->heightM, 2.0);
         const Vector2d foot = best->footM();
@@ -121,11 +121,11 @@ private Q_SLOTS:
     {
         PlannedCamera like;
         like.fieldOfViewDegrees = 70;
-        const PlaceSearch search{1.5, false, 0, 0.1};
-        const auto first = bestPlace(like, layout(), {}, search, {});
+        const CameraPositionSearch search{1.5, false, 0, 0.1};
+        const auto first = bestCameraPosition(like, layout(), {}, search, {});
         QVERIFY(first);
         const std::vector<FloorView> there{*plannedView(*first, layout())};
-        const auto second = bestPlace(like, layout(), there, search, {});
+        const auto second = bestCameraPosition(like, layout(), there, search, {});
         QVERIFY(second);
         // Two at one place gain √2 at most; the second from elsewhere gains more.
         QVERIFY((second->footM() - first->footM()).norm() > 1);
@@ -136,7 +136,7 @@ private Q_SLOTS:
         PlannedCamera like;
         like.heightM = 3.5;
         like.fieldOfViewDegrees = 75;
-        const auto above = bestPlace(like, layout(), {}, {0.5, true, 0, 0.1}, {});
+        const auto above = bestCameraPosition(like, layout(), {}, {0.5, true, 0, 0.1}, {});
         QVERIFY(above);
         QVERIFY(above->footM().x() > 0 && above->footM().x() < 3 && above->footM().y() > 0 &&
                 above->footM().y() < 2);
@@ -146,22 +146,22 @@ private Q_SLOTS:
         PlannedCamera low;
         low.heightM = 0.06;
         low.fieldOfViewDegrees = 10;
-        const auto nowhere = bestPlace(low, layout(), {}, {0.2, false, 0, 0.1}, {});
+        const auto nowhere = bestCameraPosition(low, layout(), {}, {0.2, false, 0, 0.1}, {});
         QVERIFY(!nowhere);
         QVERIFY(contains(nowhere.error().message(),
                          "no position within 0.2 m of the markers shows four of them"));
         PlannedCamera wrong;
         wrong.heightM = 0;
-        const auto inTheGround = bestPlace(wrong, layout(), {}, {}, {});
+        const auto inTheGround = bestCameraPosition(wrong, layout(), {}, {}, {});
         QVERIFY(!inTheGround);
         QVERIFY(contains(inTheGround.error().message(), "its height above the floor cannot be 0.00 m"));
-        QVERIFY(contains(bestPlace({}, {"x", {{"O", {0, 0}}}}, {}, {}, {}).error().message(),
+        QVERIFY(contains(bestCameraPosition({}, {"x", {{"O", {0, 0}}}}, {}, {}, {}).error().message(),
                          "the layout has 1 markers, four are needed"));
         const JobControl control;
         control.cancel.cancel();
         PlannedCamera like;
         like.fieldOfViewDegrees = 70;
-        QCOMPARE(bestPlace(like, layout(), {}, {}, control).error().code, ErrorCode::Cancelled);
+        QCOMPARE(bestCameraPosition(like, layout(), {}, {}, control).error().code, ErrorCode::Cancelled);
     }
 };
 

@@ -23,14 +23,14 @@ CameraModel lens()
     return CameraModel::create(intrinsics).value();
 }
 
-FloorView viewFrom(const Vector3d &place, const Vector3d &target,
+FloorView viewFrom(const Vector3d &position, const Vector3d &target,
                    const Matrix6d &covariance = Matrix6d::Zero())
 {
-    const Vector3d forward = (target - place).normalized();
+    const Vector3d forward = (target - position).normalized();
     const Vector3d right = forward.cross(Vector3d::UnitZ()).normalized();
     Eigen::Matrix3d axes;
     axes << right, forward.cross(right), forward;
-    return FloorView(lens(), {Eigen::Quaterniond(axes), place}, covariance);
+    return FloorView(lens(), {Eigen::Quaterniond(axes), position}, covariance);
 }
 
 /// 2 mrad and 4 mm, as a registration by four markers leaves.
@@ -41,14 +41,15 @@ Matrix6d poseNoise()
     return sigma.cwiseAbs2().asDiagonal();
 }
 
-const FloorView throughView = viewFrom({0.4, -1.2, 2}, {1.4, 1.0, 0}, poseNoise());
+const FloorView referenceView = viewFrom({0.4, -1.2, 2}, {1.4, 1.0, 0}, poseNoise());
 const FloorView ownView = viewFrom({3.8, 0.2, 2}, {1.5, 1.2, 0});
 
-std::vector<SharedPoint> sharedPoints(const FloorView &through = throughView, const FloorView &own = ownView)
+std::vector<SharedPoint> sharedPoints(const FloorView &through = referenceView,
+                                      const FloorView &own = ownView)
 {
     std::vector<SharedPoint> points;
-    const Vector2d places[] = {{0.9, 0.5}, {2.0, 0.6}, {0.8, 1.7}, {2.1, 1.6}, {1.4, 1.1}, {1.7, 0.4}};
-    for (const Vector2d &at : places)
+    const Vector2d positions[] = {{0.9, 0.5}, {2.0, 0.6}, {0.8, 1.7}, {2.1, 1.6}, {1.4, 1.1}, {1.7, 0.4}};
+    for (const Vector2d &at : positions)
         points.push_back({std::string(1, char('a' + points.size())), *own.pixelFromWorld({at.x(), at.y(), 0}),
                           *through.pixelFromWorld({at.x(), at.y(), 0})});
     return points;
@@ -69,7 +70,7 @@ FloorView shaken(const FloorView &view, std::mt19937 &random)
 
 bool refusedWith(const std::vector<SharedPoint> &points, const char *words)
 {
-    const auto chained = registerThrough(throughView, foreignWords("B"), points, lens(), true);
+    const auto chained = registerViaCamera(referenceView, foreignWords("B"), points, lens(), true);
     if (chained)
         return false;
     const std::string told = chained.error().message();
@@ -86,12 +87,13 @@ class TestChainedRegistration : public QObject
 private Q_SLOTS:
     void exactPointsGiveThePlaceExactly()
     {
-        const auto chained = registerThrough(throughView, foreignWords("B"), sharedPoints(), lens(), true);
+        const auto chained =
+            registerViaCamera(referenceView, foreignWords("B"), sharedPoints(), lens(), true);
         QVERIFY2(chained.has_value(), chained ? "" : chained.error().message().c_str());
         const RigidTransform &pose = chained->registration.worldFromCamera;
         QVERIFY((pose.translation - ownView.cameraInWorld()).norm() < 1e-7);
         QVERIFY(pose.rotation.angularDistance(ownView.worldFromCamera().rotation) < 1e-7);
-        QCOMPARE(chained->places.markers.size(), std::size_t(6));
+        QCOMPARE(chained->positions.markers.size(), std::size_t(6));
         QVERIFY(chained->registration.verdict.english().find("via B, 6 floor points") != std::string::npos);
     }
     /// A shift of B's whole world is C's shift, point for point: the closed form of the common part.
@@ -99,10 +101,10 @@ private Q_SLOTS:
     {
         Matrix6d shift = Matrix6d::Zero();
         shift(3, 3) = 0.01 * 0.01;
-        const auto still = registerThrough(viewFrom({0.4, -1.2, 2}, {1.4, 1.0, 0}), foreignWords("B"),
-                                           sharedPoints(), lens(), true);
-        const auto moving = registerThrough(viewFrom({0.4, -1.2, 2}, {1.4, 1.0, 0}, shift), foreignWords("B"),
-                                            sharedPoints(), lens(), true);
+        const auto still = registerViaCamera(viewFrom({0.4, -1.2, 2}, {1.4, 1.0, 0}), foreignWords("B"),
+                                             sharedPoints(), lens(), true);
+        const auto moving = registerViaCamera(viewFrom({0.4, -1.2, 2}, {1.4, 1.0, 0}, shift),
+                                              foreignWords("B"), sharedPoints(), lens(), true);
         QVERIFY(still.has_value() && moving.has_value());
         const Matrix6d common = moving->registration.poseCovariance - still->registration.poseCovariance;
         QVERIFY((common - shift).norm() < 1e-6 * shift.norm());
@@ -118,27 +120,27 @@ private Q_SLOTS:
         const auto noisy = [&](std::vector<SharedPoint> points) {
             for (SharedPoint &point : points) {
                 point.pixel += Vector2d(pixelNoise(random), pixelNoise(random));
-                point.throughPixel += Vector2d(pixelNoise(random), pixelNoise(random));
+                point.referencePixel += Vector2d(pixelNoise(random), pixelNoise(random));
             }
             return points;
         };
         constexpr int trials = 400;
         double normalised = 0, worst = 0;
         for (int i = 0; i < trials; ++i) {
-            const auto first = registerThrough(shaken(throughView, random), foreignWords("B"),
-                                               noisy(sharedPoints()), lens(), true);
+            const auto first = registerViaCamera(shaken(referenceView, random), foreignWords("B"),
+                                                 noisy(sharedPoints()), lens(), true);
             QVERIFY(first.has_value());
             const FloorView middle(lens(), first->registration.worldFromCamera,
                                    first->registration.poseCovariance);
-            const auto second =
-                registerThrough(middle, foreignWords("C"), noisy(sharedPoints(ownView, last)), lens(), true);
+            const auto second = registerViaCamera(middle, foreignWords("C"),
+                                                  noisy(sharedPoints(ownView, last)), lens(), true);
             QVERIFY(second.has_value());
             const FloorView view(lens(), second->registration.worldFromCamera,
                                  second->registration.poseCovariance);
-            const auto place = view.locate(robotPixel, Eigen::Matrix2d::Zero(), 0);
-            QVERIFY(place.has_value());
-            const Vector2d error = place->pointInWorld - robot;
-            normalised += error.dot(place->calibrationCovariance.inverse() * error) / trials;
+            const auto position = view.locate(robotPixel, Eigen::Matrix2d::Zero(), 0);
+            QVERIFY(position.has_value());
+            const Vector2d error = position->pointInWorld - robot;
+            normalised += error.dot(position->calibrationCovariance.inverse() * error) / trials;
             worst = std::max(worst, error.norm());
         }
         // Mean of a chi-square of two degrees: 2, ±0.1 at 400 trials; the residuals of six points widen the
@@ -167,9 +169,9 @@ private Q_SLOTS:
         points = sharedPoints();
         points.resize(4);
         for (int i = 0; i < 4; ++i) {
-            const Vector3d place(0.9 + 0.3 * i, 0.9, 0);
-            points[std::size_t(i)].pixel = *ownView.pixelFromWorld(place);
-            points[std::size_t(i)].throughPixel = *throughView.pixelFromWorld(place);
+            const Vector3d position(0.9 + 0.3 * i, 0.9, 0);
+            points[std::size_t(i)].pixel = *ownView.pixelFromWorld(position);
+            points[std::size_t(i)].referencePixel = *referenceView.pixelFromWorld(position);
         }
         QVERIFY(refusedWith(points, "on one line"));
     }
@@ -179,9 +181,9 @@ private Q_SLOTS:
         const FloorView level = viewFrom({0.4, -1.2, 2}, {1.4, 1.0, 1.9});
         std::vector<SharedPoint> points = sharedPoints();
         for (SharedPoint &point : points)
-            point.throughPixel = {100 + 200.0 * double(&point - points.data()), 700};
-        points[2].throughPixel = {600, 100};
-        const auto chained = registerThrough(level, foreignWords("B"), points, lens(), true);
+            point.referencePixel = {100 + 200.0 * double(&point - points.data()), 700};
+        points[2].referencePixel = {600, 100};
+        const auto chained = registerViaCamera(level, foreignWords("B"), points, lens(), true);
         QVERIFY(!chained.has_value());
         QVERIFY(chained.error().message().find("point c is at or beyond the horizon of B; choose") !=
                 std::string::npos);

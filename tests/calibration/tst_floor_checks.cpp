@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/calibration/accuracy_map.h"
-#include "core/calibration/lens_influence.h"
+#include "core/calibration/intrinsics_influence.h"
 #include "core/calibration/registration_checks.h"
 #include "core/calibration/world_axes.h"
 #include "tests/calibration/floor_views.h"
@@ -119,17 +119,17 @@ private Q_SLOTS:
         }
         QVERIFY(seen > 20);
         // At one place, by brute force.
-        const Vector2d place = grid.at(4, 3);
+        const Vector2d position = grid.at(4, 3);
         Eigen::Matrix2d sampled = Eigen::Matrix2d::Zero();
         double stated = 0;
         const int draws = 1200;
         for (int i = 0; i < draws; ++i) {
             const FloorView view = registered(truth, random);
-            const Vector2d pixel =
-                *truth.pixelFromWorld({place.x(), place.y(), 0}) + Vector2d(noise(random), noise(random));
-            const Vector2d error = *view.floorFromPixel(pixel, 0) - place;
+            const Vector2d pixel = *truth.pixelFromWorld({position.x(), position.y(), 0}) +
+                                   Vector2d(noise(random), noise(random));
+            const Vector2d error = *view.floorFromPixel(pixel, 0) - position;
             sampled += error * error.transpose() / draws;
-            stated += std::pow(accuracyMap({&view, 1}, {place, 0.1, 1, 1}, 0.2).fusedSigmaM[0], 2) / draws;
+            stated += std::pow(accuracyMap({&view, 1}, {position, 0.1, 1, 1}, 0.2).fusedSigmaM[0], 2) / draws;
         }
         const double actual = Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d>(sampled).eigenvalues().y();
         QVERIFY2(std::abs(std::sqrt(actual / stated) - 1) < 0.1,
@@ -183,35 +183,35 @@ private Q_SLOTS:
         const FloorView truth = trueView(-1);
         std::mt19937 random(10);
         const auto stored = noisy(truth, 0.2, random);
-        const auto still = checkMoved("B", truth, stored, noisy(truth, 0.2, random), 0.2);
+        const auto still = checkCameraPosition("B", truth, stored, noisy(truth, 0.2, random), 0.2);
         QVERIFY(still.has_value());
-        QCOMPARE(int(still->verdict), int(MovedCheck::Verdict::Still));
+        QCOMPARE(int(still->verdict), int(CameraPositionCheck::Verdict::Still));
         QVERIFY(contains(still->words.english(), "B has not moved: 5 markers"));
 
         RigidTransform turned = truth.worldFromCamera();
         turned.rotation = Eigen::Quaterniond(Eigen::AngleAxisd(0.007, Vector3d(0.3, 0.1, 1).normalized())) *
                           turned.rotation;
         const FloorView bumped(truth.camera(), turned, Eigen::Matrix<double, 6, 6>::Zero());
-        const auto moved = checkMoved("B", truth, stored, noisy(bumped, 0.2, random), 0.2);
-        QCOMPARE(int(moved->verdict), int(MovedCheck::Verdict::CameraMoved));
+        const auto moved = checkCameraPosition("B", truth, stored, noisy(bumped, 0.2, random), 0.2);
+        QCOMPARE(int(moved->verdict), int(CameraPositionCheck::Verdict::CameraMoved));
         QVERIFY(contains(moved->words.english(), "B has moved "));
         QVERIFY(contains(moved->words.english(), " px = "));
 
         auto one = noisy(truth, 0.2, random);
         one[1].pixel = *truth.pixelFromWorld({2.43, 0.01, 0});
-        const auto marker = checkMoved("B", truth, stored, one, 0.2);
-        QCOMPARE(int(marker->verdict), int(MovedCheck::Verdict::MarkersMoved));
+        const auto marker = checkCameraPosition("B", truth, stored, one, 0.2);
+        QCOMPARE(int(marker->verdict), int(CameraPositionCheck::Verdict::MarkersMoved));
         QVERIFY(contains(marker->words.english(), "Marker U has moved"));
         QVERIFY(std::abs(marker->shiftM - std::hypot(0.03, 0.01)) < 0.003);
 
         auto three = one;
         three.erase(three.begin() + 3, three.end());
-        const auto missing = checkMoved("B", truth, stored, {one[0]}, 0.2);
+        const auto missing = checkCameraPosition("B", truth, stored, {one[0]}, 0.2);
         QVERIFY(!missing.has_value());
         QVERIFY(contains(missing.error().message(), "1 of its 5 markers were found again, two are needed"));
-        QVERIFY(
-            contains(checkMoved("B", truth, stored, {stored.begin() + 2, stored.end()}, 0.2)->words.english(),
-                     "Not found again: O and U."));
+        QVERIFY(contains(
+            checkCameraPosition("B", truth, stored, {stored.begin() + 2, stored.end()}, 0.2)->words.english(),
+            "Not found again: O and U."));
     }
     void noFalseAlarmsAndNoShiftOfTwoPixelsMissed()
     {
@@ -222,22 +222,25 @@ private Q_SLOTS:
         for (int i = 0; i < draws; ++i) {
             const auto stored = noisy(truth, 0.3, random);
             auto found = noisy(truth, 0.3, random);
-            alarms += checkMoved("B", truth, stored, found, 0.3)->verdict != MovedCheck::Verdict::Still;
+            alarms += checkCameraPosition("B", truth, stored, found, 0.3)->verdict !=
+                      CameraPositionCheck::Verdict::Still;
             for (MarkerPixel &pixel : found)
                 pixel.pixel.x() += 2.5;
-            missed += checkMoved("B", truth, stored, found, 0.3)->verdict != MovedCheck::Verdict::CameraMoved;
+            missed += checkCameraPosition("B", truth, stored, found, 0.3)->verdict !=
+                      CameraPositionCheck::Verdict::CameraMoved;
         }
         qInfo("%d false alarms and %d missed in %d", alarms, missed, draws);
         QVERIFY(alarms <= draws / 300 && missed <= draws / 50);
     }
     void foundAgainInAPicture()
     {
-        const DrawnView before = drawFloorView(layout(), MarkerFigure::Ring, 0.16, 31);
+        const DrawnView before = drawFloorView(layout(), MarkerShape::Ring, 0.16, 31);
         const auto again =
             findAgain(before.frame, layout(), before.truth, before.scene.cameras[0].view.camera());
         QCOMPARE(again.size(), before.truth.size());
-        QCOMPARE(int(checkMoved("B", before.scene.cameras[0].view, before.truth, again, 0.2)->verdict),
-                 int(MovedCheck::Verdict::Still));
+        QCOMPARE(
+            int(checkCameraPosition("B", before.scene.cameras[0].view, before.truth, again, 0.2)->verdict),
+            int(CameraPositionCheck::Verdict::Still));
         SimulatedScene scene = before.scene;
         const FloorView &view = scene.cameras[0].view;
         RigidTransform turned = view.worldFromCamera();
@@ -245,8 +248,8 @@ private Q_SLOTS:
         scene.cameras[0].view = FloorView(view.camera(), turned, view.poseCovariance());
         const auto shifted =
             findAgain(SceneRenderer(scene, 0).render(0), layout(), before.truth, view.camera());
-        QCOMPARE(int(checkMoved("B", view, before.truth, shifted, 0.2)->verdict),
-                 int(MovedCheck::Verdict::CameraMoved));
+        QCOMPARE(int(checkCameraPosition("B", view, before.truth, shifted, 0.2)->verdict),
+                 int(CameraPositionCheck::Verdict::CameraMoved));
     }
 };
 

@@ -29,20 +29,20 @@ CameraModel straightCamera(double focalPx)
     return CameraModel::create(intrinsics).value();
 }
 
-RigidTransform lookAt(const Vector3d &place, const Vector3d &target)
+RigidTransform lookAt(const Vector3d &position, const Vector3d &target)
 {
-    const Vector3d forward = (target - place).normalized();
+    const Vector3d forward = (target - position).normalized();
     const Vector3d right = forward.cross(Vector3d::UnitZ()).normalized();
     Eigen::Matrix3d axes;
     axes << right, forward.cross(right), forward;
-    return {Eigen::Quaterniond(axes), place};
+    return {Eigen::Quaterniond(axes), position};
 }
 
-const Vector3d place(-0.9, -1.6, 1.7);
+const Vector3d position(-0.9, -1.6, 1.7);
 
 RigidTransform pose()
 {
-    return lookAt(place, {1.0, 0.7, 0});
+    return lookAt(position, {1.0, 0.7, 0});
 }
 
 MarkerLayout layoutOf(const std::vector<Vector2d> &points)
@@ -98,7 +98,7 @@ private Q_SLOTS:
         const auto registration =
             registerFloor(rectangle(), seenBy(bentCamera(), rectangle()), bentCamera(), true);
         QVERIFY(registration.has_value());
-        QVERIFY((registration->worldFromCamera.translation - place).norm() < 1e-9);
+        QVERIFY((registration->worldFromCamera.translation - position).norm() < 1e-9);
         QVERIFY(registration->worldFromCamera.rotation.angularDistance(pose().rotation) < 1e-9);
         QVERIFY(registration->rmsPx < 1e-8);
         QCOMPARE(registration->markers.size(), std::size_t(4));
@@ -115,7 +115,7 @@ private Q_SLOTS:
         const auto registration = registerFloor(layout, pixels, bentCamera(), true);
         QVERIFY(registration.has_value());
         QCOMPARE(registration->markers.size(), std::size_t(4));
-        QVERIFY((registration->worldFromCamera.translation - place).norm() < 1e-9);
+        QVERIFY((registration->worldFromCamera.translation - position).norm() < 1e-9);
     }
     void covarianceAgreesWithMonteCarlo()
     {
@@ -135,7 +135,7 @@ private Q_SLOTS:
             const Eigen::AngleAxisd turn(registration->worldFromCamera.rotation *
                                          pose().rotation.conjugate());
             Eigen::Matrix<double, 6, 1> off;
-            off << turn.angle() * turn.axis(), registration->worldFromCamera.translation - place;
+            off << turn.angle() * turn.axis(), registration->worldFromCamera.translation - position;
             sampled += off * off.transpose() / draws;
             stated += registration->poseCovariance / draws;
         }
@@ -149,7 +149,7 @@ private Q_SLOTS:
             registerFloor(sixMarkers(), seenBy(truth, sixMarkers()), CameraModel::assumed(1280, 720), false);
         QVERIFY(registration.has_value());
         QVERIFY(std::abs(registration->intrinsics.fxPx - 1111) < 1e-3);
-        QVERIFY((registration->worldFromCamera.translation - place).norm() < 1e-5);
+        QVERIFY((registration->worldFromCamera.translation - position).norm() < 1e-5);
         QVERIFY(contains(registration->verdict.english(),
                          "no distortion was assumed, and the focal length was estimated from the "
                          "markers (1111 px ± "));

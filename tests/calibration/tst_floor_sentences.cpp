@@ -32,10 +32,10 @@ struct Given
             marker.pointInWorld *= factor;
     }
     /// The layout's marker and its pixel put elsewhere.
-    void put(std::size_t marker, const Vector2d &place)
+    void put(std::size_t marker, const Vector2d &position)
     {
-        layout.markers[marker].pointInWorld = place;
-        pixels[marker].pixel = *view.pixelFromWorld({place.x(), place.y(), 0});
+        layout.markers[marker].pointInWorld = position;
+        pixels[marker].pixel = *view.pixelFromWorld({position.x(), position.y(), 0});
     }
 };
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/calibration/floor_registration.h"
 #include "core/calibration/intrinsic_calibration.h"
-#include "core/calibration/lens_influence.h"
+#include "core/calibration/intrinsics_influence.h"
 #include "tests/support/registered_test.h"
 
 #include <Eigen/Cholesky>
@@ -16,7 +16,7 @@ namespace {
 
 constexpr int widthPx = 1280, heightPx = 720;
 
-Intrinsics trueLens()
+Intrinsics trueIntrinsics()
 {
     return {widthPx, heightPx, 930, 928, 646, 352, LensModel::Standard, {-0.2, 0.06, 0.0006, -0.0004, 0}, {}};
 }
@@ -45,13 +45,13 @@ BoardView drawnBoard(const CameraModel &camera, double noisePx, std::mt19937 &ra
 
 FloorView trueView()
 {
-    const Vector3d place(-0.6, -1.5, 1.9);
-    const Vector3d forward = (Vector3d(1.4, 0.8, 0) - place).normalized();
+    const Vector3d position(-0.6, -1.5, 1.9);
+    const Vector3d forward = (Vector3d(1.4, 0.8, 0) - position).normalized();
     const Vector3d right = forward.cross(Vector3d::UnitZ()).normalized();
     Eigen::Matrix3d axes;
     axes << right, forward.cross(right), forward;
-    return {*CameraModel::create(trueLens()),
-            {Eigen::Quaterniond(axes), place},
+    return {*CameraModel::create(trueIntrinsics()),
+            {Eigen::Quaterniond(axes), position},
             Eigen::Matrix<double, 6, 6>::Zero()};
 }
 
@@ -89,24 +89,25 @@ Result<FloorView> measuredView(double cornerPx, double markerPx, std::mt19937 &r
 /// Errors of floor points over all draws against what each draw stated.
 struct Tally
 {
-    double actual = 0, stated = 0, withoutLens = 0; ///< sums of variances, m²
-    int inside = 0, coordinates = 0;                ///< of the 95 % interval
+    double actual = 0, stated = 0, withoutIntrinsics = 0; ///< sums of variances, m²
+    int inside = 0, coordinates = 0;                      ///< of the 95 % interval
 
-    void add(const FloorView &measured, const FloorView &truth, const Vector2d &place, double heightM)
+    void add(const FloorView &measured, const FloorView &truth, const Vector2d &position, double heightM)
     {
-        const auto seen = measured.locate(*truth.pixelFromWorld({place.x(), place.y(), heightM}),
+        const auto seen = measured.locate(*truth.pixelFromWorld({position.x(), position.y(), heightM}),
                                           Eigen::Matrix2d::Zero(), heightM);
         QVERIFY(seen.has_value());
-        const Vector2d error = seen->pointInWorld - place;
+        const Vector2d error = seen->pointInWorld - position;
         actual += error.squaredNorm();
         stated += seen->calibrationCovariance.trace();
         for (int axis = 0; axis < 2; ++axis, ++coordinates)
             inside += std::abs(error(axis)) <= 1.96 * std::sqrt(seen->calibrationCovariance(axis, axis));
-        const FloorView exactLens(measured.camera(), measured.worldFromCamera(), measured.poseCovariance());
-        withoutLens += exactLens
-                           .locate(*truth.pixelFromWorld({place.x(), place.y(), heightM}),
-                                   Eigen::Matrix2d::Zero(), heightM)
-                           ->calibrationCovariance.trace();
+        const FloorView exactIntrinsics(measured.camera(), measured.worldFromCamera(),
+                                        measured.poseCovariance());
+        withoutIntrinsics += exactIntrinsics
+                                 .locate(*truth.pixelFromWorld({position.x(), position.y(), heightM}),
+                                         Eigen::Matrix2d::Zero(), heightM)
+                                 ->calibrationCovariance.trace();
     }
 };
 
@@ -122,22 +123,22 @@ private Q_SLOTS:
         const FloorView truth = trueView();
         std::mt19937 random(5);
         std::normal_distribution<double> normal;
-        Intrinsics lens = trueLens();
+        Intrinsics lens = trueIntrinsics();
         Eigen::VectorXd sigma(9);
         sigma << 3, 3, 4, 4, 0.004, 0.004, 0.0005, 0.0005, 0.001;
         lens.covariance = sigma.cwiseAbs2().asDiagonal();
         lens.covariance(0, 1) = lens.covariance(1, 0) = 8; // both focal lengths err together
         const Eigen::MatrixXd root = lens.covariance.llt().matrixL();
-        std::vector<Vector2d> places;
+        std::vector<Vector2d> positions;
         std::vector<MarkerPixel> pixels;
         for (const Marker &marker : layout().markers) {
-            places.push_back(marker.pointInWorld);
+            positions.push_back(marker.pointInWorld);
             pixels.push_back(
                 {marker.label, *truth.pixelFromWorld({marker.pointInWorld.x(), marker.pointInWorld.y(), 0})});
         }
         const FloorView view(*CameraModel::create(lens), truth.worldFromCamera(),
                              Eigen::Matrix<double, 6, 6>::Zero(),
-                             poseByLens(truth.camera(), truth.worldFromCamera(), places));
+                             poseByIntrinsics(truth.camera(), truth.worldFromCamera(), positions));
         const Vector3d points[] = {{1.2, 0.9, 0.06}, {0.3, 1.7, 0}, {2.4, 0.4, 0.1}};
         Eigen::Matrix2d sampled[] = {Eigen::Matrix2d::Zero(), Eigen::Matrix2d::Zero(),
                                      Eigen::Matrix2d::Zero()};
@@ -146,7 +147,7 @@ private Q_SLOTS:
         for (int draw = 0; draw < draws; ++draw) {
             const Eigen::VectorXd step =
                 root * Eigen::VectorXd::NullaryExpr(9, [&] { return normal(random); });
-            Intrinsics other = trueLens();
+            Intrinsics other = trueIntrinsics();
             other.fxPx += step(0);
             other.fyPx += step(1);
             other.cxPx += step(2);
@@ -158,14 +159,15 @@ private Q_SLOTS:
             QVERIFY(refitted.has_value());
             const FloorView wrong(camera, refitted->worldFromCamera, Eigen::Matrix<double, 6, 6>::Zero());
             const auto floorError = [&](int i) {
-                const Vector2d place = points[i].head<2>();
-                return Vector2d(*wrong.floorFromPixel(*truth.pixelFromWorld({place.x(), place.y(), 0}), 0) -
-                                place);
+                const Vector2d position = points[i].head<2>();
+                return Vector2d(
+                    *wrong.floorFromPixel(*truth.pixelFromWorld({position.x(), position.y(), 0}), 0) -
+                    position);
             };
             sampledTogether += floorError(0) * floorError(1).transpose() / draws;
             for (int i = 0; i < 3; ++i) {
-                const auto place = wrong.floorFromPixel(*truth.pixelFromWorld(points[i]), points[i].z());
-                const Vector2d error = *place - points[i].head<2>();
+                const auto position = wrong.floorFromPixel(*truth.pixelFromWorld(points[i]), points[i].z());
+                const Vector2d error = *position - points[i].head<2>();
                 sampled[i] += error * error.transpose() / draws;
             }
         }
@@ -200,7 +202,7 @@ private Q_SLOTS:
         for (int draw = 0; draw < draws; ++draw) {
             const auto measured = measuredView(cornerPx, markerPx, random);
             QVERIFY2(measured.has_value(), measured ? "" : measured.error().message().c_str());
-            QVERIFY(measured->hasLensPart());
+            QVERIFY(measured->hasIntrinsicsPart());
             for (double x = 0.2; x < 2.6; x += 0.4) {
                 for (double y = 0.1; y < 1.8; y += 0.4)
                     tally.add(*measured, truth, {x, y}, 0.06);
@@ -210,7 +212,7 @@ private Q_SLOTS:
         const double inside = double(tally.inside) / tally.coordinates;
         qInfo("sigma %.2f mm, actual/stated %.2f, without the lens %.2f, inside %.1f %%",
               1000 * std::sqrt(tally.stated / tally.coordinates), ratio,
-              std::sqrt(tally.actual / tally.withoutLens), 100 * inside);
+              std::sqrt(tally.actual / tally.withoutIntrinsics), 100 * inside);
         // The points of one draw err together: 40 draws know the ratio to about a tenth.
         QVERIFY(ratio > 0.7 && ratio < 1.4);
         QVERIFY(inside > 0.90 && inside < 0.99);

@@ -85,7 +85,7 @@ private Q_SLOTS:
         QVERIFY(contains(result->verdict.english(), "12 images fit to 0."));
         QVERIFY(contains(result->verdict.english(), "Check picture7"));
         QVERIFY(contains(result->verdict.english(), "each half of the images predicts the other to"));
-        QCOMPARE(result->picturesUsed(), std::size_t(12));
+        QCOMPARE(result->imagesUsed(), std::size_t(12));
     }
     void picturesThatCannotBeUsedAreTold()
     {
@@ -98,7 +98,7 @@ private Q_SLOTS:
         const auto result = calibrateIntrinsics(views, widthPx, heightPx, LensModel::Standard, JobControl());
         QVERIFY(result.has_value());
         QCOMPARE(result->rejected.size(), std::size_t(3));
-        QCOMPARE(result->picturesUsed(), std::size_t(7));
+        QCOMPARE(result->imagesUsed(), std::size_t(7));
     }
     void refusesFewerThanThreePictures()
     {

@@ -15,7 +15,7 @@ namespace {
 
 constexpr double tapeM = 0.002;
 
-MarkerLayout places()
+MarkerLayout positions()
 {
     return {"floor",
             {{"O", {0, 0}},
@@ -43,12 +43,12 @@ struct Draw
 Draw draw(std::size_t cameras, std::mt19937 &random)
 {
     std::normal_distribution<double> noise;
-    Draw drawn{places(), {}, {}};
+    Draw drawn{positions(), {}, {}};
     for (Marker &marker : drawn.measured.markers)
         marker.pointInWorld += tapeM * Vector2d(noise(random), noise(random));
     for (std::size_t i = 0; i < cameras; ++i) {
         const FloorView view = truth()[i];
-        auto pixels = markersIn(view, places(), 5);
+        auto pixels = markersIn(view, positions(), 5);
         for (MarkerPixel &pixel : pixels)
             pixel.pixel += 0.3 * Vector2d(noise(random), noise(random));
         drawn.separate.push_back(*registerFloor(drawn.measured, pixels, view.camera(), true));
@@ -81,13 +81,13 @@ private Q_SLOTS:
     {
         std::mt19937 random(7);
         double apart = 0, together = 0, stated = 0, unused = 0;
-        int doubts = 0;
+        int caveats = 0;
         const int draws = 120;
         for (int i = 0; i < draws; ++i) {
             const Draw drawn = draw(3, random);
             const auto joint = registerJointly(drawn.measured, drawn.cameras, tapeM);
             QVERIFY2(joint.has_value(), joint ? "" : joint.error().message().c_str());
-            doubts += !joint->doubts.empty();
+            caveats += !joint->caveats.empty();
             for (std::size_t camera = 0; camera < 3; ++camera) {
                 measure(drawn.separate[camera], truth()[camera], apart, unused);
                 measure(joint->registrations[camera], truth()[camera], together, stated);
@@ -95,12 +95,12 @@ private Q_SLOTS:
         }
         qInfo("apart %.2f mm, together %.2f mm, stated %.2f mm; %d of %d with a doubt",
               1e3 * std::sqrt(apart / draws / 60), 1e3 * std::sqrt(together / draws / 60),
-              1e3 * std::sqrt(stated / draws / 60), doubts, draws);
+              1e3 * std::sqrt(stated / draws / 60), caveats, draws);
         QVERIFY(together < 0.97 * apart);
         // The draws' points err together; 120 draws of three cameras that share their markers know the ratio
         // to some 10 %.
         QVERIFY(std::abs(std::sqrt(together / stated) - 1) < 0.2);
-        QVERIFY(doubts <= draws / 40);
+        QVERIFY(caveats <= draws / 40);
     }
     void aMarkerMeasuredWronglyIsNamed()
     {
@@ -111,9 +111,9 @@ private Q_SLOTS:
             drawn.measured.markers[1].pointInWorld += Vector2d(0.023, 0);
             const auto joint = registerJointly(drawn.measured, drawn.cameras, 0.002);
             QVERIFY(joint.has_value());
-            const bool isNamed = joint->doubts.size() == 1 &&
-                                 joint->doubts[0].english().starts_with("U is ") &&
-                                 contains(joint->doubts[0].english(), "mm off in all cameras: remeasure it");
+            const bool isNamed = joint->caveats.size() == 1 &&
+                                 joint->caveats[0].english().starts_with("U is ") &&
+                                 contains(joint->caveats[0].english(), "mm off in all cameras: remeasure it");
             named += isNamed;
             if (!isNamed)
                 qInfo("%s", joint->verdict.english().c_str());
@@ -133,7 +133,7 @@ private Q_SLOTS:
             drawn.cameras[1].pixels[3].pixel += Vector2d(9, -8);
             const auto joint = registerJointly(drawn.measured, drawn.cameras, tapeM);
             QVERIFY(joint.has_value());
-            named += joint->doubts.size() == 1 && joint->doubts[0].english().starts_with("B sees D 1");
+            named += joint->caveats.size() == 1 && joint->caveats[0].english().starts_with("B sees D 1");
         }
         qInfo("named in %d of 30", named);
         QVERIFY(named >= 27);

@@ -5,7 +5,7 @@
 #include "core/calibration/board_detection.h"
 #include "core/calibration/internal/round_markers.h"
 #include "core/calibration/internal/tag_detection.h"
-#include "tests/calibration/pictures.h"
+#include "tests/calibration/images.h"
 #include "tests/support/registered_test.h"
 
 #include <Eigen/Geometry>

@@ -68,11 +68,11 @@ public:
         for (int tries = 0; tries < 40; ++tries) {
             const double direction = 2 * EIGEN_PI * share(), away = 0.5 + 5 * share(),
                          height = 0.8 + 3 * share();
-            const Vector3d place(middle.x() + away * std::cos(direction),
-                                 middle.y() + away * std::sin(direction), height);
+            const Vector3d position(middle.x() + away * std::cos(direction),
+                                    middle.y() + away * std::sin(direction), height);
             Case drawn{layout,
                        {},
-                       simulatedView(place, {middle.x(), middle.y(), 0}, 1280, 720, 600 + 600 * share())};
+                       simulatedView(position, {middle.x(), middle.y(), 0}, 1280, 720, 600 + 600 * share())};
             if (std::atan2(height, away) < 0.17 || !mark(drawn, noisePx))
                 continue;
             return drawn;
@@ -121,9 +121,10 @@ void alignOnLine(Case &drawn, Draws &draws, std::size_t count)
     const Vector2d from = drawn.layout.markers.front().pointInWorld,
                    to = drawn.layout.markers[count - 1].pointInWorld;
     for (std::size_t i = 1; i + 1 < count; ++i) {
-        const Vector2d place = from + (static_cast<double>(i) / static_cast<double>(count - 1)) * (to - from);
-        drawn.layout.markers[i].pointInWorld = place;
-        drawn.pixels[i].pixel = *drawn.view.pixelFromWorld({place.x(), place.y(), 0}) +
+        const Vector2d position =
+            from + (static_cast<double>(i) / static_cast<double>(count - 1)) * (to - from);
+        drawn.layout.markers[i].pointInWorld = position;
+        drawn.pixels[i].pixel = *drawn.view.pixelFromWorld({position.x(), position.y(), 0}) +
                                 0.3 * Vector2d(draws.noise(), draws.noise());
     }
 }
@@ -195,12 +196,12 @@ const Fault faults[] = {
              return false; // it looks down: its horizon is far above the picture
          const double back = (eye.z() * std::abs(ahead.z()) + 0.3 + draws.share()) / flat;
          const Vector2d forwards = ahead.head<2>() / flat,
-                        place = eye.head<2>() - back * forwards +
-                                (draws.share() - 0.5) * Vector2d(-forwards.y(), forwards.x());
-         const Vector3d inCamera = cameraFromWorld * Vector3d(place.x(), place.y(), 0);
+                        position = eye.head<2>() - back * forwards +
+                                   (draws.share() - 0.5) * Vector2d(-forwards.y(), forwards.x());
+         const Vector3d inCamera = cameraFromWorld * Vector3d(position.x(), position.y(), 0);
          const Intrinsics &lens = drawn.view.camera().intrinsics();
          const std::size_t which = draws.below(drawn.pixels.size());
-         drawn.layout.markers[which].pointInWorld = place;
+         drawn.layout.markers[which].pointInWorld = position;
          drawn.pixels[which].pixel =
              Vector2d(lens.cxPx, lens.cyPx) + lens.fxPx * Vector2d(inCamera.hnormalized());
          return true;

@@ -22,16 +22,16 @@ BoardView view()
 }
 
 template <LensModel model>
-std::array<double, lensSize(model)> lens()
+std::array<double, intrinsicsSize(model)> lens()
 {
-    std::array<double, lensSize(model)> values{850, 870, 630, 350};
+    std::array<double, intrinsicsSize(model)> values{850, 870, 630, 350};
     const std::array<double, 8> bent{-0.21, 0.08, 0.002, -0.003, 0.02, 0.05, -0.02, 0.01};
     std::copy_n(bent.begin(), values.size() - 4, values.begin() + 4);
     return values;
 }
 
 template <LensModel model>
-std::array<double, 8> residualsAt(const std::array<double, lensSize(model)> &lens,
+std::array<double, 8> residualsAt(const std::array<double, intrinsicsSize(model)> &lens,
                                   const std::array<double, 6> &pose, double cauchyPx)
 {
     const BoardView seen = view();
@@ -46,14 +46,14 @@ std::array<double, 8> residualsAt(const std::array<double, lensSize(model)> &len
 template <LensModel model>
 double worstDerivative(const std::array<double, 6> &pose, double cauchyPx)
 {
-    constexpr int size = lensSize(model);
+    constexpr int size = intrinsicsSize(model);
     const auto values = lens<model>();
     const BoardView seen = view();
-    Eigen::Matrix<double, 8, size, Eigen::RowMajor> byLens;
+    Eigen::Matrix<double, 8, size, Eigen::RowMajor> byIntrinsics;
     Eigen::Matrix<double, 8, 6, Eigen::RowMajor> byPose;
     std::array<double, 8> residuals{};
     const double *parameters[] = {values.data(), pose.data()};
-    double *derivatives[] = {byLens.data(), byPose.data()};
+    double *derivatives[] = {byIntrinsics.data(), byPose.data()};
     ViewCost<model>(seen, cauchyPx).Evaluate(parameters, residuals.data(), derivatives);
     double worst = 0;
     for (int column = 0; column < size + 6; ++column) {
@@ -66,7 +66,7 @@ double worstDerivative(const std::array<double, 6> &pose, double cauchyPx)
         down -= step;
         const auto above = residualsAt<model>(lensUp, poseUp, cauchyPx),
                    below = residualsAt<model>(lensDown, poseDown, cauchyPx);
-        Eigen::Matrix<double, 8, 1> told = column < size ? byLens.col(column % size).eval()
+        Eigen::Matrix<double, 8, 1> told = column < size ? byIntrinsics.col(column % size).eval()
                                                          : byPose.col(column - size).eval(),
                                     measured;
         for (int row = 0; row < 8; ++row)

@@ -33,12 +33,12 @@ Frame seen(const SimulatedBoard &board, int widthPx = 640, int heightPx = 360)
 }
 
 /// The answer to a picture after a sound one.
-std::optional<Error> answerTo(const Frame &picture)
+std::optional<Error> answerTo(const Frame &image)
 {
     BoardCollector collector({});
     if (!collector.offer(seen(boardAt({0, 0, 0.45}, 0)), "first.png").kept)
         return std::nullopt;
-    return collector.offer(picture, "second.png").refusal;
+    return collector.offer(image, "second.png").refusal;
 }
 
 Frame blurred()

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/calibration/marker_detection.h"
-#include "tests/calibration/pictures.h"
+#include "tests/calibration/images.h"
 #include "tests/support/registered_test.h"
 
 #include <QTest>
@@ -33,12 +33,12 @@ cv::Mat seen(const cv::Mat &floor)
 {
     constexpr int fine = 4;
     const cv::Matx33d toFine(fine, 0, 0.5 * (fine - 1), 0, fine, 0.5 * (fine - 1), 0, 0, 1);
-    cv::Mat large, picture;
+    cv::Mat large, image;
     cv::warpPerspective(floor, large, cv::Mat(toFine * warp), cv::Size(1280, 720) * fine, cv::INTER_LINEAR,
                         cv::BORDER_CONSTANT, cv::Scalar(120));
-    cv::resize(large, picture, {1280, 720}, 0, 0, cv::INTER_AREA);
-    cv::GaussianBlur(picture, picture, {0, 0}, 0.7);
-    return picture;
+    cv::resize(large, image, {1280, 720}, 0, 0, cv::INTER_AREA);
+    cv::GaussianBlur(image, image, {0, 0}, 0.7);
+    return image;
 }
 
 MarkerLayout layout()

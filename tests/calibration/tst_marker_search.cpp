@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/calibration/internal/image_edges.h"
 #include "core/calibration/internal/marker_assignment.h"
-#include "core/calibration/internal/picture_edges.h"
 #include "core/calibration/internal/round_markers.h"
 #include "core/calibration/internal/tag_detection.h"
 #include "core/calibration/marker_detection.h"
@@ -73,14 +73,14 @@ class TestMarkerSearch : public QObject
 private Q_SLOTS:
     void ninetyFivePercentOfTheViewsAreFoundToAFifthOfAPixel_data()
     {
-        QTest::addColumn<MarkerFigure>("figure");
-        QTest::newRow("tags") << MarkerFigure::Tag;
-        QTest::newRow("rings") << MarkerFigure::Ring;
-        QTest::newRow("dots") << MarkerFigure::Dot;
+        QTest::addColumn<MarkerShape>("figure");
+        QTest::newRow("tags") << MarkerShape::Tag;
+        QTest::newRow("rings") << MarkerShape::Ring;
+        QTest::newRow("dots") << MarkerShape::Dot;
     }
     void ninetyFivePercentOfTheViewsAreFoundToAFifthOfAPixel()
     {
-        QFETCH(MarkerFigure, figure);
+        QFETCH(MarkerShape, shape);
         const int views = qEnvironmentVariableIntValue("ODOGRAPH_FLOOR_VIEWS") > 0
                               ? qEnvironmentVariableIntValue("ODOGRAPH_FLOOR_VIEWS")
                               : 12;
@@ -88,7 +88,7 @@ private Q_SLOTS:
         std::vector<double> errors;
         for (int i = 0; i < views; ++i) {
             const DrawnView drawn =
-                drawFloorView(layout(), figure, 0.16, 1000 + static_cast<std::uint32_t>(i));
+                drawFloorView(layout(), shape, 0.16, 1000 + static_cast<std::uint32_t>(i));
             const auto found = findMarkers(drawn.frame, layout(), known(drawn));
             const auto rms = found ? rmsOf(*found, drawn.truth) : std::nullopt;
             if (rms && *rms <= 0.2)
@@ -196,7 +196,7 @@ private Q_SLOTS:
     void tagsTooSmallToReadAreForetold()
     {
         // Cells of 3 by 0.7 px, of which libapriltag makes nothing; three others tell where they are.
-        DrawnView drawn = drawFloorView(layout(), MarkerFigure::Tag, 0.16, 1019);
+        DrawnView drawn = drawFloorView(layout(), MarkerShape::Tag, 0.16, 1019);
         QVERIFY(findTags(drawn.frame).size() < 4);
         const auto found = findMarkers(drawn.frame, layout(), known(drawn));
         QVERIFY2(found.has_value(), found ? "" : found.error().message().c_str());
@@ -211,13 +211,14 @@ private Q_SLOTS:
         const auto tags = findTags(drawn.frame);
         QVERIFY(!tags.empty());
         more.markers[5].pointInWorld = layout().markers[std::size_t(tags.front().number)].pointInWorld;
-        for (const SeenTag &tag : foretoldTags(drawn.frame, more, tags, drawn.scene.cameras[0].view.camera()))
+        for (const SeenTag &tag :
+             predictedTags(drawn.frame, more, tags, drawn.scene.cameras[0].view.camera()))
             QVERIFY(tag.number != 5);
     }
     void ringsTooSmallForTheirHolesAreTakenForDots()
     {
         // 30 by 8 px, the hole 15 by 4.
-        const DrawnView drawn = drawFloorView(layout(), MarkerFigure::Ring, 0.16, 1019);
+        const DrawnView drawn = drawFloorView(layout(), MarkerShape::Ring, 0.16, 1019);
         const auto shapes = findRoundMarkers(drawn.frame);
         QVERIFY(std::ranges::count(shapes, RoundMarker::Kind::Ring, &RoundMarker::kind) < 5);
         const auto found = findMarkers(drawn.frame, layout(), known(drawn));
@@ -226,14 +227,14 @@ private Q_SLOTS:
     }
     void nothingIsForetoldFromOneTagOrWithoutALens()
     {
-        const DrawnView drawn = drawFloorView(layout(), MarkerFigure::Tag, 0.16, 1002);
+        const DrawnView drawn = drawFloorView(layout(), MarkerShape::Tag, 0.16, 1002);
         auto tags = findTags(drawn.frame);
         QVERIFY(tags.size() >= 3);
         tags.resize(3);
-        QVERIFY(foretoldTags(drawn.frame, layout(), tags, std::nullopt).empty());
-        QVERIFY(!foretoldTags(drawn.frame, layout(), tags, drawn.scene.cameras[0].view.camera()).empty());
+        QVERIFY(predictedTags(drawn.frame, layout(), tags, std::nullopt).empty());
+        QVERIFY(!predictedTags(drawn.frame, layout(), tags, drawn.scene.cameras[0].view.camera()).empty());
         tags.resize(1);
-        QVERIFY(foretoldTags(drawn.frame, layout(), tags, drawn.scene.cameras[0].view.camera()).empty());
+        QVERIFY(predictedTags(drawn.frame, layout(), tags, drawn.scene.cameras[0].view.camera()).empty());
     }
 };
 

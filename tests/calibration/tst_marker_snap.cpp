@@ -62,26 +62,26 @@ class TestMarkerSnap : public QObject
 private Q_SLOTS:
     void findsWhatWasClicked_data()
     {
-        QTest::addColumn<MarkerFigure>("figure");
+        QTest::addColumn<MarkerShape>("figure");
         QTest::addColumn<int>("kind");
-        QTest::newRow("tags") << MarkerFigure::Tag << int(Kind::Tag);
-        QTest::newRow("rings") << MarkerFigure::Ring << int(Kind::Ring);
-        QTest::newRow("dots") << MarkerFigure::Dot << int(Kind::Dot);
+        QTest::newRow("tags") << MarkerShape::Tag << int(Kind::Tag);
+        QTest::newRow("rings") << MarkerShape::Ring << int(Kind::Ring);
+        QTest::newRow("dots") << MarkerShape::Dot << int(Kind::Dot);
     }
     void findsWhatWasClicked()
     {
-        QFETCH(MarkerFigure, figure);
+        QFETCH(MarkerShape, shape);
         QFETCH(int, kind);
         const MarkerLayout layout{"floor",
                                   {{"O", {0, 0}}, {"U", {2.4, 0}}, {"V", {0, 1.8}}, {"D", {2.7, 2.0}}}};
-        const DrawnView view = drawFloorView(layout, figure, 0.16, 1002);
+        const DrawnView view = drawFloorView(layout, shape, 0.16, 1002);
         std::mt19937 random(3);
         std::uniform_real_distribution<double> off(-4, 4);
         for (const MarkerPixel &marker : view.truth) {
             const auto snapped = snapToMarker(view.frame, marker.pixel + Vector2d(off(random), off(random)));
             QCOMPARE(int(snapped.kind), kind);
             // A dot's ellipse is not corrected for perspective yet.
-            QVERIFY2((snapped.pixel - marker.pixel).norm() < (figure == MarkerFigure::Dot ? 0.6 : 0.2),
+            QVERIFY2((snapped.pixel - marker.pixel).norm() < (shape == MarkerShape::Dot ? 0.6 : 0.2),
                      qPrintable(QString::number((snapped.pixel - marker.pixel).norm())));
             QVERIFY(snapped.sigmaPx > 0 && snapped.sigmaPx < 0.2);
         }
@@ -105,16 +105,16 @@ private Q_SLOTS:
         std::uniform_real_distribution<double> share(0, 1), off(-5, 5);
         int good = 0, tried = 0;
         double squares = 0;
-        for (std::uint32_t picture = 0; picture < 4; ++picture) {
+        for (std::uint32_t image = 0; image < 4; ++image) {
             std::vector<Tape> tapes;
             std::vector<FloorPatch> patches;
             for (int i = 0; i < 6; ++i) {
-                const Vector2d place(0.3 + 1.0 * (i % 3), 0.4 + 1.1 * (i / 3));
+                const Vector2d position(0.3 + 1.0 * (i % 3), 0.4 + 1.1 * (i / 3));
                 const double turn = 2 * EIGEN_PI * share(random);
-                tapes.push_back(isCross ? cross(place, turn, colour) : angle(place, turn, colour));
+                tapes.push_back(isCross ? cross(position, turn, colour) : angle(position, turn, colour));
                 patches.insert(patches.end(), tapes.back().patches.begin(), tapes.back().patches.end());
             }
-            const Frame frame = drawn(view, patches, 1 + picture, 40 + picture);
+            const Frame frame = drawn(view, patches, 1 + image, 40 + image);
             for (const Tape &tape : tapes) {
                 const Vector2d truth = *view.pixelFromWorld({tape.point.x(), tape.point.y(), 0});
                 if (truth.x() < 40 || truth.y() < 40 || truth.x() > 1240 || truth.y() > 680)
@@ -130,7 +130,7 @@ private Q_SLOTS:
                 if (isGood)
                     squares += error * error;
                 else
-                    qInfo("picture %u at %.0f, %.0f: kind %d, %.2f px off", picture, truth.x(), truth.y(),
+                    qInfo("picture %u at %.0f, %.0f: kind %d, %.2f px off", image, truth.x(), truth.y(),
                           int(snapped.kind), error);
             }
         }

@@ -2,7 +2,7 @@
 #include "core/calibration/board_detection.h"
 #include "core/calibration/floor_registration.h"
 #include "core/calibration/intrinsic_calibration.h"
-#include "core/video/picture_reader.h"
+#include "core/video/image_reader.h"
 #include "core/video/video_reader.h"
 #include "tests/support/real_material.h"
 #include "tests/support/registered_test.h"
@@ -53,7 +53,7 @@ CameraModel rosCamera(const std::filesystem::path &file, int widthPx, int height
     return CameraModel::create(intrinsics).value();
 }
 
-std::vector<std::filesystem::path> picturesIn(const std::filesystem::path &folder, const std::string &start)
+std::vector<std::filesystem::path> imagesIn(const std::filesystem::path &folder, const std::string &start)
 {
     std::vector<std::filesystem::path> files;
     for (const auto &entry : std::filesystem::directory_iterator(folder)) {
@@ -66,8 +66,8 @@ std::vector<std::filesystem::path> picturesIn(const std::filesystem::path &folde
 
 Result<BoardView> boardIn(const std::filesystem::path &file, const BoardSpec &spec)
 {
-    const auto picture = readPicture(file);
-    return picture ? findBoard(*picture, spec, file.filename().string()) : tl::unexpected(picture.error());
+    const auto image = readImage(file);
+    return image ? findBoard(*image, spec, file.filename().string()) : tl::unexpected(image.error());
 }
 
 /// The boards of all pictures; fails the test where one is not found.
@@ -142,7 +142,7 @@ private Q_SLOTS:
         ODOGRAPH_NEED_REAL("chessboard-stereo");
         QFETCH(int, columns);
         QFETCH(int, rows);
-        const auto files = picturesIn(realMaterial() / "chessboard-stereo", "left");
+        const auto files = imagesIn(realMaterial() / "chessboard-stereo", "left");
         const auto views = boardsIn(files, board(BoardPattern::Checkerboard, columns, rows, 0.025));
         QCOMPARE(files.size(), std::size_t(13));
         QCOMPARE(views.size(), files.size());
@@ -167,7 +167,7 @@ private Q_SLOTS:
         ODOGRAPH_NEED_REAL("chessboards-pose2sim");
         QFETCH(QString, folder);
         QFETCH(double, focalPx);
-        const auto files = picturesIn(realMaterial() / "chessboards-pose2sim" / folder.toStdString(), "cam");
+        const auto files = imagesIn(realMaterial() / "chessboards-pose2sim" / folder.toStdString(), "cam");
         const auto views = boardsIn(files, board(BoardPattern::Checkerboard, 4, 7, 0.06));
         QCOMPARE(files.size(), std::size_t(7));
         QCOMPARE(views.size(), files.size());

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/calibration/internal/tag_alignment.h"
 #include "core/calibration/internal/tag_detection.h"
-#include "tests/calibration/pictures.h"
+#include "tests/calibration/images.h"
 #include "tests/support/registered_test.h"
 
 #include <Eigen/LU>
@@ -18,27 +18,27 @@ namespace {
 constexpr int number = 3;
 
 /// A tag of so many pixels a side about a place, turned and in perspective.
-Matrix3d mapOf(double halfPx, const Vector2d &place, double flatness = 0.6)
+Matrix3d mapOf(double halfPx, const Vector2d &position, double flatness = 0.6)
 {
     Matrix3d map;
-    map << 0.95 * halfPx, -0.3 * halfPx, place.x(), 0.3 * flatness * halfPx, 0.95 * flatness * halfPx,
-        place.y(), 0.0006 * halfPx, 0.0012 * halfPx, 1;
-    map.row(0) += (map(2, 0) * place.x()) * Eigen::RowVector3d::UnitX() +
-                  (map(2, 1) * place.x()) * Eigen::RowVector3d::UnitY();
-    map.row(1) += (map(2, 0) * place.y()) * Eigen::RowVector3d::UnitX() +
-                  (map(2, 1) * place.y()) * Eigen::RowVector3d::UnitY();
+    map << 0.95 * halfPx, -0.3 * halfPx, position.x(), 0.3 * flatness * halfPx, 0.95 * flatness * halfPx,
+        position.y(), 0.0006 * halfPx, 0.0012 * halfPx, 1;
+    map.row(0) += (map(2, 0) * position.x()) * Eigen::RowVector3d::UnitX() +
+                  (map(2, 1) * position.x()) * Eigen::RowVector3d::UnitY();
+    map.row(1) += (map(2, 0) * position.y()) * Eigen::RowVector3d::UnitX() +
+                  (map(2, 1) * position.y()) * Eigen::RowVector3d::UnitY();
     return map;
 }
 
 /// The picture of a tag by 16 × 16 samples a pixel, on a floor that grows brighter to the right.
-cv::Mat pictureOf(const Matrix3d &map, double blurPx, double noise, unsigned seed)
+cv::Mat imageOf(const Matrix3d &map, double blurPx, double noise, unsigned seed)
 {
     constexpr int parts = 16;
     const TagCells cells = tagCells(number);
     const Matrix3d back = map.inverse();
-    cv::Mat picture(160, 200, CV_32F);
-    for (int y = 0; y < picture.rows; ++y) {
-        for (int x = 0; x < picture.cols; ++x) {
+    cv::Mat image(160, 200, CV_32F);
+    for (int y = 0; y < image.rows; ++y) {
+        for (int x = 0; x < image.cols; ++x) {
             double sum = 0;
             for (int i = 0; i < parts * parts; ++i) {
                 const Vector2d at = (back * Eigen::Vector3d(x - 0.5 + (i % parts + 0.5) / parts,
@@ -52,17 +52,17 @@ cv::Mat pictureOf(const Matrix3d &map, double blurPx, double noise, unsigned see
                                                                                                        : 30;
                 sum += grey;
             }
-            picture.at<float>(y, x) = float(sum / parts / parts * (0.8 + 0.2 * x / picture.cols));
+            image.at<float>(y, x) = float(sum / parts / parts * (0.8 + 0.2 * x / image.cols));
         }
     }
-    cv::GaussianBlur(picture, picture, {0, 0}, blurPx);
+    cv::GaussianBlur(image, image, {0, 0}, blurPx);
     std::mt19937 random(seed);
     std::normal_distribution<float> grey(0, float(noise));
-    for (int y = 0; y < picture.rows; ++y)
-        for (int x = 0; x < picture.cols; ++x)
-            picture.at<float>(y, x) += grey(random);
+    for (int y = 0; y < image.rows; ++y)
+        for (int x = 0; x < image.cols; ++x)
+            image.at<float>(y, x) += grey(random);
     cv::Mat bytes;
-    picture.convertTo(bytes, CV_8U);
+    image.convertTo(bytes, CV_8U);
     return bytes;
 }
 
@@ -87,16 +87,16 @@ private Q_SLOTS:
         QFETCH(double, flatness);
         QFETCH(double, mostPx);
         for (unsigned seed = 0; seed < 6; ++seed) {
-            const Vector2d place(98.3 + 0.17 * seed, 81.4 - 0.23 * seed);
-            const Matrix3d truth = mapOf(halfPx, place, flatness);
-            const cv::Mat picture = pictureOf(truth, 0.5 + 0.1 * seed, 2, seed);
+            const Vector2d position(98.3 + 0.17 * seed, 81.4 - 0.23 * seed);
+            const Matrix3d truth = mapOf(halfPx, position, flatness);
+            const cv::Mat image = imageOf(truth, 0.5 + 0.1 * seed, 2, seed);
             // Half a cell beside it, and somewhat turned.
             Matrix3d start =
-                mapOf(halfPx * 1.03, place + halfPx / 8 * Vector2d(0.5, -0.4 * flatness), flatness);
+                mapOf(halfPx * 1.03, position + halfPx / 8 * Vector2d(0.5, -0.4 * flatness), flatness);
             start(0, 1) += 0.02 * halfPx;
-            const auto aligned = alignTag(picture, tagCells(number), start);
+            const auto aligned = alignTag(image, tagCells(number), start);
             QVERIFY(aligned.has_value());
-            const double error = (aligned->middle() - place).norm();
+            const double error = (aligned->middle() - position).norm();
             QVERIFY2(error < mostPx, qPrintable(QString::number(error)));
             QVERIFY(aligned->likeness > 0.9);
             // The stated one is of noise alone.
@@ -107,7 +107,7 @@ private Q_SLOTS:
     void isNotLikeAnotherTagOrABareFloor()
     {
         const Matrix3d truth = mapOf(30, {98, 80});
-        const auto other = alignTag(pictureOf(truth, 0.5, 2, 1), tagCells(number + 1), truth);
+        const auto other = alignTag(imageOf(truth, 0.5, 2, 1), tagCells(number + 1), truth);
         QVERIFY2(!other || other->likeness < 0.7, qPrintable(QString::number(other->likeness)));
         cv::Mat bare(160, 200, CV_8U);
         cv::randn(bare, 128, 6);
@@ -118,14 +118,14 @@ private Q_SLOTS:
     }
     void refusesWhatReachesBeyondThePictureOrIsNoMap()
     {
-        const cv::Mat picture = pictureOf(mapOf(30, {98, 80}), 0.5, 2, 1);
-        QVERIFY(!alignTag(picture, tagCells(number), mapOf(30, {20, 80})).has_value());
-        QVERIFY(!alignTag(picture, tagCells(number), mapOf(1, {98, 80})).has_value());
-        QVERIFY(!alignTag(picture, tagCells(number), Matrix3d::Zero()).has_value());
-        QVERIFY(!alignTag(picture, tagCells(number), Matrix3d::Constant(std::nan(""))).has_value());
+        const cv::Mat image = imageOf(mapOf(30, {98, 80}), 0.5, 2, 1);
+        QVERIFY(!alignTag(image, tagCells(number), mapOf(30, {20, 80})).has_value());
+        QVERIFY(!alignTag(image, tagCells(number), mapOf(1, {98, 80})).has_value());
+        QVERIFY(!alignTag(image, tagCells(number), Matrix3d::Zero()).has_value());
+        QVERIFY(!alignTag(image, tagCells(number), Matrix3d::Constant(std::nan(""))).has_value());
         Matrix3d beyond = mapOf(30, {98, 80});
         beyond(2, 0) = 1.2; // its left side lies beyond the horizon
-        QVERIFY(!alignTag(picture, tagCells(number), beyond).has_value());
+        QVERIFY(!alignTag(image, tagCells(number), beyond).has_value());
     }
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/calibration/lens_influence.h"
+#include "core/calibration/intrinsics_influence.h"
 #include "core/calibration/world_axes.h"
 #include "core/simulation/demo_testbed.h"
 #include "tests/support/registered_test.h"

@@ -17,7 +17,7 @@ class Script
 public:
     struct Loss
     {
-        int pictures;
+        int frames;
         bool here = false; ///< by this program, which did not take them in time
     };
     struct Hang
@@ -36,7 +36,7 @@ public:
     };
     using Step = std::variant<Picture, Loss, Pace, Pass, Error, Hang>;
 
-    void pictures(int count)
+    void frames(int count)
     {
         for (int i = 0; i < count; ++i)
             add(Picture{});
@@ -134,22 +134,22 @@ public:
             if (const Error *error = std::get_if<Error>(&*step))
                 return tl::unexpected(*error);
             if (const auto *loss = std::get_if<Script::Loss>(&*step)) {
-                m_sequence += loss->pictures;
-                m_time += loss->pictures * m_interval;
-                m_lostHere += loss->here ? std::uint64_t(loss->pictures) : 0;
+                m_sequence += loss->frames;
+                m_time += loss->frames * m_interval;
+                m_lostHere += loss->here ? std::uint64_t(loss->frames) : 0;
             } else if (const auto *pace = std::get_if<Script::Pace>(&*step))
                 m_interval = pace->interval;
             else if (const auto *pass = std::get_if<Script::Pass>(&*step))
                 m_time += pass->time;
             else
-                return picture();
+                return image();
         }
     }
 
     static constexpr Nanoseconds interval = std::chrono::milliseconds(33);
 
 private:
-    CapturedFrame picture()
+    CapturedFrame image()
     {
         const Nanoseconds time = std::exchange(m_time, m_time + m_interval) + m_kind.phase;
         CapturedFrame captured;

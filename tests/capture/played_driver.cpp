@@ -17,10 +17,10 @@ namespace odo::test {
 
 namespace {
 
-constexpr std::uint32_t pictureBytes = 2 * PlayedDriver::width * PlayedDriver::height, bufferBytes = 8192,
+constexpr std::uint32_t frameBytes = 2 * PlayedDriver::width * PlayedDriver::height, bufferBytes = 8192,
                         mostBuffers = 32;
 constexpr Nanoseconds longestCall = std::chrono::milliseconds(5);
-static_assert(pictureBytes <= bufferBytes && bufferBytes % 4096 == 0);
+static_assert(frameBytes <= bufferBytes && bufferBytes % 4096 == 0);
 
 std::atomic<PlayedDriver *> onlyOne = nullptr;
 
@@ -105,9 +105,9 @@ int PlayedDriver::describe(unsigned long request, void *argument)
         return interval.index == 0 ? 0 : EINVAL;
     }
     case VIDIOC_S_FMT: {
-        auto &picture = static_cast<v4l2_format *>(argument)->fmt.pix;
-        picture.bytesperline = 2 * width;
-        picture.sizeimage = pictureBytes;
+        auto &image = static_cast<v4l2_format *>(argument)->fmt.pix;
+        image.bytesperline = 2 * width;
+        image.sizeimage = frameBytes;
         return 0;
     }
     case VIDIOC_S_PARM:
@@ -164,7 +164,7 @@ int PlayedDriver::giveOut(v4l2_buffer &buffer)
         return EAGAIN;
     buffer.index = m_free.front();
     m_free.erase(m_free.begin());
-    buffer.bytesused = pictureBytes;
+    buffer.bytesused = frameBytes;
     buffer.flags = V4L2_BUF_FLAG_TIMESTAMP_MONOTONIC;
     buffer.sequence = m_sequence++;
     const auto whole = std::chrono::duration_cast<std::chrono::seconds>(*m_due);

@@ -32,7 +32,7 @@ private Q_SLOTS:
 void TestAwaitedSource::isThatCameraAsSoonAsItIsThere()
 {
     const auto script = std::make_shared<Script>();
-    script->pictures(2);
+    script->frames(2);
     std::atomic<int> attempts = 0;
     const auto source = awaitCamera(
         "play:1", taken,
@@ -44,10 +44,10 @@ void TestAwaitedSource::isThatCameraAsSoonAsItIsThere()
         },
         1ms);
     QVERIFY(source->holdAutomatics().empty() || attempts == 3);
-    Result<CapturedFrame> picture = source->next();
-    while (!picture && picture.error().code == ErrorCode::Unavailable)
-        picture = source->next();
-    QVERIFY(picture);
+    Result<CapturedFrame> image = source->next();
+    while (!image && image.error().code == ErrorCode::Unavailable)
+        image = source->next();
+    QVERIFY(image);
     QCOMPARE(attempts.load(), 3);
     QCOMPARE(source->next()->sequence, 1u);
     QCOMPARE(source->description().name.english(), std::string("Played"));
@@ -59,10 +59,10 @@ void TestAwaitedSource::saysWhyItIsNotThere()
     const auto source = awaitCamera(
         "v4l2:/dev/video7", taken,
         []() -> Result<std::unique_ptr<CameraSource>> { return tl::unexpected(taken); }, 1ms);
-    const auto picture = source->next();
-    QVERIFY(!picture);
-    QCOMPARE(picture.error().code, ErrorCode::Unavailable); // it may come
-    QCOMPARE(picture.error().message(), taken.message());
+    const auto image = source->next();
+    QVERIFY(!image);
+    QCOMPARE(image.error().code, ErrorCode::Unavailable); // it may come
+    QCOMPARE(image.error().message(), taken.message());
     QCOMPARE(source->controls().error().code, ErrorCode::Unavailable);
     QCOMPARE(source->set("gain", 1).error().message(), taken.message());
     QCOMPARE(source->description().kind, std::string("v4l2"));
@@ -89,7 +89,7 @@ void TestAwaitedSource::anAddressThatIsNotUnderstoodIsNotTriedAgain()
 void TestAwaitedSource::showsTheRobotsThatItWasGivenBefore()
 {
     const auto script = std::make_shared<Script>();
-    script->pictures(1);
+    script->frames(1);
     std::promise<void> mayOpen;
     const auto source = awaitCamera(
         "play:1", taken,

@@ -14,11 +14,11 @@ private Q_SLOTS:
     void isTakenApart()
     {
         const CameraUri uri = splitCameraUri("v4l2:/dev/video0?size=640x480&rate=30", "v4l2:");
-        QCOMPARE(uri.place, std::string("/dev/video0"));
-        QCOMPARE(uri.wishes.size(), std::size_t(2));
-        QCOMPARE(uri.wishes[0].name, std::string("size"));
-        QCOMPARE(uri.wishes[0].value, std::string("640x480"));
-        QCOMPARE(uri.wishes[1].text, std::string("rate=30"));
+        QCOMPARE(uri.location, std::string("/dev/video0"));
+        QCOMPARE(uri.cameraSettings.size(), std::size_t(2));
+        QCOMPARE(uri.cameraSettings[0].name, std::string("size"));
+        QCOMPARE(uri.cameraSettings[0].value, std::string("640x480"));
+        QCOMPARE(uri.cameraSettings[1].text, std::string("rate=30"));
     }
 
     void whatSaysLittle_data()
@@ -38,33 +38,33 @@ private Q_SLOTS:
     void whatSaysLittle()
     {
         QFETCH(QByteArray, uri);
-        QFETCH(QByteArray, place);
-        QFETCH(QByteArrayList, wishes);
+        QFETCH(QByteArray, location);
+        QFETCH(QByteArrayList, cameraSettings);
         const CameraUri split = splitCameraUri(uri.toStdString(), "x:");
-        QCOMPARE(split.place, place.toStdString());
+        QCOMPARE(split.location, location.toStdString());
         QByteArrayList texts;
-        for (const CameraWish &wish : split.wishes)
-            texts << QByteArray::fromStdString(wish.text);
-        QCOMPARE(texts, wishes);
+        for (const CameraSetting &setting : split.cameraSettings)
+            texts << QByteArray::fromStdString(setting.text);
+        QCOMPARE(texts, cameraSettings);
     }
 
     void whatIsWantedIsReplaced()
     {
         const std::string uri = "aravis:192.168.1.20?rate=60&gain=6";
-        QCOMPARE(withoutWishes(uri), std::string("aravis:192.168.1.20"));
-        QCOMPARE(withWishes(uri, {}), std::string("aravis:192.168.1.20"));
-        QCOMPARE(withWishes(uri, {{"rate=30", "rate", "30"}, {"trigger=software", "trigger", "software"}}),
+        QCOMPARE(withoutSettings(uri), std::string("aravis:192.168.1.20"));
+        QCOMPARE(withSettings(uri, {}), std::string("aravis:192.168.1.20"));
+        QCOMPARE(withSettings(uri, {{"rate=30", "rate", "30"}, {"trigger=software", "trigger", "software"}}),
                  std::string("aravis:192.168.1.20?rate=30&trigger=software"));
-        QCOMPARE(withoutWishes("sim:A?board"), std::string("sim:A?board")); // that is no wish
-        QCOMPARE(withoutWishes("file:/videos/why?.mp4"), std::string("file:/videos/why?.mp4"));
-        QVERIFY(!takesWishes("sim:A"));
+        QCOMPARE(withoutSettings("sim:A?board"), std::string("sim:A?board")); // that is no wish
+        QCOMPARE(withoutSettings("file:/videos/why?.mp4"), std::string("file:/videos/why?.mp4"));
+        QVERIFY(!acceptsSettings("sim:A"));
     }
 
     void withoutASignItHasNoName()
     {
         const CameraUri uri = splitCameraUri("x:a?rate", "x:");
-        QCOMPARE(uri.wishes.front().text, std::string("rate"));
-        QVERIFY(uri.wishes.front().name.empty());
+        QCOMPARE(uri.cameraSettings.front().text, std::string("rate"));
+        QVERIFY(uri.cameraSettings.front().name.empty());
     }
 };
 

@@ -51,19 +51,19 @@ void TestCaptureFaults::aCameraThatIsGoneIsWaitedFor()
 {
     TwoCameras cameras;
     cameras.session->startRecording(filesIn(*m_folder));
-    cameras.b->pictures(10);
+    cameras.b->frames(10);
     cameras.b->error(gone);
-    cameras.a->pictures(lot);
+    cameras.a->frames(lot);
     QTRY_COMPARE(cameras.health(1).state, State::Waiting);
-    QVERIFY(cameras.health(1).trouble);
+    QVERIFY(cameras.health(1).warning);
     QCOMPARE(healthWords(cameras.health(1)).english(), gone.message());
     QTRY_COMPARE(cameras.health(0).delivered, std::uint64_t(lot)); // the other one loses nothing
-    QVERIFY(!cameras.health(0).trouble);
+    QVERIFY(!cameras.health(0).warning);
     cameras.b->lose(5);
-    cameras.b->pictures(10);
+    cameras.b->frames(10);
     QTRY_COMPARE(cameras.health(1).delivered, 20u);
     QCOMPARE(cameras.health(1).state, State::Delivering);
-    QVERIFY(!cameras.health(1).trouble);
+    QVERIFY(!cameras.health(1).warning);
     const RecordingOutcome outcome = cameras.session->stopRecording();
     QCOMPARE(outcome.views[0].taken.size(), std::size_t(lot));
     QVERIFY(outcome.views[0].gaps.empty());
@@ -81,10 +81,10 @@ void TestCaptureFaults::aCameraThatEndsKeepsWhatThereIs()
 {
     TwoCameras cameras;
     cameras.session->startRecording(filesIn(*m_folder));
-    cameras.b->pictures(20);
+    cameras.b->frames(20);
     cameras.b->error(over);
     QTRY_COMPARE(cameras.health(1).state, State::Ended);
-    cameras.a->pictures(lot);
+    cameras.a->frames(lot);
     QTRY_COMPARE(cameras.health(0).delivered, std::uint64_t(lot));
     const RecordingOutcome outcome = cameras.session->stopRecording();
     QVERIFY(!outcome.views[0].problem);
@@ -99,8 +99,8 @@ void TestCaptureFaults::aDiskThatFailsIsTold()
 {
     TwoCameras cameras;
     cameras.session->startRecording(filesIn(*m_folder, "a.mkv", "no/folder/b.mkv"));
-    cameras.pictures(lot);
-    QTRY_VERIFY(cameras.session->health().disk.trouble);
+    cameras.frames(lot);
+    QTRY_VERIFY(cameras.session->health().disk.warning);
     QTRY_COMPARE(cameras.delivered(), std::uint64_t(lot));
     QVERIFY(cameras.session->health().disk.recording);
     const RecordingOutcome outcome = cameras.session->stopRecording();
@@ -109,27 +109,27 @@ void TestCaptureFaults::aDiskThatFailsIsTold()
     QVERIFY(outcome.views[1].taken.empty());
     QVERIFY(!outcome.views[0].problem);
     QCOMPARE(outcome.views[0].taken.size(), std::size_t(lot));
-    QVERIFY(!cameras.session->health().disk.trouble);
+    QVERIFY(!cameras.session->health().disk.warning);
 }
 
 void TestCaptureFaults::itEndsBeforeTheDiskIsFull()
 {
     std::atomic<std::uint64_t> left = 1'000'000'000;
-    TwoCameras cameras(0s, 20s, {}, {.mostReserved = 100'000'000, .room = [&left](const auto &) {
-                                         return DiskRoom{left, 4'000'000'000};
+    TwoCameras cameras(0s, 20s, {}, {.mostReserved = 100'000'000, .space = [&left](const auto &) {
+                                         return DiskCapacity{left, 4'000'000'000};
                                      }});
     cameras.session->startRecording(filesIn(*m_folder));
     record(cameras, 2);
     const DiskHealth disk = cameras.session->health().disk;
-    QVERIFY(!disk.trouble && !disk.ended);
+    QVERIFY(!disk.warning && !disk.ended);
     // What may still be written at the rate so far, of both views together.
     QVERIFY(disk.secondsLeft);
     const double expectedS = 900e6 / (double(disk.bytes) / (59 * 0.033));
     QVERIFY2(std::abs(*disk.secondsLeft - expectedS) < 0.01 * expectedS,
              qPrintable(QString::number(*disk.secondsLeft)));
     left = 99'000'000;
-    QTRY_VERIFY((cameras.pictures(1), cameras.session->health().disk.ended)); // it looks once a second
-    QCOMPARE(cameras.session->health().disk.trouble->error.why.english(),
+    QTRY_VERIFY((cameras.frames(1), cameras.session->health().disk.ended)); // it looks once a second
+    QCOMPARE(cameras.session->health().disk.warning->error.why.english(),
              std::string("its disk has only 99 MB left, of which 100 are kept free"));
     const RecordingOutcome outcome = cameras.session->stopRecording();
     for (const ViewRecording &view : outcome.views) {
@@ -147,8 +147,8 @@ void TestCaptureFaults::littleIsReservedOnASmallDisk()
     QCOMPARE(watch.left({1'000'000'000, 1'000'000'000'000}), std::uint64_t(800'000'000));
     QCOMPARE(watch.left({50'000'000, 60'000'000}), std::uint64_t(47'000'000));
     QCOMPARE(watch.left({2'000'000, 60'000'000}), std::uint64_t(0));
-    QVERIFY(!diskRoomOf("/no/such/folder"));
-    QVERIFY(diskRoomOf(m_folder->path().toStdString())->size > 0);
+    QVERIFY(!diskCapacityOf("/no/such/folder"));
+    QVERIFY(diskCapacityOf(m_folder->path().toStdString())->size > 0);
 }
 
 void TestCaptureFaults::aFileThatMayNotGrowKeepsWhatThereIs()
@@ -162,7 +162,7 @@ void TestCaptureFaults::aFileThatMayNotGrowKeepsWhatThereIs()
     TwoCameras cameras;
     cameras.session->startRecording(filesIn(*m_folder));
     setrlimit(RLIMIT_FSIZE, &small);
-    QTRY_VERIFY((cameras.pictures(1), cameras.session->health().disk.ended));
+    QTRY_VERIFY((cameras.frames(1), cameras.session->health().disk.ended));
     setrlimit(RLIMIT_FSIZE, &before);
     const RecordingOutcome outcome = cameras.session->stopRecording();
     const auto cut = std::ranges::find_if(outcome.views,
@@ -186,13 +186,13 @@ void TestCaptureFaults::aFileThatIsNoLongerThereIsTold()
     std::filesystem::create_directory(folder / "here");
     TwoCameras cameras;
     cameras.session->startRecording({folder / "here" / "a.mkv", folder / "here" / "b.mkv"});
-    cameras.pictures(lot);
+    cameras.frames(lot);
     QTRY_COMPARE(cameras.delivered(), std::uint64_t(lot));
     QTRY_VERIFY(std::filesystem::exists(folder / "here" / "a.mkv") &&
                 std::filesystem::exists(folder / "here" / "b.mkv"));
     std::filesystem::rename(folder / "here", folder / "elsewhere");
     const Nanoseconds moved = steadyNow();
-    QTRY_VERIFY((cameras.pictures(1), cameras.session->health().disk.ended));
+    QTRY_VERIFY((cameras.frames(1), cameras.session->health().disk.ended));
     QVERIFY2(steadyNow() - moved < 1500ms * slowness,
              qPrintable(QString::number(toSeconds(steadyNow() - moved))));
     const RecordingOutcome outcome = cameras.session->stopRecording();
@@ -215,17 +215,17 @@ void TestCaptureFaults::aSlowDiskIsToldBeforeAnythingIsLost()
     std::promise<void> goesOn;
     const auto disk = [went = goesOn.get_future().share()](const auto &) {
         went.wait(); // as a disk that does not answer
-        return std::optional<DiskRoom>();
+        return std::optional<DiskCapacity>();
     };
-    TwoCameras cameras(0s, 20s, {}, {.room = disk});
+    TwoCameras cameras(0s, 20s, {}, {.space = disk});
     cameras.session->startRecording(filesIn(*m_folder));
-    cameras.pictures(lot);
-    QTRY_VERIFY(cameras.session->health().disk.trouble);
+    cameras.frames(lot);
+    QTRY_VERIFY(cameras.session->health().disk.warning);
     const DiskHealth slow = cameras.session->health().disk;
     QVERIFY(!slow.ended);
-    QVERIFY2(slow.trouble->error.why.english().starts_with("it is too slow: a frame has waited 1."),
-             slow.trouble->error.why.english().c_str());
-    QCOMPARE(slow.trouble->error.advice.english(),
+    QVERIFY2(slow.warning->error.why.english().starts_with("it is too slow: a frame has waited 1."),
+             slow.warning->error.why.english().c_str());
+    QCOMPARE(slow.warning->error.advice.english(),
              std::string("nothing is lost yet; stop other programs that write to it"));
     QTRY_COMPARE(cameras.delivered(), std::uint64_t(lot));
     goesOn.set_value();
@@ -241,14 +241,14 @@ void TestCaptureFaults::aCameraThatHangsHoldsNothingUp()
 {
     TwoCameras cameras;
     cameras.session->startRecording(filesIn(*m_folder));
-    cameras.a->pictures(lot);
-    cameras.b->pictures(5);
+    cameras.a->frames(lot);
+    cameras.b->frames(5);
     cameras.b->hang();
     QTRY_COMPARE(cameras.health(1).delivered, 5u);
     QTRY_COMPARE(cameras.health(0).delivered, std::uint64_t(lot));
-    QTRY_VERIFY(cameras.health(1).trouble); // nobody says why: it is silent for a second
+    QTRY_VERIFY(cameras.health(1).warning); // nobody says why: it is silent for a second
     QCOMPARE(cameras.health(1).state, State::Waiting);
-    QVERIFY(cameras.health(1).trouble->error.why.english().starts_with("no frame has arrived for "));
+    QVERIFY(cameras.health(1).warning->error.why.english().starts_with("no frame has arrived for "));
     const RecordingOutcome outcome = cameras.session->stopRecording();
     QCOMPARE(outcome.views[0].taken.size(), std::size_t(lot));
     QCOMPARE(outcome.views[1].taken.size(), std::size_t(5));
@@ -261,19 +261,19 @@ void TestCaptureFaults::aCameraThatTakesFewerPicturesIsTold()
 {
     TwoCameras cameras;
     for (int i = 1; i <= 2; ++i) {
-        cameras.a->pictures(lot);
+        cameras.a->frames(lot);
         for (int j = 0; j < lot / 2; ++j) {
             cameras.b->lose(1);
-            cameras.b->pictures(1);
+            cameras.b->frames(1);
         }
         QTRY_COMPARE(cameras.health(0).delivered, std::uint64_t(i * lot));
     }
     QVERIFY(!cameras.health(0).slow && !cameras.health(1).slow);
     cameras.a->pace(83ms);
-    cameras.a->pictures(12); // in a second
+    cameras.a->frames(12); // in a second
     QTRY_COMPARE(cameras.health(0).delivered, 72u);
     QVERIFY(cameras.health(0).slow);
-    cameras.a->pictures(20);
+    cameras.a->frames(20);
     QTRY_COMPARE(cameras.health(0).delivered, 92u);
     QCOMPARE(cameras.health(0).slow->error.message(),
              std::string("camera play:: it delivers only 12 frames per second instead of the requested 30; "
@@ -282,14 +282,14 @@ void TestCaptureFaults::aCameraThatTakesFewerPicturesIsTold()
     QVERIFY2(healthWords(cameras.health(0)).english().ends_with(" frames/s (too slow), none lost"),
              healthWords(cameras.health(0)).english().c_str());
     cameras.a->error(gone); // whatever is worse is told instead
-    QTRY_VERIFY(cameras.health(0).trouble);
+    QTRY_VERIFY(cameras.health(0).warning);
     QVERIFY(!cameras.health(0).slow);
-    cameras.a->pictures(24); // two seconds
+    cameras.a->frames(24); // two seconds
     QTRY_VERIFY(cameras.health(0).slow);
     cameras.a->pace(PlayedCamera::interval);
-    cameras.a->pictures(lot);
+    cameras.a->frames(lot);
     QTRY_COMPARE(cameras.health(0).delivered, 146u);
-    cameras.a->pictures(lot);
+    cameras.a->frames(lot);
     QTRY_COMPARE(cameras.health(0).delivered, 176u);
     QVERIFY(!cameras.health(0).slow);
 }

@@ -52,14 +52,14 @@ void TestCaptureSession::recordsAllAndPairsThem()
         QCOMPARE(view.frames, 60u);
         QCOMPARE(view.lostOnWire + view.lostByUs, 0u);
         QCOMPARE(view.taken.size(), std::size_t(60));
-        QCOMPARE(view.times.pictures.size(), std::size_t(60));
+        QCOMPARE(view.times.frames.size(), std::size_t(60));
         QCOMPARE(view.latenciesS.size(), std::size_t(60));
         const auto reader = VideoReader::open(view.file);
         QVERIFY(reader);
         QCOMPARE((*reader)->info().frameTimes.size(), std::size_t(60));
     }
     QCOMPARE(outcome.views[1].taken.front() - outcome.views[0].taken.front(), Nanoseconds(7ms));
-    QCOMPARE(outcome.views[1].times.pictures.front().device, Nanoseconds(3600s + 7ms));
+    QCOMPARE(outcome.views[1].times.frames.front().device, Nanoseconds(3600s + 7ms));
     QCOMPARE(outcome.pairs.pairs, 60u);
     QCOMPARE(outcome.pairs.unpaired, 0u);
     for (const double errorS : outcome.pairs.errorsS)
@@ -69,7 +69,7 @@ void TestCaptureSession::recordsAllAndPairsThem()
 void TestCaptureSession::recordsAgainAndAgain()
 {
     TwoCameras cameras;
-    cameras.pictures(lot); // shown, and not recorded
+    cameras.frames(lot); // shown, and not recorded
     QTRY_COMPARE(cameras.delivered(), std::uint64_t(lot));
     for (const char *name : {"1.mkv", "2.mkv"}) {
         cameras.session->startRecording(filesIn(*m_folder, name, (std::string("b") + name).c_str()));
@@ -83,13 +83,13 @@ void TestCaptureSession::beginsBeforeItWasAskedTo()
 {
     // The last 300 ms are kept: ten pictures, each 33 ms after the other.
     TwoCameras cameras(300ms);
-    cameras.pictures(lot);
+    cameras.frames(lot);
     QTRY_COMPARE(cameras.delivered(), std::uint64_t(lot));
     cameras.session->startRecording(filesIn(*m_folder), 1h);
     const RecordingOutcome outcome = cameras.session->stopRecording();
     for (const ViewRecording &view : outcome.views) {
-        QCOMPARE(view.times.pictures.size(), std::size_t(10));
-        QCOMPARE(view.times.pictures.back().sequence, std::uint64_t(lot - 1));
+        QCOMPARE(view.times.frames.size(), std::size_t(10));
+        QCOMPARE(view.times.frames.back().sequence, std::uint64_t(lot - 1));
     }
 }
 
@@ -97,10 +97,10 @@ void TestCaptureSession::lostPicturesAreCounted()
 {
     TwoCameras cameras;
     cameras.session->startRecording(filesIn(*m_folder));
-    cameras.a->pictures(10);
+    cameras.a->frames(10);
     cameras.a->lose(2);
-    cameras.a->pictures(18);
-    cameras.b->pictures(lot);
+    cameras.a->frames(18);
+    cameras.b->frames(lot);
     QTRY_VERIFY(cameras.health(0).delivered == 28 && cameras.health(1).delivered == lot);
     QCOMPARE(cameras.health(0).lostOnWire, 2u);
     QVERIFY(cameras.health(0).latencyS > 19); // they claim to have been taken 20 s ago, and a second apart
@@ -118,10 +118,10 @@ void TestCaptureSession::whatASourceThrowsAwayIsLostByUs()
 {
     TwoCameras cameras;
     cameras.session->startRecording(filesIn(*m_folder));
-    cameras.a->pictures(10);
+    cameras.a->frames(10);
     cameras.a->loseHere(3);
     cameras.a->lose(2);
-    cameras.a->pictures(15);
+    cameras.a->frames(15);
     QTRY_COMPARE(cameras.health(0).delivered, 25u);
     QCOMPARE(cameras.health(0).lostOnWire, 2u);
     QCOMPARE(cameras.health(0).lostByUs, 3u);
@@ -135,15 +135,15 @@ void TestCaptureSession::picturesThatTheCameraCodedAreKeptAsTheyCame()
 {
     TwoCameras cameras(0s, 20s, {.codes = true});
     cameras.session->startRecording(filesIn(*m_folder));
-    cameras.a->pictures(2);
+    cameras.a->frames(2);
     QTRY_COMPARE(cameras.health(0).delivered, 2u);
     const RecordingOutcome outcome = cameras.session->stopRecording();
     QCOMPARE(outcome.views[0].taken.size(), std::size_t(2));
     QFile file(QString::fromStdString(outcome.views[0].file.string()));
     QVERIFY(file.open(QIODevice::ReadOnly));
     const QByteArray bytes = file.readAll();
-    for (const char *picture : {"picture 0 as it came", "picture 1 as it came"})
-        QVERIFY(bytes.contains(picture));
+    for (const char *image : {"picture 0 as it came", "picture 1 as it came"})
+        QVERIFY(bytes.contains(image));
 }
 
 void TestCaptureSession::subscribersGetPicturesAndLoseTheOldest()
@@ -152,7 +152,7 @@ void TestCaptureSession::subscribersGetPicturesAndLoseTheOldest()
     const auto quick = cameras.session->subscribeFrames(0, lot), slow = cameras.session->subscribeFrames(0),
                bored = cameras.session->subscribeFrames(0);
     bored->close();
-    cameras.pictures(lot);
+    cameras.frames(lot);
     for (std::uint64_t i = 0; i < lot; ++i)
         QCOMPARE(quick->pop()->captured.sequence, i);
     QCOMPARE(quick->dropped(), 0u);
@@ -168,7 +168,7 @@ void TestCaptureSession::healthKnowsTheClockAndHowWellTheyAreInStep()
     TwoCameras cameras(0s, -1h);
     QCOMPARE(cameras.health(0).state, State::Starting);
     QVERIFY(!cameras.health(0).clock);
-    cameras.pictures(lot);
+    cameras.frames(lot);
     QTRY_COMPARE(cameras.delivered(), std::uint64_t(lot));
     const ViewHealth view = cameras.health(0);
     QCOMPARE(view.clock->source, ClockFit::Source::Arrival);
@@ -179,17 +179,18 @@ void TestCaptureSession::healthKnowsTheClockAndHowWellTheyAreInStep()
     QVERIFY(std::abs(pairs.p95S - 0.007) < 1e-6);
     const std::size_t middle = pairs.histogram.size() / 2;
     QCOMPARE(std::uint64_t(pairs.histogram[middle + 7]), pairs.pairs); // bins of 1 ms
-    QCOMPARE(inStepWords(0.0012).english(), std::string("synchronised to 1.2 ms; at 2 m/s that is 2.4 mm"));
+    QCOMPARE(synchronisationWords(0.0012).english(),
+             std::string("synchronised to 1.2 ms; at 2 m/s that is 2.4 mm"));
 }
 
 void TestCaptureSession::whatChangesByItselfIsHeldWhileRecording()
 {
     TwoCameras cameras(0s, 20s, {.notHeld = {foreignWords("White balance")}});
-    cameras.pictures(1);
+    cameras.frames(1);
     QTRY_COMPARE(cameras.delivered(), 1u);
     QVERIFY(!cameras.health(0).automaticsHeld);
     cameras.session->startRecording(filesIn(*m_folder));
-    cameras.pictures(2);
+    cameras.frames(2);
     QTRY_VERIFY(cameras.health(0).automaticsHeld && cameras.health(1).automaticsHeld);
     QVERIFY(!*cameras.health(0).automaticsHeld);
     QCOMPARE(test::english(cameras.health(0).notHeld), std::vector<std::string>{"White balance"});
@@ -197,12 +198,12 @@ void TestCaptureSession::whatChangesByItselfIsHeldWhileRecording()
     QVERIFY(cameras.a->held && cameras.b->held);
 
     cameras.session->stopRecording();
-    cameras.pictures(1); // with the next picture they are given back
+    cameras.frames(1); // with the next picture they are given back
     QTRY_VERIFY(!cameras.a->held && !cameras.b->held);
     QVERIFY(!cameras.health(0).automaticsHeld);
 
     cameras.session->startRecording(filesIn(*m_folder, "a2.mkv", "b2.mkv"));
-    cameras.pictures(2);
+    cameras.frames(2);
     QTRY_VERIFY(cameras.a->held && cameras.b->held);
     cameras.session.reset(); // in the midst of it
     QVERIFY(!cameras.a->held && !cameras.b->held);
@@ -211,11 +212,11 @@ void TestCaptureSession::whatChangesByItselfIsHeldWhileRecording()
 void TestCaptureSession::theRoomIsKnownBeforeAnythingIsRecorded()
 {
     TwoCameras cameras(2s);
-    QVERIFY(!cameras.session->secondsOfRoom(m_folder->path().toStdString()));
-    cameras.pictures(lot); // almost a second
-    const auto room = [&] { return cameras.session->secondsOfRoom(m_folder->path().toStdString()); };
-    QTRY_VERIFY(room() && *room() > 0);
-    QVERIFY(!cameras.session->secondsOfRoom("/no/such/folder"));
+    QVERIFY(!cameras.session->remainingSeconds(m_folder->path().toStdString()));
+    cameras.frames(lot); // almost a second
+    const auto space = [&] { return cameras.session->remainingSeconds(m_folder->path().toStdString()); };
+    QTRY_VERIFY(space() && *space() > 0);
+    QVERIFY(!cameras.session->remainingSeconds("/no/such/folder"));
 }
 
 void TestCaptureSession::lossesOfWhatIsMadeHereAreNotTheWires()

@@ -42,9 +42,9 @@ private Q_SLOTS:
         failing.reset();
         const auto lame = std::size_t(view), sound = 1 - lame;
         QCOMPARE(cameras.health(lame).state, ViewHealth::State::Ended);
-        QCOMPARE(cameras.health(lame).trouble->error.why.english(), std::string(noThreadWords));
+        QCOMPARE(cameras.health(lame).warning->error.why.english(), std::string(noThreadWords));
         cameras.session->startRecording(filesIn(*m_folder));
-        cameras.pictures(lot);
+        cameras.frames(lot);
         QTRY_COMPARE(cameras.health(sound).delivered, std::uint64_t(lot));
         const RecordingOutcome outcome = cameras.session->stopRecording();
         QVERIFY(!outcome.views[sound].problem);
@@ -71,8 +71,8 @@ private Q_SLOTS:
             QVERIFY(failing.hasFailed());
         }
         QVERIFY(cameras.session->health().disk.ended);
-        QCOMPARE(cameras.session->health().disk.trouble->error.why.english(), std::string(noThreadWords));
-        cameras.pictures(lot);
+        QCOMPARE(cameras.session->health().disk.warning->error.why.english(), std::string(noThreadWords));
+        cameras.frames(lot);
         QTRY_COMPARE(cameras.delivered(), std::uint64_t(lot)); // both are shown
         const RecordingOutcome outcome = cameras.session->stopRecording();
         const auto lame = std::size_t(thread - 1);
@@ -80,7 +80,7 @@ private Q_SLOTS:
         QVERIFY(!outcome.views[1 - lame].problem);
         QCOMPARE(outcome.views[1 - lame].taken.size(), std::size_t(lot));
         cameras.session->startRecording(filesIn(*m_folder, "c.mkv", "d.mkv")); // and now there are enough
-        cameras.pictures(lot);
+        cameras.frames(lot);
         QTRY_COMPARE(cameras.delivered(), std::uint64_t(2 * lot));
         for (const ViewRecording &view : cameras.session->stopRecording().views)
             QVERIFY(!view.problem && view.taken.size() == std::size_t(lot));

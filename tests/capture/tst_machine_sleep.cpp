@@ -53,7 +53,7 @@ private Q_SLOTS:
               std::make_unique<PlayedCamera>(
                   b, PlayedCamera::Kind{.beginning = beginning, .clockStart = -3600s, .phase = 7ms}));
         for (const auto &script : {a, b})
-            script->pictures(20);
+            script->frames(20);
         QTRY_VERIFY(delivered(0) == 20 && delivered(1) == 20);
         QVERIFY(!m_session->health().sleep);
         for (const auto &script : {a, b})
@@ -61,11 +61,11 @@ private Q_SLOTS:
         sleepFor(300s);
         isTold("it slept for 5 min and recorded nothing meanwhile; the recording up to then is kept; keep it "
                "awake while it records");
-        QVERIFY(!view(0).trouble); // it has not had the time to deliver since
+        QVERIFY(!view(0).warning); // it has not had the time to deliver since
         for (const auto &script : {a, b})
-            script->pictures(10);
+            script->frames(10);
         QTRY_VERIFY(delivered(0) == 30 && delivered(1) == 30);
-        QVERIFY(!view(0).slow && !view(0).trouble);
+        QVERIFY(!view(0).slow && !view(0).warning);
         QVERIFY(m_session->health().sleep); // as long as it records
         const RecordingOutcome outcome = m_session->stopRecording();
         for (const ViewRecording &recording : outcome.views)
@@ -154,7 +154,7 @@ private:
     void isTold(const std::string &words) const
     {
         const Nanoseconds woken = steadyNow();
-        std::optional<Trouble> sleep;
+        std::optional<RecordingWarning> sleep;
         QTRY_VERIFY((sleep = m_session->health().sleep));
         QVERIFY(sleep->since - woken < told);
         QVERIFY2(sleep->error.message().find(words) != std::string::npos, sleep->error.message().c_str());
@@ -163,7 +163,7 @@ private:
     {
         const std::uint64_t before = delivered(number);
         QTRY_VERIFY(delivered(number) > before + 30);
-        QTRY_VERIFY(view(number).state == ViewHealth::State::Delivering && !view(number).trouble);
+        QTRY_VERIFY(view(number).state == ViewHealth::State::Delivering && !view(number).warning);
     }
     /// That is as long as the sleep, by when the pictures are said to have been taken, and in the file. One
     /// may have been under way when the machine fell asleep, and come thereafter.

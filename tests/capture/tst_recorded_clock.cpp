@@ -22,20 +22,20 @@ struct Recorded
     std::vector<Nanoseconds> truth;
 };
 
-Recorded recordedWith(double rateAtFirst, double rateAtLast, int pictures, bool readings)
+Recorded recordedWith(double rateAtFirst, double rateAtLast, int frames, bool readings)
 {
     Recorded recorded;
     std::mt19937 random(1);
     std::uniform_real_distribution<double> lateS(0, 0.005);
     double deviceS = 7;
-    for (int i = 0; i < pictures; ++i) {
+    for (int i = 0; i < frames; ++i) {
         const Nanoseconds taken = start + i * interval;
         const Nanoseconds device = fromSeconds(deviceS);
         if (readings && i % 30 == 0)
             recorded.times.readings.push_back({device, taken - 100us, taken + 100us});
-        recorded.times.pictures.push_back({std::uint64_t(i), device, taken + fromSeconds(lateS(random))});
+        recorded.times.frames.push_back({std::uint64_t(i), device, taken + fromSeconds(lateS(random))});
         recorded.truth.push_back(taken);
-        deviceS += toSeconds(interval) * (1 - rateAtFirst - (rateAtLast - rateAtFirst) * i / pictures);
+        deviceS += toSeconds(interval) * (1 - rateAtFirst - (rateAtLast - rateAtFirst) * i / frames);
     }
     return recorded;
 }
@@ -73,9 +73,9 @@ private Q_SLOTS:
         Recorded recorded = recordedWith(0, 0, 300, true), again = recordedWith(0, 0, 300, true);
         for (std::size_t i = 0; i < again.truth.size(); ++i) {
             again.truth[i] += 60s;
-            again.times.pictures[i].arrival += 60s;
+            again.times.frames[i].arrival += 60s;
             recorded.truth.push_back(again.truth[i]);
-            recorded.times.pictures.push_back(again.times.pictures[i]);
+            recorded.times.frames.push_back(again.times.frames[i]);
         }
         for (ClockReading reading : again.times.readings)
             recorded.times.readings.push_back({reading.device, reading.before + 60s, reading.after + 60s});
@@ -100,14 +100,14 @@ private Q_SLOTS:
         const std::size_t jump = 145; // between two readings
         const Nanoseconds at = recorded.truth[jump];
         for (std::size_t i = 0; i < recorded.truth.size(); ++i) {
-            RawTime &picture = recorded.times.pictures[i];
+            RawTime &image = recorded.times.frames[i];
             if (i < jump) {
-                picture.arrival += fromSeconds(lateS);
+                image.arrival += fromSeconds(lateS);
                 continue;
             }
             recorded.truth[i] += away;
-            picture.arrival += away;
-            picture.device += away + fromSeconds(jumpS);
+            image.arrival += away;
+            image.device += away + fromSeconds(jumpS);
         }
         for (ClockReading &reading : recorded.times.readings) {
             if (reading.before < at)
@@ -123,7 +123,7 @@ private Q_SLOTS:
     {
         RecordedTimes times;
         for (const Nanoseconds device : {1s, 2s, 2s, 1s})
-            times.pictures.push_back({0, device, 5s});
+            times.frames.push_back({0, device, 5s});
         const DerivedTimes derived = deriveTimes(times);
         QCOMPARE(derived.taken.size(), std::size_t(4));
         for (std::size_t i = 1; i < 4; ++i)

@@ -175,13 +175,13 @@ void TestSetupChecks::step()
 void TestSetupChecks::pictureSize()
 {
     CheckedCamera a = camera("A");
-    QCOMPARE(checkPictureSize(a).words.english(), std::string("1280×720, as it was registered"));
+    QCOMPARE(checkFrameSize(a).words.english(), std::string("1280×720, as it was registered"));
     a.description.widthPx = 640;
     a.description.heightPx = 480;
-    QCOMPARE(checkPictureSize(a).verdict, Verdict::Bad);
-    QCOMPARE(checkPictureSize(a).words.english(), std::string("640×480, but registered at 1280×720"));
+    QCOMPARE(checkFrameSize(a).verdict, Verdict::Bad);
+    QCOMPARE(checkFrameSize(a).words.english(), std::string("640×480, but registered at 1280×720"));
     a.registeredWidthPx = 0;
-    QCOMPARE(checkPictureSize(a).verdict, Verdict::Warning);
+    QCOMPARE(checkFrameSize(a).verdict, Verdict::Warning);
 }
 
 void TestSetupChecks::theWorstComesFirst()

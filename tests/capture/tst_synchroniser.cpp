@@ -51,11 +51,11 @@ private Q_SLOTS:
         QCOMPARE(words(synchroniser.take(75ms)),
                  QStringList({QStringLiteral("0+5"), QStringLiteral("33+38")}));
         QCOMPARE(words(synchroniser.takeRest()), QStringList(QStringLiteral("66+71")));
-        const PairFigures figures = synchroniser.takeFigures();
-        QCOMPARE(figures.pairs, 3u);
-        QCOMPARE(figures.unpaired, 0u);
-        QCOMPARE(synchroniser.takeFigures().pairs, 0u); // they were taken
-        for (const double errorS : figures.errorsS)
+        const PairStatistics statistics = synchroniser.takeStatistics();
+        QCOMPARE(statistics.pairs, 3u);
+        QCOMPARE(statistics.unpaired, 0u);
+        QCOMPARE(synchroniser.takeStatistics().pairs, 0u); // they were taken
+        for (const double errorS : statistics.errorsS)
             QCOMPARE(errorS, 0.005);
     }
 
@@ -69,9 +69,9 @@ private Q_SLOTS:
         QCOMPARE(words(synchroniser.takeRest()),
                  QStringList({QStringLiteral("0+2"), QStringLiteral("33+-"), QStringLiteral("99+101"),
                               QStringLiteral("132+134")}));
-        const PairFigures figures = synchroniser.takeFigures();
-        QCOMPARE(figures.pairs, 3u);
-        QCOMPARE(figures.unpaired, 2u);
+        const PairStatistics statistics = synchroniser.takeStatistics();
+        QCOMPARE(statistics.pairs, 3u);
+        QCOMPARE(statistics.unpaired, 2u);
     }
 
     void eachPictureBelongsToItsNearest()
@@ -86,7 +86,7 @@ private Q_SLOTS:
         QCOMPARE(words(synchroniser.takeRest()),
                  QStringList({QStringLiteral("0+-"), QStringLiteral("33+20"), QStringLiteral("66+-"),
                               QStringLiteral("99+86")}));
-        QCOMPARE(synchroniser.takeFigures().unpaired, 2u);
+        QCOMPARE(synchroniser.takeStatistics().unpaired, 2u);
     }
 
     void aStalledViewHoldsTheOtherUpNoLongerThanAllowed()
@@ -96,7 +96,7 @@ private Q_SLOTS:
         synchroniser.add(0, takenAt(interval));
         QVERIFY(synchroniser.take(149ms).empty());
         QCOMPARE(words(synchroniser.take(150ms)), QStringList(QStringLiteral("0+-")));
-        QCOMPARE(synchroniser.takeFigures().unpaired, 1u);
+        QCOMPARE(synchroniser.takeStatistics().unpaired, 1u);
     }
 
     void picturesDoNotPileUpWhileTheFirstViewStalls()
@@ -107,7 +107,7 @@ private Q_SLOTS:
             QVERIFY(synchroniser.take(i * interval).empty());
         }
         // Those of the last 150 ms and half an interval may still find a partner.
-        QCOMPARE(synchroniser.takeFigures().unpaired, 94u);
+        QCOMPARE(synchroniser.takeStatistics().unpaired, 94u);
         synchroniser.add(0, takenAt(99 * interval + 1ms));
         QCOMPARE(words(synchroniser.takeRest()), QStringList(QStringLiteral("3268+3267")));
     }
@@ -118,7 +118,7 @@ private Q_SLOTS:
         synchroniser.add(0, takenAt(50ms));
         synchroniser.add(0, takenAt(50ms));
         synchroniser.add(0, takenAt(10ms));
-        QCOMPARE(synchroniser.takeFigures().unpaired, 2u);
+        QCOMPARE(synchroniser.takeStatistics().unpaired, 2u);
         QCOMPARE(synchroniser.takeRest().size(), std::size_t(1));
     }
 
@@ -129,16 +129,16 @@ private Q_SLOTS:
         three.add(1, takenAt(12ms));
         three.add(2, takenAt(8ms));
         QCOMPARE(words(three.takeRest()), QStringList(QStringLiteral("10+12+8")));
-        QCOMPARE(three.takeFigures().pairs, 2u);
+        QCOMPARE(three.takeStatistics().pairs, 2u);
 
         Synchroniser one({1, interval / 2, 150ms});
         one.add(0, takenAt(10ms));
         one.add(0, takenAt(43ms));
         // nothing to wait for but its follower
         QCOMPARE(words(one.take(44ms)), QStringList(QStringLiteral("10")));
-        const PairFigures figures = one.takeFigures();
-        QCOMPARE(figures.pairs, 0u);
-        QCOMPARE(figures.unpaired, 0u);
+        const PairStatistics statistics = one.takeStatistics();
+        QCOMPARE(statistics.pairs, 0u);
+        QCOMPARE(statistics.unpaired, 0u);
     }
 };
 

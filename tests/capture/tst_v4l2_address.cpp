@@ -17,7 +17,7 @@ private Q_SLOTS:
     {
         const auto address = parseV4l2Address("v4l2:/dev/video2?size=1280x720&rate=29.97&format=MJPG");
         QVERIFY(address);
-        QCOMPARE(address->place, std::string("/dev/video2"));
+        QCOMPARE(address->location, std::string("/dev/video2"));
         QCOMPARE(address->request.widthPx, std::optional(1280));
         QCOMPARE(address->request.heightPx, std::optional(720));
         QCOMPARE(address->request.framesPerSecond, std::optional(29.97));
@@ -28,7 +28,7 @@ private Q_SLOTS:
     {
         const auto address = parseV4l2Address("v4l2:usb-0000:00:14.0-1");
         QVERIFY(address);
-        QCOMPARE(address->place, std::string("usb-0000:00:14.0-1"));
+        QCOMPARE(address->location, std::string("usb-0000:00:14.0-1"));
         QVERIFY(!address->request.widthPx && !address->request.framesPerSecond && !address->request.format);
         QCOMPARE(parseV4l2Address("v4l2:/dev/video0?format=Y16")->request.format,
                  std::optional<std::uint32_t>(V4L2_PIX_FMT_Y16));

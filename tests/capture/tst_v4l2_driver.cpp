@@ -18,8 +18,8 @@ using namespace std::chrono_literals;
 namespace {
 
 constexpr Nanoseconds told = 1s * slowness;
-const char *const noRoom = "its USB bus has no bandwidth left for its frames (the bus is full, not the "
-                           "disk); plug it into a port whose bus no other camera uses";
+const char *const noSpace = "its USB bus has no bandwidth left for its frames (the bus is full, not the "
+                            "disk); plug it into a port whose bus no other camera uses";
 
 std::unique_ptr<CaptureSession> sessionOf(const PlayedDriver &driver)
 {
@@ -33,9 +33,9 @@ std::unique_ptr<CaptureSession> sessionOf(const PlayedDriver &driver)
     return std::make_unique<CaptureSession>(std::move(sources));
 }
 
-std::string wordsOf(const std::optional<Trouble> &trouble)
+std::string wordsOf(const std::optional<RecordingWarning> &warning)
 {
-    return trouble ? trouble->error.message() : std::string();
+    return warning ? warning->error.message() : std::string();
 }
 
 } // namespace
@@ -51,7 +51,7 @@ private Q_SLOTS:
         const auto refused = openCamera(driver.uri());
         QVERIFY(!refused);
         QCOMPARE(refused.error().code, ErrorCode::Unavailable);
-        QVERIFY2(refused.error().message().find(noRoom) != std::string::npos,
+        QVERIFY2(refused.error().message().find(noSpace) != std::string::npos,
                  refused.error().message().c_str());
         driver.streamOnFailure = 0;
         QVERIFY(openCamera(driver.uri()));
@@ -71,18 +71,18 @@ private Q_SLOTS:
         QTRY_VERIFY(recorded() > 0.1);
         driver.streamOnFailure = ENOSPC;
         driver.isUnplugged = true;
-        QTRY_VERIFY(health().trouble);
+        QTRY_VERIFY(health().warning);
         driver.isUnplugged = false;
         const Nanoseconds back = steadyNow();
-        QTRY_VERIFY(wordsOf(health().trouble).find(noRoom) != std::string::npos);
+        QTRY_VERIFY(wordsOf(health().warning).find(noSpace) != std::string::npos);
         QVERIFY2(steadyNow() - back < told, qPrintable(QString::number(toSeconds(steadyNow() - back))));
         const std::uint64_t before = health().delivered;
         driver.streamOnFailure = 0;
         QTRY_VERIFY(health().delivered > before + 5);
-        QTRY_VERIFY(!health().trouble);
+        QTRY_VERIFY(!health().warning);
         const RecordingOutcome outcome = session->stopRecording();
         QCOMPARE(outcome.views[0].gaps.size(), std::size_t(1));
-        QVERIFY(outcome.views[0].gaps[0].why.message().find(noRoom) != std::string::npos);
+        QVERIFY(outcome.views[0].gaps[0].why.message().find(noSpace) != std::string::npos);
         QVERIFY(!outcome.views[0].problem);
     }
 

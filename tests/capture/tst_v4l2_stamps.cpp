@@ -12,9 +12,9 @@ namespace {
 
 constexpr Nanoseconds period = 40ms, start = 1000s, delay = 2ms;
 
-Nanoseconds taken(int picture)
+Nanoseconds taken(int image)
 {
-    return start + picture * period;
+    return start + image * period;
 }
 std::uint64_t raw(Nanoseconds time)
 {
@@ -110,7 +110,7 @@ private Q_SLOTS:
     {
         V4l2Stamps stamps;
         QCOMPARE(stamps.next({7, raw(taken(0)), true}, taken(0)).sequence, std::uint64_t(0));
-        stamps.beginAnew(25);
+        stamps.restart(25);
         const auto stamp = stamps.next({0, raw(taken(50)), true}, taken(50));
         QCOMPARE(stamp.sequence, std::uint64_t(50));
         QCOMPARE(stamp.time, 50 * period);

@@ -28,10 +28,10 @@ struct TwoCameras
         session =
             std::make_unique<CaptureSession>(std::move(cameras), CaptureSettings{preRoll, std::move(disk)});
     }
-    void pictures(int count) const
+    void frames(int count) const
     {
-        a->pictures(count);
-        b->pictures(count);
+        a->frames(count);
+        b->frames(count);
     }
     ViewHealth health(std::size_t view) const { return session->health().views[view]; }
     std::uint64_t delivered() const { return std::min(health(0).delivered, health(1).delivered); }
@@ -48,9 +48,9 @@ inline void record(TwoCameras &cameras, int lots)
 {
     std::size_t written[2] = {0, 0};
     for (int i = 1; i <= lots; ++i) {
-        cameras.pictures(lot);
+        cameras.frames(lot);
         for (std::size_t view = 0; view < 2; ++view)
-            QTRY_COMPARE(written[view] += cameras.session->takeWritten(view).pictures.size(),
+            QTRY_COMPARE(written[view] += cameras.session->takeWritten(view).frames.size(),
                          std::size_t(i * lot));
     }
 }

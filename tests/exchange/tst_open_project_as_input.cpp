@@ -4,7 +4,7 @@
 #include "core/exchange/text_file.h"
 #include "core/project/project.h"
 #include "core/project/recording_rows.h"
-#include "core/video/picture_reader.h"
+#include "core/video/image_reader.h"
 #include "core/video/video_reader.h"
 #include "tests/support/registered_test.h"
 
@@ -38,7 +38,7 @@ private Q_SLOTS:
         QFETCH(std::filesystem::path, file);
         for (const auto &[what, error] : {std::pair{"a table", errorOf(TextFile::open(file, 1 << 20))},
                                           std::pair{"a video", errorOf(VideoReader::open(file))},
-                                          std::pair{"a picture", errorOf(readPicture(file))},
+                                          std::pair{"a picture", errorOf(readImage(file))},
                                           std::pair{"a recording", errorOf(fileSha256(file, {}))}}) {
             QVERIFY2(error.code == ErrorCode::InvalidInput, what);
             QVERIFY2(error.why.english() == "it is a project that is open here", error.message().c_str());

@@ -23,7 +23,7 @@ class TestTrialSchema : public QObject
         analysis.robotName = "red";
         analysis.views = {"A", "B"};
         analysis.registrations = {3, 0};
-        analysis.options.overrules = {{0, true}};
+        analysis.options.overrides = {{0, true}};
         Profile &profile = analysis.profile;
         for (int i = 0; i < 3; ++i) {
             Sample sample;

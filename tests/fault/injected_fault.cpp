@@ -29,7 +29,7 @@ constexpr unsigned longestWorkS = 60;
 constexpr std::size_t textBytes = 2000;
 
 /// What the child tells.
-struct Told
+struct Given
 {
     FailingCalls calls;
     std::atomic<int> acknowledged = 0;
@@ -70,7 +70,7 @@ private:
     Content *m_content = nullptr;
 };
 
-void tell(FailingCalls &calls, const std::filesystem::path &folder, const Fault &fault, int nth)
+void report(FailingCalls &calls, const std::filesystem::path &folder, const Fault &fault, int nth)
 {
     std::snprintf(calls.folder, sizeof calls.folder, "%s", folder.c_str());
     calls.nth = nth;
@@ -143,8 +143,8 @@ QString Attempt::words() const
 
 Attempt attempt(const std::filesystem::path &folder, const Fault &fault, int nth, const Work &work)
 {
-    const Shared<Told> told;
-    tell(told->calls, folder, fault, nth);
+    const Shared<Given> told;
+    report(told->calls, folder, fault, nth);
     std::fflush(nullptr);
     const pid_t child = ::fork();
     if (child < 0)
@@ -190,7 +190,7 @@ AttemptedProgram::AttemptedProgram(const std::filesystem::path &folder, const Fa
 {
     m_impl->attempt.fault = fault;
     m_impl->attempt.nth = nth;
-    tell(*m_impl->calls.operator->(), folder, fault, nth);
+    report(*m_impl->calls.operator->(), folder, fault, nth);
     QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
     environment.insert(QStringLiteral("LD_PRELOAD"), qEnvironmentVariable("ODOGRAPH_FAILING_CALLS_LIBRARY"));
     environment.insert(QString::fromLatin1(failingCallsVariable), m_impl->calls.file());

@@ -264,10 +264,10 @@ std::vector<UseCase> writingUseCases()
         importingTracks(),
         importingVideos(),
         {QStringLiteral("mark a spike"), storeExampleIn, jobIn([](const fs::path &, Project &) {
-             OverruleRequest request;
+             OverrideRequest request;
              request.trial = "Trial 1";
              request.frame = 12;
-             return std::make_unique<OverruleJob>(request);
+             return std::make_unique<OverrideJob>(request);
          })},
         hashing(),
         emptyingTheBin(),

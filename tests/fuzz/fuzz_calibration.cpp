@@ -13,7 +13,7 @@ std::vector<double> withoutZerosAtTheEnd(std::vector<double> distortion)
     return distortion;
 }
 
-bool isSameLens(const odo::Intrinsics &a, const odo::Intrinsics &b)
+bool isSameIntrinsics(const odo::Intrinsics &a, const odo::Intrinsics &b)
 {
     return a.model == b.model && a.fxPx == b.fxPx &&
            withoutZerosAtTheEnd(a.distortion) == withoutZerosAtTheEnd(b.distortion);
@@ -32,7 +32,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t *bytes, std::size_t cou
     for (const IntrinsicsFormat format : {IntrinsicsFormat::Ros, IntrinsicsFormat::OpenCv}) {
         const std::string text = intrinsicsText(read->cameraName, read->intrinsics, format);
         const auto again = parseCalibration("again.yaml", text);
-        if (!again || !isSameLens(again->intrinsics, read->intrinsics)) {
+        if (!again || !isSameIntrinsics(again->intrinsics, read->intrinsics)) {
             std::fprintf(stderr, "written as:\n%s\n%s\n", text.c_str(),
                          again ? "other numbers" : again.error().message().c_str());
             std::abort();

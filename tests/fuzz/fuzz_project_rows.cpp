@@ -157,7 +157,7 @@ private:
         const TrialRecord begun =
             project.trials().begin(trial, {source.recording(project.cameras().find("A")->id, 0)}).value();
         RecordedTimes times;
-        times.pictures = {{1, Nanoseconds(10), Nanoseconds(20)}, {2, Nanoseconds(30), Nanoseconds(40)}};
+        times.frames = {{1, Nanoseconds(10), Nanoseconds(20)}, {2, Nanoseconds(30), Nanoseconds(40)}};
         times.readings = {{Nanoseconds(5), Nanoseconds(6), Nanoseconds(7)}};
         const auto recordings = project.trials().recordings(begun.id).value();
         static_cast<void>(project.trials().appendRawTimes(recordings.front().id, times));
@@ -175,7 +175,7 @@ private:
         }
         static_cast<void>(project.trials().addImportedTrack(track));
         static_cast<void>(project.trials().setTags(filled.trial, {"tag"}));
-        static_cast<void>(project.trials().setOverrules(filled.trial, filled.robot, {{3, true}}));
+        static_cast<void>(project.trials().setManualOverrides(filled.trial, filled.robot, {{3, true}}));
         static_cast<void>(
             project.tasks().setScoring(project.tasks().find("line")->id, {{"duration", 1, 10, 5}}));
     }

@@ -6,7 +6,7 @@
 #include "core/video/video_writer.h"
 #include "tests/project/sample_records.h"
 #include "tests/video/foreign_files.h"
-#include "tests/video/jpeg_pictures.h"
+#include "tests/video/jpeg_images.h"
 
 #include <cstdio>
 #include <cstdlib>
@@ -72,7 +72,7 @@ void writeSeries(const Path &folder)
     keep("samples", packSamples(analysis.profile.samples));
     keep("points", packPoints(analysis.profile.points));
     keep("truth", packTruth(source.truth(1, 1, 2)));
-    keep("corners", packCorners(source.calibration(1).calibration.pictures.front()));
+    keep("corners", packCorners(source.calibration(1).calibration.images.front()));
     keep("numbers", packNumbers(std::vector{1.0, 2.0}));
     keep("square", packSquare(Eigen::MatrixXd::Identity(2, 2)));
 }
@@ -95,19 +95,18 @@ void writeArchives(const Path &folder)
     std::filesystem::remove(content);
 }
 
-void writePictures(const Path &folder)
+void writeImages(const Path &folder)
 {
     const struct
     {
         const char *name, *encoder, *format;
-    } pictures[] = {{"plain.png", "png", "rgb24"},  {"plain.jpg", "mjpeg", "yuvj420p"},
-                    {"plain.bmp", "bmp", "bgr24"},  {"plain.tiff", "tiff", "rgb24"},
-                    {"plain.ppm", "ppm", "rgb24"},  {"plain.pgm", "pgm", "gray"},
-                    {"deep.png", "png", "rgb48be"}, {"clear.png", "png", "rgba"},
-                    {"palette.bmp", "bmp", "pal8"}, {"deep.tiff", "tiff", "rgb48le"}};
-    for (const auto &picture : pictures)
-        require(test::writeRaw(folder / picture.name, picture.encoder, picture.format, 1, 1, 32),
-                picture.name);
+    } images[] = {{"plain.png", "png", "rgb24"},  {"plain.jpg", "mjpeg", "yuvj420p"},
+                  {"plain.bmp", "bmp", "bgr24"},  {"plain.tiff", "tiff", "rgb24"},
+                  {"plain.ppm", "ppm", "rgb24"},  {"plain.pgm", "pgm", "gray"},
+                  {"deep.png", "png", "rgb48be"}, {"clear.png", "png", "rgba"},
+                  {"palette.bmp", "bmp", "pal8"}, {"deep.tiff", "tiff", "rgb48le"}};
+    for (const auto &image : images)
+        require(test::writeRaw(folder / image.name, image.encoder, image.format, 1, 1, 32), image.name);
 }
 
 void writeJpegs(const Path &folder)
@@ -158,7 +157,7 @@ int main(int count, char **arguments)
     const Path corpus = arguments[1];
     const std::pair<const char *, void (*)(const Path &)> parts[] = {
         {"project", writeProjects}, {"series", writeSeries}, {"archive", writeArchives},
-        {"picture", writePictures}, {"jpeg", writeJpegs},    {"video", writeVideos}};
+        {"picture", writeImages},   {"jpeg", writeJpegs},    {"video", writeVideos}};
     for (const auto &[name, writePart] : parts) {
         std::filesystem::create_directories(corpus / name);
         writePart(corpus / name);

@@ -32,8 +32,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t *data, std::size_t coun
     roundTrip<ProfilePoint>(bytes, unpackPoints, packPoints, false);
     TruthSeries truth;
     static_cast<void>(unpackTruth(bytes, Message(), truth));
-    CalibrationPicture picture;
-    static_cast<void>(unpackCorners(bytes, Message(), picture));
+    CalibrationImage image;
+    static_cast<void>(unpackCorners(bytes, Message(), image));
     static_cast<void>(unpackNumbers(bytes, Message()));
     static_cast<void>(unpackSquare(bytes, Message()));
     return 0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/video/picture.h"
+#include "core/video/image.h"
 #include "core/video/video_reader.h"
 #include "tests/fuzz/fuzz_file.h"
 

@@ -100,7 +100,7 @@ inline constexpr std::array<Reader<Repositories>, 27> readers = {
     },
     [](Repositories &project, const Ids &ids) {
         forEachPair(ids.trials, ids.robots,
-                    [&](RecordId a, RecordId b) { return project.trials().overrules(a, b); });
+                    [&](RecordId a, RecordId b) { return project.trials().overrides(a, b); });
     },
     [](Repositories &project, const Ids &ids) {
         forEachPair(ids.trials, ids.robots,
@@ -120,10 +120,10 @@ inline constexpr std::array<Reader<Repositories>, 27> readers = {
     },
     [](Repositories &project, const Ids &) {
         for (const std::string &name : project.analyses().metricNames().value_or(std::vector<std::string>()))
-            static_cast<void>(project.analyses().figures(name, Instant::min(), Instant::max()));
+            static_cast<void>(project.analyses().trialMetrics(name, Instant::min(), Instant::max()));
     },
     [](Repositories &project, const Ids &) {
-        static_cast<void>(project.analyses().scoredFigures(Instant::min(), Instant::max()));
+        static_cast<void>(project.analyses().scoredMetrics(Instant::min(), Instant::max()));
         static_cast<void>(project.analyses().trialsMeasuredOtherwise());
     },
 };

@@ -27,7 +27,7 @@ Intrinsics lens(LensModel model, std::vector<double> distortion)
     return intrinsics;
 }
 
-void addLenses()
+void addIntrinsicsRows()
 {
     QTest::addColumn<int>("model");
     QTest::addColumn<QVector<double>>("distortion");
@@ -54,7 +54,7 @@ class TestCameraModel : public QObject
 {
     Q_OBJECT
 private Q_SLOTS:
-    void pixelsRoundTrip_data() { addLenses(); }
+    void pixelsRoundTrip_data() { addIntrinsicsRows(); }
     void pixelsRoundTrip()
     {
         QFETCH(int, model);
@@ -75,7 +75,7 @@ private Q_SLOTS:
         }
         QCOMPARE(seen, 42 * 65);
     }
-    void derivativesByTheLensAgreeWithDifferences_data() { addLenses(); }
+    void derivativesByTheLensAgreeWithDifferences_data() { addIntrinsicsRows(); }
     void derivativesByTheLensAgreeWithDifferences()
     {
         QFETCH(int, model);
@@ -88,7 +88,7 @@ private Q_SLOTS:
             return CameraModel::create(in).value();
         };
         for (const Vector3d &point : {Vector3d(0.3, -0.2, 1), Vector3d(-0.8, 0.5, 2), Vector3d(0, 0, 3)}) {
-            const PixelByLens stated = camera.pixelByLens(point);
+            const PixelByIntrinsics stated = camera.pixelByIntrinsics(point);
             QCOMPARE(stated.cols(), Eigen::Index(4 + distortion.size()));
             for (Eigen::Index value = 0; value < stated.cols(); ++value) {
                 const double step = value < 4 ? 1e-3 : 1e-6;
@@ -99,7 +99,7 @@ private Q_SLOTS:
             }
         }
     }
-    void agreesWithOpenCv_data() { addLenses(); }
+    void agreesWithOpenCv_data() { addIntrinsicsRows(); }
     void agreesWithOpenCv()
     {
         QFETCH(int, model);
@@ -125,7 +125,7 @@ private Q_SLOTS:
             QVERIFY((*pixel - Vector2d(expected[i].x, expected[i].y)).norm() < 1e-9);
         }
     }
-    void derivativeAgreesWithDifferences_data() { addLenses(); }
+    void derivativeAgreesWithDifferences_data() { addIntrinsicsRows(); }
     void derivativeAgreesWithDifferences()
     {
         QFETCH(int, model);

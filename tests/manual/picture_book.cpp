@@ -46,9 +46,9 @@ void PictureBook::showPage(WindowMode mode)
     waitFor(*m_window);
 }
 
-void PictureBook::write(const QImage &picture, const QString &name)
+void PictureBook::write(const QImage &image, const QString &name)
 {
-    QImage framed = picture.convertToFormat(QImage::Format_RGB32);
+    QImage framed = image.convertToFormat(QImage::Format_RGB32);
     QPainter painter(&framed);
     painter.setPen(QColor(0xb0, 0xb4, 0xb8)); // a dialog has no edge of its own
     painter.drawRect(framed.rect().adjusted(0, 0, -1, -1));

@@ -36,7 +36,7 @@ public:
     void showPage(WindowMode mode);
     /// Writes what a widget shows, once it stands still.
     void take(QWidget &widget, const QString &name);
-    void write(const QImage &picture, const QString &name);
+    void write(const QImage &image, const QString &name);
     /// Writes what the window shows.
     void takeWindow(const QString &name);
     /// Calls a command by its object name, has the dialog that comes filled in, writes what it shows, and

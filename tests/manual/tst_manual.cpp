@@ -25,7 +25,7 @@ using namespace odo;
 namespace {
 
 // bytes: a reader on a slow line waits for them
-constexpr qint64 largestPicture = 150'000, largestOfAll = 3'000'000;
+constexpr qint64 largestImage = 150'000, largestOfAll = 3'000'000;
 
 QString source(const QString &path)
 {
@@ -170,7 +170,7 @@ void TestManual::picturesAreSmall()
     qint64 all = 0;
     for (const QString &file : filesOf(QStringLiteral("docs/manual/pictures"), QStringLiteral("*"))) {
         all += QFileInfo(file).size();
-        QVERIFY2(QFileInfo(file).size() <= largestPicture, qPrintable(file));
+        QVERIFY2(QFileInfo(file).size() <= largestImage, qPrintable(file));
     }
     QVERIFY2(all <= largestOfAll, qPrintable(QString::number(all)));
 }

@@ -21,7 +21,7 @@
 #include "ui/record/record_page.h"
 #include "ui/report/report_dialog.h"
 #include "ui/review/review_page.h"
-#include "ui/testbed/check/moved_dialog.h"
+#include "ui/testbed/check/camera_position_dialog.h"
 #include "ui/testbed/floor/floor_wizard.h"
 #include "ui/testbed/lens/lens_wizard.h"
 #include "ui/views/widgets/form_fields.h"
@@ -105,14 +105,14 @@ private Q_SLOTS:
     void tasks();
     void reports();
     void preferences();
-    void trouble();
+    void warning();
     void recording(); // adds a trial of today, so it comes last
     void cleanupTestCase();
 
 private:
     QString path(const QString &name) const { return m_folder.filePath(name); }
     QString project() const { return path(QStringLiteral("lesson/demo.odo")); }
-    QStringList calibrationPictures(const QString &camera) const;
+    QStringList calibrationImages(const QString &camera) const;
     void showTrial(const QString &trial, Nanoseconds at);
     ReviewPage &reviewPage() { return *m_book->window().findChild<ReviewPage *>(); }
 
@@ -138,14 +138,14 @@ void TestManualPictures::initTestCase()
         copyFolder(demo, path(QStringLiteral("lesson")));
     }
     settleProject(project());
-    const QString pictures = told.isEmpty() ? path(QStringLiteral("pictures")) : told;
-    QVERIFY(QDir().mkpath(pictures));
-    m_book = std::make_unique<PictureBook>(pictures);
+    const QString images = told.isEmpty() ? path(QStringLiteral("pictures")) : told;
+    QVERIFY(QDir().mkpath(images));
+    m_book = std::make_unique<PictureBook>(images);
     m_book->takeWindow(QStringLiteral("welcome"));
     m_book->open(project());
 }
 
-QStringList TestManualPictures::calibrationPictures(const QString &camera) const
+QStringList TestManualPictures::calibrationImages(const QString &camera) const
 {
     QStringList files;
     const QDir folder(path(QStringLiteral("lesson/calibration")));
@@ -197,7 +197,7 @@ void TestManualPictures::lensCalibration()
     m_book->showPage(WindowMode::Testbed);
     m_book->takeDialog("printTargets", QStringLiteral("targets"));
     m_book->takeDialog("calibrate", QString(), [this](QDialog &dialog) {
-        dynamic_cast<LensWizard &>(dialog).source().addFiles(calibrationPictures(QStringLiteral("A")));
+        dynamic_cast<LensWizard &>(dialog).source().addFiles(calibrationImages(QStringLiteral("A")));
         QTRY_VERIFY_WITH_TIMEOUT(
             std::ranges::none_of(dialog.findChildren<QComboBox *>(),
                                  [](auto *box) { return box->currentText().startsWith(u"Looking"); }),
@@ -230,8 +230,8 @@ void TestManualPictures::floorRegistration()
     m_book->takeDialog("checkMoved", QStringLiteral("moved"), [](QDialog &dialog) {
         QPushButton *check = button(dialog, "Check");
         QTest::mouseClick(check, Qt::LeftButton);
-        QTRY_VERIFY_WITH_TIMEOUT(check->isEnabled() && !dynamic_cast<MovedDialog &>(dialog).isRunning(),
-                                 patienceMs);
+        QTRY_VERIFY_WITH_TIMEOUT(
+            check->isEnabled() && !dynamic_cast<CameraPositionDialog &>(dialog).isRunning(), patienceMs);
     });
     m_book->takeDialog("revisions", QStringLiteral("revisions"));
 }
@@ -344,8 +344,8 @@ void TestManualPictures::reports()
     showTrial(eight, 3 * second);
     m_book->takeDialog("report", QStringLiteral("report"), [this](QDialog &dialog) {
         ReportPreview &preview = dynamic_cast<ReportDialog &>(dialog).preview();
-        QTRY_VERIFY_WITH_TIMEOUT(preview.isSettled() && !preview.pictures().isEmpty(), patienceMs);
-        m_book->write(preview.pictures().front().scaledToWidth(900, Qt::SmoothTransformation),
+        QTRY_VERIFY_WITH_TIMEOUT(preview.isSettled() && !preview.images().isEmpty(), patienceMs);
+        m_book->write(preview.images().front().scaledToWidth(900, Qt::SmoothTransformation),
                       QStringLiteral("report_page"));
     });
     m_book->showPage(WindowMode::History);
@@ -353,7 +353,7 @@ void TestManualPictures::reports()
         ReportPreview &preview = dynamic_cast<ReportDialog &>(dialog).preview();
         QComboBox *subject = dialog.findChildren<QComboBox *>().first();
         subject->setCurrentIndex(subject->findText(QStringLiteral("A class")));
-        QTRY_VERIFY_WITH_TIMEOUT(preview.isSettled() && !preview.pictures().isEmpty(), patienceMs);
+        QTRY_VERIFY_WITH_TIMEOUT(preview.isSettled() && !preview.images().isEmpty(), patienceMs);
     });
     showTrial(eight, 3 * second);
     m_book->takeDialog("exportVideo", QStringLiteral("export_video"));
@@ -373,7 +373,7 @@ void TestManualPictures::preferences()
     applyAppearance(*qApp, Theme::Light);
 }
 
-void TestManualPictures::trouble()
+void TestManualPictures::warning()
 {
     QFile broken(path(QStringLiteral("holiday.odo")));
     QVERIFY(broken.open(QIODevice::WriteOnly));

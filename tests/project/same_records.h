@@ -71,7 +71,7 @@ bool sameMatrix(const Eigen::MatrixBase<A> &a, const Eigen::MatrixBase<B> &b)
     return true;
 }
 
-inline bool sameLens(const Intrinsics &a, const Intrinsics &b)
+inline bool sameIntrinsics(const Intrinsics &a, const Intrinsics &b)
 {
     return a.widthPx == b.widthPx && a.heightPx == b.heightPx && same(a.fxPx, b.fxPx) &&
            same(a.fyPx, b.fyPx) && same(a.cxPx, b.cxPx) && same(a.cyPx, b.cyPx) && a.model == b.model &&

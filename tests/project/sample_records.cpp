@@ -35,17 +35,17 @@ IntrinsicsRecord RecordSource::calibration(RecordId camera)
     record.calibration.intrinsics = intrinsics(LensModel::Rational);
     record.calibration.rmsPx = positive();
     for (const char *file : {"bild 1.jpg", "картина.png"}) {
-        record.calibration.pictures.emplace_back();
-        record.calibration.pictures.back().view.source = file;
-        record.calibration.pictures.back().rmsPx = positive();
-        record.calibration.pictures.back().view.pixels = {vector(), vector(), vector()};
-        record.calibration.pictures.back().view.pointsOnBoard = {vector(), vector(), vector()};
-        record.calibration.pictures.back().residualsPx = {vector(), vector(), vector()};
+        record.calibration.images.emplace_back();
+        record.calibration.images.back().view.source = file;
+        record.calibration.images.back().rmsPx = positive();
+        record.calibration.images.back().view.pixels = {vector(), vector(), vector()};
+        record.calibration.images.back().view.pointsOnBoard = {vector(), vector(), vector()};
+        record.calibration.images.back().residualsPx = {vector(), vector(), vector()};
     }
-    record.calibration.pictures[0].outliers = {0, 2};
-    record.calibration.pictures[0].leftOut = {2};
-    record.calibration.pictures[1].used = false;
-    record.calibration.lensReason = foreignWords("told");
+    record.calibration.images[0].outliers = {0, 2};
+    record.calibration.images[0].leftOut = {2};
+    record.calibration.images[1].used = false;
+    record.calibration.modelReason = foreignWords("told");
     record.calibration.disagreeingPart = positive();
     record.board = {BoardPattern::Charuco, 9, 6, positive(), positive(), "DICT_6X6_250"};
     record.softwareVersion = "0.1.0";
@@ -169,8 +169,8 @@ AnalysisRecord RecordSource::analysis(RecordId trial, RecordId robot, std::size_
     profile.heightM = positive();
     profile.heightEstimated = true;
     profile.meanViewDisagreementM = positive();
-    record.doubtfulNames = {{Nanoseconds(5), Nanoseconds(9), {robot}, {}},
-                            {Nanoseconds(20), Nanoseconds(20), {}, {}}};
+    record.ambiguousNames = {{Nanoseconds(5), Nanoseconds(9), {robot}, {}},
+                             {Nanoseconds(20), Nanoseconds(20), {}, {}}};
     return record;
 }
 
@@ -206,7 +206,7 @@ Result<FilledProject> fill(Project &project, RecordSource &source)
         const auto b = project.cameras().add({0, "Б", ""});
         const auto layout = project.layouts().add(source.layout("hall"));
         const auto robot = project.robots().add(
-            {0, "red", RgbColour{0xd7, 0x23, 0x28}, RobotRecord::Height::Told, 0.06, {}, {}});
+            {0, "red", RgbColour{0xd7, 0x23, 0x28}, RobotRecord::Height::Given, 0.06, {}, {}});
         const auto team = project.teams().add({0, "Los Niños", "8b"});
         const auto task = project.tasks().add({0, "line", source.task()});
         const auto intrinsics = project.cameras().addIntrinsics(source.calibration(a->id));

@@ -85,7 +85,7 @@ private Q_SLOTS:
         RobotRecord robot = *m_project->robots().get(filled.robot);
         robot.name = "Red";
         robot.colour = {1, 2, 3};
-        robot.heightMode = RobotRecord::Height::Told;
+        robot.heightMode = RobotRecord::Height::Given;
         robot.heightM = 0.08;
         QVERIFY(m_project->robots().set(robot));
         QCOMPARE(m_project->robots().find("Red")->heightM, std::optional(0.08));

@@ -173,7 +173,7 @@ private Q_SLOTS:
                  std::string("layout 'far': marker 'U' is not within a floor of 1 km; check the numbers"));
         auto layout = *m_project->layouts().find("floor");
         layout.layout.markers[1].pointInWorld.x() = 1001;
-        QCOMPARE(m_project->layouts().setPlaces(layout).error().why.english(),
+        QCOMPARE(m_project->layouts().setPoints(layout).error().why.english(),
                  std::string("marker 'U' is not within a floor of 1 km"));
         MarkerLayout many{"many", {}};
         for (std::size_t i = 0; i <= mostMarkers; ++i)

@@ -175,7 +175,7 @@ private Q_SLOTS:
         const RecordId camera = (*project)->cameras().find("A")->id;
         const auto lens = (*project)->cameras().currentIntrinsics(camera).value();
         QVERIFY(lens->origin == said("workflow.calibrated_from_pictures", {14}));
-        QCOMPARE(lens->calibration.lensReason.code(), std::string_view("calibration.foretells_as_well"));
+        QCOMPARE(lens->calibration.modelReason.code(), std::string_view("calibration.foretells_as_well"));
         QCOMPARE(lens->calibration.verdict.code(), std::string_view("base.space"));
         QCOMPARE(lens->calibration.rejected[1].reason.code(), std::string_view("base.colon"));
         const auto registration = (*project)->cameras().currentRegistration(camera).value();
@@ -240,7 +240,7 @@ private:
         const auto observations = project.trials().currentObservations(recordings[0].id, 1).value();
         QCOMPARE(observations->observations.at(1).ellipse.centrePx.x(), 104.5);
         QCOMPARE(project.trials().truth(trial->id, 1).value()->positions.at(2).x(), 1.56);
-        QCOMPARE(project.trials().overrules(trial->id, 1)->size(),
+        QCOMPARE(project.trials().overrides(trial->id, 1)->size(),
                  format >= 2 ? std::size_t(1) : std::size_t(0));
         // A task was a name alone.
         const auto task = project.tasks().find("Figure eight");
@@ -273,9 +273,9 @@ private:
         QCOMPARE(analysis.profile.metrics.front().sigma.value(), 0.01);
         QVERIFY(analysis.profile.spikes.front().reason ==
                 said("trajectory.jump_of", {quantity(40, 0, "mm")}));
-        QCOMPARE(analysis.options.overrules.size(), format >= 2 ? std::size_t(1) : std::size_t(0));
+        QCOMPARE(analysis.options.overrides.size(), format >= 2 ? std::size_t(1) : std::size_t(0));
         QVERIFY(analysis.profile.passages.empty());
-        QVERIFY(analysis.doubtfulNames.empty()); // nobody noted it
+        QVERIFY(analysis.ambiguousNames.empty()); // nobody noted it
         QVERIFY((analysis.registrations == std::vector<RecordId>{1, 0}));
         // Of an analysis that is older nobody knows what it was made from. What later formats add changes no
         // digest.

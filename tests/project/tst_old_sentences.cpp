@@ -87,7 +87,7 @@ private Q_SLOTS:
 
     void picturesAreCounted()
     {
-        const auto picture = [](const char *name, int count) {
+        const auto image = [](const char *name, int count) {
             return said("calibration.picture_with_corners", {std::string(name), count});
         };
         expect(
@@ -97,7 +97,7 @@ private Q_SLOTS:
                          {joined({said("calibration.fisheye_lens"), said("calibration.lens_told")},
                                  Join::Colon)}),
                     said("calibration.corners_left_out_most_in",
-                         {3, listed({picture("a 1.png", 2), picture("b.png", 1)})})},
+                         {3, listed({image("a 1.png", 2), image("b.png", 1)})})},
                    Join::Space));
     }
 

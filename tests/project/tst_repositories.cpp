@@ -53,29 +53,29 @@ private Q_SLOTS:
         const auto current = (*m_project)->cameras().currentIntrinsics(camera);
         QVERIFY(current && *current);
         QCOMPARE((*current)->id, newer->id);
-        QVERIFY(sameLens((*current)->calibration.intrinsics, wanted.calibration.intrinsics));
+        QVERIFY(sameIntrinsics((*current)->calibration.intrinsics, wanted.calibration.intrinsics));
         const auto first = (*m_project)->cameras().intrinsics(older->id);
         QVERIFY(first.has_value());
         QCOMPARE(first->camera, camera);
         QVERIFY(first->made == older->made);
         QCOMPARE(first->origin, older->origin);
         const IntrinsicCalibration &read = first->calibration, &stored = older->calibration;
-        QVERIFY(sameLens(read.intrinsics, stored.intrinsics));
+        QVERIFY(sameIntrinsics(read.intrinsics, stored.intrinsics));
         QVERIFY(same(read.rmsPx, stored.rmsPx) && same(read.crossValidationPx, stored.crossValidationPx));
-        QCOMPARE(read.pictures.size(), stored.pictures.size());
-        for (std::size_t i = 0; i < read.pictures.size(); ++i) {
-            QCOMPARE(read.pictures[i].view.source, stored.pictures[i].view.source);
-            QVERIFY(same(read.pictures[i].rmsPx, stored.pictures[i].rmsPx));
-            QCOMPARE(read.pictures[i].used, i == 0);
-            QCOMPARE(read.pictures[i].view.columns, 9);
-            QCOMPARE(read.pictures[i].view.pattern, BoardPattern::Charuco);
-            QVERIFY(read.pictures[i].view.pixels == stored.pictures[i].view.pixels);
-            QVERIFY(read.pictures[i].view.pointsOnBoard == stored.pictures[i].view.pointsOnBoard);
-            QVERIFY(read.pictures[i].residualsPx == stored.pictures[i].residualsPx);
-            QVERIFY(read.pictures[i].outliers == stored.pictures[i].outliers);
-            QVERIFY(read.pictures[i].leftOut == stored.pictures[i].leftOut);
+        QCOMPARE(read.images.size(), stored.images.size());
+        for (std::size_t i = 0; i < read.images.size(); ++i) {
+            QCOMPARE(read.images[i].view.source, stored.images[i].view.source);
+            QVERIFY(same(read.images[i].rmsPx, stored.images[i].rmsPx));
+            QCOMPARE(read.images[i].used, i == 0);
+            QCOMPARE(read.images[i].view.columns, 9);
+            QCOMPARE(read.images[i].view.pattern, BoardPattern::Charuco);
+            QVERIFY(read.images[i].view.pixels == stored.images[i].view.pixels);
+            QVERIFY(read.images[i].view.pointsOnBoard == stored.images[i].view.pointsOnBoard);
+            QVERIFY(read.images[i].residualsPx == stored.images[i].residualsPx);
+            QVERIFY(read.images[i].outliers == stored.images[i].outliers);
+            QVERIFY(read.images[i].leftOut == stored.images[i].leftOut);
         }
-        QCOMPARE(read.lensReason, stored.lensReason);
+        QCOMPARE(read.modelReason, stored.modelReason);
         QVERIFY(same(read.disagreeingPart, stored.disagreeingPart));
         QCOMPARE(first->softwareVersion, older->softwareVersion);
         QCOMPARE(first->board.rows, 6);
@@ -115,7 +115,7 @@ private Q_SLOTS:
         QCOMPARE(read.layout, layout);
         QCOMPARE(read.intrinsics, lens);
         QVERIFY(read.made == stored->made);
-        QVERIFY(sameLens(read.assumedIntrinsics, stored->assumedIntrinsics));
+        QVERIFY(sameIntrinsics(read.assumedIntrinsics, stored->assumedIntrinsics));
         QCOMPARE(read.pixels.size(), stored->pixels.size());
         for (std::size_t i = 0; i < read.pixels.size(); ++i) {
             QCOMPARE(read.pixels[i].label, stored->pixels[i].label);
@@ -166,7 +166,7 @@ private Q_SLOTS:
         const RobotRecord wanted[] = {{0,
                                        "red",
                                        RgbColour{1, 2, 255},
-                                       Height::Told,
+                                       Height::Given,
                                        m_source.positive() / 200,
                                        0.26,
                                        0.19,

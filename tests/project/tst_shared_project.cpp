@@ -235,7 +235,7 @@ private Q_SLOTS:
         fs::create_directory(folder() / "first");
         m_file = folder() / "first" / "lesson.odo";
         m_project = std::move(*Project::create(m_file, "lesson"));
-        QCOMPARE(m_project->presentPlace().value(), fs::canonical(m_file));
+        QCOMPARE(m_project->currentLocation().value(), fs::canonical(m_file));
         fs::rename(folder() / "first", folder() / "second");
         QVERIFY(!m_project->isInPlace());
         QCOMPARE(*rescueProject(*m_project), fs::canonical(folder() / "second") / "lesson (rescued).odo");

@@ -232,7 +232,7 @@ void TestTaskChanges::figuresOfScoredRunsAreRead()
 {
     const RecordId id = task("Line").id;
     const auto read = [&] {
-        return m_project->analyses().scoredFigures(Instant::min(), Instant::max()).value();
+        return m_project->analyses().scoredMetrics(Instant::min(), Instant::max()).value();
     };
     measure(id, {{"gate_time", "s", 9, 0.1}, {"max_speed", "m/s", 1, {}}});
     QVERIFY(read().empty()); // the task is not scored

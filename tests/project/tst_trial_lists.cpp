@@ -151,10 +151,10 @@ private Q_SLOTS:
         analyse("third", m_red, 3);
         const auto read = [&](int from, int to) {
             std::vector<std::tuple<RecordId, RecordId, double>> rows;
-            const auto figures = m_project->analyses().figures(
+            const auto trialMetrics = m_project->analyses().trialMetrics(
                 "max_speed", newYear + std::chrono::hours(from), newYear + std::chrono::hours(to));
-            for (const TrialFigure &figure : figures.value())
-                rows.emplace_back(figure.trial, figure.robot, figure.metric.value);
+            for (const TrialMetric &trialMetric : trialMetrics.value())
+                rows.emplace_back(trialMetric.trial, trialMetric.robot, trialMetric.metric.value);
             return rows;
         };
         using Rows = std::vector<std::tuple<RecordId, RecordId, double>>;

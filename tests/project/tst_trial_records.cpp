@@ -211,7 +211,7 @@ private Q_SLOTS:
         AnalysisRecord wanted = m_source.analysis(filled->trial, filled->robot, 333);
         wanted.registrations = {1, 0};
         wanted.task = (*m_project)->tasks().find("line")->id;
-        wanted.options.overrules = {{3, true}, {17, false}};
+        wanted.options.overrides = {{3, true}, {17, false}};
         wanted.profile.points[3].sigmaXM = std::numeric_limits<double>::infinity();
         wanted.profile.points[4].accelMps2 = -0.0;
         const auto stored = (*m_project)->analyses().add(wanted);
@@ -229,7 +229,7 @@ private Q_SLOTS:
         QVERIFY(same(read.options.maxSpeedMps, wanted.options.maxSpeedMps));
         QVERIFY(same(read.options.maxAccelMps2, wanted.options.maxAccelMps2));
         QVERIFY(read.options.longestBridgedGap == wanted.options.longestBridgedGap);
-        QVERIFY(read.options.overrules == wanted.options.overrules);
+        QVERIFY(read.options.overrides == wanted.options.overrides);
         QVERIFY(read.registrations == wanted.registrations && read.views == wanted.views);
         const Profile &a = read.profile, &b = wanted.profile;
         QVERIFY(same(a.heightM, b.heightM) && a.heightEstimated == b.heightEstimated);
@@ -249,9 +249,9 @@ private Q_SLOTS:
                     same(a.passages[i].sigmaS, b.passages[i].sigmaS));
             QVERIFY(same(a.passages[i].commonSigmaS, b.passages[i].commonSigmaS));
         }
-        QCOMPARE(read.doubtfulNames.size(), wanted.doubtfulNames.size());
-        for (std::size_t i = 0; i < wanted.doubtfulNames.size(); ++i) {
-            const DoubtfulName &is = read.doubtfulNames[i], &was = wanted.doubtfulNames[i];
+        QCOMPARE(read.ambiguousNames.size(), wanted.ambiguousNames.size());
+        for (std::size_t i = 0; i < wanted.ambiguousNames.size(); ++i) {
+            const AmbiguousName &is = read.ambiguousNames[i], &was = wanted.ambiguousNames[i];
             QVERIFY(is.from == was.from && is.to == was.to && is.others == was.others);
             QCOMPARE(is.otherNames,
                      was.others.empty() ? std::vector<std::string>() : std::vector<std::string>{"red"});
@@ -269,12 +269,12 @@ private Q_SLOTS:
         QVERIFY((*connection)
                     ->execute(QStringLiteral(
                         "UPDATE doubtful_name SET from_ns=9223372036854775807, to_ns=-9223372036854775807")));
-        const auto read = (*m_project)->analyses().doubtfulNames(id);
+        const auto read = (*m_project)->analyses().ambiguousNames(id);
         QVERIFY(read && read->size() == 2);
         QVERIFY(read->front().from == Nanoseconds(0) && read->front().to > Nanoseconds(0));
         // in order, and not too far apart for the difference
         QVERIFY(read->front().to - read->front().from > Nanoseconds(0));
-        QVERIFY((*m_project)->analyses().doubtfulNames(id + 99)->empty());
+        QVERIFY((*m_project)->analyses().ambiguousNames(id + 99)->empty());
     }
 
     void analysesThatCannotBeRightAreRefusedWhole()
@@ -291,7 +291,7 @@ private Q_SLOTS:
         QCOMPARE((*m_project)->analyses().add(m_source.analysis(999, 1, 5)).error().code,
                  ErrorCode::InvalidInput);
         analysis = m_source.analysis(filled->trial, filled->robot, 5);
-        analysis.doubtfulNames[0].others = {filled->robot + 77}; // no robot
+        analysis.ambiguousNames[0].others = {filled->robot + 77}; // no robot
         QVERIFY(!(*m_project)->analyses().add(analysis));
         QCOMPARE((*m_project)->analyses().current(filled->trial)->front().id, before);
     }
@@ -301,18 +301,21 @@ private Q_SLOTS:
         const auto filled = fill(**m_project, m_source);
         QVERIFY(filled.has_value());
         const auto said = [&] {
-            return (*m_project)->trials().overrules(filled->trial, filled->robot).value();
+            return (*m_project)->trials().overrides(filled->trial, filled->robot).value();
         };
         QVERIFY(said().empty());
-        QVERIFY((*m_project)->trials().setOverrules(filled->trial, filled->robot, {{9, true}, {2, false}}));
+        QVERIFY(
+            (*m_project)->trials().setManualOverrides(filled->trial, filled->robot, {{9, true}, {2, false}}));
         m_project->reopen();
-        QVERIFY((said() == std::vector<Overrule>{{2, false}, {9, true}}));
+        QVERIFY((said() == std::vector<ManualOverride>{{2, false}, {9, true}}));
         // Two words on one frame: refused, and the old ones stay.
-        QVERIFY(!(*m_project)->trials().setOverrules(filled->trial, filled->robot, {{4, true}, {4, false}}));
+        QVERIFY(!(*m_project)
+                     ->trials()
+                     .setManualOverrides(filled->trial, filled->robot, {{4, true}, {4, false}}));
         QCOMPARE(said().size(), std::size_t(2));
-        QVERIFY((*m_project)->trials().setOverrules(filled->trial, filled->robot, {}));
+        QVERIFY((*m_project)->trials().setManualOverrides(filled->trial, filled->robot, {}));
         QVERIFY(said().empty());
-        QVERIFY(!(*m_project)->trials().setOverrules(filled->trial + 99, filled->robot, {{1, true}}));
+        QVERIFY(!(*m_project)->trials().setManualOverrides(filled->trial + 99, filled->robot, {{1, true}}));
     }
 
     void pointedOutRobotsRoundTripAndAreReplaced()

@@ -24,12 +24,12 @@ CameraModel lens()
     return CameraModel::create(intrinsics).value();
 }
 
-RigidTransform pose(double tiltX, double tiltY, double spin, const Eigen::Vector3d &place)
+RigidTransform pose(double tiltX, double tiltY, double spin, const Eigen::Vector3d &position)
 {
     return {Eigen::AngleAxisd(spin, Eigen::Vector3d::UnitZ()) *
                 Eigen::AngleAxisd(tiltX, Eigen::Vector3d::UnitX()) *
                 Eigen::AngleAxisd(tiltY, Eigen::Vector3d::UnitY()),
-            place};
+            position};
 }
 
 cv::Mat lumaOf(const Frame &frame)

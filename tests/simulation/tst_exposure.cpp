@@ -34,20 +34,20 @@ SimulatedScene plainScene()
 }
 
 /// At a place at atS, with an even velocity and its length along X.
-SimulatedRobot robotWith(const Eigen::Vector2d &place, const Eigen::Vector2d &velocity)
+SimulatedRobot robotWith(const Eigen::Vector2d &position, const Eigen::Vector2d &velocity)
 {
     SimulatedRobot robot;
     robot.colour = red;
     robot.heightM = 0.2;
     constexpr double rampS = 0.02; // whose half is lost
-    robot.motion = makeVelocityMotion(place - velocity * (atS - rampS / 2), 0, {{0, rampS, velocity}});
+    robot.motion = makeVelocityMotion(position - velocity * (atS - rampS / 2), 0, {{0, rampS, velocity}});
     return robot;
 }
 
 std::vector<PaintedThing> filmed(const SimulatedScene &scene, double timeS = atS)
 {
     const FloorView &view = scene.cameras[0].view;
-    return thingsInExposure(scene, 0, PictureOutline(view.camera(), view.cameraFromWorld()), timeS);
+    return thingsInExposure(scene, 0, ImageOutline(view.camera(), view.cameraFromWorld()), timeS);
 }
 
 std::vector<Eigen::Vector2d> cornersOf(const PaintedThing &thing)
@@ -71,9 +71,9 @@ std::vector<Eigen::Vector2d> rolledCorners(const SimulatedScene &scene, const Si
             for (const double z : {0.0, robot.heightM}) {
                 Eigen::Vector2d pixel(0, (rows - 1) / 2.0);
                 for (int i = 0; i < 20; ++i) {
-                    const Eigen::Vector2d place =
+                    const Eigen::Vector2d position =
                         robot.motion->at(atS + readoutS * (pixel.y() / (rows - 1) - 0.5)).position;
-                    pixel = *view.pixelFromWorld({place.x() + x, place.y() + y, z});
+                    pixel = *view.pixelFromWorld({position.x() + x, position.y() + y, z});
                 }
                 corners.push_back(pixel);
             }

@@ -12,21 +12,21 @@ namespace {
 
 const Rgb white(1, 1, 1, 0);
 
-RgbPicture painted(const PixelRect &rect, const std::vector<std::vector<Eigen::Vector2d>> &polygons)
+RgbImage painted(const PixelRect &rect, const std::vector<std::vector<Eigen::Vector2d>> &polygons)
 {
-    RgbPicture picture(rect);
+    RgbImage image(rect);
     for (int y = rect.y0; y < rect.y1; ++y)
-        std::fill_n(picture.row(y), rect.width(), Rgb::Zero());
+        std::fill_n(image.row(y), rect.width(), Rgb::Zero());
     PolygonLayer layer(rect);
     for (const auto &polygon : polygons)
         layer.add(polygon, white);
-    layer.paintOver(picture);
-    return picture;
+    layer.paintOver(image);
+    return image;
 }
 
-double coverageAt(const RgbPicture &picture, int x, int y)
+double coverageAt(const RgbImage &image, int x, int y)
 {
-    return static_cast<double>(picture.row(y)[x - picture.rect().x0][0]);
+    return static_cast<double>(image.row(y)[x - image.rect().x0][0]);
 }
 
 bool isInside(const std::vector<Eigen::Vector2d> &triangle, const Eigen::Vector2d &p)
@@ -47,24 +47,23 @@ class TestPolygonLayer : public QObject
 private Q_SLOTS:
     void aPixelIsTheSquareAboutItsCentre()
     {
-        const RgbPicture picture =
-            painted({2, 3, 8, 9}, {{{3.75, 4.5}, {5.5, 4.5}, {5.5, 6.75}, {3.75, 6.75}}});
-        QVERIFY(std::abs(coverageAt(picture, 4, 5) - 0.75) < 1e-6);
-        QVERIFY(std::abs(coverageAt(picture, 5, 6) - 1.0) < 1e-6);
-        QVERIFY(std::abs(coverageAt(picture, 4, 7) - 0.75 * 0.25) < 1e-6);
-        QVERIFY(std::abs(coverageAt(picture, 3, 5)) < 1e-6);
-        QVERIFY(std::abs(coverageAt(picture, 6, 5)) < 1e-6);
+        const RgbImage image = painted({2, 3, 8, 9}, {{{3.75, 4.5}, {5.5, 4.5}, {5.5, 6.75}, {3.75, 6.75}}});
+        QVERIFY(std::abs(coverageAt(image, 4, 5) - 0.75) < 1e-6);
+        QVERIFY(std::abs(coverageAt(image, 5, 6) - 1.0) < 1e-6);
+        QVERIFY(std::abs(coverageAt(image, 4, 7) - 0.75 * 0.25) < 1e-6);
+        QVERIFY(std::abs(coverageAt(image, 3, 5)) < 1e-6);
+        QVERIFY(std::abs(coverageAt(image, 6, 5)) < 1e-6);
     }
 
     void coversWhatManySamplesSay()
     {
         std::mt19937 random(3);
-        std::uniform_real_distribution<double> place(-6, 26);
+        std::uniform_real_distribution<double> position(-6, 26);
         for (int round = 0; round < 40; ++round) {
             std::vector<Eigen::Vector2d> triangle;
             for (int i = 0; i < 3; ++i)
-                triangle.emplace_back(place(random), place(random)); // often partly outside
-            const RgbPicture picture = painted({0, 0, 20, 20}, {triangle});
+                triangle.emplace_back(position(random), position(random)); // often partly outside
+            const RgbImage image = painted({0, 0, 20, 20}, {triangle});
             for (int y = 0; y < 20; ++y) {
                 for (int x = 0; x < 20; ++x) {
                     constexpr int n = 24;
@@ -73,7 +72,7 @@ private Q_SLOTS:
                         for (int i = 0; i < n; ++i)
                             hits += isInside(triangle, {x - 0.5 + (i + 0.5) / n, y - 0.5 + (j + 0.5) / n});
                     // n² samples miss a straight edge's area by less than about 1/n.
-                    QVERIFY(std::abs(coverageAt(picture, x, y) - static_cast<double>(hits) / (n * n)) <
+                    QVERIFY(std::abs(coverageAt(image, x, y) - static_cast<double>(hits) / (n * n)) <
                             1.0 / n);
                 }
             }
@@ -83,13 +82,13 @@ private Q_SLOTS:
     void areaAndCentroidAreExact()
     {
         const std::vector<Eigen::Vector2d> triangle = {{3.13, 2.71}, {17.4, 5.55}, {8.08, 16.9}};
-        const RgbPicture picture = painted({0, 0, 20, 20}, {triangle});
+        const RgbImage image = painted({0, 0, 20, 20}, {triangle});
         double area = 0;
         Eigen::Vector2d moment = Eigen::Vector2d::Zero();
         for (int y = 0; y < 20; ++y) {
             for (int x = 0; x < 20; ++x) {
-                area += coverageAt(picture, x, y);
-                moment += coverageAt(picture, x, y) * Eigen::Vector2d(x, y);
+                area += coverageAt(image, x, y);
+                moment += coverageAt(image, x, y) * Eigen::Vector2d(x, y);
             }
         }
         const Eigen::Vector2d a = triangle[1] - triangle[0], b = triangle[2] - triangle[0];
@@ -106,10 +105,10 @@ private Q_SLOTS:
         for (int i = 0; i < 4; ++i)
             fans.push_back({middle, corners[i], corners[(i + 1) % 4]});
         std::reverse(fans[1].begin(), fans[1].end()); // the orientation does not matter
-        const RgbPicture picture = painted({0, 0, 20, 20}, fans);
+        const RgbImage image = painted({0, 0, 20, 20}, fans);
         for (int y = 0; y < 20; ++y)
             for (int x = 0; x < 20; ++x)
-                QVERIFY(std::abs(coverageAt(picture, x, y) - 1.0) < 1e-5);
+                QVERIFY(std::abs(coverageAt(image, x, y) - 1.0) < 1e-5);
     }
 };
 

@@ -138,10 +138,10 @@ private Q_SLOTS:
             }
         }
         std::mt19937 random(5);
-        std::uniform_real_distribution<double> place(-0.2, 0.2), height(0, 0.2);
+        std::uniform_real_distribution<double> position(-0.2, 0.2), height(0, 0.2);
         std::set<int> seen;
         for (int i = 0; i < 20'000; ++i) {
-            const Vector target = origin + Vector(place(random), place(random), height(random));
+            const Vector target = origin + Vector(position(random), position(random), height(random));
             const int part = met(target);
             constexpr double edge = 3e-4; // of the circles' polygons, and of rounding
             if (met(target + Vector(edge, 0, 0)) != part || met(target - Vector(edge, 0, 0)) != part ||
@@ -192,10 +192,10 @@ private Q_SLOTS:
         const auto pieces = castShadow(robot, state, light);
         const Eigen::AngleAxisd turn(-state.headingRad, Vector::UnitZ());
         std::mt19937 random(9);
-        std::uniform_real_distribution<double> place(-0.4, 0.4);
+        std::uniform_real_distribution<double> position(-0.4, 0.4);
         int dark = 0;
         for (int i = 0; i < 20'000; ++i) {
-            const Vector point = origin + Vector(place(random), place(random), 0);
+            const Vector point = origin + Vector(position(random), position(random), 0);
             const auto isHidden = [&](const Vector &at) {
                 return metBy(robot.parts, turn * (at - origin), turn * (light - at)) >= 0;
             };

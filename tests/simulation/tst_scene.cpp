@@ -90,11 +90,11 @@ private Q_SLOTS:
         SimulatedScene scene = sceneWithClock(0, 0);
         scene.cameras[0].sensor.doubledFrames = {10, 20, 21};
         QCOMPARE(frameCount(scene, 0), 120);
-        QCOMPARE(framePicture(scene, 0, 10), 9);
+        QCOMPARE(sourceFrame(scene, 0, 10), 9);
         QVERIFY(frameSceneTime(scene, 0, 10) == frameSceneTime(scene, 0, 9));
         QVERIFY(frameStamp(scene, 0, 10) > frameStamp(scene, 0, 9));
-        QCOMPARE(framePicture(scene, 0, 21), 19);
-        QCOMPARE(framePicture(scene, 0, 22), 22);
+        QCOMPARE(sourceFrame(scene, 0, 21), 19);
+        QCOMPARE(sourceFrame(scene, 0, 22), 22);
     }
 
     void theDemoIsWhatItPromises()

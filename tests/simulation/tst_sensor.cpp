@@ -12,18 +12,18 @@ namespace {
 
 constexpr int width = 320, height = 240;
 
-RgbPicture flat(const Rgb &colour)
+RgbImage flat(const Rgb &colour)
 {
-    RgbPicture picture({0, 0, width, height});
+    RgbImage image({0, 0, width, height});
     for (int y = 0; y < height; ++y)
-        std::fill_n(picture.row(y), width, colour);
-    return picture;
+        std::fill_n(image.row(y), width, colour);
+    return image;
 }
 
-Frame shot(const SensorModel &model, const RgbPicture &picture, std::uint64_t number = 0, double gain = 1.0)
+Frame shot(const SensorModel &model, const RgbImage &image, std::uint64_t number = 0, double gain = 1.0)
 {
     Sensor sensor(model, width, height, 77);
-    sensor.take(picture);
+    sensor.take(image);
     return FrameBuffer::toFrame(sensor.read(gain, number), 0, Nanoseconds{0});
 }
 
@@ -120,7 +120,7 @@ private Q_SLOTS:
 
     void noiseDiffersFromPictureToPictureOnly()
     {
-        const RgbPicture grey = flat({120, 120, 120, 0});
+        const RgbImage grey = flat({120, 120, 120, 0});
         const Frame first = shot(model(2), grey, 5), again = shot(model(2), grey, 5),
                     next = shot(model(2), grey, 6);
         int equal = 0, same = 0;
@@ -139,11 +139,11 @@ private Q_SLOTS:
     {
         // A red stripe from column 101 to 140, rows 60 to 90: its chroma centroid in samples tells where they
         // lie.
-        RgbPicture picture = flat({128, 128, 128, 0});
+        RgbImage image = flat({128, 128, 128, 0});
         for (int y = 60; y <= 90; ++y)
-            std::fill_n(picture.row(y) + 101, 40, Rgb(200, 40, 40, 0));
+            std::fill_n(image.row(y) + 101, 40, Rgb(200, 40, 40, 0));
         const auto centroid = [&](ChromaSiting siting) {
-            const Frame frame = shot(model(0, siting), picture);
+            const Frame frame = shot(model(0, siting), image);
             Eigen::Vector2d moment = Eigen::Vector2d::Zero();
             double weight = 0;
             for (int y = 0; y < frame.v.height; ++y) {
@@ -175,14 +175,14 @@ private Q_SLOTS:
 
     void aPartCanBeReplacedAndRestored()
     {
-        const RgbPicture still = flat({90, 120, 150, 0});
+        const RgbImage still = flat({90, 120, 150, 0});
         Sensor sensor(model(0), width, height, 1);
         sensor.take(still);
         sensor.keepStill();
-        RgbPicture part = still.part({40, 60, 80, 100});
+        RgbImage part = still.part({40, 60, 80, 100});
         for (int y = 70; y < 90; ++y)
             std::fill_n(part.row(y) + 10, 20, Rgb(220, 20, 20, 0));
-        RgbPicture whole = still;
+        RgbImage whole = still;
         for (int y = 70; y < 90; ++y)
             std::fill_n(whole.row(y) + 50, 20, Rgb(220, 20, 20, 0));
         sensor.take(part);

@@ -30,7 +30,7 @@ Result<void> addSimulatedRobot(Project &project, const SimulatedRobot &seen, boo
     robot.name = seen.name;
     if (isColourGiven)
         robot.colour = seen.colour;
-    robot.heightMode = RobotRecord::Height::Told;
+    robot.heightMode = RobotRecord::Height::Given;
     robot.heightM = seen.heightM;
     return project.robots().add(robot).map([](const auto &) {});
 }

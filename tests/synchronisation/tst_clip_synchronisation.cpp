@@ -44,8 +44,8 @@ std::vector<TimedPosition> view(Path path, double startS, double rate, double no
     std::normal_distribution<double> noise(0, noiseM);
     std::vector<TimedPosition> track;
     for (int i = 0; i < int(8 * rate); ++i) {
-        const Eigen::Vector2d place = path(startS + i / rate);
-        track.push_back({i / rate, place + shift + Eigen::Vector2d(noise(random), noise(random))});
+        const Eigen::Vector2d position = path(startS + i / rate);
+        track.push_back({i / rate, position + shift + Eigen::Vector2d(noise(random), noise(random))});
     }
     return track;
 }

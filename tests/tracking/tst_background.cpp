@@ -17,12 +17,12 @@ const FrameFormat format = testFormat(320, 240);
 Frame filmed(const Painter &floor, std::int64_t index, double standsUntilS, double noise,
              std::mt19937 &random, double light = 1)
 {
-    Painter picture = floor;
+    Painter image = floor;
     const double timeS = double(index) / 10;
     const double x = 60 + 40 * std::max(0.0, timeS - standsUntilS);
-    picture.rectangle({x, 90}, {x + 40, 125}, {40, 40, 160});
-    picture.light(light);
-    return picture.frame(index, timeS, noise, random);
+    image.rectangle({x, 90}, {x + 40, 125}, {40, 40, 160});
+    image.light(light);
+    return image.frame(index, timeS, noise, random);
 }
 
 /// RMS difference of luma from the floor without the robot.

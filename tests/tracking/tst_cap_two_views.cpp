@@ -27,11 +27,11 @@ void TestCapTwoViews::capIsFound_data()
     QTest::addColumn<double>("lastX");
     QTest::addColumn<double>("lastY");
     // The places were read off the pictures by eye, to 10 px.
-    for (const char *told : {"#2c717a", "#1c4a4f", "#3f9faa"}) {
-        QTest::addRow("A %s", told) << QStringLiteral("A.mp4") << QString::fromLatin1(told) << 610.0 << 464.0
-                                    << 292.0 << 462.0;
-        QTest::addRow("B %s", told) << QStringLiteral("B.mp4") << QString::fromLatin1(told) << 252.0 << 530.0
-                                    << 481.0 << 418.0;
+    for (const char *given : {"#2c717a", "#1c4a4f", "#3f9faa"}) {
+        QTest::addRow("A %s", given) << QStringLiteral("A.mp4") << QString::fromLatin1(given) << 610.0
+                                     << 464.0 << 292.0 << 462.0;
+        QTest::addRow("B %s", given) << QStringLiteral("B.mp4") << QString::fromLatin1(given) << 252.0
+                                     << 530.0 << 481.0 << 418.0;
     }
 }
 
@@ -39,14 +39,14 @@ void TestCapTwoViews::capIsFound()
 {
     ODOGRAPH_NEED_REAL("cap-two-views");
     QFETCH(QString, file);
-    QFETCH(QString, told);
+    QFETCH(QString, given);
     QFETCH(double, firstX);
     QFETCH(double, firstY);
     QFETCH(double, lastX);
     QFETCH(double, lastY);
     const auto reader = VideoReader::open(realMaterial() / "cap-two-views" / file.toStdString());
     QVERIFY(reader);
-    const auto tracker = ColourTracker::create({{"cap", *parseColour(told.toStdString())}});
+    const auto tracker = ColourTracker::create({{"cap", *parseColour(given.toStdString())}});
     QVERIFY(tracker);
     std::vector<Observation> seen;
     while (const auto frame = (*reader)->next().value())

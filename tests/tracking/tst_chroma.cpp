@@ -92,9 +92,9 @@ void TestChroma::positionsFollowTheSiting()
 
 void TestChroma::rectanglesClip()
 {
-    const ChromaRect picture{0, 0, 20, 10};
-    QVERIFY((ChromaRect{25, 2, 30, 8}.clippedTo(picture).isEmpty()));
-    const ChromaRect part = ChromaRect{-5, 4, 7, 6}.grownBy(1).clippedTo(picture);
+    const ChromaRect image{0, 0, 20, 10};
+    QVERIFY((ChromaRect{25, 2, 30, 8}.clippedTo(image).isEmpty()));
+    const ChromaRect part = ChromaRect{-5, 4, 7, 6}.grownBy(1).clippedTo(image);
     QCOMPARE(part.left, 0);
     QCOMPARE(part.top, 3);
     QCOMPARE(part.right, 8);
@@ -160,22 +160,22 @@ void TestChroma::transformTurnsAndScales()
 
 void TestChroma::overlapOfEqualAndDisjoint()
 {
-    ChromaDensity a = densityOfToldColour({60, -30});
-    const ChromaDensity b = densityOfToldColour({-50, 40});
+    ChromaDensity a = densityOfGivenColour({60, -30});
+    const ChromaDensity b = densityOfGivenColour({-50, 40});
     QVERIFY(std::abs(a.overlap(a) - 1) < 1e-5);
     QVERIFY(a.overlap(b) < 0.05);
 }
 
 void TestChroma::likenessFalls()
 {
-    const Chroma told(14, -31);
-    QVERIFY(std::abs(likeness(told, told) - 1) < 1e-12);
-    QVERIFY(std::abs(likeness(0.65 * told, told) - 1) < 1e-9); // −35 % light
-    QVERIFY(std::abs(likeness(1.35 * told, told) - 1) < 1e-9);
-    QVERIFY(likeness(0.2 * told, told) < 0.1);
-    QVERIFY(likeness(3 * told, told) < 0.2);
-    QVERIFY(likeness(-told, told) < 1e-6);
-    QCOMPARE(likeness(Chroma::Zero(), told), 0.0);
+    const Chroma given(14, -31);
+    QVERIFY(std::abs(likeness(given, given) - 1) < 1e-12);
+    QVERIFY(std::abs(likeness(0.65 * given, given) - 1) < 1e-9); // −35 % light
+    QVERIFY(std::abs(likeness(1.35 * given, given) - 1) < 1e-9);
+    QVERIFY(likeness(0.2 * given, given) < 0.1);
+    QVERIFY(likeness(3 * given, given) < 0.2);
+    QVERIFY(likeness(-given, given) < 1e-6);
+    QCOMPARE(likeness(Chroma::Zero(), given), 0.0);
 }
 
 void TestChroma::tableWeighsAgainstTheBackground()

@@ -143,8 +143,8 @@ void TestColourTracker::toldColourNeedNotBeExact_data()
 {
     QTest::addColumn<QString>("told");
     QTest::addColumn<QString>("real");
-    const auto row = [](const char *name, const char *told, const char *real) {
-        QTest::newRow(name) << QString::fromLatin1(told) << QString::fromLatin1(real);
+    const auto row = [](const char *name, const char *given, const char *real) {
+        QTest::newRow(name) << QString::fromLatin1(given) << QString::fromLatin1(real);
     };
     row("same", "#d72328", "#d72328");
     row("35 % darker", "#d72328", "#8c171a");
@@ -157,9 +157,9 @@ void TestColourTracker::toldColourNeedNotBeExact_data()
 
 void TestColourTracker::toldColourNeedNotBeExact()
 {
-    QFETCH(QString, told);
+    QFETCH(QString, given);
     QFETCH(QString, real);
-    const auto tracker = trackerOf({{"r", *parseColour(told.toStdString())}});
+    const auto tracker = trackerOf({{"r", *parseColour(given.toStdString())}});
     const RgbColour shown = *parseColour(real.toStdString());
     std::mt19937 random(5);
     for (int i = 0; i < 3; ++i) {

@@ -16,7 +16,7 @@ using namespace odo::test;
 namespace {
 
 const FrameFormat format = testFormat(320, 240);
-const PixelRect picture{0, 0, 320, 240};
+const PixelRect image{0, 0, 320, 240};
 
 /// A floor that varies by one code value.
 Background backgroundOf(const Painter &floor)
@@ -93,7 +93,7 @@ struct ComparedFrame
     ComparedFrame(const Frame &frame, const Background &background) : lattice(background), window(background)
     {
         lattice.compare(frame, background);
-        window.compare(frame, lattice.gain(), windowsAround(lattice.differences(), picture).front().front());
+        window.compare(frame, lattice.gain(), windowsAround(lattice.differences(), image).front().front());
     }
 };
 
@@ -109,7 +109,7 @@ private Q_SLOTS:
         const Background background = backgroundOf(floor);
         DifferenceLattice lattice(background);
         lattice.compare(frameOf(floor, 1), background);
-        QVERIFY(windowsAround(lattice.differences(), picture).empty());
+        QVERIFY(windowsAround(lattice.differences(), image).empty());
         QVERIFY(std::abs(lattice.gain().factor - 1) < 0.01F);
     }
 
@@ -132,7 +132,7 @@ private Q_SLOTS:
         DifferenceLattice lattice(background);
         lattice.compare(frame, background);
         QVERIFY(std::abs(double(lattice.gain().factor) - light) < 0.01);
-        const auto groups = windowsAround(lattice.differences(), picture);
+        const auto groups = windowsAround(lattice.differences(), image);
         QCOMPARE(groups.size(), std::size_t(1));
         QCOMPARE(groups.front().size(), std::size_t(1));
         ComparedWindow window(background);

@@ -14,10 +14,10 @@ using Eigen::Vector2d;
 namespace {
 
 /// Gives all of a picture, and counts how often it had to, or fails like one with damaged data.
-class CountedPicture : public CodedPicture
+class CountedFrame : public CodedImage
 {
 public:
-    CountedPicture(Frame whole, int &count, bool damaged)
+    CountedFrame(Frame whole, int &count, bool damaged)
         : m_whole(std::move(whole)), m_count(count), m_damaged(damaged)
     {
     }
@@ -66,7 +66,7 @@ Frame partOf(const Frame &whole, const PixelRect &region, int &completions, bool
     copyPart(whole.v, part, 1, 1, buffer->vRow(0), buffer->chromaWidth());
     Frame frame = FrameBuffer::toFrame(std::move(buffer), whole.index, whole.time);
     frame.validRegion = part;
-    frame.coded = std::make_shared<CountedPicture>(whole, completions, damaged);
+    frame.coded = std::make_shared<CountedFrame>(whole, completions, damaged);
     return frame;
 }
 

@@ -31,12 +31,13 @@ SimulatedScene sceneWith(RgbColour robotColour, RgbColour floorColour)
 }
 
 /// A box round the pictures of points about a place of the floor.
-PixelRect boxAbout(const SimulatedScene &scene, const Eigen::Vector2d &place, double reachM)
+PixelRect boxAbout(const SimulatedScene &scene, const Eigen::Vector2d &position, double reachM)
 {
     PixelRect box{10000, 10000, 0, 0};
     for (const double dx : {-reachM, reachM}) {
         for (const double dy : {-reachM, reachM}) {
-            const auto pixel = scene.cameras[0].view.pixelFromWorld({place.x() + dx, place.y() + dy, 0});
+            const auto pixel =
+                scene.cameras[0].view.pixelFromWorld({position.x() + dx, position.y() + dy, 0});
             box = {std::min(box.x0, int(pixel->x())), std::min(box.y0, int(pixel->y())),
                    std::max(box.x1, int(pixel->x())), std::max(box.y1, int(pixel->y()))};
         }
@@ -100,21 +101,22 @@ private Q_SLOTS:
         const Frame frame = SceneRenderer(scene, 0).render(0);
         const auto picked = pickColour(frame, boxAbout(scene, {1.5, 1.1}, reachM));
         QVERIFY2(picked.has_value(), picked ? "" : picked.error().message().c_str());
-        const Chroma seen = chromaOf(picked->colour, frame.format), told = chromaOf(truth, frame.format);
-        const double turn = std::abs(std::atan2(seen.x() * told.y() - seen.y() * told.x(), seen.dot(told)));
+        const Chroma seen = chromaOf(picked->colour, frame.format), given = chromaOf(truth, frame.format);
+        const double turn =
+            std::abs(std::atan2(seen.x() * given.y() - seen.y() * given.x(), seen.dot(given)));
         qInfo("%s: %s, %.1f degrees, %.2f times as saturated, %.0f %% of the box", qPrintable(robot),
-              picked->colour.toString().c_str(), turn * 180 / std::numbers::pi, seen.norm() / told.norm(),
+              picked->colour.toString().c_str(), turn * 180 / std::numbers::pi, seen.norm() / given.norm(),
               100 * picked->share);
         // The tracker allows 11° (1σ) and 0.6 to 1.5 times the saturation: well within, shaded sides and
         // edges included.
         QVERIFY(turn < 6 * std::numbers::pi / 180);
-        QVERIFY(seen.norm() > 0.7 * told.norm() && seen.norm() < 1.2 * told.norm());
+        QVERIFY(seen.norm() > 0.7 * given.norm() && seen.norm() < 1.2 * given.norm());
 
         auto tracker = ColourTracker::create({{"r", picked->colour}});
         QVERIFY(tracker.has_value());
         const Observation observation = (*tracker)->track(frame).front();
-        const auto place = scene.cameras[0].view.pixelFromWorld({1.5, 1.1, 0.03});
-        QVERIFY(observation.found && (observation.ellipse.centrePx - *place).norm() < 6);
+        const auto position = scene.cameras[0].view.pixelFromWorld({1.5, 1.1, 0.03});
+        QVERIFY(observation.found && (observation.ellipse.centrePx - *position).norm() < 6);
     }
 
     void whatHoldsNoColourIsRefused_data()

@@ -18,7 +18,7 @@ constexpr RgbColour red{0xd7, 0x23, 0x28}, orangeRed{0xd8, 0x48, 0x1c}, blue{0x1
     green{0x1f, 0x9d, 0x4d};
 
 /// About the centre of the silhouette; within a few pixels, which is enough to tell who is who.
-Vector2d centreInPicture(const SimulatedScene &scene, int camera, std::size_t robot, std::int64_t frame)
+Vector2d centreInImage(const SimulatedScene &scene, int camera, std::size_t robot, std::int64_t frame)
 {
     const Vector2d at = scene.robots[robot].motion->at(frameSceneTime(scene, camera, frame)).position;
     return scene.cameras[std::size_t(camera)]
@@ -52,9 +52,9 @@ Outcome trackScene(const SimulatedScene &scene, int camera)
     Outcome outcome;
     std::vector<std::size_t> owner(scene.robots.size(), scene.robots.size());
     for (std::int64_t frame = 0; frame < renderer.frameCount(); ++frame) {
-        const Frame picture = renderer.render(frame);
+        const Frame image = renderer.render(frame);
         const double before = threadSeconds();
-        const auto seen = (*tracker)->track(picture);
+        const auto seen = (*tracker)->track(image);
         outcome.microsecondsPerFrame += 1e6 * (threadSeconds() - before) / double(renderer.frameCount());
         for (std::size_t robot = 0; robot < seen.size(); ++robot) {
             ++outcome.frames;
@@ -71,7 +71,7 @@ Outcome trackScene(const SimulatedScene &scene, int camera)
             double least = 1e9;
             for (std::size_t other = 0; other < seen.size(); ++other) {
                 const double away =
-                    (seen[robot].ellipse.centrePx - centreInPicture(scene, camera, other, frame)).norm();
+                    (seen[robot].ellipse.centrePx - centreInImage(scene, camera, other, frame)).norm();
                 if (away < least) {
                     least = away;
                     nearest = other;

@@ -21,23 +21,23 @@ Background learned(const Painter &floor)
     std::mt19937 random(1);
     BackgroundLearner learner;
     for (int i = 0; i < 24; ++i) {
-        Painter picture = floor;
+        Painter image = floor;
         const double x = 18.0 * i;
-        picture.rectangle({x, 20}, {x + 30, 50}, {30, 30, 30});
-        learner.add(picture.frame(i, i / 10.0, 2, random));
+        image.rectangle({x, 20}, {x + 30, 50}, {30, 30, 30});
+        learner.add(image.frame(i, i / 10.0, 2, random));
     }
     return *learner.learned();
 }
 
 /// A robot of some colour with a soft shadow to its left, which the floor's grain shows through.
-Frame filmed(Painter picture, RgbColour colour, bool hasShadow, std::mt19937 &random,
+Frame filmed(Painter image, RgbColour colour, bool hasShadow, std::mt19937 &random,
              Eigen::Vector2d shift = {0, 0}, double light = 1)
 {
     if (hasShadow)
-        picture.shade(low + shift - Eigen::Vector2d(20, -8), Eigen::Vector2d(low.x(), high.y()) + shift, 0.7);
-    picture.rectangle(low + shift, high + shift, colour);
-    picture.light(light);
-    return picture.frame(0, 0, 2, random);
+        image.shade(low + shift - Eigen::Vector2d(20, -8), Eigen::Vector2d(low.x(), high.y()) + shift, 0.7);
+    image.rectangle(low + shift, high + shift, colour);
+    image.light(light);
+    return image.frame(0, 0, 2, random);
 }
 
 } // namespace
@@ -104,9 +104,9 @@ private Q_SLOTS:
         std::mt19937 random(23);
         const auto seenWith = [&](float darkest, double light, RgbColour colour) {
             background.darkestShadow = darkest;
-            Painter picture = floor;
-            picture.shade({low.x() - 20, low.y() + 4}, {low.x() + 4, high.y()}, light);
-            const auto seen = SilhouetteFinder(background).find(filmed(picture, colour, false, random));
+            Painter image = floor;
+            image.shade({low.x() - 20, low.y() + 4}, {low.x() + 4, high.y()}, light);
+            const auto seen = SilhouetteFinder(background).find(filmed(image, colour, false, random));
             return seen.empty() ? SeenSilhouette() : seen.front();
         };
         const RgbColour red{200, 40, 40};
@@ -135,10 +135,10 @@ private Q_SLOTS:
         std::mt19937 random(3);
         for (int i = 0; i < 10; ++i) {
             const Eigen::Vector2d shift(0.1 * i, 0.07 * i);
-            Painter picture = floor;
-            picture.rectangle(low + shift, high + shift, {20, 20, 20});
-            picture.rectangle(Eigen::Vector2d(low.x(), low.y() + 14) + shift, high + shift, {245, 245, 245});
-            const auto &seen = finder.find(picture.frame(0, 0, 2, random));
+            Painter image = floor;
+            image.rectangle(low + shift, high + shift, {20, 20, 20});
+            image.rectangle(Eigen::Vector2d(low.x(), low.y() + 14) + shift, high + shift, {245, 245, 245});
+            const auto &seen = finder.find(image.frame(0, 0, 2, random));
             QCOMPARE(seen.size(), std::size_t(1));
             const double offPx = (seen.front().moments.centrePx - ((low + high) / 2 + shift)).norm();
             QVERIFY2(offPx < 0.4, qPrintable(QString::number(offPx)));
@@ -165,11 +165,11 @@ private Q_SLOTS:
         std::mt19937 random(13);
         const double left = high.x() + 0.5 + gap, right = left + 2; // pixels that it covers wholly
         for (int i = 0; i < 10; ++i) {
-            Painter picture = floor;
+            Painter image = floor;
             if (isShaded)
-                picture.shade({high.x(), low.y()}, {left + 1, high.y()}, 0.7);
-            picture.rectangle({left, 155.5}, {right, 180.5}, {25, 25, 25});
-            const auto &seen = finder.find(filmed(picture, {30, 30, 30}, false, random));
+                image.shade({high.x(), low.y()}, {left + 1, high.y()}, 0.7);
+            image.rectangle({left, 155.5}, {right, 180.5}, {25, 25, 25});
+            const auto &seen = finder.find(filmed(image, {30, 30, 30}, false, random));
             QCOMPARE(seen.size(), std::size_t(1));
             const double reach = seen.front().moments.centrePx.x() + double(seen.front().supportPx.front());
             // The gap is taken with it, and looks like the floor: the farthest of 25 rows may be two pixels
@@ -199,10 +199,10 @@ private Q_SLOTS:
         std::mt19937 random(14);
         const double wanted = isPart ? high.x() + length : high.x();
         for (int i = 0; i < 10; ++i) {
-            Painter picture = floor;
-            picture.rectangle({high.x() - 5, 168 - width / 2}, {high.x() + length, 168 + width / 2},
-                              {25, 25, 25});
-            const auto &seen = finder.find(filmed(picture, {30, 30, 30}, false, random));
+            Painter image = floor;
+            image.rectangle({high.x() - 5, 168 - width / 2}, {high.x() + length, 168 + width / 2},
+                            {25, 25, 25});
+            const auto &seen = finder.find(filmed(image, {30, 30, 30}, false, random));
             QCOMPARE(seen.size(), std::size_t(1));
             const RegionMoments &moments = seen.front().moments;
             const double reach = moments.centrePx.x() + double(seen.front().supportPx.front());
@@ -260,12 +260,12 @@ private Q_SLOTS:
         std::mt19937 random(5);
         int wrong = 0;
         for (std::int64_t i = 0; i < 60; ++i) {
-            Painter picture = floor;
+            Painter image = floor;
             const double x = 40 + 5.0 * double(i);
-            picture.rectangle({x, 60}, {x + 44, 90}, {30, 30, 30});
-            picture.rectangle({400 - x, 150}, {440 - x, 180}, {200, 40, 40});
-            picture.rectangle({x, 250}, {x + 30, 274}, {240, 240, 240});
-            const auto seen = (*tracker)->track(picture.frame(i, double(i) / 30, 2, random));
+            image.rectangle({x, 60}, {x + 44, 90}, {30, 30, 30});
+            image.rectangle({400 - x, 150}, {440 - x, 180}, {200, 40, 40});
+            image.rectangle({x, 250}, {x + 30, 274}, {240, 240, 240});
+            const auto seen = (*tracker)->track(image.frame(i, double(i) / 30, 2, random));
             QCOMPARE(seen.size(), std::size_t(3));
             const auto isAt = [&](const Observation &one, double atX, double atY) {
                 return one.found && (one.ellipse.centrePx - Eigen::Vector2d(atX, atY)).norm() < 1.5;
@@ -285,12 +285,12 @@ private Q_SLOTS:
         std::mt19937 random(9);
         int wrong = 0;
         for (std::int64_t i = 0; i < 40; ++i) {
-            Painter picture = floor;
+            Painter image = floor;
             const double x = 40 + 5.0 * double(i);
-            picture.rectangle({300 - x, 40}, {400 - x, 110}, {30, 30, 30}); // larger, and moves too
-            picture.rectangle({x, 200}, {x + 44, 230}, {200, 40, 40});
-            picture.rectangle({x - 10, 204}, {x, 226}, {25, 25, 25}); // a black part of the same robot
-            const Observation seen = (*tracker)->track(picture.frame(i, double(i) / 30, 2, random)).front();
+            image.rectangle({300 - x, 40}, {400 - x, 110}, {30, 30, 30}); // larger, and moves too
+            image.rectangle({x, 200}, {x + 44, 230}, {200, 40, 40});
+            image.rectangle({x - 10, 204}, {x, 226}, {25, 25, 25}); // a black part of the same robot
+            const Observation seen = (*tracker)->track(image.frame(i, double(i) / 30, 2, random)).front();
             wrong += !seen.found || (seen.ellipse.centrePx - Eigen::Vector2d(x + 17.3, 215)).norm() > 1.5 ||
                      seen.supportPx.empty();
         }
@@ -307,13 +307,13 @@ private Q_SLOTS:
         std::mt19937 random(10);
         int wrong = 0;
         for (std::int64_t i = 0; i < 30; ++i) {
-            Painter picture = floor;
+            Painter image = floor;
             const Eigen::Vector2d at(60 + 5.0 * double(i), 150);
             for (const double x : {0.0, 50.0})
                 for (const double y : {0.0, 34.0})
-                    picture.rectangle(at + Eigen::Vector2d(x, y), at + Eigen::Vector2d(x + 18, y + 14),
-                                      {25, 25, 25});
-            const Observation seen = (*tracker)->track(picture.frame(i, double(i) / 30, 2, random)).front();
+                    image.rectangle(at + Eigen::Vector2d(x, y), at + Eigen::Vector2d(x + 18, y + 14),
+                                    {25, 25, 25});
+            const Observation seen = (*tracker)->track(image.frame(i, double(i) / 30, 2, random)).front();
             wrong += !seen.found || (seen.ellipse.centrePx - (at + Eigen::Vector2d(34, 24))).norm() > 1 ||
                      std::abs(seen.areaPx / (68 * 48) - 1) > 0.05;
         }
@@ -328,11 +328,11 @@ private Q_SLOTS:
         std::mt19937 random(11);
         int wrong = 0;
         for (std::int64_t i = 0; i < 60; ++i) {
-            Painter picture = floor;
+            Painter image = floor;
             const double x = 40 + 5.0 * double(i);
-            picture.rectangle({x, 150}, {x + 60, 200}, {240, 240, 240});
-            picture.rectangle({400 - x, 220}, {418 - x, 238}, {230, 120, 30});
-            const Observation seen = (*tracker)->track(picture.frame(i, double(i) / 30, 2, random)).front();
+            image.rectangle({x, 150}, {x + 60, 200}, {240, 240, 240});
+            image.rectangle({400 - x, 220}, {418 - x, 238}, {230, 120, 30});
+            const Observation seen = (*tracker)->track(image.frame(i, double(i) / 30, 2, random)).front();
             wrong += !seen.found || (seen.ellipse.centrePx - Eigen::Vector2d(x + 30, 175)).norm() > 1;
         }
         QCOMPARE(wrong, 0);
@@ -347,13 +347,13 @@ private Q_SLOTS:
         std::mt19937 random(12);
         int wrong = 0, together = 0, unsure = 0;
         for (std::int64_t i = 0; i < 60; ++i) {
-            Painter picture = floor;
+            Painter image = floor;
             const double x = 40 + 5.0 * double(i), other = 400 - x;
             const bool touch = std::abs(x - other) < 60;
-            picture.rectangle({x, 150}, {x + 60, 190}, {240, 240, 240});
-            picture.rectangle({other, 170}, {other + 60, 210}, {240, 240, 240});
+            image.rectangle({x, 150}, {x + 60, 190}, {240, 240, 240});
+            image.rectangle({other, 170}, {other + 60, 210}, {240, 240, 240});
             together += touch;
-            const auto seen = (*tracker)->track(picture.frame(i, double(i) / 30, 2, random));
+            const auto seen = (*tracker)->track(image.frame(i, double(i) / 30, 2, random));
             const auto isOneOf = [&](const Observation &one) {
                 return (one.ellipse.centrePx - Eigen::Vector2d(x + 30, 170)).norm() < 1 ||
                        (one.ellipse.centrePx - Eigen::Vector2d(other + 30, 190)).norm() < 1;

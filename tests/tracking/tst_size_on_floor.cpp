@@ -10,7 +10,7 @@ using namespace odo;
 
 namespace {
 
-FloorView cameraAt(const Eigen::Vector3d &place)
+FloorView cameraAt(const Eigen::Vector3d &position)
 {
     Intrinsics lens;
     lens.widthPx = 1280;
@@ -19,15 +19,15 @@ FloorView cameraAt(const Eigen::Vector3d &place)
     lens.cxPx = 639.5;
     lens.cyPx = 359.5;
     Eigen::Matrix3d axes;
-    axes.col(2) = -place.normalized();
+    axes.col(2) = -position.normalized();
     axes.col(0) = axes.col(2).cross(Eigen::Vector3d::UnitZ()).normalized();
     axes.col(1) = axes.col(2).cross(axes.col(0));
-    return FloorView(*CameraModel::create(lens), {Eigen::Quaterniond(axes), place},
+    return FloorView(*CameraModel::create(lens), {Eigen::Quaterniond(axes), position},
                      Eigen::Matrix<double, 6, 6>::Zero());
 }
 
 /// The box in the picture of an upright box that stands about the world's middle.
-PixelRect pictureOf(const FloorView &view, const Eigen::Vector3d &sizeM)
+PixelRect imageOf(const FloorView &view, const Eigen::Vector3d &sizeM)
 {
     Eigen::Vector2d low(1e9, 1e9), high(-1e9, -1e9);
     for (const double x : {-0.5, 0.5})
@@ -60,17 +60,17 @@ private Q_SLOTS:
         const FloorView view = cameraAt({-2.2, -1.6, cameraHeightM});
         for (const Eigen::Vector3d &robot : {Eigen::Vector3d(0.2, 0.15, 0.1), Eigen::Vector3d(0.3, 0.3, 0.4),
                                              Eigen::Vector3d(0.6, 0.5, 0.3)})
-            QVERIFY(!isTooLargeForRobot(view, pictureOf(view, robot)));
+            QVERIFY(!isTooLargeForRobot(view, imageOf(view, robot)));
         for (const Eigen::Vector3d &person :
              {Eigen::Vector3d(0.3, 0.5, 1.7), Eigen::Vector3d(0.25, 0.4, 1.45)})
-            QVERIFY(cameraHeightM < 1.2 || isTooLargeForRobot(view, pictureOf(view, person)));
-        QVERIFY(isTooLargeForRobot(view, pictureOf(view, {2.5, 0.3, 0.1})));
+            QVERIFY(cameraHeightM < 1.2 || isTooLargeForRobot(view, imageOf(view, person)));
+        QVERIFY(isTooLargeForRobot(view, imageOf(view, {2.5, 0.3, 0.1})));
     }
 
     void aPlateOnTheFloorHasItsSize()
     {
         const FloorView view = cameraAt({-2.2, -1.6, 2});
-        const auto size = sizeOnFloor(view, pictureOf(view, {0.4, 0.4, 0}));
+        const auto size = sizeOnFloor(view, imageOf(view, {0.4, 0.4, 0}));
         QVERIFY(size && size->widthM > 0.35 && size->widthM < 0.6); // it is seen across a corner
         QVERIFY(size->reachM < 0.45);
     }

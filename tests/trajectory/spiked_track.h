@@ -66,8 +66,8 @@ inline Course circle(double radiusM, double speedMps)
 struct SpikedTrack
 {
     std::vector<Sample> samples;
-    std::set<std::size_t> spikes;   ///< must be flagged
-    std::set<std::size_t> doubtful; ///< displaced by less than is called a spike: either is right
+    std::set<std::size_t> spikes;    ///< must be flagged
+    std::set<std::size_t> uncertain; ///< displaced by less than is called a spike: either is right
 };
 
 /// Even frames of a course with white noise of a stated σ.
@@ -101,7 +101,7 @@ inline void displace(SpikedTrack &track, std::size_t index, const Eigen::Vector2
     if (index >= track.samples.size() || !track.samples[index].position)
         return;
     *track.samples[index].position += by;
-    (by.norm() >= 0.999 * leastSpikeM(track) ? track.spikes : track.doubtful).insert(index);
+    (by.norm() >= 0.999 * leastSpikeM(track) ? track.spikes : track.uncertain).insert(index);
 }
 
 /// True when nothing was displaced within some frames of [first, first + length). Faults stay further apart
@@ -109,7 +109,7 @@ inline void displace(SpikedTrack &track, std::size_t index, const Eigen::Vector2
 inline bool isFree(const SpikedTrack &track, std::size_t first, std::size_t length, std::size_t distance)
 {
     for (std::size_t i = first > distance ? first - distance : 0; i < first + length + distance; ++i) {
-        if (track.spikes.contains(i) || track.doubtful.contains(i))
+        if (track.spikes.contains(i) || track.uncertain.contains(i))
             return false;
     }
     return true;
@@ -207,7 +207,7 @@ inline void addGaps(SpikedTrack &track, double share, int longest, std::mt19937 
             track.samples[index].position.reset();
             track.samples[index].flags = flagBit(SampleFlag::Lost);
             track.spikes.erase(index);
-            track.doubtful.erase(index);
+            track.uncertain.erase(index);
         }
     }
 }

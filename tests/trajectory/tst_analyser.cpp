@@ -15,7 +15,7 @@ const Metric &metric(const Profile &profile, const std::string &name)
                          [&](const Metric &one) { return one.name == name; });
 }
 
-const RobotShape told{0.06, 0.26, 0.19};
+const RobotShape given{0.06, 0.26, 0.19};
 
 } // namespace
 
@@ -29,7 +29,7 @@ private Q_SLOTS:
         const Course course = figureEight(1.2, 0.8, 6.2); // up to 2.0 m/s, 6.6 m/s²
         const auto a = film("A", cameraA(), course, {}, random);
         const auto b = film("B", cameraB(), course, {}, random);
-        const auto profile = analyse({a, b}, told, {});
+        const auto profile = analyse({a, b}, given, {});
         QVERIFY2(profile.has_value(), profile ? "" : profile.error().message().c_str());
         const Errors errors = errorsOf(*profile, course);
         qInfo("position %.2f mm, velocity %.1f mm/s, acceleration %.0f mm/s²", errors.positionM * 1e3,
@@ -64,7 +64,7 @@ private Q_SLOTS:
         AnalysisOptions options;
         options.smoother = parseSmoother(name.toStdString()).value();
         QCOMPARE(smootherName(options.smoother), name.toStdString());
-        const auto profile = analyse({a, b}, told, options);
+        const auto profile = analyse({a, b}, given, options);
         QVERIFY(profile.has_value());
         const Errors errors = errorsOf(*profile, course);
         qInfo("position %.2f mm, velocity %.1f mm/s, acceleration %.0f mm/s²", errors.positionM * 1e3,
@@ -99,7 +99,7 @@ private Q_SLOTS:
             auto b = film("B", cameraB(), course, settings, random);
             a.floorView = misplaced(cameraA());
             b.floorView = misplaced(cameraB());
-            const auto profile = analyse({a, b}, told, {});
+            const auto profile = analyse({a, b}, given, {});
             QVERIFY(profile.has_value());
             for (std::size_t i = 0; i < profile->points.size(); ++i) {
                 const ProfilePoint &point = profile->points[i];
@@ -130,8 +130,8 @@ private Q_SLOTS:
         const auto a = film("A", cameraA(), course, {}, random);
         const auto b = film("B", cameraB(), course, {}, random);
         const auto c = film("C", cameraC(), course, {}, random);
-        const auto one = analyse({a}, told, {});
-        const auto three = analyse({a, b, c}, told, {});
+        const auto one = analyse({a}, given, {});
+        const auto three = analyse({a, b, c}, given, {});
         QVERIFY(one && three);
         QCOMPARE(one->samples[9].views, 1u);
         QCOMPARE(three->samples[9].views, 7u);
@@ -152,7 +152,7 @@ private Q_SLOTS:
         late.framesPerSecond = 25;
         const auto a = film("A", cameraA(), course, uneven, random);
         auto b = film("B", cameraB(), course, late, random);
-        const auto profile = analyse({a, b}, told, {});
+        const auto profile = analyse({a, b}, given, {});
         QVERIFY(profile.has_value());
         QCOMPARE(profile->spikes.size(), std::size_t(0));
         QVERIFY(errorsOf(*profile, course).positionM < 0.003);
@@ -161,7 +161,7 @@ private Q_SLOTS:
         QCOMPARE(profile->samples[100].views, 3u);
         // With the offset left out the views do not meet: 1.5 m/s × 0.2 s.
         b.startOffset = Nanoseconds{0};
-        const auto wrong = analyse({a, b}, told, {});
+        const auto wrong = analyse({a, b}, given, {});
         QVERIFY(!wrong || wrong->meanViewDisagreementM > 0.05 || wrong->spikes.size() > 50);
     }
 
@@ -180,7 +180,7 @@ private Q_SLOTS:
             b.observations[i].found = false;
         for (const std::size_t i : {40u, 41u, 60u, 180u, 200u, 201u, 202u, 240u})
             b.observations[i].found = false;
-        const auto profile = analyse({a, b}, told, {});
+        const auto profile = analyse({a, b}, given, {});
         QVERIFY(profile.has_value());
         QCOMPARE(profile->spikes.size(), std::size_t(0));
         QCOMPARE(profile->samples[115].views, 1u);
@@ -227,7 +227,7 @@ private Q_SLOTS:
             a.observations[i].found = false;
         for (std::size_t i = 0; i < 5; ++i)
             a.observations[i].found = false;
-        const auto profile = analyse({a}, told, {});
+        const auto profile = analyse({a}, given, {});
         QVERIFY(profile.has_value());
         QVERIFY(!profile->points[4].valid);
         QVERIFY(profile->points[5].valid);
@@ -256,7 +256,7 @@ private Q_SLOTS:
         settings.durationS = 20;
         const auto a = film("A", cameraA(), rest, settings, random);
         const auto b = film("B", cameraB(), rest, settings, random);
-        const auto profile = analyse({a, b}, told, {});
+        const auto profile = analyse({a, b}, given, {});
         QVERIFY(profile.has_value());
         QCOMPARE(metric(*profile, "path_length").value, 0.0);
         QCOMPARE(metric(*profile, "duration").value, 0.0);
@@ -273,7 +273,7 @@ private Q_SLOTS:
         const Course course = hardStart(2, 2, 1);
         const auto a = film("A", cameraA(), course, settings, random);
         const auto b = film("B", cameraB(), course, settings, random);
-        const auto profile = analyse({a, b}, told, {});
+        const auto profile = analyse({a, b}, given, {});
         QVERIFY(profile.has_value());
         const double end = toSeconds(a.observations.back().time);
         const double path = course(end).position.x() - course(0).position.x();
@@ -302,7 +302,7 @@ private Q_SLOTS:
         auto a = film("A", cameraA(), figureEight(1, 1, 8), {}, random);
         for (std::size_t i = static_cast<std::size_t>(sightings); i < a.observations.size(); ++i)
             a.observations[i].found = false;
-        const auto profile = analyse({a}, told, {});
+        const auto profile = analyse({a}, given, {});
         QVERIFY(!profile);
         QCOMPARE(profile.error().code, ErrorCode::Undetermined);
         QVERIFY(profile.error().message().find("not enough data: of 300 frames " +
@@ -362,7 +362,7 @@ private Q_SLOTS:
         auto a = film("A", cameraA(), figureEight(1, 1, 8), {}, random);
         auto unregistered = a;
         unregistered.floorView.reset();
-        const auto first = analyse({unregistered}, told, {});
+        const auto first = analyse({unregistered}, given, {});
         QVERIFY(!first);
         QCOMPARE(first.error().code, ErrorCode::Undetermined);
         QCOMPARE(
@@ -371,11 +371,11 @@ private Q_SLOTS:
                         "odograph register for at least one of them"));
         for (Observation &observation : a.observations)
             observation.found = false;
-        const auto lost = analyse({a}, told, {});
+        const auto lost = analyse({a}, given, {});
         QVERIFY(!lost);
         QVERIFY(lost.error().message().find("not found in any frame of A; check that the robot moves") !=
                 std::string::npos);
-        QVERIFY(!analyse({}, told, {}));
+        QVERIFY(!analyse({}, given, {}));
         const auto word = parseSmoother("butter");
         QVERIFY(!word);
         QCOMPARE(word.error().message(),

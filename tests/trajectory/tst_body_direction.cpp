@@ -21,7 +21,7 @@ std::vector<Sighting> seen(const Path &path, double firstS, double lastS, double
         Sighting sighting;
         sighting.time = fromSeconds(t);
         sighting.seen = true;
-        sighting.place.pointInWorld = path(t);
+        sighting.position.pointInWorld = path(t);
         sightings.push_back(sighting);
     }
     return sightings;
@@ -105,7 +105,7 @@ private Q_SLOTS:
         QVERIFY(!motionAt({unseen}, fromSeconds(1)));
         // A view that saw it leaves the other out.
         unseen[30].seen = true;
-        unseen[30].place.pointInWorld = {9, 9};
+        unseen[30].position.pointInWorld = {9, 9};
         const auto motion = motionAt({unseen, seen(path, 0, 2)}, fromSeconds(1));
         QVERIFY(motion && std::abs(motion->directionRad - 1) < 0.002 &&
                 std::abs(motion->curvature - 2) < 0.03);

@@ -112,11 +112,11 @@ private Q_SLOTS:
         std::mt19937 random(5);
         const ViewTrack track = filmSolid("A", cameraA(), box, eight, 1e-6, random);
         const auto axes = trackAxis({track}, box);
-        const auto sightings = placeBody({track}, box, axes).front();
+        const auto sightings = positionBody({track}, box, axes).front();
         double squares = 0, worst = 0;
         for (std::size_t i = 0; i < sightings.size(); ++i) {
             const double error =
-                (sightings[i].place.pointInWorld - eight(toSeconds(sightings[i].time)).position).norm();
+                (sightings[i].position.pointInWorld - eight(toSeconds(sightings[i].time)).position).norm();
             squares += error * error / static_cast<double>(sightings.size());
             worst = std::max(worst, error);
         }
@@ -125,9 +125,9 @@ private Q_SLOTS:
         QVERIFY2(worst < 0.005, qPrintable(QString::number(worst)));
         // Half the height alone leaves millimetres.
         double plain = 0;
-        for (const Sighting &sighting : placeObservations(track, 0.1))
-            plain = std::max(plain,
-                             (sighting.place.pointInWorld - eight(toSeconds(sighting.time)).position).norm());
+        for (const Sighting &sighting : positionObservations(track, 0.1))
+            plain = std::max(
+                plain, (sighting.position.pointInWorld - eight(toSeconds(sighting.time)).position).norm());
         QVERIFY(plain > 0.004);
     }
 
@@ -137,7 +137,7 @@ private Q_SLOTS:
         std::mt19937 random(6);
         ViewTrack track = filmSolid("A", cameraA(), box, eight, 0.05, random);
         track.observations[50].areaPx *= 0.8;
-        const auto sightings = placeBody({track}, box, trackAxis({track}, box)).front();
+        const auto sightings = positionBody({track}, box, trackAxis({track}, box)).front();
         QCOMPARE(sightings[50].score, 0.0);
         QVERIFY(sightings[49].score > 0.5);
         QVERIFY(sightings[51].score > 0.5);
@@ -152,7 +152,7 @@ private Q_SLOTS:
         for (std::size_t i = 0; i < 200; ++i)
             covered.observations[i].areaPx *= 0.7;
         const std::vector<ViewTrack> views{whole, covered};
-        const auto sightings = placeBody(views, box, trackAxis(views, box));
+        const auto sightings = positionBody(views, box, trackAxis(views, box));
         QCOMPARE(sightings[1][100].score, 0.0);
         QVERIFY(sightings[1][250].score > 0.5);
         QVERIFY(sightings[0][100].score > 0.5);
@@ -183,8 +183,8 @@ private Q_SLOTS:
     {
         QFETCH(bool, round);
         QFETCH(double, base);
-        QFETCH(bool, heightTold);
-        QFETCH(bool, sizeTold);
+        QFETCH(bool, givesHeight);
+        QFETCH(bool, hasGivenSize);
         QFETCH(bool, oneView);
         const SolidShape shape{round ? SolidShape::Form::Cylinder : SolidShape::Form::Box, 0.24,
                                round ? 0.24 : 0.16, base, 0.12};
@@ -192,16 +192,16 @@ private Q_SLOTS:
         std::vector<ViewTrack> views{filmSolid("A", cameraA(), shape, eight, 0.05, random)};
         if (!oneView)
             views.push_back(filmSolid("B", cameraB(), shape, eight, 0.05, random));
-        RobotShape told;
-        if (heightTold)
-            told.heightM = 0.12;
-        if (sizeTold) {
-            told.lengthM = 0.24;
-            told.widthM = shape.widthM;
+        RobotShape given;
+        if (givesHeight)
+            given.heightM = 0.12;
+        if (hasGivenSize) {
+            given.lengthM = 0.24;
+            given.widthM = shape.widthM;
         }
-        const auto estimate = estimateShape(views, told);
+        const auto estimate = estimateShape(views, given);
         QVERIFY(estimate.has_value());
-        QCOMPARE(estimate->heightEstimated, !heightTold);
+        QCOMPARE(estimate->heightEstimated, !givesHeight);
         QCOMPARE(int(estimate->shape.form), int(shape.form));
         // 0.05 px of noise on axes of 30 px, over 30 times: tenths of a millimetre; one view is weaker.
         const double bound = oneView ? 0.006 : 0.003;
@@ -210,7 +210,7 @@ private Q_SLOTS:
         QVERIFY(std::abs(estimate->shape.lengthM - 0.24) < bound);
         QVERIFY(std::abs(estimate->shape.baseM - base) < bound);
         QVERIFY(estimate->misfit < 1);
-        if (!heightTold)
+        if (!givesHeight)
             QVERIFY(std::abs(estimate->shape.topM - 0.12) < 4 * estimate->sigmaTopM);
     }
 

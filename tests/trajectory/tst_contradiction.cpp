@@ -24,9 +24,9 @@ std::vector<Sighting> viewBeside(const Eigen::Vector2d &besideM, unsigned seed)
     for (std::size_t i = 0; i < times; ++i) {
         sightings[i].time = Nanoseconds(std::int64_t(i) * 33'333'333);
         sightings[i].seen = true;
-        sightings[i].place.pointInWorld =
+        sightings[i].position.pointInWorld =
             Eigen::Vector2d(0.01 * double(i), 0) + besideM + Eigen::Vector2d(noise(random), noise(random));
-        sightings[i].place.pixelCovariance = sightings[i].place.calibrationCovariance =
+        sightings[i].position.pixelCovariance = sightings[i].position.calibrationCovariance =
             Eigen::Matrix2d::Identity() * sigmaM * sigmaM / 2;
     }
     return sightings;
@@ -34,7 +34,8 @@ std::vector<Sighting> viewBeside(const Eigen::Vector2d &besideM, unsigned seed)
 
 double sigmaOf(const Sighting &sighting)
 {
-    return std::sqrt((sighting.place.pixelCovariance + sighting.place.calibrationCovariance).trace() / 2);
+    return std::sqrt((sighting.position.pixelCovariance + sighting.position.calibrationCovariance).trace() /
+                     2);
 }
 
 bool isContradicted(double apartM)
@@ -70,7 +71,7 @@ private Q_SLOTS:
         const std::vector<double> apartM = settleContradictions(views);
         QVERIFY(std::ranges::all_of(apartM, [](double one) { return std::abs(one - 0.02) < 0.006; }));
         const FusedPosition fused =
-            fuse(std::vector<ViewPosition>{{0, views[0][100].place}, {1, views[1][100].place}});
+            fuse(std::vector<ViewPosition>{{0, views[0][100].position}, {1, views[1][100].position}});
         const double sigma = std::sqrt((fused.covariance + fused.commonCovariance).trace() / 2);
         // 20 mm / 2 / √2 · 4.30 / 1.96
         QVERIFY2(std::abs(sigma - 0.0155) < 0.001, qPrintable(QString::number(sigma)));
@@ -83,7 +84,7 @@ private Q_SLOTS:
     {
         std::vector<std::vector<Sighting>> views{viewBeside({0, 0}, 1), viewBeside({0, 0}, 2)};
         for (std::size_t i = 150; i < times; ++i)
-            views[0][i].place.pointInWorld.y() += 0.03;
+            views[0][i].position.pointInWorld.y() += 0.03;
         const std::vector<double> apartM = settleContradictions(views);
         for (std::size_t i = 0; i < times; ++i)
             QVERIFY(i < 148 ? !isContradicted(apartM[i]) : i < 153 || isContradicted(apartM[i]));
@@ -117,7 +118,7 @@ private Q_SLOTS:
         std::vector<std::vector<Sighting>> glance{viewBeside({0, 0}, 1), viewBeside({0, 0}, 2)},
             apart{viewBeside({0.5, 0}, 1), viewBeside({0, 0}, 2)};
         for (std::size_t i = 100; i < 115; ++i)
-            glance[0][i].place.pointInWorld.y() += 0.1;
+            glance[0][i].position.pointInWorld.y() += 0.1;
         QVERIFY(!any(settleContradictions(glance)));
         QVERIFY(!any(settleContradictions(apart)));
         std::vector<std::vector<Sighting>> none, alone{viewBeside({0, 0}, 1)};

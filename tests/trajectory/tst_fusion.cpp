@@ -14,7 +14,7 @@ using namespace odo::test;
 
 namespace {
 
-FloorPosition place(double x, double y, double sx, double sy, double common = 0)
+FloorPosition position(double x, double y, double sx, double sy, double common = 0)
 {
     FloorPosition position;
     position.pointInWorld = {x, y};
@@ -32,7 +32,7 @@ std::vector<Sighting> sightings(const std::vector<double> &times, const std::fun
         sighting.time = fromSeconds(t);
         sighting.seen = true;
         sighting.score = 1;
-        sighting.place = place(x(t), 0, 0.002, 0.002);
+        sighting.position = position(x(t), 0, 0.002, 0.002);
         all.push_back(sighting);
     }
     return all;
@@ -53,7 +53,7 @@ std::vector<std::vector<Sighting>> lookAtZero(const std::vector<ViewTrack> &view
         times.push_back(observation.time);
     std::vector<std::vector<Sighting>> all;
     for (const ViewTrack &view : views)
-        all.push_back(sightingsAt(times, placeObservations(view, 0)));
+        all.push_back(sightingsAt(times, positionObservations(view, 0)));
     return all;
 }
 
@@ -66,8 +66,8 @@ private Q_SLOTS:
     void twoGaussiansInClosedForm()
     {
         // x: σ 1 and 2 mm → weights 4:1; y: 2 and 1 mm → 1:4; variance 1/(1/1 + 1/4) = 0.8 mm².
-        const std::vector<ViewPosition> both{{0, place(0, 0, 0.001, 0.002)},
-                                             {2, place(0.005, 0.005, 0.002, 0.001)}};
+        const std::vector<ViewPosition> both{{0, position(0, 0, 0.001, 0.002)},
+                                             {2, position(0.005, 0.005, 0.002, 0.001)}};
         const FusedPosition fused = fuse(both);
         QVERIFY((fused.position - Eigen::Vector2d(0.001, 0.004)).norm() < 1e-12);
         QVERIFY((fused.covariance - Eigen::Matrix2d::Identity() * 0.8e-6).norm() < 1e-15);
@@ -84,7 +84,7 @@ private Q_SLOTS:
         std::vector<ViewPosition> views;
         for (std::uint32_t v = 0; v < 3; ++v) {
             const Eigen::Matrix2d turn = Eigen::Rotation2Dd(0.9 * v + 0.2).toRotationMatrix();
-            FloorPosition position = place(1, 2, 0.001, 0.004, 0.002 + 0.001 * v);
+            FloorPosition position = position(1, 2, 0.001, 0.004, 0.002 + 0.001 * v);
             position.pixelCovariance = turn * position.pixelCovariance * turn.transpose();
             views.push_back({v, position});
         }
@@ -96,8 +96,8 @@ private Q_SLOTS:
                 auto drawn = views;
                 for (ViewPosition &view : drawn) {
                     const Eigen::Matrix2d covariance =
-                        pixels ? view.place.pixelCovariance : view.place.calibrationCovariance;
-                    view.place.pointInWorld +=
+                        pixels ? view.position.pixelCovariance : view.position.calibrationCovariance;
+                    view.position.pointInWorld +=
                         covariance.llt().matrixL() * Eigen::Vector2d(noise(random), noise(random));
                 }
                 const Eigen::Vector2d error = fuse(drawn).position - stated.position;
@@ -112,8 +112,8 @@ private Q_SLOTS:
     void theCommonPartIsKeptApart()
     {
         // Equal views: each part is halved, and neither leaks into the other.
-        const std::vector<ViewPosition> both{{0, place(0, 0, 0.001, 0.001, 0.003)},
-                                             {1, place(0, 0, 0.001, 0.001, 0.003)}};
+        const std::vector<ViewPosition> both{{0, position(0, 0, 0.001, 0.001, 0.003)},
+                                             {1, position(0, 0, 0.001, 0.001, 0.003)}};
         const FusedPosition fused = fuse(both);
         QVERIFY((fused.covariance - Eigen::Matrix2d::Identity() * 0.5e-6).norm() < 1e-15);
         QVERIFY((fused.commonCovariance - Eigen::Matrix2d::Identity() * 4.5e-6).norm() < 1e-15);
@@ -133,10 +133,10 @@ private Q_SLOTS:
         observation.ellipse.centrePx = {700, 300};
         observation.centreCovariancePx2 = Eigen::Matrix2d::Identity() * 0.04 * 0.04;
         view.observations = {observation};
-        const Sighting sighting = placeObservations(view, 0).front();
+        const Sighting sighting = positionObservations(view, 0).front();
         QVERIFY(sighting.seen);
         const double expected = std::pow(0.05 * 0.002, 2);
-        QVERIFY((sighting.place.calibrationCovariance - Eigen::Matrix2d::Identity() * expected).norm() <
+        QVERIFY((sighting.position.calibrationCovariance - Eigen::Matrix2d::Identity() * expected).norm() <
                 1e-6 * expected);
     }
     void anOffsetIsLedOnAsFarAsItsCauseReaches()
@@ -161,7 +161,7 @@ private Q_SLOTS:
             track.samples.push_back(sample);
             Sighting sighting;
             sighting.seen = true;
-            sighting.place.pointInWorld = near + offset;
+            sighting.position.pointInWorld = near + offset;
             views[0].push_back(sighting);
             views[1].emplace_back();
         }
@@ -175,12 +175,12 @@ private Q_SLOTS:
         auto a = sightings({0, 1, 2, 3, 4, 5, 6, 7, 8, 9}, [](double) { return 0; });
         auto b = sightings({0, 1, 2, 3, 4, 5, 6, 7, 8, 9}, [](double) { return 0.02; });
         const AgreementGate gate({a, b});
-        QVERIFY(gate.agree({0, a[3].place}, {1, b[3].place}));
-        QVERIFY(!gate.agree({0, a[3].place}, {1, place(0.12, 0, 0.002, 0.002)}));
+        QVERIFY(gate.agree({0, a[3].position}, {1, b[3].position}));
+        QVERIFY(!gate.agree({0, a[3].position}, {1, position(0.12, 0, 0.002, 0.002)}));
         // Without such a history 20 mm are too much already.
-        QVERIFY(!AgreementGate({a, a}).agree({0, a[3].place}, {1, b[3].place}));
+        QVERIFY(!AgreementGate({a, a}).agree({0, a[3].position}, {1, b[3].position}));
         const std::vector<ViewPosition> three{
-            {0, a[3].place}, {1, place(0.12, 0, 0.002, 0.002)}, {2, a[3].place}};
+            {0, a[3].position}, {1, position(0.12, 0, 0.002, 0.002)}, {2, a[3].position}};
         const auto group = gate.largestAgreeingGroup(three);
         QCOMPARE(group.size(), std::size_t(2));
         QCOMPARE(group[1].view, 2u);
@@ -192,8 +192,8 @@ private Q_SLOTS:
         const auto view = sightings({0, 0.03, 0.07, 0.1, 0.13, 0.17}, cubic);
         for (const Sighting &sighting : sightingsAt(at({0.04, 0.05, 0.09, 0.12}), view)) {
             QVERIFY(sighting.seen);
-            QVERIFY(std::abs(sighting.place.pointInWorld.x() - cubic(toSeconds(sighting.time))) < 1e-9);
-            QVERIFY(std::abs(sighting.place.pixelCovariance(0, 0) - 4e-6) < 1e-12);
+            QVERIFY(std::abs(sighting.position.pointInWorld.x() - cubic(toSeconds(sighting.time))) < 1e-9);
+            QVERIFY(std::abs(sighting.position.pixelCovariance(0, 0) - 4e-6) < 1e-12);
         }
     }
 
@@ -207,7 +207,7 @@ private Q_SLOTS:
         const std::vector<bool> expected{false, true, true, true, false, false, false, false, true, false};
         for (std::size_t i = 0; i < found.size(); ++i)
             QVERIFY2(found[i].seen == expected[i], qPrintable(QString::number(i)));
-        QVERIFY(std::abs(found[3].place.pointInWorld.x() - 0.15) < 1e-9);
+        QVERIFY(std::abs(found[3].position.pointInWorld.x() - 0.15) < 1e-9);
         QVERIFY(sightingsAt(at({1.0}), {}).front().seen == false);
     }
 
@@ -220,7 +220,7 @@ private Q_SLOTS:
         for (int i = 1; i < 55; ++i)
             fast.push_back(i / 30.0);
         const auto found = sightingsAt(at(fast), sightings(slow, [](double t) { return t; }));
-        QVERIFY(std::abs(found[20].place.pixelCovariance(0, 0) - 3 * 4e-6) < 1e-7);
+        QVERIFY(std::abs(found[20].position.pixelCovariance(0, 0) - 3 * 4e-6) < 1e-7);
     }
 
     void heightFromTwoViews()

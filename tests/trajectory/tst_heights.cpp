@@ -32,9 +32,9 @@ class TestHeights : public QObject
         for (ViewTrack &view : views) {
             for (Observation &observation : view.observations) {
                 const double t = toSeconds(observation.time);
-                const Eigen::Vector2d place = course(t).position;
+                const Eigen::Vector2d position = course(t).position;
                 observation.ellipse.centrePx =
-                    *view.floorView->pixelFromWorld({place.x(), place.y(), heightM(t)}) +
+                    *view.floorView->pixelFromWorld({position.x(), position.y(), heightM(t)}) +
                     Eigen::Vector2d(noise(random), noise(random));
             }
         }

@@ -88,7 +88,7 @@ private Q_SLOTS:
     {
         const auto track = circle(0.002);
         AnalysisOptions options;
-        options.overrules = {{100, true}};
+        options.overrides = {{100, true}};
         const auto profile = analyseImported(samplesOfImported(track, 0.002), options);
         QVERIFY(profile);
         QCOMPARE(profile->spikes.size(), std::size_t(1));

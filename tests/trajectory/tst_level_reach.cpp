@@ -29,7 +29,7 @@ SolidShape roundShape(std::array<double, 3> radiiM, std::array<double, 3> height
 }
 
 /// By projecting five thousand points of each rim.
-Reach reachOfRims(const FloorView &view, const SolidShape &shape, const Eigen::Vector2d &place)
+Reach reachOfRims(const FloorView &view, const SolidShape &shape, const Eigen::Vector2d &position)
 {
     Reach reach;
     reach.fill(-HUGE_VAL);
@@ -37,8 +37,8 @@ Reach reachOfRims(const FloorView &view, const SolidShape &shape, const Eigen::V
         for (int i = 0; i < 5000; ++i) {
             const double angle = 2 * std::numbers::pi * i / 5000;
             const auto pixel =
-                view.pixelFromWorld({place.x() + level.frontM * std::cos(angle),
-                                     place.y() + level.frontM * std::sin(angle), level.heightM});
+                view.pixelFromWorld({position.x() + level.frontM * std::cos(angle),
+                                     position.y() + level.frontM * std::sin(angle), level.heightM});
             for (std::size_t k = 0; k < supportDirections; ++k)
                 reach[k] = std::max(reach[k], supportDirection(k).dot(*pixel));
         }
@@ -75,14 +75,14 @@ private Q_SLOTS:
         QFETCH(double, distance);
         const FloorView view = cameraLookingAt({0, -0.8 * distance, 0.6 * distance}, {0, 0, 0});
         const SolidShape shape = roundShape({radius, radius, radius}, {0.02, 0.05, 0.08});
-        for (const Eigen::Vector2d &place : {Eigen::Vector2d(0, 0), Eigen::Vector2d(0.7, 0.2)}) {
-            const double pose[] = {place.x(), place.y(), 0.4};
+        for (const Eigen::Vector2d &position : {Eigen::Vector2d(0, 0), Eigen::Vector2d(0.7, 0.2)}) {
+            const double pose[] = {position.x(), position.y(), 0.4};
             Reach reach;
             QVERIFY(reachOfLevels(view, levelsOfShape<double>(shape), shape.roundShare, pose, reach,
                                   nothingMore));
             // A tenth of what a silhouette's edge is known to; 5000 points leave 1e-4 px. An ellipse about
             // the middle's picture is a pixel off.
-            const double worst = worstDifference(reach, reachOfRims(view, shape, place));
+            const double worst = worstDifference(reach, reachOfRims(view, shape, position));
             QVERIFY2(worst < 0.03, qPrintable(QString::number(worst)));
         }
     }

@@ -74,7 +74,7 @@ LiveErrors errorsFrom(double fromS, const std::vector<LivePosition> &positions, 
 }
 
 constexpr double heightM = 0.06; // a body of that height: its silhouette's centre is filmed at half of it
-const RobotShape toldHeight{heightM, std::nullopt, std::nullopt};
+const RobotShape givenHeight{heightM, std::nullopt, std::nullopt};
 
 } // namespace
 
@@ -117,7 +117,7 @@ void TestLiveTrack::followsAtOnce()
     QFETCH(double, fps);
     const std::vector<ViewTrack> tracks{filmed(cameraA(), 0, std::max(30.0, fps)),
                                         filmed(cameraB(), laterS, fps)};
-    const auto positions = follow(tracks, toldHeight);
+    const auto positions = follow(tracks, givenHeight);
     const LiveErrors errors = errorsFrom(1, positions, m_eight);
     // One position a picture of the faster view, within a twentieth.
     const double rate = std::max(30.0, fps);
@@ -144,7 +144,7 @@ void TestLiveTrack::oneViewThatStallsIsNotWaitedFor()
         std::vector<ViewTrack> without = tracks;
         auto &observations = without[stalled == &tracks[0] ? 0 : 1].observations;
         std::erase_if(observations, [](const Observation &each) { return each.time > 4s && each.time < 7s; });
-        const auto positions = follow(without, toldHeight);
+        const auto positions = follow(without, givenHeight);
         int alone = 0;
         Nanoseconds last{0}, longest{0};
         for (const LivePosition &position : positions) {
@@ -162,20 +162,20 @@ void TestLiveTrack::unregisteredViewsAndUnseenRobotsGiveNoPlace()
 {
     std::vector<ViewTrack> tracks{filmed(cameraA(), 0), filmed(cameraB(), 0.01)};
     tracks[0].floorView.reset();
-    const auto one = follow(tracks, toldHeight);
+    const auto one = follow(tracks, givenHeight);
     QVERIFY(errorsFrom(1, one, m_eight).points > 250);
     QCOMPARE(one.back().sample.views, 2u);
 
     for (Observation &observation : tracks[1].observations)
         observation.found = false;
-    const auto unseen = follow(tracks, toldHeight);
+    const auto unseen = follow(tracks, givenHeight);
     QVERIFY(unseen.size() > 250);
     for (const LivePosition &position : unseen) {
         QVERIFY(!position.sample.position && !position.point.valid && !position.isSpike);
         QVERIFY(hasFlag(position.sample.flags, SampleFlag::Lost));
     }
     tracks[1].floorView.reset();
-    QVERIFY(follow(tracks, toldHeight).empty());
+    QVERIFY(follow(tracks, givenHeight).empty());
 }
 
 void TestLiveTrack::aSpikeIsNotTakenAndARobotPutElsewhereIs()
@@ -192,7 +192,7 @@ void TestLiveTrack::aSpikeIsNotTakenAndARobotPutElsewhereIs()
     };
     moveTo(120, 122, {0.2, 0});
     moveTo(200, 300, {0, 0.3});
-    const auto positions = follow(tracks, toldHeight);
+    const auto positions = follow(tracks, givenHeight);
     QCOMPARE(positions.size(), std::size_t(300));
     QVERIFY(positions[120].isSpike && positions[121].isSpike && !positions[119].isSpike &&
             !positions[122].isSpike);

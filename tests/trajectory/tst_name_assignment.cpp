@@ -203,13 +203,13 @@ void TestNameAssignment::oneViewExchanges()
 {
     QFETCH(bool, equal);
     QFETCH(bool, bounce);
-    QFETCH(bool, heightTold);
+    QFETCH(bool, givesHeight);
     const std::vector<Course> courses = bounce
                                             ? std::vector<Course>{bouncer(0, 1, 4), bouncer(0.2, -1, 4)}
                                             : std::vector<Course>{shuttle(0, 0.9, 4), shuttle(0.35, -0.9, 4)};
     const std::vector<RgbColour> colours{red, equal ? red : orangeRed};
     std::optional<double> height;
-    if (heightTold)
+    if (givesHeight)
         height = 0.06;
     for (unsigned seed = 0; seed < 6; ++seed) {
         std::mt19937 random(seed);
@@ -265,8 +265,8 @@ void TestNameAssignment::namedTheOtherWayRoundFromTheStart()
         std::mt19937 random(6);
         const std::vector<FilmedView> cameras{{cameraA(), 0, {}, {}}, {cameraB(), 0, {{1.1, 1.4}}, {}}};
         // The camera's white balance turns both hues by 10°: only the order of the two is right.
-        const std::vector<RgbColour> told{red, equal ? red : orangeRed};
-        auto filmed = filmAll(cameras, courses, told, random,
+        const std::vector<RgbColour> given{red, equal ? red : orangeRed};
+        auto filmed = filmAll(cameras, courses, given, random,
                               equal ? std::set<std::size_t>{1} : std::set<std::size_t>{0, 1});
         for (NamedView &view : filmed) {
             for (auto &observations : view.robots) {
@@ -274,7 +274,7 @@ void TestNameAssignment::namedTheOtherWayRoundFromTheStart()
                     observation.meanChroma = Eigen::Rotation2Dd(0.17) * observation.meanChroma;
             }
         }
-        assignNames(filmed, {{told[0], 0.06}, {told[1], 0.06}});
+        assignNames(filmed, {{given[0], 0.06}, {given[1], 0.06}});
         QCOMPARE(wrongNames(filmed, cameras, courses, equal), 0);
     }
 }
@@ -335,7 +335,7 @@ void TestNameAssignment::sixOfOneLook()
     std::swap(filmed[1].robots[0], filmed[1].robots[4]);
     const NameOutcome outcome = assignNames(filmed, std::vector<NamedRobot>(6));
     QVERIFY(outcome.renamed > 0);
-    QCOMPARE(outcome.doubts.size(), std::size_t(0));
+    QCOMPARE(outcome.ambiguities.size(), std::size_t(0));
     QCOMPARE(wrongNames(filmed, cameras, courses, true), 0);
 }
 
@@ -396,17 +396,17 @@ void TestNameAssignment::whereNothingDecidesIsDoubtful()
     auto filmed = filmAll({{cameraA(), 0, together, {}}, {cameraB(), 0, together, {}}},
                           {meeting(1), meeting(-1)}, {red, red}, random);
     const NameOutcome outcome = assignNames(filmed, std::vector<NamedRobot>(2));
-    QCOMPARE(outcome.doubts.size(), std::size_t(2));
+    QCOMPARE(outcome.ambiguities.size(), std::size_t(2));
     for (std::size_t robot = 0; robot < 2; ++robot) {
-        QCOMPARE(outcome.doubts[robot].robot, robot);
-        QVERIFY(std::abs(outcome.doubts[robot].fromS - 2.2) < 0.1);
-        QVERIFY(std::abs(outcome.doubts[robot].toS - 6) < 0.1);
-        QVERIFY((outcome.doubts[robot].others == std::vector<std::size_t>{1 - robot}));
+        QCOMPARE(outcome.ambiguities[robot].robot, robot);
+        QVERIFY(std::abs(outcome.ambiguities[robot].fromS - 2.2) < 0.1);
+        QVERIFY(std::abs(outcome.ambiguities[robot].toS - 6) < 0.1);
+        QVERIFY((outcome.ambiguities[robot].others == std::vector<std::size_t>{1 - robot}));
     }
     // Passing one another they go on as they came.
     auto passing = filmAll({{cameraA(), 0, fiveMeetings, {}}, {cameraB(), 0, fiveMeetings, {}}},
                            {shuttle(0, 0.9, 4), shuttle(0.35, -0.9, 4)}, {red, red}, random);
-    QCOMPARE(assignNames(passing, std::vector<NamedRobot>(2)).doubts.size(), std::size_t(0));
+    QCOMPARE(assignNames(passing, std::vector<NamedRobot>(2)).ambiguities.size(), std::size_t(0));
 }
 
 ODOGRAPH_TEST(TestNameAssignment, QCoreApplication)

@@ -24,11 +24,11 @@ class TestOcclusions : public QObject
         Profile profile;
         std::vector<Observation> seen;
 
-        Filmed(std::string itsName, const Eigen::Vector2d &place) : name(std::move(itsName))
+        Filmed(std::string itsName, const Eigen::Vector2d &position) : name(std::move(itsName))
         {
-            Run run = exactly([place](double) { return Truth{place, {}, {}}; }, durationS);
+            Run run = exactly([position](double) { return Truth{position, {}, {}}; }, durationS);
             const double distanceM =
-                (Eigen::Vector3d(place.x(), place.y(), 0) - viewA.cameraInWorld()).norm();
+                (Eigen::Vector3d(position.x(), position.y(), 0) - viewA.cameraInWorld()).norm();
             const double radiusPx = radiusM * viewA.camera().intrinsics().fxPx / distanceM;
             for (Sample &sample : run.samples) {
                 sample.views = 3;

@@ -83,30 +83,30 @@ std::vector<ViewTrack> filmed(const Hull &body, int seed, double noisePx = 0.2)
             filmHull("B", cameraB(), body, eight, noisePx, random)};
 }
 
-struct PlaceErrors
+struct PositionErrors
 {
     double rmsM = 0, insideShare = 0;
     /// forward and left: the mean error, and the stated σ of what lasts
     Eigen::Vector2d lastingM = Eigen::Vector2d::Zero(), sigmaM = Eigen::Vector2d::Zero();
 };
 
-PlaceErrors errorsOf(const std::vector<Sighting> &sightings)
+PositionErrors errorsOf(const std::vector<Sighting> &sightings)
 {
-    PlaceErrors errors;
+    PositionErrors errors;
     double count = 0;
     for (const Sighting &sighting : sightings) {
         if (!sighting.seen)
             continue;
         const Truth truth = eight(toSeconds(sighting.time));
-        const Eigen::Vector2d off = sighting.place.pointInWorld - truth.position;
+        const Eigen::Vector2d off = sighting.position.pointInWorld - truth.position;
         const Eigen::Matrix2d toRobot = Eigen::Rotation2Dd(-headingOf(truth)).toRotationMatrix();
         const Eigen::Matrix2d covariance =
-            sighting.place.pixelCovariance + sighting.place.calibrationCovariance;
+            sighting.position.pixelCovariance + sighting.position.calibrationCovariance;
         errors.rmsM += off.squaredNorm();
         errors.insideShare += off.dot(covariance.inverse() * off) < 5.991; // 95 % of two dimensions
         errors.lastingM += toRobot * off;
         errors.sigmaM +=
-            (toRobot * sighting.place.calibrationCovariance * toRobot.transpose()).diagonal().cwiseSqrt();
+            (toRobot * sighting.position.calibrationCovariance * toRobot.transpose()).diagonal().cwiseSqrt();
         count += 1;
     }
     return {std::sqrt(errors.rmsM / count), errors.insideShare / count, errors.lastingM / count,
@@ -120,14 +120,14 @@ struct Fitted
     std::optional<LevelFit> fit;
 };
 
-Fitted fitted(const std::vector<ViewTrack> &views, const RobotShape &told)
+Fitted fitted(const std::vector<ViewTrack> &views, const RobotShape &given)
 {
     const auto box = estimateShape(views, {});
     const auto axes = trackAxis(views, box->shape);
-    const auto seen = placeBody(views, box->shape, axes);
+    const auto seen = positionBody(views, box->shape, axes);
     Fitted result{levelTimes(views), {}};
     result.fit =
-        fitLevels(result.times, views, directedAxes(views, seen, axes), seen, box->shape, told, {0.1, 0});
+        fitLevels(result.times, views, directedAxes(views, seen, axes), seen, box->shape, given, {0.1, 0});
     return result;
 }
 
@@ -155,7 +155,7 @@ private Q_SLOTS:
         QVERIFY(solid.has_value());
         QCOMPARE(int(solid->shape.form), int(SolidShape::Form::Levels));
         for (const auto &view : solid->seen) {
-            const PlaceErrors errors = errorsOf(view);
+            const PositionErrors errors = errorsOf(view);
             // 1.4 to 1.9 mm of a boat, whose bow is sharper than what is learned is smooth, and 0.9 to 1.3 mm
             // of the other when this was written.
             QVERIFY2(errors.rmsM < (isBoat ? 0.0028 : 0.0019), qPrintable(QString::number(errors.rmsM)));
@@ -212,13 +212,13 @@ private Q_SLOTS:
     void whatWasToldOfItsSizeIsKept()
     {
         QFETCH(double, offM);
-        RobotShape told;
-        told.lengthM = lengthM + offM;
-        told.widthM = widthM;
+        RobotShape given;
+        given.lengthM = lengthM + offM;
+        given.widthM = widthM;
         const std::vector<ViewTrack> views = filmed(boat, 2);
-        const auto [times, fit] = fitted(views, told);
+        const auto [times, fit] = fitted(views, given);
         QVERIFY(fit.has_value());
-        const auto learned = learnReach(times, *fit, told);
+        const auto learned = learnReach(times, *fit, given);
         QVERIFY(learned.has_value());
         const auto sizeAlong = [&](const Eigen::Vector3d &axis, double ofSolid) {
             return ofSolid + learned->outlines.reach.at(axis) + learned->outlines.reach.at(-axis);
@@ -227,9 +227,10 @@ private Q_SLOTS:
                      width = sizeAlong(Eigen::Vector3d::UnitY(), fit->shape.widthM);
         // To the millimetre that it is taken for exact to, and a little more where the outlines say
         // otherwise.
-        QVERIFY2(std::abs(length - *told.lengthM) < (offM == 0 ? 0.0012 : 0.0018),
-                 qPrintable(QString::number(length - *told.lengthM)));
-        QVERIFY2(std::abs(width - *told.widthM) < 0.0012, qPrintable(QString::number(width - *told.widthM)));
+        QVERIFY2(std::abs(length - *given.lengthM) < (offM == 0 ? 0.0012 : 0.0018),
+                 qPrintable(QString::number(length - *given.lengthM)));
+        QVERIFY2(std::abs(width - *given.widthM) < 0.0012,
+                 qPrintable(QString::number(width - *given.widthM)));
     }
 
     void outlinesThatAreEmptyTellNothing()

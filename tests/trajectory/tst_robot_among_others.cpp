@@ -16,10 +16,10 @@ namespace {
 
 constexpr float outlinePx = 15;
 
-Truth at(const Vector2d &place)
+Truth at(const Vector2d &position)
 {
     Truth truth;
-    truth.position = place;
+    truth.position = position;
     return truth;
 }
 
@@ -70,20 +70,20 @@ int framesOff(const NamedView &view, const FloorView &camera, const Course &cour
 {
     int off = 0;
     for (const Observation &one : view.robots.front()) {
-        const Vector2d place = course(toSeconds(one.time)).position;
-        off += !one.found ||
-                       (*camera.pixelFromWorld({place.x(), place.y(), 0.03}) - one.ellipse.centrePx).norm() >
-                           outlinePx
-                   ? 1
-                   : 0;
+        const Vector2d position = course(toSeconds(one.time)).position;
+        off +=
+            !one.found || (*camera.pixelFromWorld({position.x(), position.y(), 0.03}) - one.ellipse.centrePx)
+                                  .norm() > outlinePx
+                ? 1
+                : 0;
     }
     return off;
 }
 
 Vector2d seenAt(const NamedView &view, const Course &course, std::size_t frame)
 {
-    const Vector2d place = course(toSeconds(view.robots.front()[frame].time)).position;
-    return *view.floorView->pixelFromWorld({place.x(), place.y(), 0.03});
+    const Vector2d position = course(toSeconds(view.robots.front()[frame].time)).position;
+    return *view.floorView->pixelFromWorld({position.x(), position.y(), 0.03});
 }
 
 } // namespace
@@ -110,7 +110,7 @@ void TestRobotAmongOthers::whatDrivesIsTheRobot()
     QCOMPARE(framesOff(views[0], cameraA(), drives), 0);
     QCOMPARE(framesOff(views[1], cameraB(), drives), 0);
     QVERIFY(outcome.renamed > 0);
-    QCOMPARE(outcome.doubts.size(), std::size_t(0));
+    QCOMPARE(outcome.ambiguities.size(), std::size_t(0));
 }
 
 /// A ball rolls as far as the robot drives and is seen all the time, the robot for half of it.
@@ -219,17 +219,17 @@ void TestRobotAmongOthers::uncutOutlinesTellLess()
     for (std::size_t i = 0; i < 7; ++i)
         first[i].isTrimmed = true;
     const auto untouched = first;
-    doubtUntrimmed({&first, &second}); // 7 of 20
+    uncertaintyUntrimmed({&first, &second}); // 7 of 20
     QCOMPARE(first[9].score, 1.0);
     for (std::size_t i = 0; i < 7; ++i)
         second[i].isTrimmed = true;
-    doubtUntrimmed({&first, &second});
+    uncertaintyUntrimmed({&first, &second});
     QCOMPARE(first[0].score, 1.0);
     QVERIFY(first[0].centreCovariancePx2.isZero());
     QVERIFY(first[9].score < 0.3 && first[9].score > 0.2); // of use to measure, and not to learn from
     QVERIFY(first[9].centreCovariancePx2(0, 0) > 0);
     first[9].found = false;
-    doubtUntrimmed({});
+    uncertaintyUntrimmed({});
 }
 
 ODOGRAPH_TEST(TestRobotAmongOthers, QCoreApplication)

@@ -30,21 +30,21 @@ SolidShape buggy()
     return shape;
 }
 
-struct PlaceErrors
+struct PositionErrors
 {
     double rmsM = 0, insideShare = 0;
 };
 
-PlaceErrors errorsOf(const std::vector<Sighting> &sightings)
+PositionErrors errorsOf(const std::vector<Sighting> &sightings)
 {
-    PlaceErrors errors;
+    PositionErrors errors;
     double count = 0;
     for (const Sighting &sighting : sightings) {
         if (!sighting.seen)
             continue;
-        const Eigen::Vector2d off = sighting.place.pointInWorld - eight(toSeconds(sighting.time)).position;
+        const Eigen::Vector2d off = sighting.position.pointInWorld - eight(toSeconds(sighting.time)).position;
         const Eigen::Matrix2d covariance =
-            sighting.place.pixelCovariance + sighting.place.calibrationCovariance;
+            sighting.position.pixelCovariance + sighting.position.calibrationCovariance;
         errors.rmsM += off.squaredNorm();
         errors.insideShare += off.dot(covariance.inverse() * off) < 5.991; // 95 % of two dimensions
         count += 1;
@@ -78,7 +78,7 @@ private Q_SLOTS:
                  qPrintable(QStringLiteral("%1 %2").arg(solid->shape.lengthM).arg(solid->shape.widthM)));
         QVERIFY2(std::abs(solid->shape.topM - 0.095) < 0.012, qPrintable(QString::number(solid->shape.topM)));
         for (const auto &view : solid->seen) {
-            const PlaceErrors errors = errorsOf(view);
+            const PositionErrors errors = errorsOf(view);
             // 0.2 px of noise are 0.6 mm a picture; twice that.
             QVERIFY2(errors.rmsM < 0.0012, qPrintable(QString::number(errors.rmsM)));
             QVERIFY2(errors.insideShare > 0.8, qPrintable(QString::number(errors.insideShare)));
@@ -103,7 +103,7 @@ private Q_SLOTS:
         const auto solid = findSolid(views, untold);
         QVERIFY(solid && std::abs(solid->shape.lengthM - 0.26) < 0.005 &&
                 std::abs(solid->shape.widthM - 0.19) < 0.005);
-        const PlaceErrors errors = errorsOf(solid->seen.front());
+        const PositionErrors errors = errorsOf(solid->seen.front());
         QVERIFY2(errors.rmsM < 0.002 && errors.insideShare > 0.9,
                  qPrintable(QStringLiteral("%1 %2").arg(errors.rmsM).arg(errors.insideShare)));
     }
@@ -132,19 +132,19 @@ private Q_SLOTS:
                                      {SolidShape::Form::Cylinder, 0.2, 0.2, 0, 0.06},
                                      buggy()};
         const Eigen::Vector2d reference(0.07, -0.03);
-        RobotShape told;
-        told.referenceM = reference;
+        RobotShape given;
+        given.referenceM = reference;
         std::mt19937 random(8);
         const auto filmed = form == 2 ? filmSilhouette : filmSolid;
         const std::vector<ViewTrack> views{filmed("A", cameraA(), shapes[form], eight, 0.05, random),
                                            filmed("B", cameraB(), shapes[form], eight, 0.05, random)};
-        const auto solid = findSolid(views, told);
+        const auto solid = findSolid(views, given);
         QVERIFY(solid.has_value());
         double squares = 0, count = 0;
         for (const Sighting &sighting : solid->seen.front()) {
             const Truth truth = eight(toSeconds(sighting.time));
             const Eigen::Vector2d wanted = truth.position + Eigen::Rotation2Dd(headingOf(truth)) * reference;
-            squares += sighting.seen ? (sighting.place.pointInWorld - wanted).squaredNorm() : 0;
+            squares += sighting.seen ? (sighting.position.pointInWorld - wanted).squaredNorm() : 0;
             count += sighting.seen;
         }
         const double rmsM = std::sqrt(squares / count);
@@ -158,7 +158,7 @@ private Q_SLOTS:
         std::mt19937 random(6);
         const std::vector<ViewTrack> views{filmSolid("A", cameraA(), box, eight, 0.05, random)};
         const auto axes = trackAxis(views, box);
-        const auto seen = placeBody(views, box, axes);
+        const auto seen = positionBody(views, box, axes);
         for (const auto &directions :
              {directedAxes(views, seen, axes), directionsOfMotion(views, seen, axes)}) {
             int wrong = 0;
@@ -178,7 +178,7 @@ private Q_SLOTS:
         const Course still = [](double) { return Truth{{0.3, 0.2}, {1e-9, 0}, {0, 0}}; };
         const std::vector<ViewTrack> views{filmSolid("A", cameraA(), box, still, 0.05, random)};
         const auto axes = trackAxis(views, box);
-        const auto directions = directionsOfMotion(views, placeBody(views, box, axes), axes);
+        const auto directions = directionsOfMotion(views, positionBody(views, box, axes), axes);
         for (const BodyAxis &axis : directions.front())
             QVERIFY(axis.sigmaRad > unknownAxisSigmaRad);
     }

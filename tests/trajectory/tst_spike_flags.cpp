@@ -12,7 +12,7 @@ using namespace odo::test;
 
 namespace {
 
-const RobotShape told{0.06, 0.26, 0.19};
+const RobotShape given{0.06, 0.26, 0.19};
 
 /// Shifts what a view sees in some frames, as a false sighting does.
 std::set<std::int64_t> injectSpikes(ViewTrack &view, int count, int longest, double leastPx,
@@ -81,7 +81,7 @@ private Q_SLOTS:
             const Course course = figureEight(1.1, 0.7, 7);
             auto a = film("A", cameraA(), course, {}, random);
             const auto truth = injectSpikes(a, 8, 3, 15, random);
-            const auto profile = analyse({a}, told, {});
+            const auto profile = analyse({a}, given, {});
             QVERIFY(profile.has_value());
             score.add(truth, flaggedFrames(*profile));
             worst = std::max(worst, errorsOf(*profile, course).velocityMps);
@@ -103,7 +103,7 @@ private Q_SLOTS:
             auto a = film("A", cameraA(), course, {}, random);
             const auto b = film("B", cameraB(), course, {}, random);
             const auto truth = injectSpikes(a, 6, 12, 15, random);
-            const auto profile = analyse({a, b}, told, {});
+            const auto profile = analyse({a, b}, given, {});
             QVERIFY(profile.has_value());
             score.add(truth, flaggedFrames(*profile));
             worst = std::max(worst, errorsOf(*profile, course).velocityMps);
@@ -135,7 +135,7 @@ private Q_SLOTS:
         // For longer than motion could decide.
         for (std::size_t i = 50; i < 150; ++i)
             a.observations[i].ellipse.centrePx.x() += 40;
-        const auto profile = analyse({a, b, c}, told, {});
+        const auto profile = analyse({a, b, c}, given, {});
         QVERIFY(profile.has_value());
         QCOMPARE(profile->samples[100].views, 6u);
         QCOMPARE(profile->samples[20].views, 7u);
@@ -158,10 +158,10 @@ private Q_SLOTS:
             const Course course = hardStart(4, accelMps2, 1.0);
             const auto a = film("A", cameraA(), course, settings, random);
             const auto b = film("B", cameraB(), course, settings, random);
-            const auto both = analyse({a, b}, told, {});
+            const auto both = analyse({a, b}, given, {});
             QVERIFY(both.has_value());
             QVERIFY2(both->spikes.empty(), reasons(*both).c_str());
-            const auto single = analyse({a}, told, {});
+            const auto single = analyse({a}, given, {});
             QVERIFY2(single->spikes.empty(), reasons(*single).c_str());
         }
     }
@@ -180,7 +180,7 @@ private Q_SLOTS:
         settings.durationS = 3;
         const auto a = film("A", cameraA(), course, settings, random);
         const auto b = film("B", cameraB(), course, settings, random);
-        const auto profile = analyse({a, b}, told, {});
+        const auto profile = analyse({a, b}, given, {});
         QVERIFY(profile.has_value());
         QVERIFY2(profile->spikes.size() <= 1, reasons(*profile).c_str());
     }
@@ -196,7 +196,7 @@ private Q_SLOTS:
         const auto b = film("B", cameraB(), course, settings, random);
         Task task;
         task.limits.maxAccelMps2 = 10;
-        const auto limited = analyse({a, b}, told, withTask({}, task));
+        const auto limited = analyse({a, b}, given, withTask({}, task));
         QVERIFY(limited.has_value());
         // From 2 m/s to −0.8 m/s within the limit takes 0.28 s: what was measured meanwhile cannot be.
         int flagged = 0;
@@ -209,7 +209,7 @@ private Q_SLOTS:
         QVERIFY2(reasons(*limited).find("acceleration above the limit") != std::string::npos,
                  reasons(*limited).c_str());
         task.limits.maxAccelMps2 = 500;
-        const auto free = analyse({a, b}, told, withTask({}, task));
+        const auto free = analyse({a, b}, given, withTask({}, task));
         QVERIFY(free->spikes.size() <= 1);
     }
 
@@ -219,11 +219,11 @@ private Q_SLOTS:
         const Course course = figureEight(1.1, 0.7, 7);
         auto a = film("A", cameraA(), course, {}, random);
         a.observations[100].ellipse.centrePx.x() += 40; // some 0.1 m in a frame: 3 m/s
-        const auto usual = analyse({a}, told, {});
+        const auto usual = analyse({a}, given, {});
         QVERIFY(!hasFlag(usual->samples[100].flags, SampleFlag::SpeedLimit));
         Task task;
         task.limits.maxSpeedMps = 2;
-        const auto limited = analyse({a}, told, withTask({}, task));
+        const auto limited = analyse({a}, given, withTask({}, task));
         QVERIFY2(hasFlag(limited->samples[100].flags, SampleFlag::SpeedLimit), reasons(*limited).c_str());
         QCOMPARE(limited->spikes.size(), std::size_t(1));
         QVERIFY(limited->spikes[0].reason.english().find("speed above the limit") != std::string::npos);
@@ -235,7 +235,7 @@ private Q_SLOTS:
         auto a = film("A", cameraA(), evenLine(0.4), {}, random);
         a.observations[100].ellipse.centrePx.x() += 60;
         a.observations[200].ellipse.centrePx.y() += 9;
-        const auto profile = analyse({a}, told, {});
+        const auto profile = analyse({a}, given, {});
         QVERIFY(profile.has_value());
         QCOMPARE(profile->spikes.size(), std::size_t(2));
         QVERIFY2(profile->spikes[0].reason.english().find("spike in position and speed") != std::string::npos,
@@ -255,7 +255,7 @@ private Q_SLOTS:
         a.observations[200].touchesBorder = true;
         a.observations[250].duplicateFrame = true;
         a.observations[270].found = false;
-        const auto profile = analyse({a}, told, {});
+        const auto profile = analyse({a}, given, {});
         QVERIFY(profile.has_value());
         QCOMPARE(profile->spikes.size(), std::size_t(3));
         QVERIFY2(profile->spikes[0].reason.english().find("jump of ") == 0,

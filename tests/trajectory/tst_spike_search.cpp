@@ -102,8 +102,8 @@ struct Score
             const bool flagged = hasFlag(track.samples[i].flags, SampleFlag::Jump);
             const bool spike = track.spikes.contains(i);
             hit += flagged && spike;
-            falseFlags += flagged && !spike && !track.doubtful.contains(i);
-            if (flagged != spike && !track.doubtful.contains(i))
+            falseFlags += flagged && !spike && !track.uncertain.contains(i);
+            if (flagged != spike && !track.uncertain.contains(i))
                 misses += (spike ? " missed " : " false ") + std::to_string(seed) + ":" + std::to_string(i);
         }
     }

@@ -56,7 +56,7 @@ private Q_SLOTS:
         QVERIFY(run);
         const ViewDisagreement found = disagreementOf(run->profile, run->views, 0);
         // Of 300 frames a few at the ends are not seen by both at once.
-        QVERIFY(found.places.size() > 280);
+        QVERIFY(found.positions.size() > 280);
         // √(1/2·300) = 4 %; interpolating the second view between frames takes nothing off here.
         QVERIFY2(std::abs(found.ratio() - 1) < 0.12, qPrintable(QString::number(found.ratio())));
         QVERIFY(found.medianM < found.rmsM && found.rmsM < found.largestM);
@@ -83,17 +83,17 @@ private Q_SLOTS:
         auto run = filmed(0.3, {0, 0});
         QVERIFY(run);
         run->views[1].floorView.reset();
-        QVERIFY(disagreementOf(run->profile, run->views, 0).places.empty());
+        QVERIFY(disagreementOf(run->profile, run->views, 0).positions.empty());
         QCOMPARE(disagreementOf(run->profile, run->views, 0).ratio(), 0.0);
-        QVERIFY(disagreementOf(Profile(), {}, 0).places.empty());
+        QVERIFY(disagreementOf(Profile(), {}, 0).positions.empty());
     }
     void rejectedSamplesAreLeftOut()
     {
         auto run = filmed(0.3, {0, 0});
         QVERIFY(run);
-        const std::size_t before = disagreementOf(run->profile, run->views, 0).places.size();
+        const std::size_t before = disagreementOf(run->profile, run->views, 0).positions.size();
         run->profile.samples[100].flags |= flagBit(SampleFlag::Jump);
-        QCOMPARE(disagreementOf(run->profile, run->views, 0).places.size(), before - 1);
+        QCOMPARE(disagreementOf(run->profile, run->views, 0).positions.size(), before - 1);
     }
 };
 

@@ -30,15 +30,15 @@ struct Output
     AVFormatContext *container = nullptr;
 };
 
-void fill(AVFrame &picture, int number)
+void fill(AVFrame &image, int number)
 {
-    for (int plane = 0; plane < 4 && picture.data[plane]; ++plane) {
+    for (int plane = 0; plane < 4 && image.data[plane]; ++plane) {
         const bool chroma = plane > 0;
-        const bool pairs = chroma && picture.format == AV_PIX_FMT_NV12;
-        const int height = chroma ? picture.height / 2 : picture.height;
+        const bool pairs = chroma && image.format == AV_PIX_FMT_NV12;
+        const int height = chroma ? image.height / 2 : image.height;
         for (int y = 0; y < height; ++y)
-            for (int x = 0; x < (pairs ? picture.width : picture.linesize[plane]); ++x)
-                picture.data[plane][static_cast<std::ptrdiff_t>(y) * picture.linesize[plane] + x] =
+            for (int x = 0; x < (pairs ? image.width : image.linesize[plane]); ++x)
+                image.data[plane][static_cast<std::ptrdiff_t>(y) * image.linesize[plane] + x] =
                     static_cast<std::uint8_t>(40 + 20 * plane + number + (pairs && x % 2 != 0 ? 100 : 0));
     }
 }
@@ -53,9 +53,9 @@ libav::FilterPtr annexBFilter(const AVCodecParameters &parameters, bool needed)
     return libav::FilterPtr(filter);
 }
 
-bool encodeTo(Output &out, AVCodecContext &encoder, AVFrame *picture)
+bool encodeTo(Output &out, AVCodecContext &encoder, AVFrame *image)
 {
-    if (avcodec_send_frame(&encoder, picture) < 0)
+    if (avcodec_send_frame(&encoder, image) < 0)
         return false;
     const libav::PacketPtr packet(av_packet_alloc());
     while (avcodec_receive_packet(&encoder, packet.get()) == 0) {
@@ -119,14 +119,14 @@ bool writeRaw(const std::filesystem::path &to, const std::string &encoderName, c
     stream->time_base = encoder->time_base;
     bool good = avformat_write_header(out.container, nullptr) >= 0;
     for (int i = 0; good && i < frames; ++i) {
-        const libav::FramePtr picture(av_frame_alloc());
-        picture->format = encoder->pix_fmt;
-        picture->width = encoder->width;
-        picture->height = encoder->height;
-        picture->pts = i * interval;
-        good = av_frame_get_buffer(picture.get(), 0) >= 0;
-        fill(*picture, i);
-        good = good && encodeTo(out, *encoder, picture.get());
+        const libav::FramePtr image(av_frame_alloc());
+        image->format = encoder->pix_fmt;
+        image->width = encoder->width;
+        image->height = encoder->height;
+        image->pts = i * interval;
+        good = av_frame_get_buffer(image.get(), 0) >= 0;
+        fill(*image, i);
+        good = good && encodeTo(out, *encoder, image.get());
     }
     return good && encodeTo(out, *encoder, nullptr) && av_write_trailer(out.container) >= 0;
 }

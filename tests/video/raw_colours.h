@@ -37,7 +37,7 @@ inline const std::vector<Colour> flatColours{{0, 0, 0},     {255, 255, 255}, {25
 
 /// Where a soft edge lies that crosses rows (or columns) of a plane, by the area beside it, between the
 /// levels at their ends: one number for each that is not near the border, in the plane's own pixels.
-inline std::vector<double> edgePlaces(const PlaneView &plane, bool upright)
+inline std::vector<double> edgePositions(const PlaneView &plane, bool upright)
 {
     std::vector<double> places;
     const int across = upright ? plane.width : plane.height, along = upright ? plane.height : plane.width;

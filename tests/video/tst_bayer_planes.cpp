@@ -10,11 +10,11 @@ using namespace odo::test;
 namespace {
 
 /// What a raw sensor sees of a picture.
-class RawPicture
+class RawImage
 {
 public:
     template <class ColourAt>
-    RawPicture(int width, int height, BayerOrder order, ColourAt colourAt) : m_width(width), m_height(height)
+    RawImage(int width, int height, BayerOrder order, ColourAt colourAt) : m_width(width), m_height(height)
     {
         const int redX = order == BayerOrder::Grbg || order == BayerOrder::Bggr;
         const int redY = order == BayerOrder::Gbrg || order == BayerOrder::Bggr;
@@ -72,7 +72,7 @@ void TestBayerPlanes::flatColoursAreThoseOfBt601()
     QFETCH(int, width);
     QFETCH(int, height);
     for (const Colour &colour : flatColours) {
-        const RawPicture raw(width, height, BayerOrder(order), [&](int, int) { return colour; });
+        const RawImage raw(width, height, BayerOrder(order), [&](int, int) { return colour; });
         const Frame frame = bayerPlanes(raw.view(), BayerOrder(order), 0, {});
         const Yuv expected = closedForm(colour);
         // Half a level of rounding, and 1/64 of the correction's.
@@ -101,18 +101,18 @@ void TestBayerPlanes::edgesLieWhereTheyAre()
     QFETCH(bool, upright);
     QFETCH(double, place);
     const Colour before{10, 20, 160}, after{250, 230, 30};
-    const RawPicture raw(64, 64, BayerOrder(order), [&](int x, int y) {
+    const RawImage raw(64, 64, BayerOrder(order), [&](int x, int y) {
         return between(before, after, softStep((upright ? x : y) - place));
     });
     const Frame frame = bayerPlanes(raw.view(), BayerOrder(order), 0, {});
     // Rounding to a level the 14 samples of an edge 190 levels high, of which the tails round one way, moves
     // it by some 0.03 pixels.
-    for (const double found : edgePlaces(frame.y, upright))
+    for (const double found : edgePositions(frame.y, upright))
         QVERIFY2(std::abs(found - place) < 0.05, qPrintable(QString::number(found)));
     // Chroma is 40 levels high at least, in samples two pixels apart; a wrong siting is off by 0.5 pixels.
     const double offset = upright ? frame.format.chromaOffsetX() : frame.format.chromaOffsetY();
     for (const PlaneView &plane : {frame.u, frame.v}) {
-        for (const double found : edgePlaces(plane, upright))
+        for (const double found : edgePositions(plane, upright))
             QVERIFY2(std::abs(2 * found + offset - place) < 0.15,
                      qPrintable(QString::number(2 * found + offset)));
     }
@@ -121,7 +121,7 @@ void TestBayerPlanes::edgesLieWhereTheyAre()
 /// Of a step from black to white every row is smoothed alike, whatever its colours: no zipper.
 void TestBayerPlanes::aSharpGreyEdgeHasNoPattern()
 {
-    const RawPicture raw(32, 16, BayerOrder::Rggb, [](int x, int) {
+    const RawImage raw(32, 16, BayerOrder::Rggb, [](int x, int) {
         return x < 15 ? Colour{0, 0, 0} : Colour{200, 200, 200};
     });
     const Frame frame = bayerPlanes(raw.view(), BayerOrder::Rggb, 0, {});
@@ -137,7 +137,7 @@ void TestBayerPlanes::aSharpGreyEdgeHasNoPattern()
 
 void TestBayerPlanes::saysWhatItIs()
 {
-    const RawPicture raw(6, 5, BayerOrder::Grbg, [](int, int) { return Colour{9, 9, 9}; });
+    const RawImage raw(6, 5, BayerOrder::Grbg, [](int, int) { return Colour{9, 9, 9}; });
     const Frame frame = bayerPlanes(raw.view(), BayerOrder::Grbg, 7, std::chrono::seconds(2));
     QCOMPARE(frame.index, 7);
     QCOMPARE(frame.time, Nanoseconds(2'000'000'000));

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/video/jpeg.h"
 #include "tests/support/registered_test.h"
-#include "tests/video/jpeg_pictures.h"
+#include "tests/video/jpeg_images.h"
 
 #include <QTest>
 
@@ -95,17 +95,17 @@ void TestJpegDecoder::partsEqualTheWhole()
     Frame whole;
     QCOMPARE(decoder.decode(coded, std::nullopt, whole), Outcome::Decoded);
     const int w = format.width, h = format.height;
-    const PixelRect picture{0, 0, w, h};
+    const PixelRect image{0, 0, w, h};
     for (const PixelRect &wanted : {PixelRect{0, 0, 1, 1}, PixelRect{w - 1, h - 1, w, h},
                                     PixelRect{w - 20, -30, w + 99, 17}, PixelRect{-7, h - 20, 40, h + 7},
                                     PixelRect{w / 3, h / 3, w / 2, h / 2}, PixelRect{40, 16, 41, 32}}) {
-        const PixelRect inside = wanted.clipped(picture);
+        const PixelRect inside = wanted.clipped(image);
         if (inside.isEmpty())
             continue;
         Frame part;
         QCOMPARE(decoder.decode(coded, wanted, part), Outcome::Decoded);
-        const PixelRect valid = part.validRegion.value_or(picture);
-        QVERIFY(valid.contains(inside) && picture.contains(valid));
+        const PixelRect valid = part.validRegion.value_or(image);
+        QVERIFY(valid.contains(inside) && image.contains(valid));
         if (w > 100)
             QVERIFY(valid.width() <= inside.width() + 30 && valid.height() <= inside.height() + 30);
         QCOMPARE(largestDifference(part, whole, valid), 0);

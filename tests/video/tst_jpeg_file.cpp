@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/video/jpeg.h"
 #include "tests/support/registered_test.h"
-#include "tests/video/jpeg_pictures.h"
+#include "tests/video/jpeg_images.h"
 
 #include <QTest>
 

@@ -10,11 +10,11 @@ using namespace odo::test;
 namespace {
 
 /// Packed colours, with some bytes between the rows.
-class PackedPicture
+class PackedImage
 {
 public:
     template <class ColourAt>
-    PackedPicture(int width, int height, RgbView::Order order, ColourAt colourAt)
+    PackedImage(int width, int height, RgbView::Order order, ColourAt colourAt)
         : m_view{nullptr, width, height, 3 * width + 5, order}
     {
         m_bytes.resize(static_cast<std::size_t>(m_view.stride) * static_cast<std::size_t>(height), 77);
@@ -59,9 +59,8 @@ private Q_SLOTS:
         QFETCH(int, width);
         QFETCH(int, height);
         for (const Colour &colour : flatColours) {
-            const PackedPicture picture(width, height, RgbView::Order(order),
-                                        [&](int, int) { return colour; });
-            const Frame frame = rgbPlanes(picture.view(), 0, {});
+            const PackedImage image(width, height, RgbView::Order(order), [&](int, int) { return colour; });
+            const Frame frame = rgbPlanes(image.view(), 0, {});
             const Yuv expected = closedForm(colour);
             compareWithin(frame.y, expected.y, 0.51); // rounding to a level
             compareWithin(frame.u, expected.u, 0.51);
@@ -82,19 +81,19 @@ private Q_SLOTS:
         QFETCH(bool, upright);
         QFETCH(double, place);
         const Colour before{10, 20, 160}, after{250, 230, 30};
-        const PackedPicture picture(64, 64, RgbView::Order::Rgb, [&](int x, int y) {
+        const PackedImage image(64, 64, RgbView::Order::Rgb, [&](int x, int y) {
             return between(before, after, softStep((upright ? x : y) - place));
         });
-        const Frame frame = rgbPlanes(picture.view(), 3, std::chrono::seconds(1));
+        const Frame frame = rgbPlanes(image.view(), 3, std::chrono::seconds(1));
         // Rounding to a level the 14 samples of an edge 190 levels high, of which the tails round one way,
         // moves it by some 0.03 pixels.
-        for (const double found : edgePlaces(frame.y, upright))
+        for (const double found : edgePositions(frame.y, upright))
             QVERIFY2(std::abs(found - place) < 0.05, qPrintable(QString::number(found)));
         // Chroma is 40 levels high at least, in samples two pixels apart; a wrong siting is off by 0.5
         // pixels.
         const double offset = upright ? frame.format.chromaOffsetX() : frame.format.chromaOffsetY();
         for (const PlaneView &plane : {frame.u, frame.v}) {
-            for (const double found : edgePlaces(plane, upright))
+            for (const double found : edgePositions(plane, upright))
                 QVERIFY2(std::abs(2 * found + offset - place) < 0.15,
                          qPrintable(QString::number(2 * found + offset)));
         }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Whatever a video file says, reading it opens that file and no other, and no connection.
-#include "core/video/picture_reader.h"
+#include "core/video/image_reader.h"
 #include "core/video/video_reader.h"
 #include "tests/support/registered_test.h"
 #include "tests/video/coded_frames.h"
@@ -155,10 +155,10 @@ private Q_SLOTS:
             std::ofstream(path(name), std::ios::binary) << content.toStdString();
             Opened::watch();
             const bool isVideo = VideoReader::open(path(name)).has_value();
-            const bool isPicture = readPicture(path(name)).has_value();
+            const bool isImage = readImage(path(name)).has_value();
             auto seen = Opened::seen();
             seen.erase(path(name).string());
-            QVERIFY(!isVideo && !isPicture);
+            QVERIFY(!isVideo && !isImage);
             QVERIFY2(seen.empty(), seen.empty() ? "" : seen.begin()->c_str());
         }
     }

@@ -1,29 +1,29 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/vm/played_cameras.h"
 
-#include "tests/video/jpeg_pictures.h"
+#include "tests/video/jpeg_images.h"
 
 #include <QTest>
 #include <algorithm>
 
 namespace odo::test {
 
-const UsbBytes &playedPicture()
+const UsbBytes &playedFrame()
 {
-    static const UsbBytes picture = [] {
+    static const UsbBytes image = [] {
         FrameFormat format;
         format.width = 320;
         format.height = 240;
         format.chromaShiftY = 0;
         return jpegOf(format, {});
     }();
-    return picture;
+    return image;
 }
 
 std::unique_ptr<UvcCamera> playedCamera(unsigned port, const std::string &name, const std::string &serial)
 {
     auto camera = std::make_unique<UvcCamera>(port, UvcCamera::Identity{name, serial},
-                                              std::vector<UsbBytes>{withoutHuffmanTables(playedPicture())});
+                                              std::vector<UsbBytes>{withoutHuffmanTables(playedFrame())});
     if (QTest::qWaitFor([&] { return camera->plug(); })) // a port is free only a while after it was left
         return camera;
     QTest::qFail("the kernel does not take the played camera", __FILE__, __LINE__);

@@ -9,7 +9,7 @@
 namespace odo::test {
 
 /// The picture of all played cameras' MJPEG: 320×240, 4:2:2, with its Huffman tables.
-const UsbBytes &playedPicture();
+const UsbBytes &playedFrame();
 
 /// A webcam that sends it without the tables, plugged in; nullptr (and the test fails) when the kernel does
 /// not take it.

@@ -73,7 +73,7 @@ private Q_SLOTS:
                       kept = view.value(QStringLiteral("recorded")).toInt();
             QVERIFY(frames > 5);
             QCOMPARE(kept + view.value(QStringLiteral("lost_by_us")).toInt(), frames);
-            QCOMPARE(picturesIn(name), kept);
+            QCOMPARE(imagesIn(name), kept);
         }
     }
 
@@ -81,7 +81,7 @@ private Q_SLOTS:
     void mjpegIsRecordedAsItCame()
     {
         Frame sent;
-        QCOMPARE(JpegDecoder(*jpegFormat(playedPicture())).decode(playedPicture(), std::nullopt, sent),
+        QCOMPARE(JpegDecoder(*jpegFormat(playedFrame())).decode(playedFrame(), std::nullopt, sent),
                  JpegDecoder::Outcome::Decoded);
         auto reader = VideoReader::open(video("A"));
         QVERIFY(reader);
@@ -112,17 +112,17 @@ private:
         return m_folder.filePath(QStringLiteral("p.media/live_%1.mkv").arg(QLatin1String(view)))
             .toStdString();
     }
-    int picturesIn(const char *view) const
+    int imagesIn(const char *view) const
     {
         auto reader = VideoReader::open(video(view));
-        int pictures = 0;
+        int frames = 0;
         while (reader) {
             const auto frame = (*reader)->next();
             if (!frame || !*frame)
                 break;
-            ++pictures;
+            ++frames;
         }
-        return pictures;
+        return frames;
     }
 
     QTemporaryDir m_folder;

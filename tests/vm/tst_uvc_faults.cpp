@@ -26,11 +26,11 @@ bool isWaiting(const CaptureSession &session, std::size_t view)
     return session.health().views.at(view).state == ViewHealth::State::Waiting;
 }
 
-QByteArray troubleOf(const CaptureSession &session, std::size_t view)
+QByteArray warningOf(const CaptureSession &session, std::size_t view)
 {
     const auto health = session.health();
-    return health.views.at(view).trouble
-               ? QByteArray::fromStdString(health.views[view].trouble->error.message())
+    return health.views.at(view).warning
+               ? QByteArray::fromStdString(health.views[view].warning->error.message())
                : QByteArray();
 }
 
@@ -67,7 +67,7 @@ private Q_SLOTS:
         QTemporaryDir folder;
         const std::filesystem::path path = folder.path().toStdString();
         m_session->startRecording({path / "a.mkv", path / "b.mkv"});
-        waitForPictures(1, 5);
+        waitForFrames(1, 5);
         m_a->unplug();
         isToldSoon(0, "it was unplugged; plug it in again");
         theOtherGoesOn();
@@ -84,10 +84,10 @@ private Q_SLOTS:
         for (const ViewRecording &view : outcome.views) {
             auto reader = VideoReader::open(view.file);
             QVERIFY(reader);
-            std::size_t pictures = 0;
+            std::size_t frames = 0;
             for (auto frame = (*reader)->next(); frame && *frame; frame = (*reader)->next())
-                ++pictures;
-            QCOMPARE(pictures, view.taken.size());
+                ++frames;
+            QCOMPARE(frames, view.taken.size());
         }
     }
 
@@ -106,8 +106,8 @@ private Q_SLOTS:
         m_a->unplug();
         isToldSoon(0, "plug it in again");
         auto stranger = playedCamera(0, "Camera C", "C3");
-        QTRY_VERIFY2(troubleOf(*m_session, 0).contains("has replaced it; plug Camera A"),
-                     troubleOf(*m_session, 0));
+        QTRY_VERIFY2(warningOf(*m_session, 0).contains("has replaced it; plug Camera A"),
+                     warningOf(*m_session, 0));
         theOtherGoesOn();
         stranger.reset();
         m_a = playedCamera(0, "Camera A", "A1");
@@ -128,7 +128,7 @@ private Q_SLOTS:
     {
         m_session.reset();
         auto source = opened(m_place);
-        QVERIFY(source && !take(*source, 3).pictures.empty());
+        QVERIFY(source && !take(*source, 3).frames.empty());
         m_a.reset();
         m_a = playedCamera(0, "Camera A", "A1");
         QVERIFY(m_a);
@@ -139,12 +139,12 @@ private Q_SLOTS:
                 V4l2Stream::start(*V4l2Device::open(node, node), {V4L2_PIX_FMT_YUYV, 320, 240, 1, 5}, node);
             QVERIFY2(other, other ? "" : other.error().message().c_str());
             const Taken none = take(*source, 1, 2);
-            QVERIFY(none.pictures.empty());
+            QVERIFY(none.frames.empty());
             QVERIFY2(none.problems.back().message().ends_with("another program uses it; close that program"),
                      none.problems.back().message().c_str());
             QVERIFY(usbCameras().at(0).busy || usbCameras().at(1).busy);
         }
-        QCOMPARE(take(*source, 3).pictures.size(), std::size_t(3));
+        QCOMPARE(take(*source, 3).frames.size(), std::size_t(3));
     }
 
     void stoppingWakesWhoWaits()
@@ -161,7 +161,7 @@ private Q_SLOTS:
 
 private:
     std::uint64_t delivered(std::size_t view) const { return m_session->health().views.at(view).delivered; }
-    void waitForPictures(std::size_t view, std::uint64_t more)
+    void waitForFrames(std::size_t view, std::uint64_t more)
     {
         const std::uint64_t before = delivered(view);
         QTRY_VERIFY(delivered(view) >= before + more);
@@ -170,29 +170,29 @@ private:
     {
         const MachineStalls stalls;
         const Nanoseconds from = steadyNow();
-        std::optional<Trouble> trouble;
-        QTRY_VERIFY((trouble = m_session->health().views.at(view).trouble));
-        const Nanoseconds after = trouble->since - from, stalled = stalls.total();
+        std::optional<RecordingWarning> warning;
+        QTRY_VERIFY((warning = m_session->health().views.at(view).warning));
+        const Nanoseconds after = warning->since - from, stalled = stalls.total();
         qInfo("told after %.2f s, of which the machine stood still for %.2f", toSeconds(after),
               toSeconds(stalled));
         QVERIFY2(after - stalled < told, QByteArray::number(toSeconds(after)));
         QTRY_VERIFY(isWaiting(*m_session, view));
-        QTRY_VERIFY2(troubleOf(*m_session, view).contains(words), troubleOf(*m_session, view));
+        QTRY_VERIFY2(warningOf(*m_session, view).contains(words), warningOf(*m_session, view));
     }
     /// It delivers, and was not touched.
     void theOtherGoesOn()
     {
-        waitForPictures(1, 5);
+        waitForFrames(1, 5);
         const ViewHealth other = m_session->health().views[1];
         QCOMPARE(other.state, ViewHealth::State::Delivering);
-        QVERIFY(!other.trouble);
+        QVERIFY(!other.warning);
         QCOMPARE(other.source.reconnections, std::uint64_t(0));
     }
     void returns(std::size_t view)
     {
-        waitForPictures(view, 5);
+        waitForFrames(view, 5);
         QTRY_COMPARE(m_session->health().views[view].state, ViewHealth::State::Delivering);
-        QVERIFY(!m_session->health().views[view].trouble);
+        QVERIFY(!m_session->health().views[view].warning);
     }
 
     std::unique_ptr<UvcCamera> m_a, m_b;

@@ -84,7 +84,7 @@ private Q_SLOTS:
         QVERIFY(m_source->holdAutomatics().empty());
         QCOMPARE(control("gain_automatic").value, 0.0);
         const double held = control("gain").value;
-        QVERIFY(!take(*m_source, 10).pictures.empty());
+        QVERIFY(!take(*m_source, 10).frames.empty());
         QCOMPARE(control("gain").value, held);
         m_source->releaseAutomatics();
         QCOMPARE(control("gain_automatic").value, 1.0);

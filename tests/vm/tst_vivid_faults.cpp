@@ -54,7 +54,7 @@ private Q_SLOTS:
     {
         setVivid(node, "percentage_of_dropped_buffers", 30);
         const Taken taken = take(*camera(), 60);
-        QCOMPARE(taken.pictures.size(), std::size_t(60));
+        QCOMPARE(taken.frames.size(), std::size_t(60));
         QVERIFY(rises(taken));
         // Of 60/0.7 = 86 pictures 26 are lost, ±4 (binomial); on a busy host more.
         QVERIFY2(taken.lost >= 10, QByteArray::number(int(taken.lost)));
@@ -66,7 +66,7 @@ private Q_SLOTS:
         setVivid(node, "wrap_sequence_number", 1);
         const auto source = camera();
         const Taken taken = take(*source, 140);
-        QCOMPARE(taken.pictures.size(), std::size_t(140));
+        QCOMPARE(taken.frames.size(), std::size_t(140));
         QVERIFY(rises(taken));
         QVERIFY2(taken.lost < 70, QByteArray::number(int(taken.lost))); // not four billion
     }
@@ -88,13 +88,13 @@ private Q_SLOTS:
         setVivid(node, "timestamp_source", source);
         setVivid(node, "wrap_timestamp", wrap);
         const Taken taken = take(*camera(), 50);
-        QCOMPARE(taken.pictures.size(), std::size_t(50));
+        QCOMPARE(taken.frames.size(), std::size_t(50));
         QVERIFY(rises(taken));
-        const double seconds = toSeconds(taken.pictures.back().frame.time);
+        const double seconds = toSeconds(taken.frames.back().frame.time);
         QVERIFY2(std::abs(seconds * 50 / double(taken.span() - 1) - 1) < 0.05, QByteArray::number(seconds));
-        QCOMPARE(taken.pictures.back().clock.has_value(), source == 1 && wrap == 0);
+        QCOMPARE(taken.frames.back().clock.has_value(), source == 1 && wrap == 0);
         ClockMap clock;
-        for (const CapturedFrame &captured : taken.pictures) {
+        for (const CapturedFrame &captured : taken.frames) {
             clock.addArrival(captured.frame.time, captured.hostTime);
             if (captured.clock)
                 clock.addLatch(captured.clock->device, captured.clock->before, captured.clock->after);
@@ -102,7 +102,7 @@ private Q_SLOTS:
         QCOMPARE(clock.epoch(), 0);
         // Nothing was taken after it arrived, nor half a second before.
         const Nanoseconds latency =
-            taken.pictures.back().hostTime - clock.fit()->hostTime(taken.pictures.back().frame.time);
+            taken.frames.back().hostTime - clock.fit()->hostTime(taken.frames.back().frame.time);
         QVERIFY2(latency >= Nanoseconds(-1000000) && latency < std::chrono::milliseconds(500),
                  QByteArray::number(qint64(latency.count())));
     }
@@ -115,7 +115,7 @@ private Q_SLOTS:
         const Taken after = take(*source, 15);
         QVERIFY(after.problems.empty());
         QCOMPARE(source->counts().damaged, std::uint64_t(1));
-        QVERIFY(after.pictures.back().sequence - before.pictures.back().sequence >= 16); // it left a gap
+        QVERIFY(after.frames.back().sequence - before.frames.back().sequence >= 16); // it left a gap
     }
 
     void whatBreaksIsStartedAnew_data()
@@ -134,10 +134,10 @@ private Q_SLOTS:
         const Taken before = take(*source, 5), besideBefore = take(*beside, 5);
         setVivid(node, control.toStdString(), 1);
         const Taken after = take(*source, 15);
-        QCOMPARE(after.pictures.size(), std::size_t(15));
+        QCOMPARE(after.frames.size(), std::size_t(15));
         QVERIFY(rises(after));
-        QVERIFY(after.pictures.front().sequence > before.pictures.back().sequence);
-        QVERIFY(after.pictures.front().frame.time > before.pictures.back().frame.time);
+        QVERIFY(after.frames.front().sequence > before.frames.back().sequence);
+        QVERIFY(after.frames.front().frame.time > before.frames.back().frame.time);
         QCOMPARE(source->counts().reconnections, std::uint64_t(1));
         const auto controls = source->controls();
         QCOMPARE(std::ranges::find(*controls, "brightness", &CameraControl::id)->value, 99.0);
@@ -168,7 +168,7 @@ private Q_SLOTS:
         asking.join();
         QVERIFY(answers > 0);
         QVERIFY(source->counts().reconnections >= 1);
-        QCOMPARE(take(*source, 5).pictures.size(), std::size_t(5));
+        QCOMPARE(take(*source, 5).frames.size(), std::size_t(5));
     }
 
     void whatCannotBeStartedSaysSo_data()
@@ -206,16 +206,15 @@ private Q_SLOTS:
     void anotherRateByAnotherProgram()
     {
         const auto source = camera();
-        QVERIFY(!take(*source, 5).pictures.empty());
+        QVERIFY(!take(*source, 5).frames.empty());
         setRate(10);
         (void)take(*source, 10); // those that were under way
         const Taken slow = take(*source, 15);
         QVERIFY(slow.problems.empty());
         QVERIFY(rises(slow));
-        const double perPicture =
-            toSeconds(slow.pictures.back().frame.time - slow.pictures.front().frame.time) /
-            double(slow.span() - 1);
-        QVERIFY2(std::abs(perPicture / 0.1 - 1) < 0.1, QByteArray::number(perPicture));
+        const double perFrame = toSeconds(slow.frames.back().frame.time - slow.frames.front().frame.time) /
+                                double(slow.span() - 1);
+        QVERIFY2(std::abs(perFrame / 0.1 - 1) < 0.1, QByteArray::number(perFrame));
     }
 
     /// As when its automatic exposure needs more light; the other camera is told nothing of.
@@ -252,7 +251,7 @@ private Q_SLOTS:
     void somethingElseInItsPlaceIsWaitedOut()
     {
         const auto source = camera();
-        QVERIFY(!take(*source, 5).pictures.empty());
+        QVERIFY(!take(*source, 5).frames.empty());
         QVERIFY(shell("echo vivid.0 >/sys/bus/platform/drivers/vivid/unbind && touch /dev/video0"));
         (void)take(*source, 100, 1);               // those that were under way
         QVERIFY(source->holdAutomatics().empty()); // while it is not there
@@ -262,7 +261,7 @@ private Q_SLOTS:
         QVERIFY2(none.error().message().find("/dev/video0 sends no frames") != std::string::npos,
                  none.error().message().c_str());
         QVERIFY(shell("rm /dev/video0 && echo vivid.0 >/sys/bus/platform/drivers/vivid/bind"));
-        QCOMPARE(take(*source, 5).pictures.size(), std::size_t(5));
+        QCOMPARE(take(*source, 5).frames.size(), std::size_t(5));
         const auto controls = source->controls();
         QCOMPARE(std::ranges::find(*controls, "gain_automatic", &CameraControl::id)->value,
                  0.0); // held when it came back
@@ -280,16 +279,16 @@ private Q_SLOTS:
         QVERIFY(shell("echo vivid.0 >/sys/bus/platform/drivers/vivid/unbind"));
         const MachineStalls stalls;
         const Nanoseconds gone = steadyNow();
-        std::optional<Trouble> trouble;
-        QTRY_VERIFY((trouble = session.health().views[0].trouble));
+        std::optional<RecordingWarning> warning;
+        QTRY_VERIFY((warning = session.health().views[0].warning));
         QCOMPARE(state(), ViewHealth::State::Waiting);
-        const Nanoseconds after = trouble->since - gone, stalled = stalls.total();
+        const Nanoseconds after = warning->since - gone, stalled = stalls.total();
         qInfo("told after %.2f s, of which the machine stood still for %.2f", toSeconds(after),
               toSeconds(stalled));
         QVERIFY2(after - stalled < std::chrono::seconds(1), QByteArray::number(toSeconds(after)));
-        QVERIFY2(session.health().views[0].trouble->error.message().ends_with(
+        QVERIFY2(session.health().views[0].warning->error.message().ends_with(
                      "it was unplugged; plug it in again"),
-                 session.health().views[0].trouble->error.message().c_str());
+                 session.health().views[0].warning->error.message().c_str());
         const std::uint64_t before = session.health().views[0].delivered;
         QVERIFY(shell("echo vivid.0 >/sys/bus/platform/drivers/vivid/bind"));
         QTRY_VERIFY(session.health().views[0].delivered > before + 5);

@@ -35,7 +35,7 @@ constexpr std::uint32_t submit = 1, unlinkRequest = 2, submitted = 3, unlinked =
 constexpr const char *attachFile = "/sys/devices/platform/vhci_hcd.0/attach";
 constexpr int highSpeed = 3;
 constexpr std::uint32_t payloadSize = 16384; // what the driver asks for at a time, at most
-constexpr std::size_t probeSize = 26, probeFormat = 2, probeFrame = 3, probePeriod = 4, probePictureSize = 18,
+constexpr std::size_t probeSize = 26, probeFormat = 2, probeFrame = 3, probePeriod = 4, probeFrameSize = 18,
                       probePayloadSize = 22;
 constexpr std::uint8_t mjpegFormat = 2, streamInterface = 1;
 constexpr auto tooLate = std::chrono::milliseconds(500);
@@ -62,8 +62,8 @@ bool readAll(int socket, std::span<std::uint8_t> bytes)
 
 } // namespace
 
-UvcCamera::UvcCamera(unsigned port, Identity identity, std::vector<UsbBytes> pictures)
-    : m_port(port), m_identity(std::move(identity)), m_pictures(std::move(pictures)),
+UvcCamera::UvcCamera(unsigned port, Identity identity, std::vector<UsbBytes> frames)
+    : m_port(port), m_identity(std::move(identity)), m_frames(std::move(frames)),
       m_wake(eventfd(0, EFD_CLOEXEC | EFD_NONBLOCK)), m_probe(probeSize, 0)
 {
     settle();
@@ -302,7 +302,7 @@ void UvcCamera::settle()
     };
     set32(m_probe, probePeriod, asked == 0 ? uvcPeriods[0] : *std::ranges::min_element(uvcPeriods, {}, off));
     const UvcSize size = uvcSizes[m_probe[probeFrame] - 1U];
-    set32(m_probe, probePictureSize, size.widthPx * size.heightPx * 2U);
+    set32(m_probe, probeFrameSize, size.widthPx * size.heightPx * 2U);
     set32(m_probe, probePayloadSize, payloadSize);
 }
 
@@ -310,17 +310,17 @@ void UvcCamera::startStream()
 {
     m_streaming = true;
     m_toggle = false;
-    m_picture.clear();
+    m_frame.clear();
     m_sent = 0;
     m_due = Clock::now();
 }
 
-UsbBytes UvcCamera::nextPicture()
+UsbBytes UvcCamera::nextFrame()
 {
     ++m_count;
-    UsbBytes picture;
+    UsbBytes image;
     if (m_probe[probeFormat] == mjpegFormat) {
-        picture = m_pictures[m_count % m_pictures.size()];
+        image = m_frames[m_count % m_frames.size()];
     } else {
         const UvcSize size = uvcSizes[m_probe[probeFrame] - 1U];
         UsbBytes row(size.widthPx * 2U, 128);
@@ -328,27 +328,27 @@ UsbBytes UvcCamera::nextPicture()
             row[2 * x] =
                 static_cast<std::uint8_t>(x + 4 * m_count + static_cast<unsigned>(m_controls.brightness()));
         for (unsigned y = 0; y < size.heightPx; ++y)
-            picture.insert(picture.end(), row.begin(), row.end());
+            image.insert(image.end(), row.begin(), row.end());
     }
     if (m_shorten)
-        picture.resize(picture.size() / 2);
+        image.resize(image.size() / 2);
     m_shorten = false;
-    return picture;
+    return image;
 }
 
 /// The next piece of the picture, behind its header (USB Video Class 1.0 §2.4.3.3).
 UsbBytes UvcCamera::payload()
 {
-    constexpr std::uint8_t endOfHeader = 0x80, error = 0x40, endOfPicture = 0x02;
+    constexpr std::uint8_t endOfHeader = 0x80, error = 0x40, endOfFrame = 0x02;
     const std::size_t size = std::min(std::min(m_pending.front().length, payloadSize) - 2,
-                                      static_cast<std::uint32_t>(m_picture.size() - m_sent));
-    const bool isLast = m_sent + size == m_picture.size();
+                                      static_cast<std::uint32_t>(m_frame.size() - m_sent));
+    const bool isLast = m_sent + size == m_frame.size();
     UsbBytes bytes(2 + size);
     bytes[0] = 2;
-    bytes[1] = static_cast<std::uint8_t>(endOfHeader | (m_toggle ? 1 : 0) | (isLast ? endOfPicture : 0) |
+    bytes[1] = static_cast<std::uint8_t>(endOfHeader | (m_toggle ? 1 : 0) | (isLast ? endOfFrame : 0) |
                                          (m_break ? error : 0));
     m_break = false;
-    std::copy_n(m_picture.begin() + static_cast<std::ptrdiff_t>(m_sent), size, bytes.begin() + 2);
+    std::copy_n(m_frame.begin() + static_cast<std::ptrdiff_t>(m_sent), size, bytes.begin() + 2);
     m_sent += size;
     return bytes;
 }
@@ -357,13 +357,13 @@ void UvcCamera::sendWhatIsDue()
 {
     const std::chrono::nanoseconds period(100LL * get32(std::span(m_probe).subspan(probePeriod)));
     while (waitMs() == 0) {
-        if (m_picture.empty())
-            m_picture = nextPicture();
+        if (m_frame.empty())
+            m_frame = nextFrame();
         const UsbBytes piece = payload();
         const Request request = m_pending.front();
         m_pending.pop_front();
-        if (m_sent == m_picture.size()) {
-            m_picture.clear();
+        if (m_sent == m_frame.size()) {
+            m_frame.clear();
             m_sent = 0;
             m_toggle = !m_toggle;
             for (m_due += period; m_due + tooLate < Clock::now(); m_due += period)

@@ -21,7 +21,7 @@ public:
         std::string name = "Played Camera", serial;
     };
     /// pictures: JPEG files of 320×240.
-    UvcCamera(unsigned port, Identity identity, std::vector<UsbBytes> pictures);
+    UvcCamera(unsigned port, Identity identity, std::vector<UsbBytes> frames);
     ~UvcCamera();
     UvcCamera(const UvcCamera &) = delete;
     UvcCamera &operator=(const UvcCamera &) = delete;
@@ -53,13 +53,13 @@ private:
     void startStream();
     void sendWhatIsDue();
     UsbBytes payload();
-    UsbBytes nextPicture();
+    UsbBytes nextFrame();
     int waitMs() const;
     void wake();
 
     const unsigned m_port;
     const Identity m_identity;
-    const std::vector<UsbBytes> m_pictures;
+    const std::vector<UsbBytes> m_frames;
     std::thread m_thread;
     int m_socket = -1, m_wake = -1;
 
@@ -70,7 +70,7 @@ private:
     bool m_toggle = false;
     unsigned m_count = 0;
     std::chrono::steady_clock::time_point m_due;
-    UsbBytes m_picture; ///< that is under way
+    UsbBytes m_frame; ///< that is under way
     std::size_t m_sent = 0;
     std::deque<Request> m_pending;
 };

@@ -26,31 +26,31 @@ std::unique_ptr<CameraSource> opened(const std::string &uri)
     return nullptr;
 }
 
-Taken take(CameraSource &source, std::size_t pictures, std::size_t mostProblems)
+Taken take(CameraSource &source, std::size_t frames, std::size_t mostProblems)
 {
     Taken taken;
-    while (taken.pictures.size() < pictures && taken.problems.size() < mostProblems) {
+    while (taken.frames.size() < frames && taken.problems.size() < mostProblems) {
         auto captured = source.next();
         if (!captured) {
             taken.problems.push_back(captured.error());
             continue;
         }
-        if (!taken.pictures.empty() && captured->sequence > taken.pictures.back().sequence)
-            taken.lost += captured->sequence - taken.pictures.back().sequence - 1;
-        taken.pictures.push_back(std::move(*captured));
+        if (!taken.frames.empty() && captured->sequence > taken.frames.back().sequence)
+            taken.lost += captured->sequence - taken.frames.back().sequence - 1;
+        taken.frames.push_back(std::move(*captured));
     }
     return taken;
 }
 
 bool rises(const Taken &taken)
 {
-    for (std::size_t i = 1; i < taken.pictures.size(); ++i) {
-        const CapturedFrame &before = taken.pictures[i - 1], &after = taken.pictures[i];
+    for (std::size_t i = 1; i < taken.frames.size(); ++i) {
+        const CapturedFrame &before = taken.frames[i - 1], &after = taken.frames[i];
         if (after.sequence <= before.sequence || after.frame.time <= before.frame.time ||
             after.hostTime < before.hostTime)
             return false;
     }
-    return !taken.pictures.empty();
+    return !taken.frames.empty();
 }
 
 bool shell(const char *command)

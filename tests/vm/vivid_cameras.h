@@ -19,16 +19,16 @@ std::unique_ptr<CameraSource> opened(const std::string &uri);
 /// What came until so many pictures had, or so many times none.
 struct Taken
 {
-    std::vector<CapturedFrame> pictures;
+    std::vector<CapturedFrame> frames;
     std::vector<Error> problems;
     std::uint64_t lost = 0; ///< gaps in the sequence
 
     std::uint64_t span() const
     {
-        return pictures.empty() ? 0 : pictures.back().sequence - pictures.front().sequence + 1;
+        return frames.empty() ? 0 : frames.back().sequence - frames.front().sequence + 1;
     }
 };
-Taken take(CameraSource &source, std::size_t pictures, std::size_t mostProblems = 6);
+Taken take(CameraSource &source, std::size_t frames, std::size_t mostProblems = 6);
 
 /// Whether sequence and time rise from each picture to the next.
 bool rises(const Taken &taken);

@@ -13,41 +13,41 @@ namespace odo::test {
 
 namespace {
 
-SceneFigures compared(const Profile &profile, const SimulatedScene &scene)
+SceneMetrics compared(const Profile &profile, const SimulatedScene &scene)
 {
-    SceneFigures figures;
+    SceneMetrics metrics;
     double count = 0;
     for (std::size_t i = 0; i < profile.points.size(); ++i) {
-        figures.foundShare += profile.samples[i].position.has_value() / double(profile.points.size());
+        metrics.foundShare += profile.samples[i].position.has_value() / double(profile.points.size());
         const ProfilePoint &point = profile.points[i];
         if (!point.valid)
             continue;
         const MotionState truth =
             scene.robots.front().motion->at(sceneTimeOfStamp(scene, 0, profile.samples[i].time));
         const Eigen::Vector2d off = point.position - truth.position;
-        figures.rmsM += off.squaredNorm();
-        figures.velocityRms += (point.velocity - truth.velocity).squaredNorm();
-        figures.accelerationRms += (point.acceleration - truth.acceleration).squaredNorm();
-        figures.insideShare +=
+        metrics.rmsM += off.squaredNorm();
+        metrics.velocityRms += (point.velocity - truth.velocity).squaredNorm();
+        metrics.accelerationRms += (point.acceleration - truth.acceleration).squaredNorm();
+        metrics.insideShare +=
             (std::abs(off.x()) < 1.96 * point.sigmaXM) + (std::abs(off.y()) < 1.96 * point.sigmaYM);
         count += 1;
     }
-    figures.disagreeShare =
+    metrics.disagreeShare =
         double(std::ranges::count_if(
             profile.samples,
             [](const Sample &sample) { return hasFlag(sample.flags, SampleFlag::ViewsDisagree); })) /
         double(profile.samples.size());
-    figures.rmsM = std::sqrt(figures.rmsM / count);
-    figures.velocityRms = std::sqrt(figures.velocityRms / count);
-    figures.accelerationRms = std::sqrt(figures.accelerationRms / count);
-    figures.insideShare /= 2 * count;
-    figures.spikes = int(profile.spikes.size());
-    return figures;
+    metrics.rmsM = std::sqrt(metrics.rmsM / count);
+    metrics.velocityRms = std::sqrt(metrics.velocityRms / count);
+    metrics.accelerationRms = std::sqrt(metrics.accelerationRms / count);
+    metrics.insideShare /= 2 * count;
+    metrics.spikes = int(profile.spikes.size());
+    return metrics;
 }
 
 } // namespace
 
-QString SceneFigures::words() const
+QString SceneMetrics::words() const
 {
     return QStringLiteral("found %1, %2 mm, %3 inside, %4 mm/s, %5 mm/s2, %6 spikes, views disagree in %7")
         .arg(foundShare, 0, 'f', 3)
@@ -80,7 +80,7 @@ Result<std::vector<RegisteredView>> renderedViews(const SimulatedScene &scene,
     return views;
 }
 
-Result<SceneFigures> measuredByViews(const SimulatedScene &scene, const std::vector<RegisteredView> &views,
+Result<SceneMetrics> measuredByViews(const SimulatedScene &scene, const std::vector<RegisteredView> &views,
                                      const RobotRecord &robot)
 {
     auto tracked = trackAndSettle(views, {robot}, {});
@@ -92,7 +92,7 @@ Result<SceneFigures> measuredByViews(const SimulatedScene &scene, const std::vec
     return compared(*profile, scene);
 }
 
-Result<SceneFigures> measuredScene(const SimulatedScene &scene, const std::optional<RgbColour> &colour)
+Result<SceneMetrics> measuredScene(const SimulatedScene &scene, const std::optional<RgbColour> &colour)
 {
     const QTemporaryDir folder;
     const auto views = renderedViews(scene, folder.path().toStdString());

@@ -12,7 +12,7 @@
 namespace odo::test {
 
 /// What was measured of a scene's first robot, against the truth.
-struct SceneFigures
+struct SceneMetrics
 {
     double foundShare = 0; ///< of the first view's frames
     double rmsM = 0;
@@ -29,9 +29,9 @@ Result<std::vector<RegisteredView>> renderedViews(const SimulatedScene &scene,
                                                   const std::filesystem::path &folder);
 
 /// Tracks and analyses rendered views. robot: what is told of the scene's first one.
-Result<SceneFigures> measuredByViews(const SimulatedScene &scene, const std::vector<RegisteredView> &views,
+Result<SceneMetrics> measuredByViews(const SimulatedScene &scene, const std::vector<RegisteredView> &views,
                                      const RobotRecord &robot);
 /// Renders the scene's videos, tracks and analyses them by cameras that are known exactly.
-Result<SceneFigures> measuredScene(const SimulatedScene &scene, const std::optional<RgbColour> &colour = {});
+Result<SceneMetrics> measuredScene(const SimulatedScene &scene, const std::optional<RgbColour> &colour = {});
 
 } // namespace odo::test

@@ -85,21 +85,21 @@ SimulatedScene drawnScene(int robots, std::mt19937 &random)
     }
 }
 
-struct AlikeFigures
+struct AlikeMetrics
 {
     int exchanges = 0, unmarked = 0; ///< of names; and those at no time that was called doubtful
-    double doubtfulS = 0, wholeS = 0;
+    double ambiguousS = 0, wholeS = 0;
     double squares = 0, points = 0, inside = 0;
     int spikes = 0;
     std::int64_t frames = 0, missing = 0;
 };
 
 void compare(const Profile &profile, const SimulatedScene &scene, std::size_t robot,
-             const std::vector<NameDoubt> &doubts, AlikeFigures &figures)
+             const std::vector<NameAmbiguity> &ambiguities, AlikeMetrics &metrics)
 {
     std::optional<std::size_t> before;
     for (std::size_t i = 0; i < profile.points.size(); ++i) {
-        figures.missing += !profile.samples[i].position;
+        metrics.missing += !profile.samples[i].position;
         const ProfilePoint &point = profile.points[i];
         if (!point.valid)
             continue;
@@ -111,26 +111,27 @@ void compare(const Profile &profile, const SimulatedScene &scene, std::size_t ro
         for (std::size_t other = 1; other < scene.robots.size(); ++other)
             nearest = offOf(other).norm() < offOf(nearest).norm() ? other : nearest;
         const Eigen::Vector2d off = offOf(nearest);
-        figures.squares += off.squaredNorm();
-        figures.points += 1;
-        figures.inside +=
+        metrics.squares += off.squaredNorm();
+        metrics.points += 1;
+        metrics.inside +=
             ((std::abs(off.x()) < 1.96 * point.sigmaXM) + (std::abs(off.y()) < 1.96 * point.sigmaYM)) / 2.0;
         if (before && nearest != *before) {
             constexpr double atHandS = 0.3;
             const double atS = toSeconds(profile.samples[i].time);
-            const bool isMarked = std::ranges::any_of(doubts, [&](const NameDoubt &doubt) {
-                return doubt.robot == robot && atS > doubt.fromS - atHandS && atS < doubt.toS + atHandS;
+            const bool isMarked = std::ranges::any_of(ambiguities, [&](const NameAmbiguity &ambiguity) {
+                return ambiguity.robot == robot && atS > ambiguity.fromS - atHandS &&
+                       atS < ambiguity.toS + atHandS;
             });
-            ++figures.exchanges;
-            figures.unmarked += !isMarked;
+            ++metrics.exchanges;
+            metrics.unmarked += !isMarked;
         }
         before = nearest;
     }
-    figures.frames += std::int64_t(profile.points.size());
-    figures.spikes += int(profile.spikes.size());
+    metrics.frames += std::int64_t(profile.points.size());
+    metrics.spikes += int(profile.spikes.size());
 }
 
-void measure(const SimulatedScene &scene, AlikeFigures &figures)
+void measure(const SimulatedScene &scene, AlikeMetrics &metrics)
 {
     const QTemporaryDir folder;
     const auto views = renderedViews(scene, folder.path().toStdString());
@@ -140,14 +141,14 @@ void measure(const SimulatedScene &scene, AlikeFigures &figures)
         robots[i].name = scene.robots[i].name;
     auto tracked = trackViews(*views, robots, {});
     QVERIFY2(tracked, tracked ? "" : tracked.error().message().c_str());
-    const std::vector<NameDoubt> doubts = settleNames(*views, robots, *tracked).value();
-    for (const NameDoubt &doubt : doubts)
-        figures.doubtfulS += doubt.toS - doubt.fromS;
-    figures.wholeS += durationS * double(robots.size());
+    const std::vector<NameAmbiguity> ambiguities = settleNames(*views, robots, *tracked).value();
+    for (const NameAmbiguity &ambiguity : ambiguities)
+        metrics.ambiguousS += ambiguity.toS - ambiguity.fromS;
+    metrics.wholeS += durationS * double(robots.size());
     for (std::size_t i = 0; i < robots.size(); ++i) {
         const auto profile = analyse(takeViewTracks(*views, *tracked, i), shapeOf(robots[i]), {});
         QVERIFY2(profile, profile ? "" : profile.error().message().c_str());
-        compare(*profile, scene, i, doubts, figures);
+        compare(*profile, scene, i, ambiguities, metrics);
     }
 }
 
@@ -171,32 +172,32 @@ private Q_SLOTS:
         QFETCH(int, robots);
         const int asked = std::max(1, qEnvironmentVariableIntValue("ODOGRAPH_CROSSINGS"));
         std::mt19937 random{unsigned(robots)};
-        AlikeFigures figures;
+        AlikeMetrics metrics;
         int crossings = 0;
         while (crossings < asked) {
             const SimulatedScene scene = drawnScene(robots, random);
             crossings += *crossingsIn(scene);
-            measure(scene, figures);
+            measure(scene, metrics);
             if (QTest::currentTestFailed())
                 return;
         }
-        const double rmsMm = 1e3 * std::sqrt(figures.squares / figures.points),
-                     inside = figures.inside / figures.points,
-                     found = 1 - double(figures.missing) / double(figures.frames);
+        const double rmsMm = 1e3 * std::sqrt(metrics.squares / metrics.points),
+                     inside = metrics.inside / metrics.points,
+                     found = 1 - double(metrics.missing) / double(metrics.frames);
         const QString words = QStringLiteral("%1 crossings: %2 exchanges, %3 of them unmarked, doubtful %4 "
                                              "%; found %5 %, %6 mm, %7 inside, %8 spikes in %9 frames")
                                   .arg(crossings)
-                                  .arg(figures.exchanges)
-                                  .arg(figures.unmarked)
-                                  .arg(100 * figures.doubtfulS / figures.wholeS, 0, 'f', 2)
+                                  .arg(metrics.exchanges)
+                                  .arg(metrics.unmarked)
+                                  .arg(100 * metrics.ambiguousS / metrics.wholeS, 0, 'f', 2)
                                   .arg(100 * found, 0, 'f', 1)
                                   .arg(rmsMm, 0, 'f', 2)
                                   .arg(inside, 0, 'f', 2)
-                                  .arg(figures.spikes)
-                                  .arg(figures.frames);
+                                  .arg(metrics.spikes)
+                                  .arg(metrics.frames);
         qInfo("%s", qPrintable(words));
-        QVERIFY2(figures.unmarked == 0 && figures.doubtfulS < 0.02 * figures.wholeS, qPrintable(words));
-        QVERIFY2(found > 0.99 && rmsMm < 4 && inside > 0.9 && figures.spikes <= 2 + figures.frames / 1000,
+        QVERIFY2(metrics.unmarked == 0 && metrics.ambiguousS < 0.02 * metrics.wholeS, qPrintable(words));
+        QVERIFY2(found > 0.99 && rmsMm < 4 && inside > 0.9 && metrics.spikes <= 2 + metrics.frames / 1000,
                  qPrintable(words));
     }
 };

@@ -61,7 +61,7 @@ private Q_SLOTS:
     {
         QFETCH(int, look);
         QFETCH(int, way);
-        QFETCH(bool, isColourTold);
+        QFETCH(bool, isColourGiven);
         const Look looks[] = {{"red", {200, 35, 40}, {215, 205, 160}},
                               {"white", {240, 240, 236}, {30, 60, 140}},
                               {"black", {32, 32, 34}, {44, 44, 46}},
@@ -73,13 +73,13 @@ private Q_SLOTS:
                                                       makeCircleMotion({1.5, 1.1}, 0.7, 0.7, 0.6),
                                                       makeLineMotion({0.6, 0.7}, {2.4, 1.5}, 10, 3)};
         scene.robots = {robotOf(looks[look], ways[way])};
-        const auto figures =
-            measuredScene(scene, isColourTold ? std::optional(looks[look].body) : std::nullopt);
-        QVERIFY2(figures.has_value(), figures ? "" : figures.error().message().c_str());
-        qInfo("%s", qPrintable(figures->words()));
-        QVERIFY2(figures->foundShare > 0.99 && figures->rmsM < 0.004 && figures->insideShare > 0.9 &&
-                     figures->spikes <= 1,
-                 qPrintable(figures->words()));
+        const auto metrics =
+            measuredScene(scene, isColourGiven ? std::optional(looks[look].body) : std::nullopt);
+        QVERIFY2(metrics.has_value(), metrics ? "" : metrics.error().message().c_str());
+        qInfo("%s", qPrintable(metrics->words()));
+        QVERIFY2(metrics->foundShare > 0.99 && metrics->rmsM < 0.004 && metrics->insideShare > 0.9 &&
+                     metrics->spikes <= 1,
+                 qPrintable(metrics->words()));
     }
 };
 

@@ -32,7 +32,7 @@ private Q_SLOTS:
     void registeringIsTold()
     {
         const std::size_t before = told().size();
-        const auto made = registerWithLensInForce(*m_project, "A");
+        const auto made = registerWithCurrentIntrinsics(*m_project, "A");
         if (made) {
             QCOMPARE(told().size(), before + 1);
             QCOMPARE(told().front(), std::string("register camera A again"));

@@ -4,7 +4,7 @@
 #include "core/project/project.h"
 #include "core/project/repositories.h"
 #include "core/simulation/renderer.h"
-#include "core/video/picture.h"
+#include "core/video/image.h"
 #include "core/workflow/calibrate/calibrate_job.h"
 #include "core/workflow/calibrate/cameras.h"
 #include "tests/support/registered_test.h"
@@ -96,7 +96,7 @@ std::string rejectionOf(const std::function<void(BoardView &)> &change)
 
 std::string offered(BoardCollector &collector, const Frame &frame)
 {
-    const PictureAnswer answer = collector.offer(frame, "p.png");
+    const ImageVerdict answer = collector.offer(frame, "p.png");
     return answer.refusal ? answer.refusal->message() : "accepted";
 }
 
@@ -131,12 +131,12 @@ class TestCalibrateJob : public QObject
         return path(name);
     }
 
-    std::vector<std::filesystem::path> pictures(int count) const
+    std::vector<std::filesystem::path> images(int count) const
     {
         std::vector<std::filesystem::path> files;
         for (const RigidTransform &pose : poses(count)) {
             files.push_back(path(QStringLiteral("board %1.png").arg(files.size())));
-            if (!writePicture(rendered(pose), files.back()))
+            if (!writeImage(rendered(pose), files.back()))
                 qFatal("cannot write a picture");
         }
         return files;
@@ -164,7 +164,7 @@ private Q_SLOTS:
 
     void keepsAllThatItWasMadeFrom()
     {
-        CalibrateJob job({"Cam/1", pictures(10), {}, std::nullopt});
+        CalibrateJob job({"Cam/1", images(10), {}, std::nullopt});
         const auto done = runToEnd(job, *m_project, {});
         QVERIFY2(done.has_value(), done ? "" : done.error().message().c_str());
         m_project.reset();
@@ -175,12 +175,12 @@ private Q_SLOTS:
         QVERIFY(record.board.pattern == BoardPattern::Checkerboard && record.board.columns == 9 &&
                 record.board.rows == 6);
         QCOMPARE(record.board.squareM, 0.025);
-        QVERIFY(!record.calibration.lensReason.isEmpty());
-        QCOMPARE(record.files.size(), job.calibration().pictures.size());
-        for (const StoredPicture &picture : record.files) {
-            QVERIFY2(picture.path.starts_with("run.media/calibration/Cam-1_board_"), picture.path.c_str());
-            QCOMPARE(qint64(picture.bytes),
-                     QFileInfo(m_folder->filePath(QString::fromStdString(picture.path))).size());
+        QVERIFY(!record.calibration.modelReason.isEmpty());
+        QCOMPARE(record.files.size(), job.calibration().images.size());
+        for (const StoredImage &image : record.files) {
+            QVERIFY2(image.path.starts_with("run.media/calibration/Cam-1_board_"), image.path.c_str());
+            QCOMPARE(qint64(image.bytes),
+                     QFileInfo(m_folder->filePath(QString::fromStdString(image.path))).size());
         }
         QVERIFY(m_project->check(true)->empty());
 
@@ -192,11 +192,11 @@ private Q_SLOTS:
         QVERIFY2(again.has_value(), again ? "" : again.error().message().c_str());
         QVERIFY(std::abs(again->intrinsics.fxPx - record.calibration.intrinsics.fxPx) < 1e-3);
         all.pop_back();
-        QCOMPARE(recalibrate(record.calibration, all, {})->picturesUsed(), all.size());
+        QCOMPARE(recalibrate(record.calibration, all, {})->imagesUsed(), all.size());
         // And from the stored pictures themselves.
         std::vector<std::filesystem::path> files;
-        for (const StoredPicture &picture : record.files)
-            files.push_back(path(QString::fromStdString(picture.path)));
+        for (const StoredImage &image : record.files)
+            files.push_back(path(QString::fromStdString(image.path)));
         CalibrateJob second({"Cam/1", files, {}, record.calibration.intrinsics.model});
         QVERIFY(runToEnd(second, *m_project, {}).has_value());
         QVERIFY(std::abs(second.calibration().intrinsics.fxPx / record.calibration.intrinsics.fxPx - 1) <
@@ -220,7 +220,7 @@ private Q_SLOTS:
     }
     void whatFailsLeavesNothing()
     {
-        const auto files = pictures(8);
+        const auto files = images(8);
         JobControl control;
         control.progress = [&](double fraction, const Message &) {
             if (fraction > 0.5)
@@ -285,7 +285,7 @@ private:
     {
         BoardCollector collector({});
         const auto withGood = [this](const std::filesystem::path &bad) {
-            auto files = pictures(8);
+            auto files = images(8);
             files.push_back(bad);
             return jobOn(files, true);
         };
@@ -322,7 +322,7 @@ private:
         case 9:
             return withGood(written(QStringLiteral("letter.png"), "Dear class"));
         case 10: {
-            QFile whole(QString::fromStdString(pictures(1)[0].string()));
+            QFile whole(QString::fromStdString(images(1)[0].string()));
             return whole.open(QIODevice::ReadOnly)
                        ? withGood(written(QStringLiteral("half.png"), whole.read(400)))
                        : "";
@@ -330,7 +330,7 @@ private:
         case 11:
             return withGood(written(QStringLiteral("clip.mp4"), {}));
         case 12:
-            return jobOn(pictures(2), false);
+            return jobOn(images(2), false);
         case 13: {
             std::vector<BoardView> frontal;
             for (int i = 0; i < 12; ++i) {

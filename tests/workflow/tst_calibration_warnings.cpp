@@ -16,7 +16,7 @@ namespace {
 
 const Instant january = std::chrono::sys_days(std::chrono::year(2026) / 1 / 10);
 
-IntrinsicsRecord lensOf(RecordId camera, Instant made)
+IntrinsicsRecord intrinsicsOf(RecordId camera, Instant made)
 {
     IntrinsicsRecord record;
     record.camera = camera;
@@ -86,7 +86,7 @@ private Q_SLOTS:
     }
     void nothingOfAFreshOne()
     {
-        const auto lens = m_project->cameras().addIntrinsics(lensOf(m_camera.id, january));
+        const auto lens = m_project->cameras().addIntrinsics(intrinsicsOf(m_camera.id, january));
         QVERIFY2(lens.has_value(), lens ? "" : lens.error().message().c_str());
         QVERIFY(m_project->cameras()
                     .addRegistration(registrationOf(m_camera.id, m_layout, lens->id, january))
@@ -95,7 +95,7 @@ private Q_SLOTS:
     }
     void oldOnesWithTheirAge()
     {
-        const auto lens = m_project->cameras().addIntrinsics(lensOf(m_camera.id, january));
+        const auto lens = m_project->cameras().addIntrinsics(intrinsicsOf(m_camera.id, january));
         QVERIFY(m_project->cameras()
                     .addRegistration(registrationOf(m_camera.id, m_layout, lens->id, january))
                     .has_value());
@@ -113,7 +113,7 @@ private Q_SLOTS:
         QVERIFY(m_project->cameras()
                     .addRegistration(registrationOf(m_camera.id, m_layout, 0, january))
                     .has_value());
-        const auto first = m_project->cameras().addIntrinsics(lensOf(m_camera.id, january));
+        const auto first = m_project->cameras().addIntrinsics(intrinsicsOf(m_camera.id, january));
         QCOMPARE(warned(january),
                  (std::vector<std::string>{
                      "The floor registration of camera 'A' was made before its lens was calibrated: "
@@ -122,7 +122,7 @@ private Q_SLOTS:
                     .addRegistration(registrationOf(m_camera.id, m_layout, first->id, january))
                     .has_value());
         QVERIFY(warned(january).empty());
-        QVERIFY(m_project->cameras().addIntrinsics(lensOf(m_camera.id, january + 1h)).has_value());
+        QVERIFY(m_project->cameras().addIntrinsics(intrinsicsOf(m_camera.id, january + 1h)).has_value());
         QCOMPARE(warned(january + 2h),
                  (std::vector<std::string>{"The floor registration of camera 'A' uses another lens "
                                            "calibration than the current one: register it again."}));

@@ -91,7 +91,7 @@ void TestImportInStep::findsAFlash()
 void TestImportInStep::eachViewInItsOwnWay()
 {
     ImportSettings mixed = settings("mixed", {"a.mkv", "b.mkv", "b.mkv", "b.mkv"});
-    mixed.steps = {{Sync::Told, 0.25}, {Sync::Automatic, 0}, {Sync::None, 0}};
+    mixed.steps = {{Sync::Given, 0.25}, {Sync::Automatic, 0}, {Sync::None, 0}};
     ImportTrialJob job(std::move(mixed));
     const auto done = runToEnd(job, *m_project, {});
     QVERIFY2(done, done ? "" : done.error().message().c_str());
@@ -121,7 +121,7 @@ void TestImportInStep::saysWhatToDoWithoutAFlash()
 void TestImportInStep::refusesStepsOfOtherNumber()
 {
     ImportSettings wrong = settings("wrong", {"a.mkv", "b.mkv", "b.mkv"});
-    wrong.steps = {{Sync::Told, 0.25}};
+    wrong.steps = {{Sync::Given, 0.25}};
     ImportTrialJob job(std::move(wrong));
     const auto done = runToEnd(job, *m_project, {});
     QVERIFY(!done);

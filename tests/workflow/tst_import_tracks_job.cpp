@@ -126,11 +126,11 @@ private Q_SLOTS:
     {
         QVERIFY(import(settingsOf("lap", write("lap.csv", circle()))));
         const auto before = analysisOf("lap").profile.samples;
-        OverruleRequest word;
+        OverrideRequest word;
         word.trial = "lap";
         word.frame = 50;
-        OverruleJob overrule(word);
-        QVERIFY(runToEnd(overrule, *m_project, JobControl()));
+        OverrideJob manualOverride(word);
+        QVERIFY(runToEnd(manualOverride, *m_project, JobControl()));
         QCOMPARE(analysisOf("lap").profile.spikes.size(), std::size_t(2));
         TrackSettings again;
         again.again = true;

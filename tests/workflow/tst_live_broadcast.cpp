@@ -79,11 +79,11 @@ private Q_SLOTS:
         QVERIFY(sentS <= nowS && sentS > nowS - 20);
         QVERIFY(sentS - capturedS >= 0.04 && sentS - capturedS < 20);
         // The next moment; what is not measured is foretold, what is not known is left out.
-        LiveMoment foretold = momentOf(0, taken + std::chrono::milliseconds(33), 0.3, 0);
-        foretold.position.sample.position.reset();
-        LiveMoment unknown = momentOf(1, foretold.position.sample.time, 9, 1);
+        LiveMoment predicted = momentOf(0, taken + std::chrono::milliseconds(33), 0.3, 0);
+        predicted.position.sample.position.reset();
+        LiveMoment unknown = momentOf(1, predicted.position.sample.time, 9, 1);
         unknown.position.point.valid = false;
-        (*broadcast)->take(foretold);
+        (*broadcast)->take(predicted);
         (*broadcast)->take(unknown);
         const auto second = decodeMessage(decodeMessage(receiver.next())->first(1)->bytes);
         QCOMPARE(second->first(1)->bits, quint64(1));
@@ -116,13 +116,13 @@ private Q_SLOTS:
         constexpr std::uint64_t count = 20000;
         for (std::uint64_t i = 0; i < count; ++i)
             (*broadcast)->take(momentOf(i % 2, Nanoseconds(i / 2 + 1), 0, 1));
-        const auto figures = (*broadcast)->figures();
+        const auto statistics = (*broadcast)->statistics();
         // of one robot, where the other one's moment was dropped, or of two
-        const std::uint64_t packets = figures.sent + figures.failed;
+        const std::uint64_t packets = statistics.sent + statistics.failed;
         // at most: in the queue, and in the packet that is being filled
         constexpr std::uint64_t waiting = 64 + 2;
-        QVERIFY(figures.dropped + packets <= count);
-        QVERIFY(figures.dropped + 2 * packets + waiting >= count);
+        QVERIFY(statistics.dropped + packets <= count);
+        QVERIFY(statistics.dropped + 2 * packets + waiting >= count);
     }
     void coloursAndNumbers()
     {

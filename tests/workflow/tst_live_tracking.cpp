@@ -31,7 +31,7 @@ struct Drive
         RobotRecord robot;
         robot.name = scene.robots.front().name;
         robot.colour = scene.robots.front().colour;
-        robot.heightMode = RobotRecord::Height::Told;
+        robot.heightMode = RobotRecord::Height::Given;
         robot.heightM = scene.robots.front().heightM;
         robots.push_back(robot);
     }
@@ -57,10 +57,10 @@ struct Drive
                 const double timeS = frameSceneTime(scene, static_cast<int>(v), frame);
                 if (timeS < fromS || timeS >= toS || silent == v)
                     continue;
-                TimedFrame picture;
-                picture.captured.frame = renderers[v]->render(frame);
-                picture.taken = zero + fromSeconds(timeS);
-                feeds[v]->push(std::move(picture));
+                TimedFrame timedFrame;
+                timedFrame.captured.frame = renderers[v]->render(frame);
+                timedFrame.taken = zero + fromSeconds(timeS);
+                feeds[v]->push(std::move(timedFrame));
             }
         }
     }
@@ -184,7 +184,7 @@ void TestLiveTracking::noRobotSeenAndNoneKnown()
         (*live)->beginRun(drive.zero);
         drive.play(0, 0.5);
         const auto runs = (*live)->endRun();
-        QCOMPARE((*live)->figures().latencyMedianS, 0.0);
+        QCOMPARE((*live)->statistics().latencyMedianS, 0.0);
         live->reset();
         QVERIFY(!drive.moments.empty());
         for (const LiveMoment &moment : drive.moments)
@@ -234,17 +234,17 @@ void TestLiveTracking::whatIsTooFastIsDroppedAndCounted()
                                          }
                                      },
                                      {}});
-    TimedFrame picture;
-    picture.captured.frame = SceneRenderer(drive.scene, 0).render(0);
-    drive.feeds[0]->pushOrDrop(picture);
+    TimedFrame timedFrame;
+    timedFrame.captured.frame = SceneRenderer(drive.scene, 0).render(0);
+    drive.feeds[0]->pushOrDrop(timedFrame);
     arrived.get_future().wait();
     for (int i = 0; i < 5; ++i) {
-        picture.taken += 33ms;
-        QVERIFY(drive.feeds[0]->pushOrDrop(picture));
+        timedFrame.taken += 33ms;
+        QVERIFY(drive.feeds[0]->pushOrDrop(timedFrame));
     }
     goOn.set_value();
-    QTRY_COMPARE((*live)->figures().tracked, 2u);
-    QCOMPARE((*live)->figures().dropped, 4u);
+    QTRY_COMPARE((*live)->statistics().tracked, 2u);
+    QCOMPARE((*live)->statistics().dropped, 4u);
 }
 
 void TestLiveTracking::saysHowFarBehindTheMapIs()

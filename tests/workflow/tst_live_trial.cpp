@@ -46,10 +46,10 @@ struct Sitting
     /// Has both cameras take a lot more, and waits until it stands in the project.
     void record(LiveTrial &live, std::size_t lots)
     {
-        a->pictures(lot);
-        b->pictures(lot);
+        a->frames(lot);
+        b->frames(lot);
         for (const char *camera : {"A", "B"})
-            QTRY_VERIFY(live.append(*project) && rawTimes(camera).pictures.size() == lots * lot);
+            QTRY_VERIFY(live.append(*project) && rawTimes(camera).frames.size() == lots * lot);
     }
     RecordedTimes rawTimes(const char *camera) const
     {
@@ -116,7 +116,7 @@ void TestLiveTrial::standsInTheProjectFromItsBeginning()
     QCOMPARE(trial.syncMethod, std::string("clock"));
     QVERIFY(std::abs(trial.syncOffsetS - 0.007) < 1e-6);
     QCOMPARE(sitting.project->trials().recordings(trial.id)->back().frameTimes.size(), std::size_t(2 * lot));
-    QCOMPARE(sitting.rawTimes("B").pictures.front().device, Nanoseconds(3600s + 7ms));
+    QCOMPARE(sitting.rawTimes("B").frames.front().device, Nanoseconds(3600s + 7ms));
     QVERIFY(sitting.project->check(true)->empty());
     QCOMPARE((*live)->commit(*sitting.project).error().why.english(),
              std::string("its recording has ended already"));
@@ -169,13 +169,13 @@ void TestLiveTrial::viewsNeverShareAFile()
     Sitting sitting;
     const auto live = sitting.begin(trial.toStdString(), {first.toStdString(), second.toStdString()});
     QVERIFY2(live, live ? "" : live.error().message().c_str());
-    sitting.a->pictures(lot);
-    sitting.b->pictures(lot);
+    sitting.a->frames(lot);
+    sitting.b->frames(lot);
     const auto recordings =
         sitting.project->trials().recordings(sitting.project->trials().find(trial.toStdString())->id);
     for (const RecordingRecord &recording : *recordings)
         QTRY_VERIFY((*live)->append(*sitting.project) &&
-                    sitting.project->trials().rawTimes(recording.id)->pictures.size() == lot);
+                    sitting.project->trials().rawTimes(recording.id)->frames.size() == lot);
     QVERIFY(runToEnd(**live, *sitting.project, {}));
     QVERIFY2((*live)->warnings().empty(),
              (*live)->warnings().empty() ? "" : (*live)->warnings().front().english().c_str());
@@ -186,7 +186,7 @@ void TestLiveTrial::aViewWithoutPicturesIsLeftOut()
 {
     Sitting sitting;
     const auto live = sitting.begin();
-    sitting.b->pictures(10);
+    sitting.b->frames(10);
     QTRY_COMPARE(sitting.session->health().views[1].delivered, 10u);
     QVERIFY(runToEnd(**live, *sitting.project, {}));
     QCOMPARE((*live)->warnings().size(), std::size_t(1));
@@ -272,7 +272,7 @@ void TestLiveTrial::picturesWithoutStoredTimesGetTheirsFromTheFile()
     {
         const auto live = sitting.begin();
         sitting.record(**live, 1);
-        sitting.a->pictures(lot); // on the disk, and not in the project
+        sitting.a->frames(lot); // on the disk, and not in the project
         QTRY_COMPARE(sitting.session->health().views[0].delivered, std::uint64_t(2 * lot));
     }
     QVERIFY(recoverTrials(*sitting.project, {}));
@@ -282,7 +282,7 @@ void TestLiveTrial::picturesWithoutStoredTimesGetTheirsFromTheFile()
     for (std::size_t i = 0; i < 2 * lot;
          ++i) // the file knows them to half a millisecond, at each end of a difference
         QVERIFY(std::abs(toSeconds(recordings->front().frameTimes[i]) - 0.033 * double(i)) < 0.0011);
-    QCOMPARE(sitting.rawTimes("A").pictures.size(), std::size_t(lot)); // what is not known is not made up
+    QCOMPARE(sitting.rawTimes("A").frames.size(), std::size_t(lot)); // what is not known is not made up
 }
 
 void TestLiveTrial::aFileWithoutAPictureIsRemoved()
@@ -290,8 +290,8 @@ void TestLiveTrial::aFileWithoutAPictureIsRemoved()
     Sitting sitting;
     {
         const auto live = sitting.begin();
-        sitting.a->pictures(lot);
-        QTRY_VERIFY((*live)->append(*sitting.project) && sitting.rawTimes("A").pictures.size() == lot);
+        sitting.a->frames(lot);
+        QTRY_VERIFY((*live)->append(*sitting.project) && sitting.rawTimes("A").frames.size() == lot);
     }
     // As far as a recording is written before its first picture.
     std::ofstream(sitting.project->mediaFolder() / "run_B.mkv") << "\x1a\x45\xdf\xa3 the beginning of a file";
@@ -382,7 +382,7 @@ void TestLiveTrial::aDiskThatIsTakenAwayKeepsTheTrial()
         sitting.record(**live, 1);
         const QString media = sitting.folder.filePath(QStringLiteral("p.media"));
         QVERIFY(QDir().rename(media, media + QStringLiteral(".away")));
-        QTRY_VERIFY((sitting.a->pictures(1), sitting.b->pictures(1), sitting.session->health().disk.ended));
+        QTRY_VERIFY((sitting.a->frames(1), sitting.b->frames(1), sitting.session->health().disk.ended));
         const auto ended = runToEnd(**live, *sitting.project, {});
         QVERIFY(!ended);
         QVERIFY2(ended.error().message().ends_with("its file is no longer there; reconnect its disk, or move "

@@ -27,7 +27,7 @@ RobotRecord told()
     RobotRecord robot;
     robot.name = "robot";
     robot.colour = demoBlue;
-    robot.heightMode = RobotRecord::Height::Told;
+    robot.heightMode = RobotRecord::Height::Given;
     robot.heightM = 0.06;
     return robot;
 }
@@ -37,9 +37,9 @@ RobotRecord told()
 FloorView registeredBefore(const FloorView &now, double turnRad)
 {
     Eigen::Matrix<double, 6, 6> covariance = Eigen::Matrix<double, 6, 6>::Zero();
-    constexpr double angleRad = 2e-4, placeM = 5e-4;
+    constexpr double angleRad = 2e-4, stationM = 5e-4;
     covariance.diagonal() << Eigen::Vector3d::Constant(angleRad * angleRad),
-        Eigen::Vector3d::Constant(placeM * placeM);
+        Eigen::Vector3d::Constant(stationM * stationM);
     RigidTransform pose = now.worldFromCamera();
     pose.rotation = Eigen::AngleAxisd(turnRad, Eigen::Vector3d::UnitZ()) * pose.rotation;
     return {now.camera(), pose, covariance};
@@ -63,13 +63,13 @@ private Q_SLOTS:
         const FloorView truth = *(*views)[0].floorView;
         for (const double turnDegrees : {0.0, 0.2, 0.5, 1.0}) {
             (*views)[0].floorView = registeredBefore(truth, turnDegrees * std::numbers::pi / 180);
-            const auto figures = measuredByViews(scene, *views, told());
-            QVERIFY2(figures.has_value(), figures ? "" : figures.error().message().c_str());
-            QVERIFY2(figures->insideShare > 0.9 && figures->foundShare > 0.99 && figures->spikes <= 5,
-                     qPrintable(figures->words()));
-            QVERIFY2(turnDegrees == 0 ? figures->disagreeShare < 0.01 && figures->rmsM < 0.003
-                                      : figures->disagreeShare > 0.9,
-                     qPrintable(figures->words()));
+            const auto metrics = measuredByViews(scene, *views, told());
+            QVERIFY2(metrics.has_value(), metrics ? "" : metrics.error().message().c_str());
+            QVERIFY2(metrics->insideShare > 0.9 && metrics->foundShare > 0.99 && metrics->spikes <= 5,
+                     qPrintable(metrics->words()));
+            QVERIFY2(turnDegrees == 0 ? metrics->disagreeShare < 0.01 && metrics->rmsM < 0.003
+                                      : metrics->disagreeShare > 0.9,
+                     qPrintable(metrics->words()));
         }
     }
 };

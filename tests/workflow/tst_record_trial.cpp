@@ -97,7 +97,7 @@ private Q_SLOTS:
             RobotRecord robot;
             robot.name = "driver";
             robot.colour = trial.scene.robots.front().colour;
-            robot.heightMode = RobotRecord::Height::Told;
+            robot.heightMode = RobotRecord::Height::Given;
             robot.heightM = trial.scene.robots.front().heightM;
             QVERIFY(m_project->robots().add(robot));
         }

@@ -4,7 +4,7 @@
 #include "core/project/repositories.h"
 #include "core/simulation/demo_testbed.h"
 #include "core/simulation/renderer.h"
-#include "core/video/picture.h"
+#include "core/video/image.h"
 #include "core/workflow/calibrate/cameras.h"
 #include "core/workflow/calibrate/register_job.h"
 #include "tests/support/registered_test.h"
@@ -28,12 +28,12 @@ class TestRegisterJob : public QObject
         return m_folder->filePath(QString::fromLatin1(name)).toStdString();
     }
 
-    RegisterSettings byPicture() const
+    RegisterSettings byImage() const
     {
         RegisterSettings settings;
         settings.camera = "A/1";
         settings.layout = m_scene.floor.markers.name;
-        settings.pictureFile = path("floor.png");
+        settings.imageFile = path("floor.png");
         return settings;
     }
 
@@ -57,27 +57,27 @@ private Q_SLOTS:
         m_folder = std::make_unique<QTemporaryDir>();
         m_project = std::move(*Project::create(path("run.odo"), "run"));
         QVERIFY(m_project->layouts().add(m_scene.floor.markers));
-        QVERIFY(writePicture(SceneRenderer(m_scene, 0).render(0), path("floor.png")));
+        QVERIFY(writeImage(SceneRenderer(m_scene, 0).render(0), path("floor.png")));
     }
     void cleanup() { m_project.reset(); }
 
     void keepsThePictureInWhichTheMarkersWereSeen()
     {
-        RegisterJob job(byPicture());
+        RegisterJob job(byImage());
         const auto done = runToEnd(job, *m_project, {});
         QVERIFY2(done.has_value(), done ? "" : done.error().message().c_str());
         m_project.reset();
         m_project = std::move(*Project::open(path("run.odo"), Project::Access::ReadWrite));
-        const StoredPicture picture = inForce().picture;
-        QCOMPARE(picture.path, std::string("run.media/calibration/A-1_floor.png"));
+        const StoredImage image = inForce().image;
+        QCOMPARE(image.path, std::string("run.media/calibration/A-1_floor.png"));
         QVERIFY(m_project->check(true)->empty());
         const auto revisions = revisionsOf(*m_project, "A/1");
-        QCOMPARE(revisions->front().picture,
+        QCOMPARE(revisions->front().image,
                  std::filesystem::absolute(path("run.media/calibration/A-1_floor.png")));
         QCOMPARE(revisions->front().markers.size(), std::size_t(4));
         // The markers are found in it again, where they were.
-        RegisterSettings again = byPicture();
-        again.pictureFile = revisions->front().picture;
+        RegisterSettings again = byImage();
+        again.imageFile = revisions->front().image;
         RegisterJob second(again);
         QVERIFY(runToEnd(second, *m_project, {}).has_value());
         for (std::size_t i = 0; i < 4; ++i)
@@ -86,7 +86,7 @@ private Q_SLOTS:
 
     void tellsOfAPictureThatIsLostOrChanged()
     {
-        RegisterJob job(byPicture());
+        RegisterJob job(byImage());
         QVERIFY(runToEnd(job, *m_project, {}).has_value());
         const std::filesystem::path kept = path("run.media/calibration/A-1_floor.png");
         const auto bytes = std::filesystem::file_size(kept);
@@ -106,7 +106,7 @@ private Q_SLOTS:
 
     void whatFailsLeavesNothing()
     {
-        RegisterSettings unnamed = byPicture();
+        RegisterSettings unnamed = byImage();
         unnamed.camera = std::string(300, 'x'); // its row cannot be stored, after its picture was written
         RegisterJob job(unnamed);
         QVERIFY(!runToEnd(job, *m_project, {}).has_value());
@@ -116,24 +116,24 @@ private Q_SLOTS:
 
     void pixelsAloneHaveNoPicture()
     {
-        RegisterSettings settings = byPicture();
+        RegisterSettings settings = byImage();
         settings.pixels = truePixels();
-        RegisterJob withPicture(settings); // which only tells its size
-        QVERIFY(runToEnd(withPicture, *m_project, {}).has_value());
-        QVERIFY(!inForce().picture.path.empty());
+        RegisterJob withImage(settings); // which only tells its size
+        QVERIFY(runToEnd(withImage, *m_project, {}).has_value());
+        QVERIFY(!inForce().image.path.empty());
         IntrinsicsRecord lens;
         lens.camera = m_project->cameras().find("A/1")->id;
         lens.calibration.intrinsics = m_scene.cameras[0].view.camera().intrinsics();
         QVERIFY(m_project->cameras().addIntrinsics(lens));
         // Anew with the lens: the same markers in the same picture.
-        const auto again = registerWithLensInForce(*m_project, "A/1");
+        const auto again = registerWithCurrentIntrinsics(*m_project, "A/1");
         QVERIFY2(again.has_value(), again ? "" : again.error().message().c_str());
-        QCOMPARE(again->picture.path, std::string("run.media/calibration/A-1_floor.png"));
+        QCOMPARE(again->image.path, std::string("run.media/calibration/A-1_floor.png"));
         QVERIFY(m_project->check(true)->empty());
-        settings.pictureFile.clear();
+        settings.imageFile.clear();
         RegisterJob without(settings);
         QVERIFY(runToEnd(without, *m_project, {}).has_value());
-        QVERIFY(inForce().picture.path.empty());
+        QVERIFY(inForce().image.path.empty());
     }
 };
 

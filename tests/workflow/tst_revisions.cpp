@@ -2,8 +2,8 @@
 // Revisions of a camera, trials that point to them, and what measuring again with others changes.
 #include "core/project/project.h"
 #include "core/project/repositories.h"
+#include "core/workflow/calibrate/camera_position_job.h"
 #include "core/workflow/calibrate/cameras.h"
-#include "core/workflow/calibrate/moved_job.h"
 #include "core/workflow/calibrate/register_job.h"
 #include "core/workflow/track/reanalysis.h"
 #include "tests/support/contains.h"
@@ -116,7 +116,7 @@ private Q_SLOTS:
 
     void aNewerLensIsTakenWithTheSameMarkers()
     {
-        QVERIFY(contains(registerWithLensInForce(*m_project, "A").error().message(),
+        QVERIFY(contains(registerWithCurrentIntrinsics(*m_project, "A").error().message(),
                          "it already uses that calibration"));
         const RecordId camera = m_project->cameras().find("A")->id, before = current("A");
         const RegistrationRecord old = *m_project->cameras().registration(before);
@@ -126,7 +126,7 @@ private Q_SLOTS:
         const auto newer = m_project->cameras().addIntrinsics(lens);
         QVERIFY(m_project->cameras().addCheck(
             before, {lens.made, RegistrationCheck::Outcome::CameraMoved, 6, 0.014, foreignWords("moved")}));
-        const auto registered = registerWithLensInForce(*m_project, "A");
+        const auto registered = registerWithCurrentIntrinsics(*m_project, "A");
         QVERIFY2(registered.has_value(), registered ? "" : registered.error().message().c_str());
         QCOMPARE(current("A"), registered->id);
         QCOMPARE(registered->intrinsics, newer->id);
@@ -140,7 +140,7 @@ private Q_SLOTS:
         };
         QVERIFY2(heightOf(*registered) > heightOf(old), qPrintable(QString::number(heightOf(*registered))));
         QCOMPARE(*outdatedTrials(*m_project), (std::vector<std::string>{"Trial 1", "Trial 2"}));
-        QVERIFY(!registerWithLensInForce(*m_project, "Q"));
+        QVERIFY(!registerWithCurrentIntrinsics(*m_project, "Q"));
     }
 
     void trialsKnowThatTheyAreOutdated()
@@ -229,10 +229,10 @@ private Q_SLOTS:
         QVERIFY(m_project->cameras().addCheck(registration, {Instant(std::chrono::milliseconds(5)),
                                                              RegistrationCheck::Outcome::Still, 0.2, 0.001,
                                                              foreignWords("still")}));
-        QVERIFY(keepNotTold(*m_project, "A",
-                            test::saidError(ErrorCode::Undetermined, "whether", "none was found", "look")));
+        QVERIFY(keepUndetermined(
+            *m_project, "A", test::saidError(ErrorCode::Undetermined, "whether", "none was found", "look")));
         const auto last = m_project->cameras().registration(registration)->lastCheck;
-        QVERIFY(last && last->outcome == RegistrationCheck::Outcome::NotTold); // the newest
+        QVERIFY(last && last->outcome == RegistrationCheck::Outcome::Undetermined); // the newest
         QVERIFY(contains(last->words.english(), "none was found"));
         registerMoved(0.01);
         QVERIFY2(!m_project->cameras().registration(current("A"))->lastCheck,

@@ -47,11 +47,11 @@ private Q_SLOTS:
     /// Of the floor's light a shadow leaves a third, and less at the robot's foot.
     void aDeepShadowIsNoPartOfTheRobot()
     {
-        const auto figures = measuredScene(plainFloor({238, 238, 235}, 0.68));
-        QVERIFY2(figures.has_value(), figures ? "" : figures.error().message().c_str());
+        const auto metrics = measuredScene(plainFloor({238, 238, 235}, 0.68));
+        QVERIFY2(metrics.has_value(), metrics ? "" : metrics.error().message().c_str());
         // With the shadow as a part of it 13 mm, and the truth inside in a fifth of the frames.
-        QVERIFY2(figures->foundShare > 0.99 && figures->rmsM < 0.003 && figures->insideShare > 0.9,
-                 qPrintable(figures->words()));
+        QVERIFY2(metrics->foundShare > 0.99 && metrics->rmsM < 0.003 && metrics->insideShare > 0.9,
+                 qPrintable(metrics->words()));
     }
 
     /// A dark robot on the same floor looks like such a shadow in each frame.

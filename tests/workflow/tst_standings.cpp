@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/workflow/compare/trial_figures.h"
+#include "core/workflow/compare/trial_metrics.h"
 
 #include "tests/support/registered_test.h"
 
@@ -13,7 +13,7 @@ namespace {
 struct Term
 {
     std::vector<TrialRecord> trials;
-    std::vector<TrialFigure> figures;
+    std::vector<TrialMetric> metrics;
 
     TrialRecord &add(RecordId team, const char *className, std::optional<double> seconds)
     {
@@ -26,7 +26,7 @@ struct Term
         trial.task = "Slalom";
         trial.date = Instant(std::chrono::hours(24 * trial.id));
         if (seconds)
-            figures.push_back({trial.id, 1, {"gate_time", "s", *seconds, 0.01}});
+            metrics.push_back({trial.id, 1, {"gate_time", "s", *seconds, 0.01}});
         return trials.emplace_back(trial);
     }
     Standings standings(const StandingsChoice &choice) const
@@ -34,7 +34,7 @@ struct Term
         std::vector<const TrialRecord *> pointers;
         for (const TrialRecord &trial : trials)
             pointers.push_back(&trial);
-        return standingsOf(pointers, figures, choice);
+        return standingsOf(pointers, metrics, choice);
     }
 };
 
@@ -60,7 +60,7 @@ private Q_SLOTS:
         QVERIFY(all.isLessBetter);
         QCOMPARE(all.teams.size(), std::size_t(3));
         QCOMPARE(all.teams[0].team, std::string("Team 2"));
-        QCOMPARE(all.teams[0].figures.median, 8.2);
+        QCOMPARE(all.teams[0].statistics.median, 8.2);
         QCOMPARE(all.teams[0].progress.best, 8.1);
         QCOMPARE(all.teams[2].team, std::string("Team 1"));
         QCOMPARE(all.teams[2].runs.size(), std::size_t(3));
@@ -69,7 +69,7 @@ private Q_SLOTS:
         QVERIFY(!all.teams[0].progress.isBeyondSpread);
         const Standings ofClass = term.standings({"9C", "Slalom", "gate_time"});
         QCOMPARE(ofClass.teams.size(), std::size_t(1));
-        QCOMPARE(ofClass.teams[0].figures.rank, 1);
+        QCOMPARE(ofClass.teams[0].statistics.rank, 1);
         QVERIFY(term.standings({"8A", "", "gate_time"}).teams.empty());
     }
 
@@ -85,7 +85,7 @@ private Q_SLOTS:
         QVERIFY(!all.isRanked());
         QCOMPARE(all.teams.size(), std::size_t(2));
         QCOMPARE(all.teams[0].team, std::string("Team 1")); // by name
-        QVERIFY(all.teams[0].figures.rank == 0 && all.teams[1].figures.rank == 0);
+        QVERIFY(all.teams[0].statistics.rank == 0 && all.teams[1].statistics.rank == 0);
         QVERIFY(term.standings({"", "Slalom", "gate_time"}).isRanked());
     }
 
@@ -94,7 +94,7 @@ private Q_SLOTS:
     {
         Term term;
         const RecordId trial = term.add(1, "9B", 5.0).id;
-        term.figures.push_back({trial, 2, {"gate_time", "s", 4.0, 0.01}});
+        term.metrics.push_back({trial, 2, {"gate_time", "s", 4.0, 0.01}});
         QCOMPARE(term.standings({"", "", "gate_time"}).teams.at(0).progress.best, 4.0);
         QCOMPARE(term.standings({"", "", "max_speed"}).teams.at(0).progress.best, 5.0);
     }

@@ -3,7 +3,7 @@
 #include "core/project/project.h"
 #include "core/project/project_media.h"
 #include "core/project/repositories.h"
-#include "core/workflow/calibrate/calibration_pictures.h"
+#include "core/workflow/calibrate/calibration_images.h"
 #include "core/workflow/media_repair.h"
 #include "tests/support/registered_test.h"
 #include "tests/video/coded_frames.h"
@@ -38,7 +38,7 @@ private Q_SLOTS:
         import("run", "A");
         CalibrationMedia media(m_project->mediaFolder());
         RegistrationRecord registration;
-        registration.picture = *media.write("A_floor", {1, 2, 3});
+        registration.image = *media.write("A_floor", {1, 2, 3});
         QVERIFY(m_project->check(false)->empty()); // whoever made it holds it still
         media.keep();
         QCOMPARE(strays()->size(), std::size_t(1)); // nothing refers to it yet

@@ -112,7 +112,7 @@ private Q_SLOTS:
 
     void whoItMayBeIsSaid_data()
     {
-        using Doubts = std::vector<DoubtfulName>;
+        using Doubts = std::vector<AmbiguousName>;
         using namespace std::chrono_literals;
         QTest::addColumn<Doubts>("doubts");
         QTest::addColumn<QString>("said");
@@ -142,11 +142,11 @@ private Q_SLOTS:
     }
     void whoItMayBeIsSaid()
     {
-        QFETCH(std::vector<DoubtfulName>, doubts);
+        QFETCH(std::vector<AmbiguousName>, ambiguities);
         QFETCH(QString, said);
         AnalysisRecord analysis;
         analysis.robotName = std::string("Blue 1");
-        analysis.doubtfulNames = doubts;
+        analysis.ambiguousNames = ambiguities;
         const auto sentences = analysisWarnings(analysis, "t");
         QCOMPARE(sentences.size(), std::size_t(said.isEmpty() ? 0 : 1));
         if (!said.isEmpty())

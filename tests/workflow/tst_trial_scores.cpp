@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/project/project.h"
 #include "core/project/repositories.h"
-#include "core/workflow/compare/trial_figures.h"
+#include "core/workflow/compare/trial_metrics.h"
 #include "tests/support/registered_test.h"
 #include "tests/ui/support/stored_example.h"
 
@@ -35,9 +35,9 @@ private Q_SLOTS:
         if (!isByTask)
             QVERIFY(project->tasks().change({task.id, task.name, {}})); // without a course
         QVERIFY(std::abs(scores()[0].score->points - 10) < 1e-9);
-        const auto figures = scoreFigures(*project, Instant::min(), Instant::max());
-        QCOMPARE(figures->size(), std::size_t(1));
-        QCOMPARE(figures->front().metric.name, std::string(scoreMetric));
+        const auto metrics = scoreMetrics(*project, Instant::min(), Instant::max());
+        QCOMPARE(metrics->size(), std::size_t(1));
+        QCOMPARE(metrics->front().metric.name, std::string(scoreMetric));
         QVERIFY(trialScores(*project, Instant::min(), trial.date - std::chrono::hours(1))->empty());
         // With a course the stored analysis was measured by another one: it is not scored until it is
         // measured again.
@@ -45,7 +45,7 @@ private Q_SLOTS:
         line.path.points = {{0, 0}, {1, 0}};
         QVERIFY(project->tasks().change({project->tasks().find(task.name)->id, task.name, line}));
         QVERIFY(!scores()[0].score);
-        QVERIFY(scoreFigures(*project, Instant::min(), Instant::max())->empty());
+        QVERIFY(scoreMetrics(*project, Instant::min(), Instant::max())->empty());
     }
 };
 

@@ -3,14 +3,14 @@
 
 #include "ui/compare/internal/compare_map.h"
 #include "ui/models/comparison_scene.h"
-#include "ui/models/figure_text.h"
+#include "ui/models/number_text.h"
 #include "ui/models/shown_message.h"
 #include "ui/models/timeline.h"
 #include "ui/models/trial_scene.h"
+#include "ui/views/charts/chart_image.h"
 #include "ui/views/charts/chart_overlay.h"
-#include "ui/views/charts/chart_picture.h"
 #include "ui/views/charts/series_colours.h"
-#include "ui/views/picture/camera_view.h"
+#include "ui/views/image/camera_view.h"
 #include "ui/views/widgets/theme.h"
 
 #include <QComboBox>
@@ -29,23 +29,23 @@ constexpr std::size_t pictured = 2;
 /// Another run of the comparison as it would be seen by a view of this one: where it is, and the way it took
 /// in the last moments.
 void paintOtherRun(QPainter &painter, const ComparisonScene &scene, std::size_t other, Nanoseconds common,
-                   const FloorView &view, const PictureMap &map)
+                   const FloorView &view, const ImageMap &map)
 {
     constexpr std::ptrdiff_t trailPoints = 45;
     const Profile &profile = scene.profile(other);
     const std::ptrdiff_t index = pointIndexAt(profile, scene.ownTime(other, common));
     if (index < 0)
         return;
-    std::vector<std::optional<Eigen::Vector2d>> places;
+    std::vector<std::optional<Eigen::Vector2d>> positions;
     for (std::ptrdiff_t i = std::max<std::ptrdiff_t>(0, index - trailPoints); i <= index; ++i) {
         const ProfilePoint &point = profile.points[static_cast<std::size_t>(i)];
-        places.push_back(point.valid ? std::optional(point.position) : std::nullopt);
+        positions.push_back(point.valid ? std::optional(point.position) : std::nullopt);
     }
-    paintWay(painter, places, profile.heightM, view, map, colourOnPicture(int(other)));
+    paintPath(painter, positions, profile.heightM, view, map, colourOnImage(int(other)));
     paintGhost(painter,
                {&scene.robot(other), profile.heightM,
                 profile.points[static_cast<std::size_t>(index)].position,
-                drivenHeadingAt(profile, index).value_or(0), colourOnPicture(int(other)),
+                drivenHeadingAt(profile, index).value_or(0), colourOnImage(int(other)),
                 QString::fromStdString(scene.name(other))},
                view, map);
 }
@@ -69,23 +69,23 @@ CompareDesk::CompareDesk(Timeline &timeline, QWidget *parent)
     m_map->setToolTip(
         tr("Drag a gate along the path. Keys: Up and Down select a gate, Left and Right move it"));
     m_mapCard->setContent(m_map);
-    new ChartPicture(*m_map, [this] {
-        return PictureHeading{m_mapCard->title(), m_scene ? m_scene->names() : QStringList(), {}};
+    new ChartImage(*m_map, [this] {
+        return ImageHeading{m_mapCard->title(), m_scene ? m_scene->names() : QStringList(), {}};
     });
     m_mapCard->setRemark(tr("both runs"));
     for (std::size_t run = 0; run < pictured; ++run) {
         auto *clock = new Timeline(this);
-        auto *picture = new CameraView(*clock);
+        auto *image = new CameraView(*clock);
         auto *views = new QComboBox;
         views->setAccessibleName(run == 0 ? tr("Camera of the first run") : tr("Camera of the second run"));
         views->setFocusPolicy(Qt::TabFocus);
-        picture->addToHeader(views);
-        picture->setMinimumWidth(180);
-        middle().addWidget(picture);
+        image->addToHeader(views);
+        image->setMinimumWidth(180);
+        middle().addWidget(image);
         connect(views, &QComboBox::activated, this, &CompareDesk::showViews);
-        connect(picture, &CameraView::settled, this, &CompareDesk::settled);
+        connect(image, &CameraView::settled, this, &CompareDesk::settled);
         m_clocks.push_back(clock);
-        m_pictures.push_back(picture);
+        m_cameraViews.push_back(image);
         m_viewLists.push_back(views);
     }
     middle().addWidget(m_mapCard);
@@ -130,21 +130,21 @@ void CompareDesk::setScene(ComparisonScenePtr scene)
 void CompareDesk::showViews()
 {
     for (std::size_t run = 0; run < pictured; ++run) {
-        CameraView &picture = *m_pictures[run];
+        CameraView &image = *m_cameraViews[run];
         const auto view = static_cast<std::size_t>(std::max(0, m_viewLists[run]->currentIndex()));
-        picture.setScene(m_scene ? m_scene->scenes[run] : nullptr, view);
+        image.setScene(m_scene ? m_scene->scenes[run] : nullptr, view);
         const bool hasVideo = m_scene && !m_scene->scenes[run]->views.empty();
-        picture.setVisible(hasVideo || !m_scene); // an imported track has none
+        image.setVisible(hasVideo || !m_scene); // an imported track has none
         if (!hasVideo) {
-            picture.setOverlay({});
+            image.setOverlay({});
             continue;
         }
-        picture.setTitle(run == 0 ? tr("First") : tr("Second"));
-        picture.setRemark(QString::fromStdString(m_scene->name(run)));
-        picture.setBadge({}); // Review shows the registration; the names need the space
-        picture.setRobotColour(colourOnPicture(int(run)));
-        picture.setOverlay([scene = m_scene, run](QPainter &painter, std::size_t shown, std::int64_t frame,
-                                                  const PictureMap &map) {
+        image.setTitle(run == 0 ? tr("First") : tr("Second"));
+        image.setRemark(QString::fromStdString(m_scene->name(run)));
+        image.setBadge({}); // Review shows the registration; the names need the space
+        image.setRobotColour(colourOnImage(int(run)));
+        image.setOverlay([scene = m_scene, run](QPainter &painter, std::size_t shown, std::int64_t frame,
+                                                const ImageMap &map) {
             const TrialScene &own = *scene->scenes[run];
             if (!own.views[shown].floorView)
                 return;
@@ -165,7 +165,7 @@ void CompareDesk::followTime()
 bool CompareDesk::isSettled() const
 {
     return m_map->isSettled() &&
-           std::ranges::all_of(m_pictures, [](const CameraView *picture) { return picture->isSettled(); });
+           std::ranges::all_of(m_cameraViews, [](const CameraView *image) { return image->isSettled(); });
 }
 
 DistanceArea::DistanceArea(Timeline &timeline, AxisSpan &span, Compared what, QWidget *parent)
@@ -201,15 +201,16 @@ void DistanceArea::paintOver(QPainter &painter)
         const auto value = comparedAt(*m_scene, m_what, run, distance);
         if (!value || !isGroupShown(int(run)))
             continue;
-        QString text = figureText(value->value, value->sigma, comparedUnit(m_what)).text();
+        QString text = numberText(value->value, value->sigma, comparedUnit(m_what)).text();
         if (compared > 1)
             text = joinedWords(QString::fromStdString(m_scene->name(run)), text);
         const QRectF bubble = drawChartBubble(painter, shown, {distance, value->value}, top, text,
                                               seriesColour(int(run), palette()), palette());
         m_bubbles->add(bubble, [scene = m_scene, what = m_what, run, distance, value = *value] {
             return what == Compared::Speed
-                       ? explainSpeedOnWay(*scene, run, distance,
-                                           figureText(value.value, value.sigma, comparedUnit(what)).text())
+                       ? explainSpeedOverDistance(
+                             *scene, run, distance,
+                             numberText(value.value, value.sigma, comparedUnit(what)).text())
                        : explainTimeDifference(*scene, run, distance, {value.value, value.sigma});
         });
         top = bubble.bottom() + bubbleGap;
@@ -235,10 +236,10 @@ DistanceChart::DistanceChart(Timeline &timeline, AxisSpan &span, Compared what, 
 {
     setContent(m_area);
     m_area->setAccessibleName(title());
-    new ChartPicture(
+    new ChartImage(
         *m_area,
         [this] {
-            return PictureHeading{title(), m_names, remark()};
+            return ImageHeading{title(), m_names, remark()};
         },
         m_key);
     if (!m_key)

@@ -35,7 +35,7 @@ public:
     CompareMap &map() const { return *m_map; }
     DistanceChart &speed() const { return *m_speed; }
     DistanceChart &difference() const { return *m_difference; }
-    const std::vector<CameraView *> &pictures() const { return m_pictures; }
+    const std::vector<CameraView *> &cameraViews() const { return m_cameraViews; }
     bool isSettled() const;
 
 Q_SIGNALS:
@@ -49,7 +49,7 @@ private:
     Timeline &m_timeline;
     ComparisonScenePtr m_scene;
     std::vector<Timeline *> m_clocks; ///< of the runs with an image, synchronised with the shared one
-    std::vector<CameraView *> m_pictures;
+    std::vector<CameraView *> m_cameraViews;
     std::vector<QComboBox *> m_viewLists;
     Card *m_mapCard;
     CompareMap *m_map;

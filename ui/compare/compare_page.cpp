@@ -35,7 +35,7 @@ bool areSameRuns(const CompareSettings &a, const CompareSettings &b)
 } // namespace
 
 /// What is asked of the project.
-struct ComparePage::Wish
+struct ComparePage::Request
 {
     CompareSettings settings;
     bool withList = false;    ///< of all runs, among which the compared ones are looked up
@@ -114,21 +114,21 @@ void ComparePage::suggestTrial(const QString &trial)
 }
 
 /// On the reader's thread.
-Result<ComparePage::Reading> ComparePage::readRuns(Project &project, Wish wish)
+Result<ComparePage::Reading> ComparePage::readRuns(Project &project, Request request)
 {
-    Reading reading{std::move(wish.settings), std::nullopt, nullptr};
+    Reading reading{std::move(request.settings), std::nullopt, nullptr};
     auto &runs = reading.settings.runs;
-    if (wish.withList) {
+    if (request.withList) {
         const auto trials = ODO_TRY(project.trials().all());
         reading.list = runChoices(trials);
-        if (wish.withPartner && runs.size() == 1) {
+        if (request.withPartner && runs.size() == 1) {
             const auto partner = ODO_TRY(partnerOf(project, trials, runs.front().trial));
             if (partner)
                 runs.push_back({*partner, {}});
         }
         std::vector<CompareSettings::Run> known;
-        for (const int place : placesOf(*reading.list, runs))
-            known.push_back(reading.list->at(place).run);
+        for (const int position : paletteIndicesOf(*reading.list, runs))
+            known.push_back(reading.list->at(position).run);
         runs = std::move(known);
     }
     if (runs.size() >= 2)
@@ -150,10 +150,10 @@ void ComparePage::load()
             settings.handTimesS[1] += m_chooser->shiftS();
         }
     }
-    if (settings.alignBy == AlignBy::Distance && m_originM && m_chooser->placeM())
-        settings.placeM = *m_originM + *m_chooser->placeM();
-    m_reader->read<Reading>([wish = Wish{std::move(settings), m_isListStale, m_wantsPartner}](
-                                Project &project) { return readRuns(project, wish); },
+    if (settings.alignBy == AlignBy::Distance && m_originM && m_chooser->stationM())
+        settings.stationM = *m_originM + *m_chooser->stationM();
+    m_reader->read<Reading>([request = Request{std::move(settings), m_isListStale, m_wantsPartner}](
+                                Project &project) { return readRuns(project, request); },
                             [this](Result<Reading> reading) { take(std::move(reading)); });
 }
 

@@ -56,8 +56,8 @@ protected:
 
 private:
     struct Reading;
-    struct Wish;
-    static Result<Reading> readRuns(Project &project, Wish wish);
+    struct Request;
+    static Result<Reading> readRuns(Project &project, Request request);
     void load();
     void take(Result<Reading> reading);
     void adopt(ComparisonScenePtr scene);

@@ -74,7 +74,7 @@ ClassesDialog::ClassesDialog(Project &project, bool readOnly, QWidget *parent)
         accept();
         Q_EMIT rosterRequested();
     });
-    addUndoKeys(*this, m_changes, [this](const Result<QString> &outcome) { tell(outcome); });
+    addUndoKeys(*this, m_changes, [this](const Result<QString> &outcome) { showOutcome(outcome); });
     refresh();
 }
 
@@ -351,10 +351,10 @@ void ClassesDialog::readCell(int row, int column)
 
 void ClassesDialog::apply(const Message &words, const std::function<Result<void>()> &work)
 {
-    tell(m_changes.make(words, work));
+    showOutcome(m_changes.make(words, work));
 }
 
-void ClassesDialog::tell(const Result<QString> &outcome)
+void ClassesDialog::showOutcome(const Result<QString> &outcome)
 {
     m_message->setText(outcome ? *outcome : errorLine(outcome.error()));
     if (!outcome)

@@ -55,7 +55,7 @@ private:
     void readCell(int row, int column);
     QString askName(const QString &title, const QString &name);
     void apply(const Message &words, const std::function<Result<void>()> &work);
-    void tell(const Result<QString> &outcome);
+    void showOutcome(const Result<QString> &outcome);
 
     Project &m_project;
     OwnChanges m_changes;

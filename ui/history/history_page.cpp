@@ -296,10 +296,10 @@ void HistoryPage::offerFilters()
 
 void HistoryPage::selectTrial(const QString &name)
 {
-    const int place = m_trials->indexOf(name);
+    const int listSection = m_trials->indexOf(name);
     if (m_trials->rowCount() > 0)
-        m_table->setCurrentIndex(m_trials->index(std::max(0, place), 0));
-    if (m_reading && place < 0)
+        m_table->setCurrentIndex(m_trials->index(std::max(0, listSection), 0));
+    if (m_reading && listSection < 0)
         m_wanted = name;
 }
 
@@ -326,7 +326,7 @@ void HistoryPage::filter()
     TrialFilter filter = m_filterBar->filter();
     filter.text = m_search->text();
     filter.archivedClasses = m_archivedClasses;
-    m_marks->setBinShown(filter.place == TrialFilter::Place::Bin);
+    m_marks->setBinShown(filter.listSection == TrialFilter::ListSection::Bin);
     m_trials->setFilter(std::move(filter));
     selectTrial(selected);
     showSelection();
@@ -342,7 +342,7 @@ void HistoryPage::reload(const QList<qint64> &trials)
     m_changed += trials;
     if (isReloading)
         return;
-    const int place = m_table->currentIndex().row(), before = m_trials->rowCount();
+    const int listSection = m_table->currentIndex().row(), before = m_trials->rowCount();
     for (; !m_changed.isEmpty(); m_changed.removeFirst()) {
         Result<TrialRow> row = loadTrialRow(m_project, m_changed.front());
         if (!row) {
@@ -354,7 +354,7 @@ void HistoryPage::reload(const QList<qint64> &trials)
     }
     const bool isElsewhere = m_trials->rowCount() != before;
     if (isElsewhere && m_trials->rowCount() > 0)
-        m_table->setCurrentIndex(m_trials->index(std::clamp(place, 0, m_trials->rowCount() - 1), 0));
+        m_table->setCurrentIndex(m_trials->index(std::clamp(listSection, 0, m_trials->rowCount() - 1), 0));
     showSelection();
     showCount();
     showCurrent();

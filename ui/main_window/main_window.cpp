@@ -129,15 +129,15 @@ void MainWindow::connectActions()
     connect(m_files, &FileActions::tracksDropped, m_trials, &TrialActions::askImportTracks);
     connect(m_files, &FileActions::demoOpened, m_help, &HelpActions::beginLesson);
     connect(m_help, &HelpActions::demoWanted, m_files->demo(), &QAction::trigger);
-    connect(m_files, &FileActions::failed, this, &MainWindow::tellFailure);
+    connect(m_files, &FileActions::failed, this, &MainWindow::showFailure);
     connect(m_files, &FileActions::done, m_messages, &MessageBar::showDone);
-    connect(m_trials, &TrialActions::failed, this, &MainWindow::tellFailure);
+    connect(m_trials, &TrialActions::failed, this, &MainWindow::showFailure);
     connect(m_trials, &TrialActions::done, m_messages, &MessageBar::showDone);
-    connect(m_reports, &ReportActions::failed, this, &MainWindow::tellFailure);
+    connect(m_reports, &ReportActions::failed, this, &MainWindow::showFailure);
     connect(m_reports, &ReportActions::done, m_messages, &MessageBar::showDone);
     connect(m_reports, &ReportActions::letterheadRequested, this,
             [this] { showPreferences(PreferencesDialog::Reports); });
-    connect(m_many, &HistoryActions::failed, this, &MainWindow::tellFailure);
+    connect(m_many, &HistoryActions::failed, this, &MainWindow::showFailure);
     connect(m_many, &HistoryActions::changed, this, [this](const QString &words) {
         refreshPages();
         if (!words.isEmpty())
@@ -146,11 +146,11 @@ void MainWindow::connectActions()
     connect(m_class, &ClassActions::changed, this, &MainWindow::refreshPages);
     connect(m_class, &ClassActions::rosterRequested, m_many, &HistoryActions::askRoster);
     connect(m_class, &ClassActions::reprocessRequested, m_many, &HistoryActions::reprocessTrials);
-    connect(m_undo, &UndoActions::aboutToLook, this, [this] {
+    connect(m_undo, &UndoActions::aboutToSearch, this, [this] {
         if (m_pages)
             m_pages->saveNotes();
     });
-    connect(m_undo, &UndoActions::failed, this, &MainWindow::tellFailure);
+    connect(m_undo, &UndoActions::failed, this, &MainWindow::showFailure);
     connect(m_undo, &UndoActions::changed, this, [this](const QString &words) {
         refreshPages();
         m_messages->showDone(words);
@@ -163,7 +163,7 @@ void MainWindow::connectJobs()
 {
     connect(m_workspace, &Workspace::aboutToClose, this, &MainWindow::closePages);
     connect(m_workspace, &Workspace::opened, this, &MainWindow::makePages);
-    connect(m_workspace, &Workspace::told, m_messages, &MessageBar::showDone);
+    connect(m_workspace, &Workspace::messageReady, m_messages, &MessageBar::showDone);
     connect(m_workspace, &Workspace::jobStarted, &m_status->job(), &JobIndicator::begin);
     connect(m_workspace, &Workspace::jobProgressed, &m_status->job(), &JobIndicator::setProgress);
     connect(m_workspace, &Workspace::jobDone, &m_status->job(), &JobIndicator::end);
@@ -175,7 +175,7 @@ void MainWindow::connectJobs()
     connect(m_workspace, &Workspace::lost, this, &MainWindow::rescueProject);
     connect(m_workspace, &Workspace::overwritten, this, &MainWindow::reopenProject);
     connect(m_workspace, &Workspace::jobFailed, &m_status->job(), &JobIndicator::end);
-    connect(m_workspace, &Workspace::jobFailed, this, &MainWindow::tellFailure);
+    connect(m_workspace, &Workspace::jobFailed, this, &MainWindow::showFailure);
     connect(m_workspace, &Workspace::backupFound, this, [this](const std::filesystem::path &project) {
         m_messages->offer(tr("Restore the backup"), [this, project] { m_files->beginRestoring(project); });
     });
@@ -198,7 +198,7 @@ void MainWindow::rescueProject()
         m_pages->saveNotes();
     if (const auto moved = m_workspace->movedTo(); moved && m_workspace->project()->emptyLog()) {
         if (const auto opened = m_workspace->open(*moved); !opened)
-            tellFailure(opened.error());
+            showFailure(opened.error());
         else
             m_messages->showWarning(tr("Another program renamed “%1” and its videos. It is now open as “%2”.")
                                         .arg(name, projectName()));
@@ -210,7 +210,7 @@ void MainWindow::rescueProject()
                                    "contents in “%2” and opened that project.")
                                     .arg(name, QString::fromStdString(rescued->filename().string())));
     else
-        tellFailure(rescued.error());
+        showFailure(rescued.error());
 }
 
 /// Another program wrote over the file while it was open: what it held before is gone.
@@ -229,7 +229,7 @@ void MainWindow::reopenProject()
     if (const Result<void> opened = m_workspace->reopen(); !opened) {
         m_modeBar->setModesEnabled(false);
         showTitle();
-        tellFailure(opened.error());
+        showFailure(opened.error());
         return;
     }
     m_messages->showWarning(tr("Another program overwrote “%1” while it was open. Its earlier contents are "
@@ -282,8 +282,8 @@ void MainWindow::connectPages()
         showDesk(mode);
     });
     connect(m_pages.get(), &ProjectPages::changed, this, &MainWindow::showState);
-    connect(m_pages.get(), &ProjectPages::told, m_messages, &MessageBar::showDone);
-    connect(m_pages.get(), &ProjectPages::failed, this, &MainWindow::tellFailure);
+    connect(m_pages.get(), &ProjectPages::messageReady, m_messages, &MessageBar::showDone);
+    connect(m_pages.get(), &ProjectPages::failed, this, &MainWindow::showFailure);
     connect(m_pages.get(), &ProjectPages::settled, this, &MainWindow::settled);
 }
 
@@ -302,8 +302,8 @@ void MainWindow::addPage(Mode mode)
         connect(review, &ReviewPage::trialShown, this, &MainWindow::showTitle);
         connect(review, &ReviewPage::importRequested, m_trials, askImport);
         connect(review, &ReviewPage::trackRequested, m_trials, &TrialActions::askTrack);
-        connect(&review->spikes(), &SpikeActions::said, m_trials, &TrialActions::overrule);
-        connect(&review->pointing(), &RobotPointing::said, m_trials, &TrialActions::pointOut);
+        connect(&review->spikes(), &SpikeActions::requested, m_trials, &TrialActions::manualOverride);
+        connect(&review->pointing(), &RobotPointing::requested, m_trials, &TrialActions::pointOut);
         showDesk(m_pages->mode());
         m_help->setPages(m_pages.get());
         break;
@@ -354,7 +354,7 @@ void MainWindow::showPreferences(PreferencesDialog::Page page)
     PreferencesDialog dialog(*m_keys, m_views->theme(), this);
     dialog.turnTo(page);
     connect(&dialog, &PreferencesDialog::themeChosen, m_views, &ViewActions::chooseTheme);
-    connect(&dialog, &PreferencesDialog::lookChanged, this, &MainWindow::remakePages);
+    connect(&dialog, &PreferencesDialog::styleChanged, this, &MainWindow::remakePages);
     dialog.exec();
     if (m_pages && m_pages->mode() == Mode::Record) // one that is hidden asks when it is shown
         m_pages->record().followNetwork();
@@ -442,7 +442,7 @@ void MainWindow::showState()
 }
 
 /// The core knows teams by their names only.
-void MainWindow::tellFailure(const Error &error)
+void MainWindow::showFailure(const Error &error)
 {
     knowTeams();
     m_messages->showError(error);

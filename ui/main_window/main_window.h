@@ -93,7 +93,7 @@ private:
     void reopenProject();
     QString projectName() const;
     bool isWorking() const;
-    void tellFailure(const Error &error);
+    void showFailure(const Error &error);
     void showDesk(Mode mode);
 
     RecentProjects *m_recent;

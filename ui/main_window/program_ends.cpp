@@ -58,15 +58,15 @@ CrashNotice::CrashNotice(const std::filesystem::path &report,
     resize(width, layout->totalHeightForWidth(width));
 }
 
-void tellCrashes(MainWindow &window, const std::filesystem::path &folder,
-                 const std::optional<std::filesystem::path> &opening)
+void reportCrashes(MainWindow &window, const std::filesystem::path &folder,
+                   const std::optional<std::filesystem::path> &opening)
 {
     const std::vector<CrashReport> reports = newCrashReports(folder);
     if (reports.empty())
         return;
     std::filesystem::path told;
     for (const CrashReport &report : reports)
-        told = keepToldReport(report);
+        told = keepShownReport(report);
     std::optional<std::filesystem::path> project = reports.back().project;
     const bool isOpenedAnyway = project && opening && files::isSame(*project, *opening);
     if (isOpenedAnyway || (project && !files::exists(*project)))

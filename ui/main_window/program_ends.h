@@ -26,8 +26,8 @@ Q_SIGNALS:
 
 /// Shows a notice over the window if the folder holds crash reports not shown yet. opening: the project that
 /// is being opened anyway. Does not wait.
-void tellCrashes(MainWindow &window, const std::filesystem::path &folder,
-                 const std::optional<std::filesystem::path> &opening);
+void reportCrashes(MainWindow &window, const std::filesystem::path &folder,
+                   const std::optional<std::filesystem::path> &opening);
 
 /// Ends the window as closing it does, with a recording finished and kept and no question asked, when the
 /// system asks: SIGTERM, SIGINT (Ctrl-C) and SIGHUP after watchStopSignals(). At log-out and shutdown, which

@@ -160,7 +160,7 @@ QWidget *ProjectPages::makeTestbed()
 {
     m_testbed = new TestbedPage(*m_workspace.project(), &m_stack);
     connect(m_testbed, &TestbedPage::changed, this, [this](const QString &words) {
-        tell(words);
+        showOutcome(words);
         refreshAllBut(m_testbed);
     });
     connect(m_testbed, &TestbedPage::failed, this, &ProjectPages::failed);
@@ -172,7 +172,7 @@ QWidget *ProjectPages::makeRecord()
 {
     m_record = new RecordPage(*m_workspace.project(), m_workspace.isReadOnly(), {}, &m_stack);
     connect(m_record, &RecordPage::changed, this, [this](const QString &words) {
-        tell(words);
+        showOutcome(words);
         refreshAllBut(m_record);
     });
     connect(m_record, &RecordPage::failed, this, &ProjectPages::failed);
@@ -208,7 +208,7 @@ QWidget *ProjectPages::makeHistory()
     connect(m_history, &HistoryPage::teamNamesChanged, this, [this] { refreshAllBut(m_history); });
     connect(m_history, &HistoryPage::notesChanged, this, [this] { refreshAllBut(m_history); });
     connect(m_history, &HistoryPage::trialsChanged, this, [this](const QString &words) {
-        tell(words);
+        showOutcome(words);
         refreshAllBut(m_history);
     });
     connect(m_history, &HistoryPage::failed, this, &ProjectPages::failed);
@@ -216,10 +216,10 @@ QWidget *ProjectPages::makeHistory()
     return m_history;
 }
 
-void ProjectPages::tell(const QString &words)
+void ProjectPages::showOutcome(const QString &words)
 {
     if (!words.isEmpty())
-        Q_EMIT told(words);
+        Q_EMIT messageReady(words);
 }
 
 void ProjectPages::openTrial(const QString &trial)

@@ -87,7 +87,7 @@ Q_SIGNALS:
     void made(odo::WindowMode mode);
     void shown(odo::WindowMode mode);
     void changed(); ///< by one of the pages
-    void told(const QString &words);
+    void messageReady(const QString &words);
     void failed(const odo::Error &error);
     void settled();
 
@@ -100,7 +100,7 @@ private:
     QWidget *makeReview();
     QWidget *makeCompare();
     QWidget *makeHistory();
-    void tell(const QString &words);
+    void showOutcome(const QString &words);
     void openTrial(const QString &trial);
     void refreshAllBut(const QWidget *page);
     void read(QWidget *page);

@@ -2,7 +2,7 @@
 #include "ui/main_window/workspace.h"
 
 #include "core/base/file_system.h"
-#include "core/project/place_warning.h"
+#include "core/project/location_warning.h"
 #include "core/project/project.h"
 #include "core/project/project_locks.h"
 #include "core/project/project_rescue.h"
@@ -108,7 +108,7 @@ Result<Workspace::Ready> Workspace::makeReady(const std::filesystem::path &file,
         return tl::unexpected(project.error());
     if (access() == Project::Access::ReadOnly)
         return ready;
-    if (const auto warning = placeWarning(file))
+    if (const auto warning = locationWarning(file))
         ready.words = shownWords(*warning);
     const auto trials = (*project)->trials().names();
     ready.isCutOff = trials && std::ranges::any_of(*trials, &TrialName::unfinished);
@@ -129,7 +129,7 @@ Result<void> Workspace::show(Ready ready)
     }
     adopt(std::move(*project), std::move(lock));
     if (!ready.words.isEmpty())
-        Q_EMIT told(ready.words);
+        Q_EMIT messageReady(ready.words);
     if (ready.isCutOff)
         recoverTrials();
     else if (ready.lacksHashes)
@@ -143,10 +143,10 @@ void Workspace::recoverTrials()
     const Result<void> started =
         start(job, ODO_TEXT("ui.completing_recording", "Completing an interrupted recording"), [this, job] {
             QStringList words;
-            for (const Message &sentence : job->told())
+            for (const Message &sentence : job->problems())
                 words << shownWords(sentence);
             if (!words.isEmpty())
-                Q_EMIT told(words.join(u'\n'));
+                Q_EMIT messageReady(words.join(u'\n'));
             makeHashes();
         });
     if (!started)
@@ -212,10 +212,10 @@ Result<std::filesystem::path> Workspace::rescue()
 
 std::optional<std::filesystem::path> Workspace::movedTo() const
 {
-    auto place = m_project->presentPlace();
+    auto location = m_project->currentLocation();
     const bool isWhole =
-        place && !files::exists(m_project->mediaFolder()) && files::isFolder(mediaFolderOf(*place));
-    return isWhole ? place : std::nullopt;
+        location && !files::exists(m_project->mediaFolder()) && files::isFolder(mediaFolderOf(*location));
+    return isWhole ? location : std::nullopt;
 }
 
 Result<void> Workspace::reopen()
@@ -287,8 +287,9 @@ Result<void> Workspace::begin(std::function<Result<std::filesystem::path>(const 
                     if (!made->damaged.empty())
                         Q_EMIT backupFound(made->damaged);
                     if (outcome->code == ErrorCode::Cancelled && !made->written.empty())
-                        Q_EMIT told(tr("“%1” was written before you cancelled. It was not opened.")
-                                        .arg(QString::fromStdString(made->written.filename().string())));
+                        Q_EMIT messageReady(
+                            tr("“%1” was written before you cancelled. It was not opened.")
+                                .arg(QString::fromStdString(made->written.filename().string())));
                     return;
                 }
                 if (const Result<void> shown = show(std::move(ready)); !shown)
@@ -340,7 +341,7 @@ Result<void> Workspace::beginRestoring(const std::filesystem::path &file, Done w
     };
     return makeAndOpen(make, ODO_TEXT("ui.restoring_backup", "Restoring the backup"),
                        [this, restored, whenOpen = std::move(whenOpen)] {
-                           Q_EMIT told(
+                           Q_EMIT messageReady(
                                tr("The backup was restored. The damaged file is kept as “%1”.")
                                    .arg(QString::fromStdString(restored->damaged.filename().string())));
                            if (whenOpen)

@@ -70,7 +70,7 @@ public:
 
 Q_SIGNALS:
     /// Something was done on opening that the user should know.
-    void told(const QString &words);
+    void messageReady(const QString &words);
     void aboutToClose(); ///< project() is still the old one
     void opened();
     void changed(); ///< by a job that ran on it, or by another program

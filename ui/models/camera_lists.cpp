@@ -5,7 +5,7 @@
 #include "core/project/records.h"
 #include "core/project/repositories.h"
 #include "core/workflow/calibrate/cameras.h"
-#include "ui/models/figure_text.h"
+#include "ui/models/number_text.h"
 #include "ui/models/shown_message.h"
 
 namespace odo {
@@ -111,7 +111,7 @@ QVariant CameraListModel::heading(int column, int role) const
 
 LiveCameras::LiveCameras(List list, QObject *parent) : QObject(parent), m_list(std::move(list)) {}
 
-void LiveCameras::look()
+void LiveCameras::poll()
 {
     auto found = std::make_shared<std::vector<CameraDescription>>();
     if (!m_task.start([found, list = m_list](const JobControl &) -> Result<void> {

@@ -5,8 +5,8 @@
 #include "core/capture/camera_source.h"
 #include "core/project/records.h"
 #include "ui/models/background_task.h"
-#include "ui/models/figure_text.h"
 #include "ui/models/internal/row_table_model.h"
+#include "ui/models/number_text.h"
 
 #include <optional>
 #include <vector>
@@ -64,8 +64,8 @@ public:
     explicit LiveCameras(List list = listCameras, QObject *parent = nullptr);
 
     /// Searches again, unless a search is running.
-    void look();
-    bool isLooking() const { return m_task.isRunning(); }
+    void poll();
+    bool isSearching() const { return m_task.isRunning(); }
     const std::vector<CameraDescription> &cameras() const { return m_cameras; }
 
 Q_SIGNALS:

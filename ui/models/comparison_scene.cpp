@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/models/comparison_scene.h"
 
-#include "ui/models/figure_text.h"
+#include "ui/models/number_text.h"
 #include "ui/models/trial_scene.h"
 
 #include <QCoreApplication>
@@ -60,7 +60,8 @@ std::vector<Nanoseconds> ComparisonScene::frameTimes() const
 
 double ComparisonScene::distanceAt(std::size_t run, Nanoseconds common) const
 {
-    return compared.comparison.runs[run].wayAt(toSeconds(ownTime(run, common))) - compared.comparison.originM;
+    return compared.comparison.runs[run].distanceAtTime(toSeconds(ownTime(run, common))) -
+           compared.comparison.originM;
 }
 
 const ProfilePoint *ComparisonScene::pointAt(std::size_t run, Nanoseconds common) const
@@ -167,43 +168,43 @@ QStringList comparisonInputs(const ComparisonScene &scene, std::size_t run)
 
 QString timeWithUnit(const Difference &time)
 {
-    return figureText(time.value, time.sigma, QStringLiteral("s")).text();
+    return numberText(time.value, time.sigma, QStringLiteral("s")).text();
 }
 
 } // namespace
 
 Explanation explainDifference(const ComparisonScene &scene, std::size_t run, const MetricDifference &metric)
 {
-    const auto figure = [&metric](std::optional<double> value, std::optional<double> sigma) {
-        return value ? metricFigure({metric.name, metric.unit, *value, sigma}).text()
+    const auto number = [&metric](std::optional<double> value, std::optional<double> sigma) {
+        return value ? metricNumber({metric.name, metric.unit, *value, sigma}).text()
                      : ComparisonExplanationWords::tr("none");
     };
-    Explanation told;
-    told.what = ComparisonExplanationWords::tr("%1: %2 minus %3")
-                    .arg(metricName(metric.name), nameOf(scene, run), nameOf(scene, 0));
-    told.inputs << ComparisonExplanationWords::tr("%1: %2").arg(nameOf(scene, 0),
-                                                                figure(metric.a, metric.sigmaA));
-    told.inputs << ComparisonExplanationWords::tr("%1: %2").arg(nameOf(scene, run),
-                                                                figure(metric.b, metric.sigmaB));
+    Explanation explanation;
+    explanation.what = ComparisonExplanationWords::tr("%1: %2 minus %3")
+                           .arg(metricName(metric.name), nameOf(scene, run), nameOf(scene, 0));
+    explanation.inputs << ComparisonExplanationWords::tr("%1: %2").arg(nameOf(scene, 0),
+                                                                       number(metric.a, metric.sigmaA));
+    explanation.inputs << ComparisonExplanationWords::tr("%1: %2").arg(nameOf(scene, run),
+                                                                       number(metric.b, metric.sigmaB));
     const Explanation each =
         explainMetric(Metric{metric.name, metric.unit, 0, metric.sigmaA ? metric.sigmaA : metric.sigmaB}, {});
     if (!metric.difference) {
-        told.value = ComparisonExplanationWords::tr("only one of the two runs has it");
-        told.formula = each.formula;
+        explanation.value = ComparisonExplanationWords::tr("only one of the two runs has it");
+        explanation.formula = each.formula;
     } else {
-        told.value = figure(metric.difference->value, metric.difference->sigma);
-        told.formula = ComparisonExplanationWords::tr("the value of %1 minus that of %2")
-                           .arg(nameOf(scene, run), nameOf(scene, 0)) +
-                       u'\n' + significanceText(*metric.difference);
+        explanation.value = number(metric.difference->value, metric.difference->sigma);
+        explanation.formula = ComparisonExplanationWords::tr("the value of %1 minus that of %2")
+                                  .arg(nameOf(scene, run), nameOf(scene, 0)) +
+                              u'\n' + significanceText(*metric.difference);
         if (!each.formula.isEmpty())
-            told.formula += u'\n' + ComparisonExplanationWords::tr("Each: %1").arg(each.formula);
-        told.uncertainty = ComparisonExplanationWords::tr(
+            explanation.formula += u'\n' + ComparisonExplanationWords::tr("Each: %1").arg(each.formula);
+        explanation.uncertainty = ComparisonExplanationWords::tr(
             "√(σ₁² + σ₂²), treated as independent; where the runs share their calibration, its scale "
             "uncertainty counts only for the difference");
-        told.source = sourceText();
+        explanation.source = sourceText();
     }
-    told.inputs += comparisonInputs(scene, run);
-    return told;
+    explanation.inputs += comparisonInputs(scene, run);
+    return explanation;
 }
 
 Explanation explainSector(const ComparisonScene &scene, std::size_t run, const SectorTimes &sector)
@@ -211,67 +212,69 @@ Explanation explainSector(const ComparisonScene &scene, std::size_t run, const S
     const auto time = [](const std::optional<Difference> &of) {
         return of ? timeWithUnit(*of) : ComparisonExplanationWords::tr("not visible at one end");
     };
-    Explanation told;
-    told.what = ComparisonExplanationWords::tr("Sector %1 to %2: %3 minus %4")
-                    .arg(sector.from.empty() ? ComparisonExplanationWords::tr("begin")
-                                             : QString::fromStdString(sector.from),
-                         sector.to.empty() ? ComparisonExplanationWords::tr("end")
-                                           : QString::fromStdString(sector.to),
-                         nameOf(scene, run), nameOf(scene, 0));
+    Explanation explanation;
+    explanation.what = ComparisonExplanationWords::tr("Sector %1 to %2: %3 minus %4")
+                           .arg(sector.from.empty() ? ComparisonExplanationWords::tr("begin")
+                                                    : QString::fromStdString(sector.from),
+                                sector.to.empty() ? ComparisonExplanationWords::tr("end")
+                                                  : QString::fromStdString(sector.to),
+                                nameOf(scene, run), nameOf(scene, 0));
     const auto &difference = sector.differences.at(run);
-    told.value = time(difference);
-    told.formula = ComparisonExplanationWords::tr(
+    explanation.value = time(difference);
+    explanation.formula = ComparisonExplanationWords::tr(
         "For each run, the time from its first arrival at one gate to its first arrival at the next, by its "
         "position along the common path; waiting counts.");
     if (difference)
-        told.formula += u'\n' + significanceText(*difference);
-    told.uncertainty =
+        explanation.formula += u'\n' + significanceText(*difference);
+    explanation.uncertainty =
         ComparisonExplanationWords::tr("of each arrival: σ of the position along the path divided by the "
                                        "speed; displacements at two gates count as independent");
-    told.source = sourceText();
-    told.inputs << ComparisonExplanationWords::tr("from %1 to %2 along the path")
-                       .arg(distanceText(sector.fromM - scene.compared.comparison.originM),
-                            distanceText(sector.toM - scene.compared.comparison.originM));
-    told.inputs << ComparisonExplanationWords::tr("%1: %2").arg(nameOf(scene, 0), time(sector.times.at(0)));
-    told.inputs << ComparisonExplanationWords::tr("%1: %2").arg(nameOf(scene, run),
-                                                                time(sector.times.at(run)));
-    told.inputs += comparisonInputs(scene, run);
-    return told;
+    explanation.source = sourceText();
+    explanation.inputs << ComparisonExplanationWords::tr("from %1 to %2 along the path")
+                              .arg(distanceText(sector.fromM - scene.compared.comparison.originM),
+                                   distanceText(sector.toM - scene.compared.comparison.originM));
+    explanation.inputs << ComparisonExplanationWords::tr("%1: %2").arg(nameOf(scene, 0),
+                                                                       time(sector.times.at(0)));
+    explanation.inputs << ComparisonExplanationWords::tr("%1: %2").arg(nameOf(scene, run),
+                                                                       time(sector.times.at(run)));
+    explanation.inputs += comparisonInputs(scene, run);
+    return explanation;
 }
 
 Explanation explainTimeDifference(const ComparisonScene &scene, std::size_t run, double distanceM,
                                   const Difference &difference)
 {
-    Explanation told;
-    told.what = ComparisonExplanationWords::tr("Δt of %1 against %2 at %3")
-                    .arg(nameOf(scene, run), nameOf(scene, 0), distanceText(distanceM));
-    told.value = timeWithUnit(difference);
-    told.formula = ComparisonExplanationWords::tr(
-                       "The time of the first arrival at this point of the common path, each from its own "
-                       "time 0: that of %1 minus that of %2. Positive means later.")
-                       .arg(nameOf(scene, run), nameOf(scene, 0)) +
-                   u'\n' + significanceText(difference);
-    told.uncertainty = ComparisonExplanationWords::tr(
+    Explanation explanation;
+    explanation.what = ComparisonExplanationWords::tr("Δt of %1 against %2 at %3")
+                           .arg(nameOf(scene, run), nameOf(scene, 0), distanceText(distanceM));
+    explanation.value = timeWithUnit(difference);
+    explanation.formula =
+        ComparisonExplanationWords::tr(
+            "The time of the first arrival at this point of the common path, each from its own "
+            "time 0: that of %1 minus that of %2. Positive means later.")
+            .arg(nameOf(scene, run), nameOf(scene, 0)) +
+        u'\n' + significanceText(difference);
+    explanation.uncertainty = ComparisonExplanationWords::tr(
         "of both arrivals: σ of the position along the path divided by the speed, and of both times 0");
-    told.source = sourceText();
-    told.inputs = comparisonInputs(scene, run);
-    return told;
+    explanation.source = sourceText();
+    explanation.inputs = comparisonInputs(scene, run);
+    return explanation;
 }
 
-Explanation explainSpeedOnWay(const ComparisonScene &scene, std::size_t run, double distanceM,
-                              const QString &value)
+Explanation explainSpeedOverDistance(const ComparisonScene &scene, std::size_t run, double distanceM,
+                                     const QString &value)
 {
-    Explanation told;
-    told.what =
+    Explanation explanation;
+    explanation.what =
         ComparisonExplanationWords::tr("Speed of %1 at %2").arg(nameOf(scene, run), distanceText(distanceM));
-    told.value = value;
-    told.formula =
+    explanation.value = value;
+    explanation.formula =
         ComparisonExplanationWords::tr("|v| of the smoothed curve where the run first reaches this point of "
                                        "the common path, interpolated between frames");
-    told.uncertainty = ComparisonExplanationWords::tr(
+    explanation.uncertainty = ComparisonExplanationWords::tr(
         "σ of the smoothed velocity there, including the calibration's scale uncertainty");
-    told.inputs = comparisonInputs(scene, run);
-    return told;
+    explanation.inputs = comparisonInputs(scene, run);
+    return explanation;
 }
 
 namespace {
@@ -279,29 +282,29 @@ namespace {
 const QString dash = QStringLiteral("–");
 
 /// "1.83 ±0.02"; the unit is beside the name.
-QString bareText(FigureText figure)
+QString bareText(NumberText number)
 {
-    figure.unit.clear();
-    return figure.text();
+    number.unit.clear();
+    return number.text();
 }
 
 /// With a plus where it is one.
-QString signedText(const FigureText &figure, double value)
+QString signedText(const NumberText &number, double value)
 {
     const bool hasDigits =
-        std::ranges::any_of(figure.value, [](QChar c) { return c.isDigit() && c.digitValue() > 0; });
-    return (value > 0 && hasDigits ? QStringLiteral("+") : QString()) + bareText(figure);
+        std::ranges::any_of(number.value, [](QChar c) { return c.isDigit() && c.digitValue() > 0; });
+    return (value > 0 && hasDigits ? QStringLiteral("+") : QString()) + bareText(number);
 }
 
 QString metricText(const MetricDifference &metric, const std::optional<double> &value,
                    const std::optional<double> &sigma)
 {
-    return value ? bareText(metricFigure({metric.name, metric.unit, *value, sigma})) : dash;
+    return value ? bareText(metricNumber({metric.name, metric.unit, *value, sigma})) : dash;
 }
 
-QString secondsFigure(const std::optional<Difference> &time)
+QString secondsNumber(const std::optional<Difference> &time)
 {
-    return time ? bareText(figureText(time->value, time->sigma, QString())) : dash;
+    return time ? bareText(numberText(time->value, time->sigma, QString())) : dash;
 }
 
 } // namespace
@@ -312,7 +315,7 @@ void DifferenceModel::setMetrics(const std::vector<MetricDifference> &metrics)
 {
     std::vector<Row> rows;
     for (const MetricDifference &metric : metrics) {
-        const QString unit = metricFigure({metric.name, metric.unit, 0, std::nullopt}).unit;
+        const QString unit = metricNumber({metric.name, metric.unit, 0, std::nullopt}).unit;
         Row row{unit.isEmpty() ? metricName(metric.name) : tr("%1, %2").arg(metricName(metric.name), unit),
                 metricText(metric, metric.a, metric.sigmaA),
                 metricText(metric, metric.b, metric.sigmaB),
@@ -322,7 +325,7 @@ void DifferenceModel::setMetrics(const std::vector<MetricDifference> &metrics)
         if (metric.difference) {
             const Metric difference{metric.name, metric.unit, metric.difference->value,
                                     metric.difference->sigma};
-            row.difference = signedText(metricFigure(difference), difference.value);
+            row.difference = signedText(metricNumber(difference), difference.value);
             row.isSignificant = metric.difference->isSignificant();
         }
         rows.push_back(std::move(row));
@@ -337,12 +340,12 @@ void DifferenceModel::setSectors(const std::vector<SectorTimes> &sectors, std::s
         const QString from = sector.from.empty() ? tr("begin") : QString::fromStdString(sector.from);
         const QString to = sector.to.empty() ? tr("end") : QString::fromStdString(sector.to);
         const auto &difference = sector.differences[run];
-        Row row{tr("%1 to %2").arg(from, to),     secondsFigure(sector.times[0]),
-                secondsFigure(sector.times[run]), dash,
+        Row row{tr("%1 to %2").arg(from, to),     secondsNumber(sector.times[0]),
+                secondsNumber(sector.times[run]), dash,
                 difference.has_value(),           difference && difference->isSignificant()};
         if (difference)
             row.difference =
-                signedText(figureText(difference->value, difference->sigma, QString()), difference->value);
+                signedText(numberText(difference->value, difference->sigma, QString()), difference->value);
         rows.push_back(std::move(row));
     }
     setRows(std::move(rows));

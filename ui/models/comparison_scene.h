@@ -58,8 +58,8 @@ Explanation explainSector(const ComparisonScene &scene, std::size_t run, const S
 Explanation explainTimeDifference(const ComparisonScene &scene, std::size_t run, double distanceM,
                                   const Difference &difference);
 /// A run's speed where it first reached a point of the path; value: as it is shown. run: 0 or more.
-Explanation explainSpeedOnWay(const ComparisonScene &scene, std::size_t run, double distanceM,
-                              const QString &value);
+Explanation explainSpeedOverDistance(const ComparisonScene &scene, std::size_t run, double distanceM,
+                                     const QString &value);
 
 /// Metrics of two runs side by side with their difference: a row a metric or a sector. Differences that are
 /// not significant are muted, and say so in words.

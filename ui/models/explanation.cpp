@@ -3,7 +3,7 @@
 
 #include "core/analysis/task_metrics.h"
 #include "core/video/frame_times.h"
-#include "ui/models/figure_text.h"
+#include "ui/models/number_text.h"
 #include "ui/models/shown_message.h"
 
 #include <QCoreApplication>
@@ -419,7 +419,7 @@ QStringList zoneBreachLines(const TrialScene &scene, std::size_t robot)
 
 Explanation explainMetric(const Metric &metric, const QStringList &inputs)
 {
-    Explanation explanation{metricName(metric.name), metricFigure(metric).text(), {}, {}, inputs, {}};
+    Explanation explanation{metricName(metric.name), metricNumber(metric).text(), {}, {}, inputs, {}};
     for (const MetricWords &words : metricWords())
         if (metric.name == words.name) {
             explanation.formula = ExplanationWords::tr(words.formula);

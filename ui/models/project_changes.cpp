@@ -104,7 +104,7 @@ Result<QString> OwnChanges::make(const Message &words, const std::function<Resul
     if (countOf(m_project) == before)
         return QString(); // nothing is another now
     ++m_made;
-    m_takenBack = 0;
+    m_undone = 0;
     return OwnChangesWords::tr("Done: %1. Press Ctrl+Z to undo it.").arg(shownWords(words));
 }
 
@@ -114,17 +114,17 @@ Result<QString> OwnChanges::undo()
         return nothing(undoSubject());
     const auto words = ODO_TRY(m_project.undo());
     --m_made;
-    ++m_takenBack;
+    ++m_undone;
     return OwnChangesWords::tr("Undone: %1.").arg(shownWords(words));
 }
 
 Result<QString> OwnChanges::redo()
 {
-    if (m_takenBack == 0)
+    if (m_undone == 0)
         return nothing(redoSubject());
     const auto words = ODO_TRY(m_project.redo());
     ++m_made;
-    --m_takenBack;
+    --m_undone;
     return OwnChangesWords::tr("Redone: %1.").arg(shownWords(words));
 }
 

@@ -46,7 +46,7 @@ public:
 
 private:
     Project &m_project;
-    int m_made = 0, m_takenBack = 0;
+    int m_made = 0, m_undone = 0;
 };
 
 } // namespace odo

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/models/results.h"
 
-#include "ui/models/figure_text.h"
+#include "ui/models/number_text.h"
 #include "ui/models/shown_names.h"
 #include "ui/models/trial_scene.h"
 
@@ -14,7 +14,7 @@
 
 namespace odo {
 
-std::vector<Metric> tellingMetrics(const std::vector<Metric> &all, std::size_t count)
+std::vector<Metric> informativeMetrics(const std::vector<Metric> &all, std::size_t count)
 {
     static const std::vector<std::string> order = {"gate_time", "best_lap",    "laps",      "cross_track_rms",
                                                    "duration",  "path_length", "max_speed", "mean_speed",
@@ -33,13 +33,13 @@ std::vector<Metric> tellingMetrics(const std::vector<Metric> &all, std::size_t c
     return chosen;
 }
 
-std::vector<std::string> tellingNames(const std::vector<std::string> &names)
+std::vector<std::string> informativeMetricNames(const std::vector<std::string> &names)
 {
     std::vector<Metric> known;
     for (const std::string &name : names)
         known.push_back({name, {}, 0, {}});
     std::vector<std::string> ordered;
-    for (Metric &metric : tellingMetrics(known, known.size()))
+    for (Metric &metric : informativeMetrics(known, known.size()))
         ordered.push_back(std::move(metric.name));
     return ordered;
 }
@@ -64,10 +64,10 @@ QString pointsText(double points)
 }
 
 /// With its σ where that is seen in tenths, both of which then show them.
-FigureText pointsFigure(double points, double sigma, const QString &unit = {})
+NumberText pointsNumber(double points, double sigma, const QString &unit = {})
 {
-    return sigma < 0.05 ? FigureText{pointsText(points), {}, unit}
-                        : FigureText{tenths(points), tenths(sigma), unit};
+    return sigma < 0.05 ? NumberText{pointsText(points), {}, unit}
+                        : NumberText{tenths(points), tenths(sigma), unit};
 }
 
 QString boundText(const std::string &metric, double value)
@@ -82,12 +82,12 @@ QString lineText(const CriterionScore &line)
     const QString name = metricName(line.criterion.metric), rule = criterionText(line.criterion);
     if (!line.metric)
         return ScoreTextWords::tr("%1: not measured, no points (%2)").arg(name, rule);
-    const QString figure = metricFigure(*line.metric).text();
+    const QString valueText = metricNumber(*line.metric).text();
     if (line.criterion.points < 0)
         return ScoreTextWords::tr("%1 %2: %3 points (%4)")
-            .arg(name, figure, pointsFigure(line.points, line.sigma).text(), rule);
+            .arg(name, valueText, pointsNumber(line.points, line.sigma).text(), rule);
     return ScoreTextWords::tr("%1 %2: %3 of %4 points (%5)")
-        .arg(name, figure, pointsFigure(line.points, line.sigma).text(), pointsText(line.criterion.points),
+        .arg(name, valueText, pointsNumber(line.points, line.sigma).text(), pointsText(line.criterion.points),
              rule);
 }
 
@@ -120,25 +120,27 @@ BoundUnit boundUnit(const std::string &metric)
 QString scoreText(const Score &score)
 {
     return ScoreTextWords::tr("%1 of %2")
-        .arg(pointsFigure(score.points, score.sigma).text(), pointsText(score.most));
+        .arg(pointsNumber(score.points, score.sigma).text(), pointsText(score.most));
 }
 
-FigureText scoreFigure(const Score &score)
+NumberText scoreNumber(const Score &score)
 {
-    return pointsFigure(score.points, score.sigma, ScoreTextWords::tr("of %1").arg(pointsText(score.most)));
+    return pointsNumber(score.points, score.sigma, ScoreTextWords::tr("of %1").arg(pointsText(score.most)));
 }
 
 Explanation explainScore(const Score &score, const QStringList &inputs)
 {
-    Explanation told;
-    told.what = metricName("score");
-    told.value = scoreText(score);
-    told.formula = ScoreTextWords::tr("the sum of the points of each line; a line gives points × (metric − "
-                                      "none at) / (all at − none at), from 0 to all");
-    told.uncertainty = ScoreTextWords::tr("for each line, half the difference in points between its metric "
-                                          "plus and minus one σ; root of the sum of the squares");
-    told.inputs = scoreLines(score) + inputs;
-    return told;
+    Explanation explanation;
+    explanation.what = metricName("score");
+    explanation.value = scoreText(score);
+    explanation.formula =
+        ScoreTextWords::tr("the sum of the points of each line; a line gives points × (metric − "
+                           "none at) / (all at − none at), from 0 to all");
+    explanation.uncertainty =
+        ScoreTextWords::tr("for each line, half the difference in points between its metric "
+                           "plus and minus one σ; root of the sum of the squares");
+    explanation.inputs = scoreLines(score) + inputs;
+    return explanation;
 }
 
 QString criterionText(const Criterion &criterion)
@@ -183,12 +185,12 @@ std::optional<Score> scoreOf(const TrialScene &scene, std::size_t robot)
 
 namespace {
 
-QString figure(const TeamStanding &team, double value, std::optional<double> sigma)
+QString valueText(const TeamStanding &team, double value, std::optional<double> sigma)
 {
     Metric metric = team.runs.front().metric; // its name and unit
     metric.value = value;
     metric.sigma = sigma;
-    return metricFigure(metric).text();
+    return metricNumber(metric).text();
 }
 
 } // namespace
@@ -199,8 +201,8 @@ QString progressText(const TeamStanding &team, const Standings &standings)
         return StandingsModel::tr("choose a task");
     if (!team.progress.change)
         return StandingsModel::tr("needs three trials at different times");
-    const Figure change = *team.progress.change;
-    const QString by = figure(team, change.value, change.sigma);
+    const UncertainValue change = *team.progress.change;
+    const QString by = valueText(team, change.value, change.sigma);
     if (!team.progress.isBeyondSpread)
         return StandingsModel::tr("within the spread (%1)").arg(by);
     const bool better = (change.value < 0) == standings.isLessBetter;
@@ -226,7 +228,7 @@ QString StandingsModel::display(const TeamStanding &team, int row, int column) c
 {
     switch (column) {
     case RankColumn:
-        return m_standings.isRanked() ? QLocale().toString(team.figures.rank) : QStringLiteral("–");
+        return m_standings.isRanked() ? QLocale().toString(team.statistics.rank) : QStringLiteral("–");
     case TeamColumn:
         return teamName(row);
     case ClassColumn:
@@ -234,12 +236,12 @@ QString StandingsModel::display(const TeamStanding &team, int row, int column) c
     case RunsColumn:
         return QLocale().toString(team.progress.count);
     case BestColumn:
-        return figure(team, team.progress.best, std::nullopt);
+        return valueText(team, team.progress.best, std::nullopt);
     case MedianColumn:
-        return figure(team, team.figures.median,
-                      team.figures.sigma > 0 ? std::optional(team.figures.sigma) : std::nullopt);
+        return valueText(team, team.statistics.median,
+                         team.statistics.sigma > 0 ? std::optional(team.statistics.sigma) : std::nullopt);
     case SpreadColumn:
-        return team.progress.spread ? figure(team, *team.progress.spread, std::nullopt) : tr("one trial");
+        return team.progress.spread ? valueText(team, *team.progress.spread, std::nullopt) : tr("one trial");
     case ProgressColumn:
         return progressText(team, m_standings);
     default:

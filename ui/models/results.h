@@ -3,10 +3,10 @@
 
 #include "core/analysis/profile.h"
 #include "core/analysis/scoring.h"
-#include "core/workflow/compare/trial_figures.h"
+#include "core/workflow/compare/trial_metrics.h"
 #include "ui/models/explanation.h"
-#include "ui/models/figure_text.h"
 #include "ui/models/internal/row_table_model.h"
+#include "ui/models/number_text.h"
 
 #include <QString>
 #include <QStringList>
@@ -18,17 +18,17 @@ namespace odo {
 
 /// This many metrics of a run, the most informative first: the time of the task before all; others fill up
 /// the rest.
-std::vector<Metric> tellingMetrics(const std::vector<Metric> &all, std::size_t count);
+std::vector<Metric> informativeMetrics(const std::vector<Metric> &all, std::size_t count);
 
 /// Names of metrics in that order.
-std::vector<std::string> tellingNames(const std::vector<std::string> &names);
+std::vector<std::string> informativeMetricNames(const std::vector<std::string> &names);
 
 struct TrialScene;
 
 /// "27 ±1 of 30"
 QString scoreText(const Score &score);
 /// The same as a large value, with "of 30" instead of its unit.
-FigureText scoreFigure(const Score &score);
+NumberText scoreNumber(const Score &score);
 /// How a line of a rubric is meant: "30 points at 4 s or less, none at 10 s or more".
 QString criterionText(const Criterion &criterion);
 /// How a score comes about, a sentence for each line: "Start to finish 5.2 ±0.1 s: 24 ±0.5 of 30 points (…)".

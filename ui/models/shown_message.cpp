@@ -98,7 +98,7 @@ QString errorLine(const Error &error)
     return shownWords(wholeMessage(error));
 }
 
-Message pictureSubject()
+Message imageSubject()
 {
     return ODO_TEXT("ui.picture", "the image");
 }

@@ -30,7 +30,7 @@ QString errorLine(const Error &error);
 
 /// What several windows say, or a window and the command line.
 
-Message pictureSubject(); ///< "the image"
+Message imageSubject(); ///< "the image"
 Message anotherJobRuns();
 Message waitOrCancel(); ///< what to do while a job runs
 Message noProjectIsOpen();

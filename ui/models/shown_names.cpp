@@ -68,7 +68,7 @@ QList<RunChoice> runChoices(std::span<const TrialRecord> trials)
     return choices;
 }
 
-QList<int> placesOf(const QList<RunChoice> &choices, std::span<const CompareSettings::Run> runs)
+QList<int> paletteIndicesOf(const QList<RunChoice> &choices, std::span<const CompareSettings::Run> runs)
 {
     QList<int> places;
     for (const CompareSettings::Run &run : runs)

@@ -47,7 +47,7 @@ QList<RunChoice> runChoices(std::span<const TrialRecord> trials);
 
 /// The rows of the runs among the choices, each row at most once; missing runs are left out. A run without a
 /// robot matches any robot.
-QList<int> placesOf(const QList<RunChoice> &choices, std::span<const CompareSettings::Run> runs);
+QList<int> paletteIndicesOf(const QList<RunChoice> &choices, std::span<const CompareSettings::Run> runs);
 
 /// What a trial suggests itself to be compared with: the newest other trial of the same task that was
 /// tracked, or else the newest other one that was. trials: newest first. On the project's thread. Errors:

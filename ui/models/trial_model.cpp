@@ -3,8 +3,8 @@
 
 #include "core/project/project.h"
 #include "core/project/repositories.h"
-#include "core/workflow/compare/trial_figures.h"
-#include "ui/models/figure_text.h"
+#include "core/workflow/compare/trial_metrics.h"
+#include "ui/models/number_text.h"
 #include "ui/models/results.h"
 #include "ui/models/shown_names.h"
 
@@ -19,12 +19,13 @@ namespace odo {
 
 namespace {
 
-TrialFilter::Place placeOf(const TrialRecord &trial, const TrialFilter &filter)
+TrialFilter::ListSection positionOf(const TrialRecord &trial, const TrialFilter &filter)
 {
     if (trial.binned)
-        return TrialFilter::Place::Bin;
+        return TrialFilter::ListSection::Bin;
     const bool isOfArchived = filter.className.empty() && filter.archivedClasses.contains(trial.className);
-    return trial.archived || isOfArchived ? TrialFilter::Place::Archived : TrialFilter::Place::Active;
+    return trial.archived || isOfArchived ? TrialFilter::ListSection::Archived
+                                          : TrialFilter::ListSection::Active;
 }
 
 } // namespace
@@ -45,7 +46,7 @@ QString searchTextOf(const TrialRecord &trial)
 bool isShown(const TrialFilter &filter, const QStringList &words, const TrialRecord &trial,
              const QString &searchText)
 {
-    if (placeOf(trial, filter) != filter.place || (filter.starred && !trial.starred))
+    if (positionOf(trial, filter) != filter.listSection || (filter.starred && !trial.starred))
         return false;
     if ((!filter.className.empty() && trial.className != filter.className) ||
         (!filter.team.empty() && trial.teamName != filter.team) ||
@@ -101,33 +102,34 @@ Result<std::unordered_map<RecordId, std::optional<Score>>> bestScores(Project &p
     auto scores = ODO_TRY(trialScores(project, from, to));
     std::unordered_map<RecordId, std::optional<Score>> best;
     for (TrialScore &run : scores) {
-        const auto place = best.try_emplace(run.trial).first;
-        if (run.score && (!place->second || run.score->points > place->second->points))
-            place->second = std::move(run.score);
+        const auto listSection = best.try_emplace(run.trial).first;
+        if (run.score && (!listSection->second || run.score->points > listSection->second->points))
+            listSection->second = std::move(run.score);
     }
     return best;
 }
 
 /// The rows of trials, newest first, with their metrics.
-Result<std::vector<TrialRow>> withFigures(Project &project, std::vector<TrialRecord> trials)
+Result<std::vector<TrialRow>> withMetrics(Project &project, std::vector<TrialRecord> trials)
 {
     std::vector<TrialRow> rows;
     if (trials.empty())
         return rows;
-    const auto figures =
-        ODO_TRY(project.analyses().figures(shownMetric, trials.back().date, trials.front().date));
+    const auto trialMetrics =
+        ODO_TRY(project.analyses().trialMetrics(shownMetric, trials.back().date, trials.front().date));
     std::unordered_map<RecordId, Metric> best;
-    for (const TrialFigure &figure : figures) {
-        const auto [place, isNew] = best.try_emplace(figure.trial, figure.metric);
-        if (!isNew && figure.metric.value > place->second.value)
-            place->second = figure.metric;
+    for (const TrialMetric &trialMetric : trialMetrics) {
+        const auto [listSection, isNew] = best.try_emplace(trialMetric.trial, trialMetric.metric);
+        if (!isNew && trialMetric.metric.value > listSection->second.value)
+            listSection->second = trialMetric.metric;
     }
     auto scores = ODO_TRY(bestScores(project, trials.back().date, trials.front().date));
     rows.reserve(trials.size());
     for (TrialRecord &trial : trials) {
-        const auto figure = best.find(trial.id);
+        const auto trialMetric = best.find(trial.id);
         QString searchText = searchTextOf(trial);
-        rows.push_back({std::move(trial), figure == best.end() ? std::nullopt : std::optional(figure->second),
+        rows.push_back({std::move(trial),
+                        trialMetric == best.end() ? std::nullopt : std::optional(trialMetric->second),
                         std::move(searchText)});
         if (const auto score = scores.find(rows.back().trial.id); score != scores.end()) {
             rows.back().isScored = true;
@@ -144,13 +146,13 @@ Result<std::vector<TrialRow>> TrialRows::next(int count)
     auto trials = ODO_TRY(m_project->trials().page(m_last ? &*m_last : nullptr, count));
     if (!trials.empty())
         m_last = trials.back();
-    return withFigures(*m_project, std::move(trials));
+    return withMetrics(*m_project, std::move(trials));
 }
 
 Result<TrialRow> loadTrialRow(Project &project, RecordId trial)
 {
     auto record = ODO_TRY(project.trials().get(trial));
-    auto rows = ODO_TRY(withFigures(project, {std::move(record)}));
+    auto rows = ODO_TRY(withMetrics(project, {std::move(record)}));
     return std::move(rows.front());
 }
 
@@ -190,14 +192,15 @@ void TrialModel::updateRow(TrialRow row)
     const auto shown = std::ranges::find(m_shown, static_cast<std::size_t>(known - m_rows.begin()));
     if (shown == m_shown.end())
         return;
-    const int place = static_cast<int>(shown - m_shown.begin());
+    const int listSection = static_cast<int>(shown - m_shown.begin());
     const QStringList words = m_filter.text.toLower().split(u' ', Qt::SkipEmptyParts);
     if (isShown(m_filter, words, known->trial, known->searchText)) {
         // What is being written into a cell is overwritten when that changes.
-        Q_EMIT dataChanged(index(place, 0), index(place, hasOtherTags ? TagsColumn : TagsColumn - 1));
+        Q_EMIT dataChanged(index(listSection, 0),
+                           index(listSection, hasOtherTags ? TagsColumn : TagsColumn - 1));
         return;
     }
-    beginRemoveRows({}, place, place);
+    beginRemoveRows({}, listSection, listSection);
     m_shown.erase(shown);
     endRemoveRows();
 }
@@ -229,13 +232,13 @@ void TrialModel::sort(int column, Qt::SortOrder order)
     m_sortColumn = column;
     m_sortOrder = order;
     arrange();
-    std::vector<int> placeOf(m_rows.size(), -1);
+    std::vector<int> positionOf(m_rows.size(), -1);
     for (std::size_t i = 0; i < m_shown.size(); ++i)
-        placeOf[m_shown[i]] = static_cast<int>(i);
+        positionOf[m_shown[i]] = static_cast<int>(i);
     const QModelIndexList old = persistentIndexList();
     for (const QModelIndex &each : old)
         changePersistentIndex(each,
-                              index(placeOf[before[static_cast<std::size_t>(each.row())]], each.column()));
+                              index(positionOf[before[static_cast<std::size_t>(each.row())]], each.column()));
     Q_EMIT layoutChanged({}, VerticalSortHint);
 }
 
@@ -301,7 +304,7 @@ QString TrialModel::display(const TrialRow &row, int column) const
     case DurationColumn:
         return secondsText(fromSeconds(row.trial.durationS));
     case TopSpeedColumn:
-        return row.topSpeed ? metricFigure(*row.topSpeed).text() : tr("not tracked");
+        return row.topSpeed ? metricNumber(*row.topSpeed).text() : tr("not tracked");
     case ScoreColumn:
         return row.score ? scoreText(*row.score) : row.isScored ? tr("reanalyse") : QString();
     case TagsColumn:

@@ -17,14 +17,14 @@ namespace odo {
 /// Which trials of a list are shown. Everything that is set must hold.
 struct TrialFilter
 {
-    enum class Place { Active, Archived, Bin };
+    enum class ListSection { Active, Archived, Bin };
     /// Each word of it must occur in the trial's search text; case does not matter.
     QString text;
     std::string className, team, task, robot; ///< by name; empty: any
     /// whose trials count as archived unless the class is chosen by name
     std::set<std::string> archivedClasses;
     bool starred = false; ///< only those
-    Place place = Place::Active;
+    ListSection listSection = ListSection::Active;
     std::optional<Instant> from, to; ///< from included, to excluded
 };
 

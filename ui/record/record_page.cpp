@@ -33,7 +33,7 @@ constexpr int columnWidth = 320;
 
 RecordPage::RecordPage(Project &project, bool readOnly, CameraAccess access, QWidget *parent)
     : QWidget(parent), m_project(project), m_cameras(project, std::move(access), this), m_control(steadyNow),
-      m_recorder(new RunRecorder(project.file(), this)), m_troubleBar(new TroubleBar), m_start(new StartCard),
+      m_recorder(new RunRecorder(project.file(), this)), m_warningBar(new WarningBar), m_start(new StartCard),
       m_run(new RunCard), m_result(new RunResultCard), m_results(new RunResults(project, *m_result, this)),
       m_empty(new EmptyState(QStringLiteral("camera"), tr("No camera is connected"),
                              tr("Connect one or two cameras, then search again. If a connected camera is not "
@@ -44,7 +44,7 @@ RecordPage::RecordPage(Project &project, bool readOnly, CameraAccess access, QWi
     setFocusProxy(m_start->button());
     makeActions();
     m_board = new LiveBoard(m_actions.mid(1));
-    m_health = std::make_unique<HealthWatch>(project, readOnly, m_cameras, *m_board, *m_troubleBar);
+    m_health = std::make_unique<HealthWatch>(project, readOnly, m_cameras, *m_board, *m_warningBar);
     auto *content = new QWidget;
     auto *row = new QHBoxLayout;
     row->setContentsMargins(8, 8, 8, 8);
@@ -54,10 +54,10 @@ RecordPage::RecordPage(Project &project, bool readOnly, CameraAccess access, QWi
     auto *contentLayout = new QVBoxLayout(content);
     contentLayout->setContentsMargins(0, 0, 0, 0);
     contentLayout->setSpacing(0);
-    contentLayout->addWidget(m_troubleBar);
+    contentLayout->addWidget(m_warningBar);
     contentLayout->addLayout(row, 1);
     connect(m_empty->addButton(QStringLiteral("search"), tr("Search again")), &QPushButton::clicked,
-            &m_cameras, &ChosenCameras::look);
+            &m_cameras, &ChosenCameras::poll);
     connect(m_empty->addButton(QStringLiteral("doctor"), tr("Set-up doctor…")), &QPushButton::clicked, this,
             &RecordPage::examine);
     m_stack->addWidget(content);
@@ -125,7 +125,7 @@ void RecordPage::connectCameras()
     });
     connect(running, &RunningCameras::started, this, &RecordPage::showCameras);
     connect(running, &RunningCameras::failed, this, &RecordPage::failed);
-    connect(running, &RunningCameras::pictureReady, m_board, &LiveBoard::setPicture);
+    connect(running, &RunningCameras::frameReady, m_board, &LiveBoard::setImage);
     connect(running, &RunningCameras::moved, this, &RecordPage::takeMoment);
     connect(m_board, &LiveBoard::shownSizeChanged, running, &RunningCameras::setShownSize);
 }
@@ -143,7 +143,7 @@ void RecordPage::connectAll()
     connect(m_results, &RunResults::changed, this, &RecordPage::changed);
     connect(m_results, &RunResults::failed, this, &RecordPage::failed);
     connect(m_result, &RunResultCard::openRequested, this, &RecordPage::trialChosen);
-    connect(m_troubleBar, &TroubleBar::clicked, this, &RecordPage::testbedRequested);
+    connect(m_warningBar, &WarningBar::clicked, this, &RecordPage::testbedRequested);
 }
 
 bool RecordPage::isRecording() const
@@ -183,7 +183,7 @@ void RecordPage::showEvent(QShowEvent *)
 {
     m_timer.start();
     m_cameras.want();
-    m_health->lookAtNone();
+    m_health->watchNone();
 }
 
 /// Others may need the cameras now, unless a run goes on.
@@ -201,7 +201,7 @@ void RecordPage::showCameras()
     m_board->setCameras(m_cameras.running());
     followRobots();
     showFloor();
-    lookAtHealth();
+    checkHealth();
 }
 
 void RecordPage::showFloor()
@@ -228,7 +228,7 @@ void RecordPage::followRobots()
     m_cameras.running().setTarget(m_sent.wanted());
     if (const Result<void> following = m_cameras.running().follow(robots); !following)
         Q_EMIT failed(following.error());
-    m_board->setTarget(m_cameras.running().sentFigures() ? m_sent.wanted() : std::nullopt);
+    m_board->setTarget(m_cameras.running().sentStatistics() ? m_sent.wanted() : std::nullopt);
     m_run->setEnabled(m_control.phase() == RunPhase::Ready);
 }
 
@@ -277,7 +277,7 @@ void RecordPage::begin(Nanoseconds from)
     m_recorder->begin(m_run->run(), names, m_cameras.session(), from);
     m_health->countFromNow();
     m_cameras.tracker()->beginRun(from);
-    m_board->forgetWays();
+    m_board->forgetPaths();
 }
 
 void RecordPage::end()
@@ -320,14 +320,14 @@ void RecordPage::tick()
     if (m_control.phase() != RunPhase::Ready)
         showStart();
     if (++m_ticks % healthEachTicks == 0)
-        lookAtHealth();
+        checkHealth();
 }
 
-void RecordPage::lookAtHealth()
+void RecordPage::checkHealth()
 {
     if (!m_cameras.session())
         return;
-    m_health->look();
+    m_health->poll();
     if (m_recorder->isRecording() && m_health->hasEnded())
         obey(m_control.press());
     showStart();
@@ -340,7 +340,7 @@ void RecordPage::showStart()
     state.ending = m_recorder->isEnding();
     state.countdownLeft = m_control.countdownLeft();
     state.elapsed = m_control.elapsed();
-    state.room = m_health->room();
+    state.remainingTime = m_health->remainingTime();
     state.blocked = m_health->blocked();
     if (state.blocked.isEmpty() && m_run->run().trial.empty())
         state.blocked = tr("Give the trial a name");

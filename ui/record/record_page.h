@@ -24,7 +24,7 @@ class RunRecorder;
 class RunResultCard;
 class RunResults;
 class StartCard;
-class TroubleBar;
+class WarningBar;
 
 /// Record: the cameras live, where the robots are, who is up, one big button, and what the run gave. The
 /// cameras run while the page is shown or something is recorded. Uses the project on its own thread. The
@@ -75,7 +75,7 @@ private:
     void takeRecorded(const QString &trial, const QStringList &warnings);
     void takeGivenUp(const QString &trial, const Error &error);
     void tick();
-    void lookAtHealth();
+    void checkHealth();
     void showStart();
 
     Project &m_project;
@@ -89,7 +89,7 @@ private:
     QTimer m_timer;
 
     QList<QAction *> m_actions;
-    TroubleBar *m_troubleBar;
+    WarningBar *m_warningBar;
     LiveBoard *m_board;
     std::unique_ptr<HealthWatch> m_health;
     StartCard *m_start;

@@ -6,10 +6,10 @@
 #include "core/files/file_words.h"
 #include "core/project/project.h"
 #include "core/video/frame_stream.h"
-#include "core/video/picture.h"
+#include "core/video/image.h"
 #include "core/video/video_writer.h"
-#include "ui/report/internal/annotated_picture.h"
-#include "ui/views/picture/picture_painting.h"
+#include "ui/report/internal/annotated_frame.h"
+#include "ui/views/image/image_painting.h"
 #include "ui/views/widgets/theme.h"
 
 #include <QGuiApplication>
@@ -28,21 +28,21 @@ public:
         return ViewFilm(std::move(stream), sizePx);
     }
     /// The image of a frame at or after the one before; null where it is damaged or the file has ended.
-    QImage pictureOf(std::int64_t frame)
+    QImage imageOf(std::int64_t frame)
     {
         while (!m_hasEnded && (!m_last || m_last->index < frame)) {
             auto next = m_stream->pop();
             m_hasEnded = !next || !*next;
             if (!m_hasEnded) {
                 m_last = std::move(**next);
-                m_picture = {};
+                m_image = {};
             }
         }
         if (!m_last || m_last->index != frame)
             return {};
-        if (m_picture.isNull())
-            m_picture = toImage(toScreen(*m_last, m_sizePx.width(), m_sizePx.height()));
-        return m_picture;
+        if (m_image.isNull())
+            m_image = toImage(toScreen(*m_last, m_sizePx.width(), m_sizePx.height()));
+        return m_image;
     }
 
 private:
@@ -54,7 +54,7 @@ private:
     std::unique_ptr<FrameStream> m_stream;
     QSize m_sizePx;
     std::optional<Frame> m_last;
-    QImage m_picture; ///< of m_last; null: not made yet
+    QImage m_image; ///< of m_last; null: not made yet
     bool m_hasEnded = false;
 };
 
@@ -62,9 +62,9 @@ private:
 
 std::vector<Nanoseconds> shownTimes(const std::vector<Nanoseconds> &frameTimes, double speed)
 {
-    constexpr double mostPicturesPerS = 60; // players and screens show no more
-    constexpr double jitter = 0.9;          // frames of a camera are not exactly equally far apart
-    const Nanoseconds least = fromSeconds(jitter * speed / mostPicturesPerS);
+    constexpr double mostFramesPerS = 60; // players and screens show no more
+    constexpr double jitter = 0.9;        // frames of a camera are not exactly equally far apart
+    const Nanoseconds least = fromSeconds(jitter * speed / mostFramesPerS);
     std::vector<Nanoseconds> shown;
     for (const Nanoseconds time : frameTimes) {
         if (shown.empty() || time - shown.back() >= least)
@@ -130,24 +130,25 @@ Result<void> AnnotatedVideoJob::prepare(Project &project)
         m_inputs.add(view.file);
     }
     m_font = QGuiApplication::font();
-    return checkOutput(m_settings.target, videoKind(m_settings.target.file)).map([](const OutputPlace &) {});
+    return checkOutput(m_settings.target, videoKind(m_settings.target.file)).map([](const OutputLocation &) {
+    });
 }
 
 Result<void> AnnotatedVideoJob::run(const JobControl &control)
 {
     constexpr double floorPart = 0.05;
     control.report(0, ODO_TEXT("ui.painting_floor", "drawing the floor"));
-    AnnotatedPicture painter(m_scene, {m_settings.sizePx, m_settings.isDark ? darkPalette() : lightPalette(),
-                                       m_font, m_settings.speed});
+    AnnotatedFrame painter(m_scene, {m_settings.sizePx, m_settings.isDark ? darkPalette() : lightPalette(),
+                                     m_font, m_settings.speed});
     if (const int side = painter.floorSidePx(); side > 0)
-        painter.setFloor(makeFloorPicture(*m_scene, painter.floorExtent(), side, control.cancel));
+        painter.setFloor(makeFloorImage(*m_scene, painter.floorExtent(), side, control.cancel));
     const JobControl rest{control.cancel, [&](double fraction, const Message &text) {
                               control.report(floorPart + (1 - floorPart) * fraction, text);
                           }};
-    return writePictures(rest, painter);
+    return writeImages(rest, painter);
 }
 
-Result<void> AnnotatedVideoJob::writePictures(const JobControl &control, AnnotatedPicture &painter)
+Result<void> AnnotatedVideoJob::writeImages(const JobControl &control, AnnotatedFrame &painter)
 {
     const std::vector<Nanoseconds> times = shownTimes(m_scene->frameTimes(), m_settings.speed);
     const double spanS = toSeconds(times.back() - times.front()) / m_settings.speed;
@@ -170,17 +171,17 @@ Result<void> AnnotatedVideoJob::writePictures(const JobControl &control, Annotat
         std::vector<ViewMoment> moments;
         for (std::size_t view = 0; view < films.size(); ++view) {
             const auto frame = m_scene->frameAt(view, times[i]);
-            moments.push_back(frame ? ViewMoment{films[view].pictureOf(*frame), *frame} : ViewMoment());
+            moments.push_back(frame ? ViewMoment{films[view].imageOf(*frame), *frame} : ViewMoment());
         }
-        const QImage picture = painter.paint(times[i], moments);
+        const QImage image = painter.paint(times[i], moments);
         const Nanoseconds at = fromSeconds(toSeconds(times[i] - times.front()) / m_settings.speed);
-        const Frame frame = fromScreen(reinterpret_cast<const std::uint32_t *>(picture.constBits()),
-                                       picture.width(), picture.height(), picture.bytesPerLine(), at);
+        const Frame frame = fromScreen(reinterpret_cast<const std::uint32_t *>(image.constBits()),
+                                       image.width(), image.height(), image.bytesPerLine(), at);
         ODO_TRY(writer->write(frame));
         control.report(double(i + 1) / double(times.size()),
                        ODO_TEXT("ui.picture_of", "frame %1 of %2")(i + 1, times.size()));
     }
-    m_pictureCount = static_cast<int>(times.size());
+    m_frameCount = static_cast<int>(times.size());
     m_durationS = double(times.size()) / options.nominalFramesPerSecond;
     return writer->finish();
 }

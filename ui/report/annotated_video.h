@@ -12,7 +12,7 @@
 
 namespace odo {
 
-class AnnotatedPicture;
+class AnnotatedFrame;
 
 /// How a trial's annotated video is made.
 struct AnnotatedVideoSettings
@@ -31,7 +31,7 @@ struct AnnotatedVideoSettings
 std::vector<Nanoseconds> shownTimes(const std::vector<Nanoseconds> &frameTimes, double speed);
 
 /// Makes one video (H.264, 4:2:0) of a trial: all views with their overlays, the map and the speed, as
-/// AnnotatedPicture paints them; an image for each of shownTimes. What fails or is cancelled leaves nothing,
+/// AnnotatedFrame paints them; an image for each of shownTimes. What fails or is cancelled leaves nothing,
 /// and an older file of that name as it was (OutputFile). Prepare on the GUI thread; needs a QGuiApplication.
 /// Errors: a size or speed out of range, a trial without videos, a video that is lost, those of VideoWriter.
 class AnnotatedVideoJob : public Job
@@ -42,19 +42,19 @@ public:
     Result<void> run(const JobControl &control) override;
     Result<void> commit(Project &) override { return {}; }
 
-    int pictureCount() const { return m_pictureCount; } ///< that were written; after run
-    double durationS() const { return m_durationS; }    ///< of the video; after run
+    int frameCount() const { return m_frameCount; }  ///< that were written; after run
+    double durationS() const { return m_durationS; } ///< of the video; after run
 
 private:
     Message what() const;
-    Result<void> writePictures(const JobControl &control, AnnotatedPicture &painter);
+    Result<void> writeImages(const JobControl &control, AnnotatedFrame &painter);
 
     std::string m_trial;
     AnnotatedVideoSettings m_settings;
     TrialScenePtr m_scene;
     InputFiles m_inputs;
     QFont m_font;
-    int m_pictureCount = 0;
+    int m_frameCount = 0;
     double m_durationS = 0;
 };
 

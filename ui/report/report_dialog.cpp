@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/report/report_dialog.h"
 
-#include "ui/models/figure_text.h"
+#include "ui/models/number_text.h"
 #include "ui/models/shown_message.h"
 #include "ui/views/widgets/theme.h"
 
@@ -40,7 +40,7 @@ ReportDialog::ReportDialog(std::filesystem::path projectFile, QList<ReportSubjec
     layout->addLayout(left);
     layout->addWidget(m_preview, 1);
     resize(1080, 820);
-    connect(m_preview, &ReportPreview::made, this, &ReportDialog::tellMade);
+    connect(m_preview, &ReportPreview::made, this, &ReportDialog::showCreated);
     choose();
 }
 
@@ -63,10 +63,10 @@ void ReportDialog::addClassChoices(QFormLayout &form)
     m_task->addItem(tr("Most common"), QString());
     for (const QString &task : m_choices.tasks)
         m_task->addItem(task, task);
-    m_figure = addChoice(form, tr("M&etric"));
-    m_figure->addItem(tr("Most informative"), QString());
-    for (const std::string &figure : m_choices.figures)
-        m_figure->addItem(metricName(figure), QString::fromStdString(figure));
+    m_metric = addChoice(form, tr("M&etric"));
+    m_metric->addItem(tr("Most informative"), QString());
+    for (const std::string &metric : m_choices.metricNames)
+        m_metric->addItem(metricName(metric), QString::fromStdString(metric));
     form.addRow(m_teams);
     connect(m_teams, &QCheckBox::clicked, this, &ReportDialog::choose);
 }
@@ -123,7 +123,7 @@ const ReportSubject &ReportDialog::subject() const
 
 void ReportDialog::choose()
 {
-    for (QWidget *ofClass : std::initializer_list<QWidget *>{m_class, m_task, m_figure}) {
+    for (QWidget *ofClass : std::initializer_list<QWidget *>{m_class, m_task, m_metric}) {
         ofClass->setVisible(subject().isClass);
         m_form->labelForField(ofClass)->setVisible(subject().isClass);
     }
@@ -148,7 +148,7 @@ ReportMaker ReportDialog::maker() const
     const ReportSubject &chosen = subject();
     const ClassReportSettings ofClass{m_class->currentText().toStdString(),
                                       m_task->currentData().toString().toStdString(),
-                                      m_figure->currentData().toString().toStdString(), m_teams->isChecked()};
+                                      m_metric->currentData().toString().toStdString(), m_teams->isChecked()};
     return reportBy(m_settings, [chosen, ofClass](const ReportOptions &options) {
         if (chosen.comparison)
             return comparisonReport(*chosen.comparison, options);
@@ -161,17 +161,17 @@ QString ReportDialog::proposedName() const
     return subject().isClass ? m_class->currentText() : subject().fileName;
 }
 
-void ReportDialog::tellMade(const QString &failure, bool isAll)
+void ReportDialog::showCreated(const QString &failure, bool isAll)
 {
     m_save->setEnabled(failure.isEmpty());
     m_print->setEnabled(failure.isEmpty());
     if (!failure.isEmpty())
         m_remark->setText(tr("Nothing to print yet."));
     else if (isAll)
-        m_remark->setText(tr("%n page(s)", "", int(m_preview->pictures().size())));
+        m_remark->setText(tr("%n page(s)", "", int(m_preview->images().size())));
     else
         m_remark->setText(
-            tr("The first %n page(s); the file has all of them.", "", int(m_preview->pictures().size())));
+            tr("The first %n page(s); the file has all of them.", "", int(m_preview->images().size())));
 }
 
 /// The sheets on their desk; as high as their widths make them.
@@ -186,9 +186,9 @@ public:
         policy.setHeightForWidth(true);
         setSizePolicy(policy);
     }
-    void setPictures(const QList<QImage> &pictures)
+    void setImages(const QList<QImage> &images)
     {
-        m_pictures = pictures;
+        m_images = images;
         m_words.clear();
         updateGeometry();
         fit();
@@ -204,8 +204,8 @@ public:
     int heightForWidth(int wide) const override
     {
         int height = gap;
-        for (const QImage &picture : m_pictures)
-            height += heightOf(picture, wide) + gap;
+        for (const QImage &image : m_images)
+            height += heightOf(image, wide) + gap;
         return height;
     }
 
@@ -215,13 +215,13 @@ protected:
     {
         QPainter painter(this);
         const ThemeColours colours = ThemeColours::of(palette());
-        painter.fillRect(event->rect(), colours.pictureGround);
+        painter.fillRect(event->rect(), colours.imageBackground);
         painter.setRenderHint(QPainter::SmoothPixmapTransform);
         int top = gap;
-        for (const QImage &picture : m_pictures) {
-            const QRect sheet(gap, top, width() - 2 * gap, heightOf(picture, width()));
+        for (const QImage &image : m_images) {
+            const QRect sheet(gap, top, width() - 2 * gap, heightOf(image, width()));
             if (sheet.intersects(event->rect())) {
-                painter.drawImage(sheet, picture);
+                painter.drawImage(sheet, image);
                 painter.setPen(colours.border);
                 painter.drawRect(sheet);
             }
@@ -231,19 +231,19 @@ protected:
             return;
         const QRect seen = visibleRegion().boundingRect();
         const QRect box(seen.left(), seen.center().y() - 24, seen.width(), 48);
-        if (!m_pictures.isEmpty()) // over the pages that were there
+        if (!m_images.isEmpty()) // over the pages that were there
             painter.fillRect(box, colours.bubble);
-        painter.setPen(m_pictures.isEmpty() ? colours.text : colours.bubbleText);
+        painter.setPen(m_images.isEmpty() ? colours.text : colours.bubbleText);
         painter.drawText(box, Qt::AlignCenter | Qt::TextWordWrap, m_words);
     }
 
 private:
-    static int heightOf(const QImage &picture, int wide)
+    static int heightOf(const QImage &image, int wide)
     {
-        return picture.width() > 0 ? (wide - 2 * gap) * picture.height() / picture.width() : 0;
+        return image.width() > 0 ? (wide - 2 * gap) * image.height() / image.width() : 0;
     }
 
-    QList<QImage> m_pictures;
+    QList<QImage> m_images;
     QString m_words;
 };
 
@@ -264,10 +264,10 @@ Result<ReportPreview::Made> ReportPreview::make(Project &project, const ReportMa
     constexpr int widthPx = 1400; // 170 to the inch
     Made made;
     const auto taken = maker(project, {cancel, {}}, [&](const ReportPage &page) -> Result<void> {
-        made.isAll = made.pictures.size() < qsizetype(mostPages);
+        made.isAll = made.images.size() < qsizetype(mostPages);
         if (!made.isAll || cancel.isCancelled())
             return cancelled(ODO_TEXT("ui.preview", "preview")); // it has enough
-        made.pictures << pagePicture(page, widthPx);
+        made.images << pageImage(page, widthPx);
         return {};
     });
     if (!taken && made.isAll)
@@ -283,8 +283,8 @@ ReportPreview::~ReportPreview()
 void ReportPreview::clear()
 {
     m_cancel.cancel();
-    m_pictures.clear();
-    m_sheets->setPictures({});
+    m_images.clear();
+    m_sheets->setImages({});
 }
 
 void ReportPreview::show(const ReportMaker &maker)
@@ -300,11 +300,11 @@ void ReportPreview::take(Result<Made> made)
 {
     if (m_cancel.isCancelled()) // cleared meanwhile
         return;
-    m_pictures = made ? made->pictures : QList<QImage>();
-    m_sheets->setPictures(m_pictures);
+    m_images = made ? made->images : QList<QImage>();
+    m_sheets->setImages(m_images);
     const QString failure = made ? QString() : errorLine(made.error());
     m_sheets->setWords(failure);
-    setAccessibleDescription(failure.isEmpty() ? tr("%n page(s)", "", int(m_pictures.size())) : failure);
+    setAccessibleDescription(failure.isEmpty() ? tr("%n page(s)", "", int(m_images.size())) : failure);
     Q_EMIT this->made(failure, !made || made->isAll);
 }
 

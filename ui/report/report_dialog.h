@@ -34,7 +34,7 @@ struct ReportSubject
 struct ReportChoices
 {
     QStringList classes, tasks;
-    std::vector<std::string> figures; ///< the score first where a task is scored
+    std::vector<std::string> metricNames; ///< the score first where a task is scored
 };
 
 /// Chooses what a report is made of and how, shows its pages, and says whether it is to be saved or printed.
@@ -64,13 +64,13 @@ private:
     QComboBox *addChoice(QFormLayout &form, const QString &label);
     void addClassChoices(QFormLayout &form);
     void choose();
-    void tellMade(const QString &failure, bool isAll);
+    void showCreated(const QString &failure, bool isAll);
     const ReportSubject &subject() const;
 
     const QList<ReportSubject> m_subjects;
     const ReportChoices m_choices;
     ReportSettings m_settings;
-    QComboBox *m_subject = nullptr, *m_class = nullptr, *m_task = nullptr, *m_figure = nullptr,
+    QComboBox *m_subject = nullptr, *m_class = nullptr, *m_task = nullptr, *m_metric = nullptr,
               *m_paper = nullptr;
     QCheckBox *m_teams, *m_method;
     QLabel *m_remark;
@@ -95,7 +95,7 @@ public:
     /// Shows nothing, and gives up what is being made.
     void clear();
     bool isSettled() const { return !m_reader.isRunning(); }
-    const QList<QImage> &pictures() const { return m_pictures; }
+    const QList<QImage> &images() const { return m_images; }
 
 Q_SIGNALS:
     /// The pages are there, or why there are none (empty: they are). isAll: there are no further ones.
@@ -105,7 +105,7 @@ private:
     class Sheets;
     struct Made
     {
-        QList<QImage> pictures;
+        QList<QImage> images;
         bool isAll = true;
     };
     static Result<Made> make(Project &project, const ReportMaker &maker, const CancelToken &cancel);
@@ -113,7 +113,7 @@ private:
 
     CancelToken m_cancel; ///< of what is being made
     ProjectReader m_reader;
-    QList<QImage> m_pictures;
+    QList<QImage> m_images;
     Sheets *m_sheets;
 };
 

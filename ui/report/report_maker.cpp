@@ -11,7 +11,7 @@
 #include "ui/report/internal/run_painting.h"
 #include "ui/report/internal/trial_content.h"
 #include "ui/report/trial_report.h"
-#include "ui/views/charts/chart_picture.h"
+#include "ui/views/charts/chart_image.h"
 #include "ui/views/curves/comparison_curves.h"
 #include "ui/views/map/trial_map.h"
 #include "ui/views/widgets/theme.h"
@@ -114,11 +114,11 @@ Result<QImage> readLogo(const std::filesystem::path &file)
                     ODO_TEXT("ui.make_smaller", "make it smaller"));
     if (size.isValid() && (size.width() > shown.width() || size.height() > shown.height()))
         reader.setScaledSize(size.scaled(shown, Qt::KeepAspectRatio));
-    QImage picture = reader.read();
-    if (picture.isNull())
+    QImage image = reader.read();
+    if (image.isNull())
         return fail(ErrorCode::Io, what, foreignWords(reader.errorString().toStdString()),
                     ODO_TEXT("ui.choose_logo", "choose a PNG, JPEG or SVG image"));
-    return picture;
+    return image;
 }
 
 namespace {
@@ -201,11 +201,11 @@ private:
 /// Who drove, a few large metrics, and the first view.
 void ComparisonPage::paintRun(const QRectF &rect, int side)
 {
-    constexpr double lineHeight = 15, figureHeight = 50, keyWidth = 26;
+    constexpr double lineHeight = 15, metricHeight = 50, keyWidth = 26;
     const ThemeColours colours = ThemeColours::of(reportPalette());
     const std::size_t run = runAt(side);
     const TrialScene &scene = *m_scene.scenes[run];
-    QRectF room = drawPartTitle(m_painter, rect, QString());
+    QRectF area = drawPartTitle(m_painter, rect, QString());
     // The name is beside its line of the charts.
     m_painter.setPen(QPen(seriesColour(int(run), reportPalette()), 2.2, seriesDash(int(run))));
     m_painter.drawLine(QPointF(rect.left(), rect.top() + 9),
@@ -217,28 +217,28 @@ void ComparisonPage::paintRun(const QRectF &rect, int side)
         if (!fact.isEmpty())
             facts << literalName(fact);
     facts << reportDate(scene.trial.date);
-    drawLine(m_painter, QRectF(room.left(), room.top(), room.width(), lineHeight),
+    drawLine(m_painter, QRectF(area.left(), area.top(), area.width(), lineHeight),
              facts.join(QStringLiteral(" · ")), reportFont(smallSize + 1), colours.muted);
-    room.setTop(room.top() + lineHeight + 6);
-    QList<ReportFigure> figures;
-    for (const Metric &metric : tellingMetrics(m_scene.profile(run).metrics, 4))
-        figures << ReportFigure{metricName(metric.name), metricFigure(metric), {}};
-    for (qsizetype i = 0; i < figures.size(); i += 2) {
-        drawFigures(m_painter, QRectF(room.left(), room.top(), room.width(), figureHeight),
-                    figures.mid(i, 2));
-        room.setTop(room.top() + figureHeight + 4);
+    area.setTop(area.top() + lineHeight + 6);
+    QList<ReportMetric> reportMetrics;
+    for (const Metric &metric : informativeMetrics(m_scene.profile(run).metrics, 4))
+        reportMetrics << ReportMetric{metricName(metric.name), metricNumber(metric), {}};
+    for (qsizetype i = 0; i < reportMetrics.size(); i += 2) {
+        drawMetrics(m_painter, QRectF(area.left(), area.top(), area.width(), metricHeight),
+                    reportMetrics.mid(i, 2));
+        area.setTop(area.top() + metricHeight + 4);
     }
     const auto &stills = m_content.stills[std::size_t(side)];
     if (!stills.empty())
-        drawStill(m_painter, room, scene, 0, stills.front());
+        drawStill(m_painter, area, scene, 0, stills.front());
 }
 
 void ComparisonPage::paintCurves(const QRectF &rect, Compared what, const QString &title,
                                  const QString &remark)
 {
-    const QRectF room = drawPartTitle(m_painter, rect, title, remark);
+    const QRectF area = drawPartTitle(m_painter, rect, title, remark);
     const PathSpan common = comparedSpan(m_scene);
-    drawChart(m_painter, room,
+    drawChart(m_painter, area,
               {comparedContent(m_scene, what, {0, m_content.other}),
                comparedAxes(what),
                common.lowM,
@@ -249,7 +249,7 @@ void ComparisonPage::paintCurves(const QRectF &rect, Compared what, const QStrin
 
 void ComparisonPage::paintTable(const QRectF &rect, const QString &title, const DifferenceModel &model)
 {
-    const QRectF room =
+    const QRectF area =
         drawPartTitle(m_painter, rect, title, ComparisonReportWords::tr("± one σ; grey, ≈: not significant"));
     ReportTable table;
     table.weights = {0.28, 0.24, 0.24, 0.24};
@@ -263,7 +263,7 @@ void ComparisonPage::paintTable(const QRectF &rect, const QString &title, const 
         line.isFaint = !model.index(row, 0).data(DifferenceModel::SignificantRole).toBool();
         table.rows << line;
     }
-    drawTable(m_painter, room, table);
+    drawTable(m_painter, area, table);
 }
 
 QString ComparisonPage::alignedWords() const
@@ -304,20 +304,20 @@ void ComparisonPage::paint(const QRectF &sheet)
                        "Both runs share their calibration: its uncertainty largely cancels.")
                  : ComparisonReportWords::tr(
                        "The runs have different calibrations: the uncertainties of both count."));
-    const QRectF room =
+    const QRectF area =
         drawFoot(m_painter,
                  drawHead(m_painter, sheet, m_options.letterhead,
                           ComparisonReportWords::tr("%1 and %2")
                               .arg(literalName(m_scene.name(0)), literalName(m_scene.name(m_content.other))),
                           facts),
                  m_options.letterhead, foot);
-    const double side = sideShare * room.width(), upper = upperShare * room.height();
-    paintRun(QRectF(room.left(), room.top(), side, upper), 0);
-    paintRun(QRectF(room.right() - side, room.top(), side, upper), 1);
+    const double side = sideShare * area.width(), upper = upperShare * area.height();
+    paintRun(QRectF(area.left(), area.top(), side, upper), 0);
+    paintRun(QRectF(area.right() - side, area.top(), side, upper), 1);
     drawComparedMap(m_painter,
-                    QRectF(room.left() + side + gap, room.top(), room.width() - 2 * (side + gap), upper),
+                    QRectF(area.left() + side + gap, area.top(), area.width() - 2 * (side + gap), upper),
                     m_scene, {0, m_content.other});
-    const QRectF lower(room.left(), room.top() + upper + gap, room.width(), room.height() - upper - gap);
+    const QRectF lower(area.left(), area.top() + upper + gap, area.width(), area.height() - upper - gap);
     const double tables = tableShare * lower.width();
     const QRectF charts(lower.left(), lower.top(), lower.width() - tables - gap, lower.height());
     const double speed = (1 - deltaShare) * charts.height();

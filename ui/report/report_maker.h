@@ -4,7 +4,7 @@
 #include "core/base/error.h"
 #include "core/base/job_control.h"
 #include "core/workflow/compare/compare_trials.h"
-#include "core/workflow/compare/trial_figures.h"
+#include "core/workflow/compare/trial_metrics.h"
 #include "ui/models/comparison_scene.h"
 #include "ui/report/trial_report.h"
 
@@ -41,8 +41,8 @@ ReportMaker comparisonReport(CompareSettings settings, const ReportOptions &opti
 struct ClassReportSettings
 {
     std::string className;
-    std::string task;       ///< empty: the one that most of the class's trials have
-    std::string metric;     ///< empty: the score where the task is scored, else the first of tellingMetrics
+    std::string task;   ///< empty: the one that most of the class's trials have
+    std::string metric; ///< empty: the score where the task is scored, else the first of informativeMetrics
     bool withTeams = false; ///< and a page for each team
 };
 /// The ranking of a class, a line for each team with all its runs and its trend. NotFound for a class that is

@@ -2,11 +2,11 @@
 #include "ui/report/trial_report.h"
 
 #include "core/analysis/gate_passages.h"
-#include "core/workflow/compare/trial_figures.h"
+#include "core/workflow/compare/trial_metrics.h"
 #include "core/workflow/track/track_warnings.h"
 #include "ui/models/explanation.h"
 #include "ui/models/results.h"
-#include "ui/models/scene_doubts.h"
+#include "ui/models/scene_uncertainty.h"
 #include "ui/models/shown_message.h"
 #include "ui/models/shown_names.h"
 #include "ui/report/internal/report_painting.h"
@@ -64,8 +64,9 @@ QString viewLine(const TrialContent &content, std::size_t view)
                  .arg(shown.recording.frameTimes.size())
                  .arg(decimals(shown.recording.framesPerSecond, 2));
     parts << ReportMethodWords::tr("%n missing", "", missingFrames(shown.recording.frameTimes));
-    if (view < content.lensRmsPx.size() && content.lensRmsPx[view])
-        parts << ReportMethodWords::tr("lens calibrated to %1 px").arg(decimals(*content.lensRmsPx[view], 2));
+    if (view < content.calibrationRmsPx.size() && content.calibrationRmsPx[view])
+        parts << ReportMethodWords::tr("lens calibrated to %1 px")
+                     .arg(decimals(*content.calibrationRmsPx[view], 2));
     if (shown.registration)
         parts << ReportMethodWords::tr("registered to the floor to %1 px, %2")
                      .arg(decimals(shown.registration->rmsPx, 2), lengthText(shown.registration->rmsM));
@@ -104,8 +105,8 @@ void drawSamples(QPainter &painter, const QRectF &rect, const Profile &profile)
     table.weights = {0.1, 0.12, 0.12, 0.14, 0.1, 0.18, 0.24};
     table.alignments = QList<Qt::Alignment>(6, Qt::AlignRight) << Qt::AlignLeft;
     table.rowHeight = 13;
-    const auto room = std::max<std::size_t>(1, std::size_t(rect.height() / table.rowHeight) - 2);
-    const std::size_t step = std::max<std::size_t>(1, (profile.samples.size() + room - 1) / room);
+    const auto area = std::max<std::size_t>(1, std::size_t(rect.height() / table.rowHeight) - 2);
+    const std::size_t step = std::max<std::size_t>(1, (profile.samples.size() + area - 1) / area);
     for (std::size_t i = 0; i < profile.samples.size(); i += step) {
         const ProfilePoint &point = profile.points[i];
         QStringList cells(decimals(toSeconds(profile.samples[i].time), 3));
@@ -174,16 +175,16 @@ void paintMethodPage(QPainter &painter, const QRectF &sheet, const TrialContent 
     const TrialScene &scene = *content.scene;
     const AnalysisRecord &analysis = *scene.robots[robot].analysis;
     const ThemeColours colours = ThemeColours::of(reportPalette());
-    QRectF room = drawFoot(painter,
+    QRectF area = drawFoot(painter,
                            drawHead(painter, sheet, letterhead,
                                     ReportMethodWords::tr("%1: method").arg(trialTitle(scene, robot)),
                                     trialHeadFacts(scene, robot)),
                            letterhead, provenanceLines(content, robot));
-    const QRectF samples(room.left(), room.bottom() - samplesShare * room.height(), room.width(),
-                         samplesShare * room.height());
+    const QRectF samples(area.left(), area.bottom() - samplesShare * area.height(), area.width(),
+                         samplesShare * area.height());
     drawSamples(painter, samples, analysis.profile);
-    room.setBottom(samples.top() - gap);
-    QRectF text = drawPartTitle(painter, room, ReportMethodWords::tr("How the metrics were computed"));
+    area.setBottom(samples.top() - gap);
+    QRectF text = drawPartTitle(painter, area, ReportMethodWords::tr("How the metrics were computed"));
     const auto paragraph = [&](const QString &words, QFont::Weight weight = QFont::Normal) {
         text.setTop(text.top() +
                     drawParagraph(painter, text, words, reportFont(smallSize + 1, weight), colours.text));
@@ -191,7 +192,7 @@ void paintMethodPage(QPainter &painter, const QRectF &sheet, const TrialContent 
     for (const QString &input : analysisInputs(scene, robot))
         paragraph(input);
     paragraph(sampleSummary(analysis.profile));
-    for (const Metric &metric : tellingMetrics(analysis.profile.metrics, explained)) {
+    for (const Metric &metric : informativeMetrics(analysis.profile.metrics, explained)) {
         const Explanation how = explainMetric(scene, robot, metric);
         text.setTop(text.top() + 4);
         paragraph(ReportMethodWords::tr("%1: %2").arg(how.what, how.value), QFont::DemiBold);
@@ -204,7 +205,7 @@ void paintMethodPage(QPainter &painter, const QRectF &sheet, const TrialContent 
 
 namespace {
 
-constexpr std::size_t largeFigures = 5, mostEvents = 12;
+constexpr std::size_t largeMetrics = 5, mostEvents = 12;
 
 class TrialReportWords
 {
@@ -229,8 +230,8 @@ public:
     void paint(const QRectF &sheet);
 
 private:
-    QList<ReportFigure> figures() const;
-    std::size_t largeCount() const { return largeFigures - (m_score ? 1 : 0); } ///< of the metrics
+    QList<ReportMetric> reportMetrics() const;
+    std::size_t largeCount() const { return largeMetrics - (m_score ? 1 : 0); } ///< of the metrics
     /// The three tables below the charts.
     struct Tables
     {
@@ -239,7 +240,7 @@ private:
     Tables tablesIn(const QRectF &rect) const;
     double tablesHeight(double width) const;
     QString medianWords(const std::string &metric, const std::string &unit) const;
-    void paintPlaces(const QRectF &rect);
+    void paintPositions(const QRectF &rect);
     void paintTables(const QRectF &rect);
     ReportTable eventsTable() const;
     void paintEvents(const QRectF &rect);
@@ -261,27 +262,27 @@ private:
 
 QString TrialPage::medianWords(const std::string &metric, const std::string &unit) const
 {
-    const auto found = m_content.classFigures.find(metric);
-    if (found == m_content.classFigures.end() || found->second.runs < 2)
+    const auto found = m_content.classMedians.find(metric);
+    if (found == m_content.classMedians.end() || found->second.runs < 2)
         return {};
-    FigureText figure = metricFigure({metric, unit, found->second.median, std::nullopt});
-    return TrialReportWords::tr("class median %1").arg(figure.text());
+    NumberText number = metricNumber({metric, unit, found->second.median, std::nullopt});
+    return TrialReportWords::tr("class median %1").arg(number.text());
 }
 
-QList<ReportFigure> TrialPage::figures() const
+QList<ReportMetric> TrialPage::reportMetrics() const
 {
-    QList<ReportFigure> figures;
+    QList<ReportMetric> reportMetrics;
     if (m_score)
-        figures << ReportFigure{TrialReportWords::tr("Score"), scoreFigure(*m_score),
-                                medianWords(scoreMetric, "1")};
-    for (const Metric &metric : tellingMetrics(m_analysis->profile.metrics, largeCount()))
-        figures << ReportFigure{metricName(metric.name), metricFigure(metric),
-                                medianWords(metric.name, metric.unit)};
-    return figures;
+        reportMetrics << ReportMetric{TrialReportWords::tr("Score"), scoreNumber(*m_score),
+                                      medianWords(scoreMetric, "1")};
+    for (const Metric &metric : informativeMetrics(m_analysis->profile.metrics, largeCount()))
+        reportMetrics << ReportMetric{metricName(metric.name), metricNumber(metric),
+                                      medianWords(metric.name, metric.unit)};
+    return reportMetrics;
 }
 
 /// The map, and beside it what the cameras saw.
-void TrialPage::paintPlaces(const QRectF &rect)
+void TrialPage::paintPositions(const QRectF &rect)
 {
     const bool hasViews = !m_scene.views.empty();
     constexpr double mapShare = 0.6, gap = 14;
@@ -294,12 +295,12 @@ void TrialPage::paintPlaces(const QRectF &rect)
         return;
     const QRectF right(rect.left() + mapWidth + gap, rect.top(), rect.width() - mapWidth - gap,
                        rect.height());
-    const QRectF pictures =
+    const QRectF images =
         drawPartTitle(m_painter, right, TrialReportWords::tr("The cameras’ views"),
                       m_analysis && m_content.isAtTopSpeed && m_scene.robots.size() == 1
                           ? TrialReportWords::tr("at %1, the top speed").arg(secondsText(m_content.stillTime))
                           : TrialReportWords::tr("at %1").arg(secondsText(m_content.stillTime)));
-    drawStills(m_painter, pictures, m_scene, m_content.stills);
+    drawStills(m_painter, images, m_scene, m_content.stills);
 }
 
 ReportTable TrialPage::eventsTable() const
@@ -316,24 +317,24 @@ ReportTable TrialPage::eventsTable() const
 
 void TrialPage::paintEvents(const QRectF &rect)
 {
-    const QRectF room = drawPartTitle(m_painter, rect, TrialReportWords::tr("What happened"));
+    const QRectF area = drawPartTitle(m_painter, rect, TrialReportWords::tr("What happened"));
     if (m_events.empty())
-        drawLine(m_painter, QRectF(room.left(), room.top(), room.width(), 16),
+        drawLine(m_painter, QRectF(area.left(), area.top(), area.width(), 16),
                  TrialReportWords::tr("It did not move"), reportFont(bodySize),
                  ThemeColours::of(reportPalette()).muted);
-    drawTable(m_painter, room, eventsTable());
+    drawTable(m_painter, area, eventsTable());
 }
 
 void TrialPage::paintSplits(const QRectF &rect)
 {
-    const QRectF room = drawPartTitle(m_painter, rect, TrialReportWords::tr("Splits"));
+    const QRectF area = drawPartTitle(m_painter, rect, TrialReportWords::tr("Splits"));
     const auto best = std::ranges::min_element(m_laps, {}, &Lap::timeS);
     ReportTable table;
     table.weights = {0.42, 0.58};
     table.alignments = {Qt::AlignLeft, Qt::AlignRight};
     for (auto lap = m_laps.begin(); lap != m_laps.end(); ++lap) {
         const auto time = [](double seconds, double sigmaS) {
-            return figureText(seconds, sigmaS, QStringLiteral("s")).text();
+            return numberText(seconds, sigmaS, QStringLiteral("s")).text();
         };
         table.rows << ReportTable::Row{
             {TrialReportWords::tr("Run %1").arg(lap - m_laps.begin() + 1), time(lap->timeS, lap->sigmaS)},
@@ -347,21 +348,21 @@ void TrialPage::paintSplits(const QRectF &rect)
                     false,
                     false};
     }
-    drawTable(m_painter, room, table);
+    drawTable(m_painter, area, table);
 }
 
 void TrialPage::paintMetrics(const QRectF &rect)
 {
-    const QRectF room =
+    const QRectF area =
         drawPartTitle(m_painter, rect, TrialReportWords::tr("Metrics"), TrialReportWords::tr("± one σ"));
     ReportTable table;
     table.weights = {0.54, 0.46};
     table.alignments = {Qt::AlignLeft, Qt::AlignRight};
     const auto &all = m_analysis->profile.metrics;
-    const std::vector<Metric> telling = tellingMetrics(all, all.size());
+    const std::vector<Metric> telling = informativeMetrics(all, all.size());
     for (const Metric &metric : std::span(telling).subspan(std::min(largeCount(), telling.size())))
-        table.rows << ReportTable::Row{{metricName(metric.name), metricFigure(metric).text()}, false, false};
-    drawTable(m_painter, room, table);
+        table.rows << ReportTable::Row{{metricName(metric.name), metricNumber(metric).text()}, false, false};
+    drawTable(m_painter, area, table);
 }
 
 TrialPage::Tables TrialPage::tablesIn(const QRectF &rect) const
@@ -401,9 +402,9 @@ QStringList TrialPage::doubts() const
     if (!m_analysis)
         return sentences;
     const SceneRobot &robot = m_scene.robots[m_robot];
-    if (!m_analysis->doubtfulNames.empty())
+    if (!m_analysis->ambiguousNames.empty())
         sentences << fullSentence(
-            shownWords(doubtfulNamesSentence(m_analysis->doubtfulNames, robot.robot.name)));
+            shownWords(ambiguousNamesText(m_analysis->ambiguousNames, robot.robot.name)));
     constexpr std::size_t most = 2;
     std::vector<Occlusion> longest = robot.occlusions;
     std::ranges::stable_sort(longest, std::ranges::greater(),
@@ -422,62 +423,62 @@ QStringList TrialPage::doubts() const
 /// Ambiguities, and the notes, or lines for a pen if there are none.
 void TrialPage::paintRemarks(const QRectF &rect)
 {
-    QRectF room = drawPartTitle(m_painter, rect, TrialReportWords::tr("Remarks"));
+    QRectF area = drawPartTitle(m_painter, rect, TrialReportWords::tr("Remarks"));
     for (const QString &sentence : doubts())
-        room.setTop(room.top() + drawParagraph(m_painter, room, literalName(sentence),
+        area.setTop(area.top() + drawParagraph(m_painter, area, literalName(sentence),
                                                reportFont(smallSize + 1),
                                                ThemeColours::of(reportPalette()).spike));
     if (!m_scene.trial.notes.empty()) {
-        drawParagraph(m_painter, room, literalName(m_scene.trial.notes), reportFont(smallSize + 1),
+        drawParagraph(m_painter, area, literalName(m_scene.trial.notes), reportFont(smallSize + 1),
                       ThemeColours::of(reportPalette()).text);
         return;
     }
     m_painter.setPen(QPen(ThemeColours::of(reportPalette()).grid, 0.8));
     constexpr double lineHeight = 18;
-    for (double y = room.top() + lineHeight - 3; y <= room.bottom(); y += lineHeight)
-        m_painter.drawLine(QPointF(room.left(), y), QPointF(room.right(), y));
+    for (double y = area.top() + lineHeight - 3; y <= area.bottom(); y += lineHeight)
+        m_painter.drawLine(QPointF(area.left(), y), QPointF(area.right(), y));
 }
 
 void TrialPage::paint(const QRectF &sheet)
 {
-    constexpr double figuresHeight = 66, gap = 10, chartShare = 0.14, remarksHeight = 58;
-    QRectF room = drawFoot(m_painter,
+    constexpr double metricsHeight = 66, gap = 10, chartShare = 0.14, remarksHeight = 58;
+    QRectF area = drawFoot(m_painter,
                            drawHead(m_painter, sheet, m_options.letterhead, trialTitle(m_scene, m_robot),
                                     trialHeadFacts(m_scene, m_robot)),
                            m_options.letterhead, provenanceLines(m_content, m_robot));
-    const QRectF remarks(room.left(), room.bottom() - remarksHeight, room.width(), remarksHeight);
-    room.setBottom(remarks.top() - gap);
+    const QRectF remarks(area.left(), area.bottom() - remarksHeight, area.width(), remarksHeight);
+    area.setBottom(remarks.top() - gap);
     paintRemarks(remarks);
     if (!m_analysis) {
-        drawLine(m_painter, QRectF(room.left(), room.top(), room.width(), 30),
+        drawLine(m_painter, QRectF(area.left(), area.top(), area.width(), 30),
                  TrialReportWords::tr("This trial has not been tracked yet: it has no metrics."),
                  reportFont(bodySize + 2), ThemeColours::of(reportPalette()).text);
-        paintPlaces(room.adjusted(0, 40, 0, -room.height() * 0.35));
+        paintPositions(area.adjusted(0, 40, 0, -area.height() * 0.35));
         return;
     }
     if (m_analysis->proof == AnalysisRecord::Proof::Broken) {
         constexpr double noticeHeight = 22;
-        drawLine(m_painter, QRectF(room.left(), room.top(), room.width(), noticeHeight),
+        drawLine(m_painter, QRectF(area.left(), area.top(), area.width(), noticeHeight),
                  TrialReportWords::tr(
                      "Do not rely on these results: they were changed in the file after the analysis."),
                  reportFont(bodySize + 2), ThemeColours::of(reportPalette()).spike);
-        room.setTop(room.top() + noticeHeight);
+        area.setTop(area.top() + noticeHeight);
     }
-    drawFigures(m_painter, QRectF(room.left(), room.top(), room.width(), figuresHeight), figures());
-    room.setTop(room.top() + figuresHeight + gap);
-    QRectF tables = room;
-    tables.setTop(room.bottom() - tablesHeight(room.width()));
+    drawMetrics(m_painter, QRectF(area.left(), area.top(), area.width(), metricsHeight), reportMetrics());
+    area.setTop(area.top() + metricsHeight + gap);
+    QRectF tables = area;
+    tables.setTop(area.bottom() - tablesHeight(area.width()));
     paintTables(tables);
-    room.setBottom(tables.top() - gap);
+    area.setBottom(tables.top() - gap);
     const double chart = chartShare * sheet.height();
     const auto fromBelow = [&](Quantity quantity) {
-        drawRunChart(m_painter, QRectF(room.left(), room.bottom() - chart, room.width(), chart),
+        drawRunChart(m_painter, QRectF(area.left(), area.bottom() - chart, area.width(), chart),
                      m_analysis->profile, quantity, m_events);
-        room.setBottom(room.bottom() - chart - gap / 2);
+        area.setBottom(area.bottom() - chart - gap / 2);
     };
     fromBelow(Quantity::Acceleration);
     fromBelow(Quantity::Speed);
-    paintPlaces(room);
+    paintPositions(area);
 }
 
 } // namespace

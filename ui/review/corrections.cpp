@@ -64,13 +64,13 @@ void RobotPointing::fill(QMenu &menu, std::size_t view, const QPointF &pixel)
         const RobotPointer pointer{
             robot, m_scene->views[view].camera, toSeconds(m_timeline.currentTime()), {pixel.x(), pixel.y()}};
         connect(menu.addAction(tr("This is %1: track it again").arg(shown(robot))), &QAction::triggered, this,
-                [this, pointer] { say(pointer); });
+                [this, pointer] { request(pointer); });
     }
     menu.addSeparator();
     for (const std::string &robot : all)
         if (isPointedOut(robot))
             connect(menu.addAction(tr("Find %1 automatically").arg(shown(robot))), &QAction::triggered, this,
-                    [this, robot] { say({robot}); });
+                    [this, robot] { request({robot}); });
 }
 
 void RobotPointing::ask(std::size_t view, const QPointF &pixel, const QPoint &global)
@@ -82,35 +82,35 @@ void RobotPointing::ask(std::size_t view, const QPointF &pixel, const QPoint &gl
         menu.exec(global);
 }
 
-void RobotPointing::say(RobotPointer pointer)
+void RobotPointing::request(RobotPointer pointer)
 {
     m_action->setChecked(false);
-    Q_EMIT said(QString::fromStdString(m_scene->trial.name), pointer);
+    Q_EMIT requested(QString::fromStdString(m_scene->trial.name), pointer);
 }
 
 SpikeActions::SpikeActions(Timeline &timeline, QObject *parent)
     : QObject(parent), m_timeline(timeline),
       m_use(add("useSample", tr("&Use sample"),
                 tr("Mark the sample at this moment as valid and use it, even if it was flagged"), Qt::Key_U,
-                OverruleRequest::Word::Valid)),
+                OverrideRequest::Word::Valid)),
       m_spike(add("markSpike", tr("Mark as &spike"),
                   tr("Mark the sample at this moment as a spike and do not use it"), Qt::Key_X,
-                  OverruleRequest::Word::Spike)),
+                  OverrideRequest::Word::Spike)),
       m_leave(add("leaveSample", tr("&Automatic"), tr("Remove the manual override at this moment"),
-                  Qt::Key_Backspace, OverruleRequest::Word::Clear))
+                  Qt::Key_Backspace, OverrideRequest::Word::Clear))
 {
     connect(&m_timeline, &Timeline::currentChanged, this, &SpikeActions::update);
     update();
 }
 
 QAction *SpikeActions::add(const char *name, const QString &text, const QString &toolTip,
-                           const QKeySequence &key, OverruleRequest::Word word)
+                           const QKeySequence &key, OverrideRequest::Word word)
 {
     auto *action = new QAction(text, this);
     action->setObjectName(QString::fromLatin1(name));
     action->setToolTip(QStringLiteral("%1 (%2)").arg(toolTip, key.toString(QKeySequence::NativeText)));
     action->setShortcut(key);
-    connect(action, &QAction::triggered, this, [this, word] { say(word); });
+    connect(action, &QAction::triggered, this, [this, word] { request(word); });
     m_actions << action;
     return action;
 }
@@ -151,13 +151,14 @@ void SpikeActions::update()
     m_leave->setEnabled(here && hasFlag(here->flags, SampleFlag::ByHand));
 }
 
-void SpikeActions::say(OverruleRequest::Word word)
+void SpikeActions::request(OverrideRequest::Word word)
 {
     const Sample *here = sample();
     if (!here)
         return;
     m_timeline.pause();
-    Q_EMIT said({m_scene->trial.name, m_scene->robots[m_robot].robot.name, std::nullopt, here->frame, word});
+    Q_EMIT requested(
+        {m_scene->trial.name, m_scene->robots[m_robot].robot.name, std::nullopt, here->frame, word});
 }
 
 } // namespace odo

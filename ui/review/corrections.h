@@ -36,12 +36,12 @@ public:
     void ask(std::size_t view, const QPointF &pixel, const QPoint &global);
 
 Q_SIGNALS:
-    void said(const QString &trial, const odo::RobotPointer &pointer);
+    void requested(const QString &trial, const odo::RobotPointer &pointer);
 
 private:
     std::vector<std::string> robots() const;
     bool isPointedOut(const std::string &robot) const;
-    void say(RobotPointer pointer);
+    void request(RobotPointer pointer);
 
     Timeline &m_timeline;
     TrialScenePtr m_scene;
@@ -62,12 +62,12 @@ public:
     const QList<QAction *> &actions() const { return m_actions; }
 
 Q_SIGNALS:
-    void said(const odo::OverruleRequest &word);
+    void requested(const odo::OverrideRequest &word);
 
 private:
     QAction *add(const char *name, const QString &text, const QString &toolTip, const QKeySequence &key,
-                 OverruleRequest::Word word);
-    void say(OverruleRequest::Word word);
+                 OverrideRequest::Word word);
+    void request(OverrideRequest::Word word);
     void update();
     const Sample *sample() const;
 

@@ -3,8 +3,8 @@
 
 #include "ui/views/charts/chart_span.h"
 #include "ui/views/charts/profile_chart.h"
+#include "ui/views/image/camera_view.h"
 #include "ui/views/map/floor_map.h"
-#include "ui/views/picture/camera_view.h"
 
 #include <QAction>
 #include <QSettings>
@@ -112,7 +112,7 @@ void ReviewDesk::setScene(const TrialScenePtr &scene)
     m_speed->setScene(scene);
     m_acceleration->setScene(scene);
     if (changed)
-        evenPictures();
+        equaliseViews();
 }
 
 bool ReviewDesk::isSettled() const

@@ -33,7 +33,7 @@
 namespace odo {
 
 /// What is asked of the project.
-struct ReviewPage::Wish
+struct ReviewPage::Request
 {
     std::string chosen; ///< shown, wherever it is; empty: none
     std::string shown;  ///< shown again, unless it is in the bin now
@@ -128,18 +128,18 @@ void ReviewPage::refresh()
 }
 
 /// On the reader's thread.
-Result<ReviewPage::Reading> ReviewPage::readTrial(Project &project, const Wish &wish)
+Result<ReviewPage::Reading> ReviewPage::readTrial(Project &project, const Request &request)
 {
     Reading reading{std::nullopt, nullptr};
-    std::string name = wish.chosen.empty() ? wish.shown : wish.chosen;
-    if (wish.withList) {
+    std::string name = request.chosen.empty() ? request.shown : request.chosen;
+    if (request.withList) {
         std::vector<TrialName> trials = ODO_TRY(project.trials().names());
         reading.list.emplace();
         std::map<std::string, QString> shownTeams; // by name
         for (const TeamRecord &team : project.teams().all().value_or(std::vector<TeamRecord>()))
             shownTeams[team.name] = shownTeam(team);
         std::string newest;
-        bool isThere = !wish.chosen.empty();
+        bool isThere = !request.chosen.empty();
         std::ranges::reverse(trials); // the chooser goes on in time
         for (const TrialName &trial : trials) {
             if (trial.binned)
@@ -160,8 +160,9 @@ Result<ReviewPage::Reading> ReviewPage::readTrial(Project &project, const Wish &
 
 void ReviewPage::load()
 {
-    const Wish wish{m_chosen.toStdString(), m_scene ? m_scene->trial.name : std::string(), m_isListStale};
-    m_reader->read<Reading>([wish](Project &project) { return readTrial(project, wish); },
+    const Request request{m_chosen.toStdString(), m_scene ? m_scene->trial.name : std::string(),
+                          m_isListStale};
+    m_reader->read<Reading>([request](Project &project) { return readTrial(project, request); },
                             [this](Result<Reading> reading) { take(std::move(reading)); });
 }
 

@@ -63,9 +63,9 @@ protected:
     bool event(QEvent *event) override;
 
 private:
-    struct Wish;
+    struct Request;
     struct Reading;
-    static Result<Reading> readTrial(Project &project, const Wish &wish);
+    static Result<Reading> readTrial(Project &project, const Request &request);
     void load();
     void take(Result<Reading> reading);
     void adopt(TrialScenePtr scene);

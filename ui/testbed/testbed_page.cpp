@@ -10,7 +10,7 @@
 #include "ui/testbed/check/expected_accuracy.h"
 #include "ui/testbed/internal/known_cameras.h"
 #include "ui/testbed/internal/testbed_tools.h"
-#include "ui/views/picture/camera_view.h"
+#include "ui/views/image/camera_view.h"
 #include "ui/views/widgets/card.h"
 #include "ui/views/widgets/command_keys.h"
 #include "ui/views/widgets/empty_state.h"
@@ -151,9 +151,9 @@ QWidget *TestbedPage::makeCameraCard()
     const QList<QAction *> rows[] = {
         {m_tools->action(TestbedTools::Calibrate), m_tools->action(TestbedTools::Register),
          m_checks->action(CheckTools::Moved)},
-        {m_tools->action(TestbedTools::RegisterThrough), m_tools->action(TestbedTools::RegisterJointly),
+        {m_tools->action(TestbedTools::RegisterViaCamera), m_tools->action(TestbedTools::RegisterJointly),
          m_checks->action(CheckTools::Revisions)},
-        {m_tools->action(TestbedTools::ImportLens), m_checks->action(CheckTools::Length),
+        {m_tools->action(TestbedTools::ImportCalibration), m_checks->action(CheckTools::Length),
          m_checks->action(CheckTools::Accuracy)}};
     for (const QList<QAction *> &row : rows)
         contentLayout->addLayout(buttonRow(row));
@@ -236,7 +236,7 @@ QList<QAction *> TestbedPage::toolActions() const
     return m_tools->actions() + m_checks->actions();
 }
 
-void TestbedPage::tellTools()
+void TestbedPage::updateTools()
 {
     const int row = m_layoutList->currentRow();
     const auto layout = row < 0 ? std::nullopt : std::optional(m_layouts.at(static_cast<std::size_t>(row)));
@@ -249,7 +249,7 @@ void TestbedPage::tellTools()
 
 void TestbedPage::showCamera()
 {
-    tellTools();
+    updateTools();
     const QModelIndex current = m_table->currentIndex();
     if (!current.isValid()) {
         m_view->setScene(nullptr, 0);
@@ -260,7 +260,7 @@ void TestbedPage::showCamera()
     const CameraRow &camera = m_cameras->row(current.row());
     m_factCard->setTitle(tr("Camera %1").arg(QString::fromStdString(camera.camera.name)));
     m_facts->setFacts(cameraFacts(camera));
-    const Result<TrialScenePtr> scene = newestPicture(m_project, camera);
+    const Result<TrialScenePtr> scene = newestImage(m_project, camera);
     if (!scene)
         Q_EMIT failed(scene.error());
     m_view->setScene(scene.value_or(nullptr), 0);
@@ -271,7 +271,7 @@ void TestbedPage::showCamera()
 
 void TestbedPage::showLayout()
 {
-    tellTools();
+    updateTools();
     const int row = m_layoutList->currentRow();
     if (row < 0) {
         m_sketch->setTestbed(std::nullopt, {});

@@ -59,7 +59,7 @@ private:
     void showCamera();
     void showLayout();
     void showAccuracy(const ExpectedAccuracy &accuracy);
-    void tellTools();
+    void updateTools();
     QStringList cameraNames() const;
     QString currentCamera() const;
 

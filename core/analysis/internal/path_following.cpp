@@ -37,7 +37,7 @@ public:
     double lengthM() const { return m_lengthM; }
 
     /// The feet of perpendiculars from a point that are nearer than those beside them, the nearest first.
-    std::vector<PathPlace> feetOf(const Eigen::Vector2d &point)
+    std::vector<PathPosition> feetOf(const Eigen::Vector2d &point)
     {
         const std::size_t count = m_pieces.size();
         m_squares.resize(count);
@@ -55,7 +55,7 @@ public:
         std::sort(near.begin(), near.end(),
                   [&](std::size_t a, std::size_t b) { return m_squares[a] < m_squares[b]; });
         near.resize(std::min(near.size(), mostFeet));
-        std::vector<PathPlace> feet;
+        std::vector<PathPosition> feet;
         for (const std::size_t i : near)
             feet.push_back(footOn(i, point));
         return feet;
@@ -81,13 +81,13 @@ private:
         Eigen::Vector2d at(double alongM) const { return start + alongM * direction; }
     };
 
-    PathPlace footOn(std::size_t i, const Eigen::Vector2d &point) const
+    PathPosition footOn(std::size_t i, const Eigen::Vector2d &point) const
     {
         const Piece &piece = m_pieces[i];
         const double alongM = piece.nearest(point);
         const Eigen::Vector2d apart = point - piece.at(alongM);
         const Eigen::Vector2d left(-piece.direction.y(), piece.direction.x());
-        PathPlace place;
+        PathPosition place;
         place.stationM = piece.stationM + alongM;
         // At a corner the perpendicular is that of neither piece.
         const bool aside = apart.norm() > 0 && (alongM <= 0 || alongM >= piece.lengthM);
@@ -109,12 +109,12 @@ private:
 /// A foot with the cheapest way to it.
 struct Node
 {
-    PathPlace place;
+    PathPosition place;
     double cost = 0;
     std::size_t from = 0;
 };
 
-double priceOfStep(const Pieces &pieces, const PathPlace &from, const PathPlace &to, double drivenM)
+double priceOfStep(const Pieces &pieces, const PathPosition &from, const PathPosition &to, double drivenM)
 {
     // On the inside of a bend the station runs ahead of the robot.
     const double unexplained =
@@ -143,35 +143,36 @@ double lengthOf(const ReferencePath &path)
     return Pieces(path).lengthM();
 }
 
-std::vector<PathPlace> followPath(const ReferencePath &path, const std::vector<MeasuredPlace> &places)
+std::vector<PathPosition> followPath(const ReferencePath &path,
+                                     const std::vector<MeasuredPosition> &positions)
 {
     Pieces pieces(path);
     std::vector<std::vector<Node>> steps;
-    for (std::size_t i = 0; i < places.size(); ++i) {
+    for (std::size_t i = 0; i < positions.size(); ++i) {
         std::vector<Node> nodes;
-        for (const PathPlace &foot : pieces.feetOf(places[i].point->position)) {
+        for (const PathPosition &foot : pieces.feetOf(positions[i].point->position)) {
             Node node{foot, 0, 0};
             if (i > 0)
                 reach(pieces, steps.back(), node,
-                      (places[i].point->position - places[i - 1].point->position).norm());
+                      (positions[i].point->position - positions[i - 1].point->position).norm());
             nodes.push_back(node);
         }
         steps.push_back(std::move(nodes));
     }
-    std::vector<PathPlace> followed(places.size());
-    if (places.empty())
+    std::vector<PathPosition> followed(positions.size());
+    if (positions.empty())
         return followed;
     const auto cheaper = [](const Node &a, const Node &b) { return a.cost < b.cost; };
     auto at = static_cast<std::size_t>(std::min_element(steps.back().begin(), steps.back().end(), cheaper) -
                                        steps.back().begin());
-    for (std::size_t i = places.size(); i-- > 0;) {
+    for (std::size_t i = positions.size(); i-- > 0;) {
         followed[i] = steps[i][at].place;
         at = steps[i][at].from;
     }
     return followed;
 }
 
-double completedShare(const ReferencePath &path, const std::vector<PathPlace> &followed)
+double completedShare(const ReferencePath &path, const std::vector<PathPosition> &followed)
 {
     constexpr auto marks = static_cast<std::size_t>(1 / completedResolution);
     const Pieces pieces(path);
@@ -201,7 +202,7 @@ struct Foot
     Eigen::Vector2d along;
 };
 
-Foot footOf(const ReferencePath &path, double lengthM, const PathPlace &place,
+Foot footOf(const ReferencePath &path, double lengthM, const PathPosition &place,
             const Eigen::Vector2d &position)
 {
     if (!place.beyondEnd)
@@ -224,29 +225,30 @@ double mix(double a, double b, double part)
 std::vector<PathProgress> progressAlong(const ReferencePath &path, const std::vector<Sample> &samples,
                                         const std::vector<ProfilePoint> &points, double reachM)
 {
-    const std::vector<MeasuredPlace> places = measuredPlaces(samples, points);
-    const std::vector<PathPlace> followed = followPath(path, places);
+    const std::vector<MeasuredPosition> positions = measuredPositions(samples, points);
+    const std::vector<PathPosition> followed = followPath(path, positions);
     const double lengthM = lengthOf(path);
     std::vector<PathProgress> progress;
-    double stationM = 0, wayM = 0; // of the position before
+    double stationM = 0, pathM = 0; // of the position before
     bool joined = false;
-    for (std::size_t i = 0; i < places.size(); ++i) {
-        const ProfilePoint &point = *places[i].point;
+    for (std::size_t i = 0; i < positions.size(); ++i) {
+        const ProfilePoint &point = *positions[i].point;
         const Foot foot = footOf(path, lengthM, followed[i], point.position);
         if (i == 0)
-            wayM = foot.stationM;
+            pathM = foot.stationM;
         else
-            wayM +=
+            pathM +=
                 path.closed ? std::remainder(foot.stationM - stationM, lengthM) : foot.stationM - stationM;
         stationM = foot.stationM;
-        joined = joined && places[i].joined && !followed[i].jumped;
+        joined = joined && positions[i].joined && !followed[i].jumped;
         if (std::abs(foot.offsetM) > reachM) {
             joined = false;
             continue;
         }
-        progress.push_back({places[i].timeS, wayM, foot.along.dot(point.velocity),
-                            sigmaAlong(places[i].own, foot.along), sigmaAlong(places[i].common, foot.along),
-                            point.speedMps, point.sigmaSpeedMps, foot.offsetM, joined});
+        progress.push_back({positions[i].timeS, pathM, foot.along.dot(point.velocity),
+                            sigmaAlong(positions[i].own, foot.along),
+                            sigmaAlong(positions[i].common, foot.along), point.speedMps, point.sigmaSpeedMps,
+                            foot.offsetM, joined});
         joined = true;
     }
     return progress;
@@ -265,44 +267,44 @@ FirstArrivals::FirstArrivals(const std::vector<PathProgress> &progress, double f
         if (here.timeS < fromS)
             continue;
         const bool hasStep = i > 0 && here.joined && here.timeS > progress[i - 1].timeS;
-        const double startM = hasStep ? progress[i - 1].wayM : here.wayM;
+        const double startM = hasStep ? progress[i - 1].pathM : here.pathM;
         const double fromM = std::max(furthestM.value_or(startM), startM);
-        if (hasStep && here.wayM > fromM)
-            m_steps.push_back({fromM, here.wayM, progress[i - 1], here});
-        furthestM = std::max(furthestM.value_or(here.wayM), here.wayM);
+        if (hasStep && here.pathM > fromM)
+            m_steps.push_back({fromM, here.pathM, progress[i - 1], here});
+        furthestM = std::max(furthestM.value_or(here.pathM), here.pathM);
     }
 }
 
-const FirstArrivals::Step *FirstArrivals::stepAt(double wayM) const
+const FirstArrivals::Step *FirstArrivals::stepAt(double pathM) const
 {
-    const auto step = std::lower_bound(m_steps.begin(), m_steps.end(), wayM,
+    const auto step = std::lower_bound(m_steps.begin(), m_steps.end(), pathM,
                                        [](const Step &each, double wanted) { return each.toM < wanted; });
-    return step == m_steps.end() || wayM < step->fromM ? nullptr : &*step;
+    return step == m_steps.end() || pathM < step->fromM ? nullptr : &*step;
 }
 
-double FirstArrivals::partAt(const Step &step, double wayM)
+double FirstArrivals::partAt(const Step &step, double pathM)
 {
     const double stepS = step.after.timeS - step.before.timeS;
-    if (step.before.wayM >= wayM || step.after.wayM <= wayM) // at one of the two positions
-        return step.before.wayM >= wayM ? 0 : 1;
-    return CubicStep{step.before.wayM - wayM, step.after.wayM - wayM, step.before.rateMps, step.after.rateMps,
-                     stepS}
+    if (step.before.pathM >= pathM || step.after.pathM <= pathM) // at one of the two positions
+        return step.before.pathM >= pathM ? 0 : 1;
+    return CubicStep{step.before.pathM - pathM, step.after.pathM - pathM, step.before.rateMps,
+                     step.after.rateMps, stepS}
         .root();
 }
 
-std::optional<double> FirstArrivals::timeAt(double wayM) const
+std::optional<double> FirstArrivals::timeAt(double pathM) const
 {
-    const Step *step = stepAt(wayM);
+    const Step *step = stepAt(pathM);
     if (!step)
         return std::nullopt;
-    return mix(step->before.timeS, step->after.timeS, partAt(*step, wayM));
+    return mix(step->before.timeS, step->after.timeS, partAt(*step, pathM));
 }
 
-double FirstArrivals::sigmaOf(double timeS, double wayM, double sigmaM, double rateMps) const
+double FirstArrivals::sigmaOf(double timeS, double pathM, double sigmaM, double rateMps) const
 {
     if (sigmaM <= 0)
         return 0;
-    const auto sooner = timeAt(wayM - sigmaM), later = timeAt(wayM + sigmaM);
+    const auto sooner = timeAt(pathM - sigmaM), later = timeAt(pathM + sigmaM);
     if (sooner && later)
         return (*later - *sooner) / 2;
     if (sooner || later)
@@ -310,17 +312,17 @@ double FirstArrivals::sigmaOf(double timeS, double wayM, double sigmaM, double r
     return sigmaM / std::max(slowestMps, rateMps);
 }
 
-std::optional<Arrival> FirstArrivals::at(double wayM) const
+std::optional<Arrival> FirstArrivals::at(double pathM) const
 {
-    const Step *step = stepAt(wayM);
+    const Step *step = stepAt(pathM);
     if (!step)
         return std::nullopt;
     const PathProgress &a = step->before, &b = step->after;
-    const double part = partAt(*step, wayM), rate = mix(a.rateMps, b.rateMps, part);
+    const double part = partAt(*step, pathM), rate = mix(a.rateMps, b.rateMps, part);
     Arrival arrival;
     arrival.timeS = mix(a.timeS, b.timeS, part);
-    arrival.ownSigmaS = sigmaOf(arrival.timeS, wayM, mix(a.ownSigmaM, b.ownSigmaM, part), rate);
-    arrival.commonSigmaS = sigmaOf(arrival.timeS, wayM, mix(a.commonSigmaM, b.commonSigmaM, part), rate);
+    arrival.ownSigmaS = sigmaOf(arrival.timeS, pathM, mix(a.ownSigmaM, b.ownSigmaM, part), rate);
+    arrival.commonSigmaS = sigmaOf(arrival.timeS, pathM, mix(a.commonSigmaM, b.commonSigmaM, part), rate);
     arrival.speedMps = mix(a.speedMps, b.speedMps, part);
     arrival.sigmaSpeedMps = mix(a.sigmaSpeedMps, b.sigmaSpeedMps, part);
     arrival.offsetM = mix(a.offsetM, b.offsetM, part);

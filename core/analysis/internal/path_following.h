@@ -12,7 +12,7 @@
 namespace odo {
 
 /// Where a robot is with respect to a reference path.
-struct PathPlace
+struct PathPosition
 {
     double stationM = 0;                            ///< way along the path to the foot of the perpendicular
     double offsetM = 0;                             ///< distance from the path, to the left of it positive
@@ -28,18 +28,19 @@ double lengthOf(const ReferencePath &path);
 /// where continuing at a station that the distance travelled since does not explain costs as much as half a
 /// metre at an offset of 100 mm (dynamic programming: Viterbi 1967). One result for each sample; path must
 /// have points.
-std::vector<PathPlace> followPath(const ReferencePath &path, const std::vector<MeasuredPlace> &places);
+std::vector<PathPosition> followPath(const ReferencePath &path,
+                                     const std::vector<MeasuredPosition> &positions);
 
 /// The part of the path that was driven along, 0 to 1, counted in thousandths.
 constexpr double completedResolution = 0.001;
-double completedShare(const ReferencePath &path, const std::vector<PathPlace> &followed);
+double completedShare(const ReferencePath &path, const std::vector<PathPosition> &followed);
 
 /// How far along a reference path a run is at one time. The way counts on over the laps of a closed path, and
 /// beyond the ends of an open one along its first and last direction.
 struct PathProgress
 {
     double timeS = 0;
-    double wayM = 0, rateMps = 0;           ///< and how fast it grows
+    double pathM = 0, rateMps = 0;          ///< and how fast it grows
     double ownSigmaM = 0, commonSigmaM = 0; ///< along the path: the track's own, and the calibration's
     double speedMps = 0, sigmaSpeedMps = 0;
     double offsetM = 0;  ///< from the path, to the left of it positive
@@ -76,7 +77,7 @@ public:
     FirstArrivals(const std::vector<PathProgress> &progress, double fromS);
 
     /// nullopt: never there, or there in a gap.
-    std::optional<Arrival> at(double wayM) const;
+    std::optional<Arrival> at(double pathM) const;
     bool isEmpty() const { return m_steps.empty(); }
     double firstM() const { return m_steps.front().fromM; } ///< not of an empty one
     double lastM() const { return m_steps.back().toM; }
@@ -88,10 +89,10 @@ private:
         double fromM = 0, toM = 0;
         PathProgress before, after;
     };
-    const Step *stepAt(double wayM) const;
-    static double partAt(const Step &step, double wayM);
-    std::optional<double> timeAt(double wayM) const;
-    double sigmaOf(double timeS, double wayM, double sigmaM, double rateMps) const;
+    const Step *stepAt(double pathM) const;
+    static double partAt(const Step &step, double pathM);
+    std::optional<double> timeAt(double pathM) const;
+    double sigmaOf(double timeS, double pathM, double sigmaM, double rateMps) const;
 
     std::vector<Step> m_steps; ///< in order of the way
 };

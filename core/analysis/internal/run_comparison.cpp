@@ -51,9 +51,9 @@ bool goesForward(const std::vector<PathProgress> &progress)
 {
     const auto [low, high] =
         std::minmax_element(progress.begin(), progress.end(),
-                            [](const PathProgress &a, const PathProgress &b) { return a.wayM < b.wayM; });
-    const double first = progress.front().wayM;
-    return high->wayM - first >= first - low->wayM;
+                            [](const PathProgress &a, const PathProgress &b) { return a.pathM < b.pathM; });
+    const double first = progress.front().pathM;
+    return high->pathM - first >= first - low->pathM;
 }
 
 class Comparing
@@ -241,13 +241,13 @@ private:
         double firstM = 0;
         for (std::size_t run = 0; run < m_runs.size(); ++run) {
             RunOnPath &on = m_comparison.runs[run];
-            const double atM = on.wayAt(byMoment ? on.aligned.timeS : m_beginsS[run]);
+            const double atM = on.distanceAtTime(byMoment ? on.aligned.timeS : m_beginsS[run]);
             if (run == 0)
                 firstM = m_comparison.path.closed ? std::remainder(atM, m_lengthM) : atM;
             if (m_comparison.path.closed)
                 on.lapShiftM = m_lengthM * std::round((firstM - atM) / m_lengthM);
-            for (PathProgress &place : on.progress)
-                place.wayM += on.lapShiftM;
+            for (PathProgress &position : on.progress)
+                position.pathM += on.lapShiftM;
             on.arrivals =
                 FirstArrivals(on.progress, by == AlignBy::StartGate ? on.aligned.timeS : m_beginsS[run]);
         }
@@ -257,22 +257,22 @@ private:
     {
         double beginM = -std::numeric_limits<double>::infinity();
         for (const RunOnPath &run : m_comparison.runs)
-            beginM =
-                std::max(beginM, m_comparison.alignedBy == AlignBy::StartGate ? run.wayAt(run.aligned.timeS)
-                                                                              : run.arrivals.firstM());
+            beginM = std::max(beginM, m_comparison.alignedBy == AlignBy::StartGate
+                                          ? run.distanceAtTime(run.aligned.timeS)
+                                          : run.arrivals.firstM());
         // What a robot drives before the path begins is not along it.
         return m_comparison.path.closed ? beginM : std::max(0.0, beginM);
     }
 
     /// Times the runs from their arrival at one position.
-    Result<void> alignByPlace()
+    Result<void> alignByPosition()
     {
-        double placeM = m_options.placeM.value_or(m_comparison.originM + pastBeginM);
-        if (m_options.placeM && m_comparison.path.closed)
-            placeM += m_lengthM * std::max(0.0, std::ceil((m_comparison.originM - placeM) / m_lengthM));
+        double stationM = m_options.stationM.value_or(m_comparison.originM + pastBeginM);
+        if (m_options.stationM && m_comparison.path.closed)
+            stationM += m_lengthM * std::max(0.0, std::ceil((m_comparison.originM - stationM) / m_lengthM));
         for (std::size_t run = 0; run < m_runs.size(); ++run) {
-            const auto arrival = m_comparison.runs[run].arrivals.at(placeM);
-            if (!arrival && !m_options.placeM)
+            const auto arrival = m_comparison.runs[run].arrivals.at(stationM);
+            if (!arrival && !m_options.stationM)
                 return noCommonStretch(run);
             if (!arrival)
                 return failure(
@@ -293,11 +293,11 @@ private:
                 return noCommonStretch(run);
         m_comparison.originM = beginOfAll();
         if (m_comparison.alignedBy == AlignBy::Distance)
-            ODO_TRY(alignByPlace());
+            ODO_TRY(alignByPosition());
         layStations();
         for (RunOnPath &run : m_comparison.runs)
-            for (const double wayM : m_comparison.waysM) {
-                const auto arrival = run.arrivals.at(wayM);
+            for (const double pathM : m_comparison.distancesM) {
+                const auto arrival = run.arrivals.at(pathM);
                 run.stations.push_back(arrival ? std::optional(stationTime(*arrival, run.aligned))
                                                : std::nullopt);
             }
@@ -322,17 +322,17 @@ private:
         constexpr double rounding = 1e-9;
         for (double i = std::ceil((low - originM) / step - rounding); originM + i * step <= high + rounding;
              i += 1)
-            m_comparison.waysM.push_back(originM + i * step);
+            m_comparison.distancesM.push_back(originM + i * step);
     }
 
     Result<void> checkCommonStretch() const
     {
-        const std::vector<double> &ways = m_comparison.waysM;
+        const std::vector<double> &distances = m_comparison.distancesM;
         for (std::size_t run = 1; run < m_runs.size(); ++run) {
             double commonM = 0;
-            for (std::size_t i = 1; i < ways.size(); ++i)
+            for (std::size_t i = 1; i < distances.size(); ++i)
                 if (m_comparison.runs[0].stations[i] && m_comparison.runs[run].stations[i])
-                    commonM += ways[i] - ways[i - 1];
+                    commonM += distances[i] - distances[i - 1];
             if (commonM < leastCommonM)
                 return noCommonStretch(run);
         }
@@ -348,18 +348,18 @@ private:
 
 } // namespace
 
-double RunOnPath::wayAt(double timeS) const
+double RunOnPath::distanceAtTime(double timeS) const
 {
     const auto after =
         std::lower_bound(progress.begin(), progress.end(), timeS,
                          [](const PathProgress &each, double wanted) { return each.timeS < wanted; });
     if (after == progress.begin())
-        return progress.front().wayM;
+        return progress.front().pathM;
     if (after == progress.end())
-        return progress.back().wayM;
+        return progress.back().pathM;
     const PathProgress &before = *(after - 1);
     const double part = (timeS - before.timeS) / (after->timeS - before.timeS);
-    return before.wayM + part * (after->wayM - before.wayM);
+    return before.pathM + part * (after->pathM - before.pathM);
 }
 
 bool Difference::isSignificant() const
@@ -375,9 +375,9 @@ std::optional<Difference> RunComparison::timeDifference(std::size_t run, std::si
     return differenceOf(*a, runs.front().aligned, *b, runs[run].aligned, shareCalibration);
 }
 
-std::optional<Difference> RunComparison::timeDifferenceAt(std::size_t run, double wayM) const
+std::optional<Difference> RunComparison::timeDifferenceAt(std::size_t run, double pathM) const
 {
-    const auto a = runs.front().arrivals.at(wayM), b = runs[run].arrivals.at(wayM);
+    const auto a = runs.front().arrivals.at(pathM), b = runs[run].arrivals.at(pathM);
     if (!a || !b)
         return std::nullopt;
     return differenceOf(stationTime(*a, runs.front().aligned), runs.front().aligned,

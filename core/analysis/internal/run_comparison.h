@@ -23,7 +23,7 @@ struct ComparisonOptions
         alignBy; ///< empty: by the first of start gate, motion onset and distance that all runs give
     std::vector<double> handTimesS; ///< by hand: one of each run, as Sample::time
     std::optional<double>
-        placeM; ///< by distance: the position along the path; empty: 50 mm past where both have started
+        stationM; ///< by distance: the position along the path; empty: 50 mm past where both have started
     /// The registrations and the robot's solid were the same for all runs, so that calibration displaces them
     /// alike.
     bool shareCalibration = false;
@@ -46,11 +46,11 @@ struct RunOnPath
         0; ///< what is added to the progress on a closed path, so that the runs are in the same lap
     std::vector<PathProgress> progress; ///< lapShiftM added
     FirstArrivals arrivals;
-    std::vector<std::optional<StationTime>> stations; ///< one for each of RunComparison::waysM
+    std::vector<std::optional<StationTime>> stations; ///< one for each of RunComparison::distancesM
 
     /// The distance along the path at a time of the run's own, linear between positions; the first or last
     /// one outside them.
-    double wayAt(double timeS) const;
+    double distanceAtTime(double timeS) const;
 };
 
 /// A difference with its σ.
@@ -70,16 +70,16 @@ struct RunComparison
     bool isTasksPath = false; ///< else the path of the first run
     bool shareCalibration = false;
     double originM = 0; ///< of distance 0: the start gate, the given position, else where all have started
-    std::vector<double> waysM;   ///< of the stations, at equal steps of 10 mm or more
-    std::vector<RunOnPath> runs; ///< as they were given
+    std::vector<double> distancesM; ///< of the stations, at equal steps of 10 mm or more
+    std::vector<RunOnPath> runs;    ///< as they were given
 
-    double distanceM(std::size_t station) const { return waysM[station] - originM; }
+    double distanceM(std::size_t station) const { return distancesM[station] - originM; }
     /// How much later a run is at a station than the first one, both timed from their aligned moments;
     /// nullopt where one of them never arrived. σ: that of the positions along the path over the speed (see
     /// Arrival) and the aligned moments'.
     std::optional<Difference> timeDifference(std::size_t run, std::size_t station) const;
     /// The same at any position along the path.
-    std::optional<Difference> timeDifferenceAt(std::size_t run, double wayM) const;
+    std::optional<Difference> timeDifferenceAt(std::size_t run, double pathM) const;
 };
 
 /// Compares runs at the same positions of one path: the task's, or else the path of the first run. Each run's

@@ -62,13 +62,13 @@ std::optional<HeldOut> holdOut(const std::vector<BoardView> &views, const LensFi
         if (control.isCancelled())
             return std::nullopt;
         const auto camera = CameraModel::create(heldOut.lenses[1 - i % 2]);
-        heldOut.pictureMeanSquares.push_back(meanSquares(views[i], *camera, all.cameraFromBoard[i]));
-        if (!std::isfinite(heldOut.pictureMeanSquares.back())) {
-            ++heldOut.unforetold;
+        heldOut.imageMeanSquares.push_back(meanSquares(views[i], *camera, all.cameraFromBoard[i]));
+        if (!std::isfinite(heldOut.imageMeanSquares.back())) {
+            ++heldOut.unpredicted;
             continue;
         }
         const auto corners = static_cast<double>(views[i].pixels.size());
-        squares += heldOut.pictureMeanSquares.back() * corners;
+        squares += heldOut.imageMeanSquares.back() * corners;
         count += corners;
     }
     heldOut.rmsPx = count > 0 ? std::sqrt(squares / count) : 0;
@@ -77,8 +77,8 @@ std::optional<HeldOut> holdOut(const std::vector<BoardView> &views, const LensFi
 
 namespace {
 
-constexpr double leastTurn = 8;             // degrees between the most different poses of the board
-constexpr double doubtfulFocalSigma = 0.03; // of the focal length
+constexpr double leastTurn = 8;              // degrees between the most different poses of the board
+constexpr double uncertainFocalSigma = 0.03; // of the focal length
 // by how much the focal length is changed to see whether the images constrain it
 constexpr double probe = 1.3;
 constexpr double leastBox = 0.15; // of the image, that the board must have been moved over
@@ -156,7 +156,7 @@ std::vector<OwnFocal> ownFocals(const std::vector<BoardView> &views, const LensF
             pairs.push_back({views[view].pointsOnBoard[i], views[view].pixels[i], {}});
         const auto pose = fitPlanePose(pairs, *camera, FocalLength::Free);
         if (!pose || !pose->focalSigmaPx) {
-            squares += fit.pictureSquares[view];
+            squares += fit.imageSquares[view];
             continue;
         }
         squares += pose->rmsPx * pose->rmsPx * static_cast<double>(pairs.size());
@@ -200,7 +200,7 @@ Result<void> checkOneCamera(const std::vector<BoardView> &views, const LensFit &
         return {};
     double together = 0;
     for (const OwnFocal &own : focals)
-        together += fit.pictureSquares[own.view];
+        together += fit.imageSquares[own.view];
     const double one = lower->intrinsics.fxPx, other = upper->intrinsics.fxPx;
     if (together < groupGain * (lower->squares + upper->squares) || std::abs(other / one - 1) < leastZoom)
         return {};
@@ -235,26 +235,26 @@ double boxOfCorners(const std::vector<BoardView> &views, int widthPx, int height
     return box.isEmpty() ? 0 : box.volume() / (static_cast<double>(widthPx) * heightPx);
 }
 
-Message placeOfCorners(const std::vector<BoardView> &views, int widthPx, int heightPx)
+Message positionOfCorners(const std::vector<BoardView> &views, int widthPx, int heightPx)
 {
-    const MessageText *const places[3][3] = {{&ODO_TEXT("calibration.place_upper_left", "upper left"),
-                                              &ODO_TEXT("calibration.place_upper", "upper"),
-                                              &ODO_TEXT("calibration.place_upper_right", "upper right")},
-                                             {&ODO_TEXT("calibration.place_left", "left"),
-                                              &ODO_TEXT("calibration.place_middle", "middle"),
-                                              &ODO_TEXT("calibration.place_right", "right")},
-                                             {&ODO_TEXT("calibration.place_lower_left", "lower left"),
-                                              &ODO_TEXT("calibration.place_lower", "lower"),
-                                              &ODO_TEXT("calibration.place_lower_right", "lower right")}};
+    const MessageText *const positions[3][3] = {{&ODO_TEXT("calibration.place_upper_left", "upper left"),
+                                                 &ODO_TEXT("calibration.place_upper", "upper"),
+                                                 &ODO_TEXT("calibration.place_upper_right", "upper right")},
+                                                {&ODO_TEXT("calibration.place_left", "left"),
+                                                 &ODO_TEXT("calibration.place_middle", "middle"),
+                                                 &ODO_TEXT("calibration.place_right", "right")},
+                                                {&ODO_TEXT("calibration.place_lower_left", "lower left"),
+                                                 &ODO_TEXT("calibration.place_lower", "lower"),
+                                                 &ODO_TEXT("calibration.place_lower_right", "lower right")}};
     const Eigen::AlignedBox2d box = boxOf(views);
     if (box.isEmpty())
-        return *places[1][1];
+        return *positions[1][1];
     const Eigen::Vector2d middle = box.center().cwiseQuotient(Eigen::Vector2d(widthPx, heightPx));
     const auto third = [](double share) { return share < 0.4 ? 0 : share > 0.6 ? 2 : 1; };
-    return *places[third(middle.y())][third(middle.x())];
+    return *positions[third(middle.y())][third(middle.x())];
 }
 
-Result<void> checkPlaces(const std::vector<BoardView> &views, int widthPx, int heightPx)
+Result<void> checkPositions(const std::vector<BoardView> &views, int widthPx, int heightPx)
 {
     const double box = boxOfCorners(views, widthPx, heightPx);
     if (box >= leastBox)
@@ -262,7 +262,7 @@ Result<void> checkPlaces(const std::vector<BoardView> &views, int widthPx, int h
     return refuseCalibration(
         joined({ODO_TEXT("calibration.board_in_one_place",
                          "all %1 images show the board in one position, the %2 %3 of the image")(
-                    views.size(), placeOfCorners(views, widthPx, heightPx), quantity(100 * box, 0, "%")),
+                    views.size(), positionOfCorners(views, widthPx, heightPx), quantity(100 * box, 0, "%")),
                 ODO_TEXT("calibration.lens_unknown_elsewhere", "the distortion elsewhere stays unknown")},
                Join::Colon),
         ODO_TEXT("calibration.show_everywhere",
@@ -280,14 +280,14 @@ Result<double> checkDetermined(const std::vector<BoardView> &views, const LensFi
     const double sigma = focalSigma(views, fit, control);
     if (control.isCancelled())
         return cancelled(cannotBeCalibrated());
-    if (!(sigma < doubtfulFocalSigma))
+    if (!(sigma < uncertainFocalSigma))
         return refuseCalibration(
             joined({ODO_TEXT("calibration.focal_length_unsure",
                              "the images determine the focal length only to %1")(percentOf(sigma)),
                     ODO_TEXT("calibration.too_frontal", "the board faces the camera too directly")},
                    Join::Colon),
             tiltAdvice());
-    if (halves && halves->focalDifference() > 3 * doubtfulFocalSigma)
+    if (halves && halves->focalDifference() > 3 * uncertainFocalSigma)
         return refuseCalibration(ODO_TEXT("calibration.halves_contradict",
                                           "two halves of the images give focal lengths that differ by %1")(
                                      percentOf(halves->focalDifference())),

@@ -13,11 +13,11 @@ constexpr std::size_t leastViewsForHalves = 6;
 /// Each half of the images (every other one) under the intrinsics of the other half; only the poses adapt.
 struct HeldOut
 {
-    double rmsPx = 0;                       ///< over the corners that can be predicted
-    std::size_t unforetold = 0;             ///< images without a pose under the other half's intrinsics
-    std::vector<double> pictureMeanSquares; ///< px², one an image; infinite where it is not predicted
-    std::array<Intrinsics, 2> lenses;       ///< of the even and of the odd images
-    double focalDifference() const;         ///< relative
+    double rmsPx = 0;                     ///< over the corners that can be predicted
+    std::size_t unpredicted = 0;          ///< images without a pose under the other half's intrinsics
+    std::vector<double> imageMeanSquares; ///< px², one an image; infinite where it is not predicted
+    std::array<Intrinsics, 2> lenses;     ///< of the even and of the odd images
+    double focalDifference() const;       ///< relative
 };
 
 /// all: the fit to all views, from which the halves are started. nullopt under six views, where a half led
@@ -37,10 +37,10 @@ MessageArgument percentOf(double part);
 double boxOfCorners(const std::vector<BoardView> &views, int widthPx, int heightPx);
 
 /// Where in the image the middle of all corners is: "upper left", "middle".
-Message placeOfCorners(const std::vector<BoardView> &views, int widthPx, int heightPx);
+Message positionOfCorners(const std::vector<BoardView> &views, int widthPx, int heightPx);
 
 /// Refuses images that always show the board in the same part.
-Result<void> checkPlaces(const std::vector<BoardView> &views, int widthPx, int heightPx);
+Result<void> checkPositions(const std::vector<BoardView> &views, int widthPx, int heightPx);
 
 /// Refuses images that fall into two groups which are fitted far better by a lens each, of different focal
 /// lengths.

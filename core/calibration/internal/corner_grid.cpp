@@ -388,15 +388,15 @@ void addPeaks(const cv::Mat &smoothed, cv::Range rows, std::vector<Peak> &peaks,
 
 } // namespace
 
-float greyAt(const cv::Mat &picture, cv::Point2f position)
+float greyAt(const cv::Mat &image, cv::Point2f position)
 {
-    const float x = std::clamp(position.x, 0.0F, static_cast<float>(picture.cols - 1));
-    const float y = std::clamp(position.y, 0.0F, static_cast<float>(picture.rows - 1));
-    const int column = std::min(static_cast<int>(x), picture.cols - 2);
-    const int row = std::min(static_cast<int>(y), picture.rows - 2);
+    const float x = std::clamp(position.x, 0.0F, static_cast<float>(image.cols - 1));
+    const float y = std::clamp(position.y, 0.0F, static_cast<float>(image.rows - 1));
+    const int column = std::min(static_cast<int>(x), image.cols - 2);
+    const int row = std::min(static_cast<int>(y), image.rows - 2);
     const float right = x - static_cast<float>(column), down = y - static_cast<float>(row);
-    const auto *upper = picture.ptr<std::uint8_t>(row) + column;
-    const auto *lower = picture.ptr<std::uint8_t>(row + 1) + column;
+    const auto *upper = image.ptr<std::uint8_t>(row) + column;
+    const auto *lower = image.ptr<std::uint8_t>(row + 1) + column;
     const float above = upper[0] + right * static_cast<float>(upper[1] - upper[0]);
     const float below = lower[0] + right * static_cast<float>(lower[1] - lower[0]);
     return above + down * (below - above);

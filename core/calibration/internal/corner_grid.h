@@ -40,6 +40,6 @@ struct SaddlePoint
 std::vector<SaddlePoint> findSaddlePoints(const cv::Mat &smoothed);
 
 /// Grey value between pixels; the border is continued outwards.
-float greyAt(const cv::Mat &picture, cv::Point2f position);
+float greyAt(const cv::Mat &image, cv::Point2f position);
 
 } // namespace odo

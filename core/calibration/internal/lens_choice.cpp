@@ -13,7 +13,7 @@ namespace odo {
 
 namespace {
 
-constexpr double standingOutOfCorners = 5, leastPx = 0.1;
+constexpr double cornerOutliers = 5, leastPx = 0.1;
 constexpr double medianOfRayleigh = 1.17741; // sqrt(2 ln 2): of distances whose coordinates have σ 1
 constexpr std::size_t leastTogether = 3;
 constexpr double sameWay = 0.8; // length of the mean of their directions
@@ -90,7 +90,7 @@ bool movesTogether(const std::vector<std::size_t> &group, const std::vector<Eige
 
 double limitOf(const LensFit &fit)
 {
-    return std::max(leastPx, standingOutOfCorners * robustSigmaPx(fit));
+    return std::max(leastPx, cornerOutliers * robustSigmaPx(fit));
 }
 
 } // namespace
@@ -102,8 +102,8 @@ CornerMarks outlyingCorners(const std::vector<BoardView> &views, const LensFit &
     CornerMarks marks = beyond(fit, limitPx);
     if (countOf(marks) == 0)
         return marks;
-    const auto robust = fitLens(views, {fit.intrinsics, fit.cameraFromBoard},
-                                {false, 2 * limitPx / standingOutOfCorners}, control);
+    const auto robust =
+        fitLens(views, {fit.intrinsics, fit.cameraFromBoard}, {false, 2 * limitPx / cornerOutliers}, control);
     return robust ? beyond(*robust, limitOf(*robust)) : marks;
 }
 
@@ -158,7 +158,8 @@ struct LensCandidate
     LensModel model() const { return fit.intrinsics.model; }
     double heldOutPx() const
     {
-        return heldOut && heldOut->unforetold == 0 ? heldOut->rmsPx : std::numeric_limits<double>::infinity();
+        return heldOut && heldOut->unpredicted == 0 ? heldOut->rmsPx
+                                                    : std::numeric_limits<double>::infinity();
     }
 };
 
@@ -183,7 +184,7 @@ bool isClearlyWorse(const LensCandidate &simpler, const LensCandidate &best)
         return false;
     if (!std::isfinite(simpler.heldOutPx()))
         return true;
-    const auto &worse = simpler.heldOut->pictureMeanSquares, &better = best.heldOut->pictureMeanSquares;
+    const auto &worse = simpler.heldOut->imageMeanSquares, &better = best.heldOut->imageMeanSquares;
     const auto count = static_cast<double>(worse.size());
     // Of each image's RMS, since squares would let one image drown the others.
     const auto gain = [&](std::size_t i) { return std::sqrt(worse[i]) - std::sqrt(better[i]); };
@@ -252,7 +253,7 @@ std::optional<LensChoice> chooseLens(const std::vector<BoardView> &views,
 
     const std::vector<BoardView> sound =
         withoutCorners(views, singleCorners(views, candidates.front().fit, common(candidates)));
-    std::vector<LensTrial> trials;
+    std::vector<ModelTrial> trials;
     for (LensCandidate &candidate : candidates) {
         candidate.heldOut = holdOut(sound, candidate.fit, control);
         trials.push_back({candidate.model(), candidate.heldOutPx()});

@@ -29,9 +29,9 @@ std::vector<BoardView> withoutCorners(const std::vector<BoardView> &views, const
 struct LensChoice
 {
     LensFit fit;
-    CornerMarks outliers;          ///< outliers of that fit
-    std::vector<LensTrial> trials; ///< empty where there was one start only
-    Message reason;                ///< as IntrinsicCalibration::lensReason
+    CornerMarks outliers;           ///< outliers of that fit
+    std::vector<ModelTrial> trials; ///< empty where there was one start only
+    Message reason;                 ///< as IntrinsicCalibration::modelReason
 };
 
 /// "standard", "rational", "fisheye"

@@ -12,7 +12,7 @@
 namespace odo {
 
 /// Number of values of a lens with all of its coefficients: fx, fy, cx, cy, distortion.
-constexpr int lensSize(LensModel model)
+constexpr int intrinsicsSize(LensModel model)
 {
     return model == LensModel::Rational ? 12 : model == LensModel::Fisheye ? 8 : 9;
 }
@@ -24,10 +24,10 @@ struct LensProjection
 {
     Eigen::Vector2d pixel;
     Eigen::Matrix<double, 2, 3> byPoint;
-    Eigen::Matrix<double, 2, lensSize(model)> byLens;
+    Eigen::Matrix<double, 2, intrinsicsSize(model)> byIntrinsics;
 
-    /// lens: as lensSize says; point in the camera's frame. False behind the camera. Without `derivatives`
-    /// only the pixel is found.
+    /// lens: as intrinsicsSize says; point in the camera's frame. False behind the camera. Without
+    /// `derivatives` only the pixel is found.
     bool find(const double *lens, const Eigen::Vector3d &point, bool derivatives)
     {
         const bool seen = model == LensModel::Fisheye ? bendByAngle(lens + 4, point, derivatives)
@@ -36,10 +36,10 @@ struct LensProjection
             return false;
         pixel = {lens[0] * m_bent.x() + lens[2], lens[1] * m_bent.y() + lens[3]};
         if (derivatives) {
-            byLens.template leftCols<4>() << m_bent.x(), 0, 1, 0, 0, m_bent.y(), 0, 1;
+            byIntrinsics.template leftCols<4>() << m_bent.x(), 0, 1, 0, 0, m_bent.y(), 0, 1;
             for (int row = 0; row < 2; ++row) {
                 byPoint.row(row) *= lens[row];
-                byLens.row(row).template tail<lensSize(model) - 4>() *= lens[row];
+                byIntrinsics.row(row).template tail<intrinsicsSize(model) - 4>() *= lens[row];
             }
         }
         return true;
@@ -71,10 +71,10 @@ private:
         byPoint << xx * inverse, xy * inverse, -(xx * x + xy * y) * inverse, xy * inverse, yy * inverse,
             -(xy * x + yy * y) * inverse;
         const double u1 = u / below, u2 = u * u1, u3 = u * u2;
-        byLens.template middleCols<5>(4) << x * u1, x * u2, 2 * x * y, u + 2 * x * x, x * u3, y * u1, y * u2,
-            u + 2 * y * y, 2 * x * y, y * u3;
+        byIntrinsics.template middleCols<5>(4) << x * u1, x * u2, 2 * x * y, u + 2 * x * x, x * u3, y * u1,
+            y * u2, u + 2 * y * y, 2 * x * y, y * u3;
         if constexpr (model == LensModel::Rational)
-            byLens.template rightCols<3>() << -radial * x * u1, -radial * x * u2, -radial * x * u3,
+            byIntrinsics.template rightCols<3>() << -radial * x * u1, -radial * x * u2, -radial * x * u3,
                 -radial * y * u1, -radial * y * u2, -radial * y * u3;
         return true;
     }
@@ -99,7 +99,7 @@ private:
         byPoint.col(2) = -slope * radius / squared * outward;
         double power = angle * u;
         for (int i = 0; i < 4; ++i, power *= u)
-            byLens.col(4 + i) = power * outward;
+            byIntrinsics.col(4 + i) = power * outward;
         return true;
     }
 
@@ -113,7 +113,7 @@ template <LensModel model>
 class ViewCost : public ceres::CostFunction
 {
 public:
-    static constexpr int size = lensSize(model);
+    static constexpr int size = intrinsicsSize(model);
     template <int columns>
     using Derivatives = Eigen::Map<Eigen::Matrix<double, Eigen::Dynamic, columns, Eigen::RowMajor>>;
 
@@ -128,7 +128,7 @@ public:
     bool Evaluate(const double *const *parameters, double *residuals, double **derivatives) const override
     {
         const double *lens = parameters[0], *pose = parameters[1];
-        const Eigen::Vector3d turn(pose[0], pose[1], pose[2]), place(pose[3], pose[4], pose[5]);
+        const Eigen::Vector3d turn(pose[0], pose[1], pose[2]), position(pose[3], pose[4], pose[5]);
         const double angle = turn.norm();
         const Eigen::Matrix3d axes = angle > 0 ? Eigen::AngleAxisd(angle, turn / angle).toRotationMatrix()
                                                : Eigen::Matrix3d::Identity();
@@ -137,7 +137,7 @@ public:
         LensProjection<model> seen;
         for (std::size_t i = 0; i < m_view.pixels.size(); ++i) {
             const Eigen::Vector3d arm = axes.leftCols<2>() * m_view.pointsOnBoard[i];
-            if (!seen.find(lens, arm + place, wanted))
+            if (!seen.find(lens, arm + position, wanted))
                 return false;
             Eigen::Matrix<double, 2, 6> byPose;
             if (wanted) {
@@ -148,12 +148,12 @@ public:
             }
             Eigen::Vector2d off = seen.pixel - m_view.pixels[i];
             if (m_cauchyPx > 0)
-                heedLess(off, wanted ? &seen.byLens : nullptr, byPose);
+                heedLess(off, wanted ? &seen.byIntrinsics : nullptr, byPose);
             const auto row = static_cast<Eigen::Index>(2 * i);
             Eigen::Map<Eigen::Vector2d>(residuals + row) = off;
             if (wanted && derivatives[0])
                 Derivatives<size>(derivatives[0], num_residuals(), size).template middleRows<2>(row) =
-                    seen.byLens;
+                    seen.byIntrinsics;
             if (wanted && derivatives[1])
                 Derivatives<6>(derivatives[1], num_residuals(), 6).template middleRows<2>(row) = byPose;
         }
@@ -174,18 +174,18 @@ private:
     }
 
     /// The distance drawn in as Cauchy's loss wants it, and its derivatives.
-    void heedLess(Eigen::Vector2d &off, Eigen::Matrix<double, 2, size> *byLens,
+    void heedLess(Eigen::Vector2d &off, Eigen::Matrix<double, 2, size> *byIntrinsics,
                   Eigen::Matrix<double, 2, 6> &byPose) const
     {
         const double scale = m_cauchyPx * m_cauchyPx, squared = off.squaredNorm(), part = squared / scale;
         const double factor = part > 1e-9 ? std::sqrt(std::log1p(part) / part) : 1;
-        if (byLens != nullptr) {
+        if (byIntrinsics != nullptr) {
             // d(factor)/d(squared), from factor² = log(1 + part) / part.
             const double slope =
                 part > 1e-9 ? (1 / (1 + part) - factor * factor) / (2 * factor * squared) : 0;
             const Eigen::Matrix2d change =
                 factor * Eigen::Matrix2d::Identity() + 2 * slope * off * off.transpose();
-            *byLens = change * *byLens;
+            *byIntrinsics = change * *byIntrinsics;
             byPose = change * byPose;
         }
         off *= factor;

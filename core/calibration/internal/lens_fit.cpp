@@ -73,11 +73,12 @@ RigidTransform transformOf(const Pose &pose)
 using Derivatives = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
 /// The share of a view in the lens's normal matrix, its pose eliminated (Schur complement).
-Eigen::MatrixXd withoutPose(const Derivatives &byLens, const Derivatives &byPose)
+Eigen::MatrixXd withoutPose(const Derivatives &byIntrinsics, const Derivatives &byPose)
 {
     const Eigen::MatrixXd posePose = byPose.transpose() * byPose;
-    const Eigen::MatrixXd lensPose = byLens.transpose() * byPose;
-    return byLens.transpose() * byLens - lensPose * posePose.inverse() * lensPose.transpose();
+    const Eigen::MatrixXd intrinsicsPose = byIntrinsics.transpose() * byPose;
+    return byIntrinsics.transpose() * byIntrinsics -
+           intrinsicsPose * posePose.inverse() * intrinsicsPose.transpose();
 }
 
 /// Inverse of a normal matrix; what is not determined gets an enormous variance instead of a wrong small one.
@@ -155,8 +156,8 @@ public:
         for (std::size_t view = 0; view < m_views.size(); ++view) {
             fit.cameraFromBoard.push_back(transformOf(m_poses[view]));
             fit.residualsPx.emplace_back();
-            fit.pictureSquares.push_back(addNormal(view, reduced, fit.residualsPx.back()));
-            fit.squares += fit.pictureSquares.back();
+            fit.imageSquares.push_back(addNormal(view, reduced, fit.residualsPx.back()));
+            fit.squares += fit.imageSquares.back();
             count += m_views[view].pixels.size();
         }
         const double freedom =
@@ -167,7 +168,7 @@ public:
     }
 
 private:
-    static constexpr int size = lensSize(model);
+    static constexpr int size = intrinsicsSize(model);
 
     /// Adds a view's share to the lens's normal matrix; returns its squares.
     double addNormal(std::size_t view, Eigen::MatrixXd &reduced,
@@ -175,14 +176,14 @@ private:
     {
         const std::size_t corners = m_views[view].pixels.size();
         const auto rows = static_cast<Eigen::Index>(2 * corners);
-        Derivatives byLens(rows, size), byPose(rows, 6);
+        Derivatives byIntrinsics(rows, size), byPose(rows, 6);
         Eigen::VectorXd errors(rows);
         const double *parameters[] = {m_lens.data(), m_poses[view].data()};
-        double *derivatives[] = {byLens.data(), byPose.data()};
+        double *derivatives[] = {byIntrinsics.data(), byPose.data()};
         ViewCost<model>(m_views[view], 0).Evaluate(parameters, errors.data(), derivatives);
         for (std::size_t i = 0; i < corners; ++i)
             residuals.emplace_back(-errors.segment<2>(static_cast<Eigen::Index>(2 * i)));
-        reduced += withoutPose(byLens, byPose);
+        reduced += withoutPose(byIntrinsics, byPose);
         return errors.squaredNorm();
     }
 

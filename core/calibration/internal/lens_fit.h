@@ -18,9 +18,9 @@ struct LensFit
     std::vector<RigidTransform> cameraFromBoard;
     /// of each image, one a corner: seen minus predicted
     std::vector<std::vector<Eigen::Vector2d>> residualsPx;
-    std::vector<double> pictureSquares; ///< sum of squared distances of each image, px²
-    double squares = 0;                 ///< of all
-    double sigmaPx = 0;                 ///< of one coordinate, by the degrees of freedom
+    std::vector<double> imageSquares; ///< sum of squared distances of each image, px²
+    double squares = 0;               ///< of all
+    double sigmaPx = 0;               ///< of one coordinate, by the degrees of freedom
 
     double rmsPx() const; ///< sqrt(mean of squared distances)
 };

@@ -14,10 +14,10 @@ double searchScale(const cv::Mat &luma)
 
 cv::Mat reduced(const cv::Mat &luma, double scale)
 {
-    cv::Mat picture = luma;
+    cv::Mat image = luma;
     if (scale != 1)
-        cv::resize(luma, picture, {}, scale, scale, cv::INTER_AREA);
-    return picture;
+        cv::resize(luma, image, {}, scale, scale, cv::INTER_AREA);
+    return image;
 }
 
 } // namespace odo

@@ -68,7 +68,7 @@ private:
         double areaPx = 0; ///< 0: not known
     };
 
-    const Eigen::Vector2d &place(int label) const
+    const Eigen::Vector2d &position(int label) const
     {
         return m_layout.markers[static_cast<std::size_t>(label)].pointInWorld;
     }
@@ -203,7 +203,7 @@ double AssignmentSearch::flatness(const Four &four) const
 {
     double least = std::numeric_limits<double>::infinity();
     for (std::size_t left = 0; left < 4; ++left) {
-        const auto at = [&](std::size_t i) { return place(four[(left + i) % 4]); };
+        const auto at = [&](std::size_t i) { return position(four[(left + i) % 4]); };
         least = std::min(least, std::abs(turn(at(1), at(2), at(3))));
     }
     return least;
@@ -266,14 +266,16 @@ bool AssignmentSearch::isSeenFromAbove(const Four &labels, const Four &chosen, s
                                        std::size_t k) const
 {
     const auto ray = [&](std::size_t n) { return m_candidates[static_cast<std::size_t>(chosen[n])].ray; };
-    return turn(place(labels[i]), place(labels[j]), place(labels[k])) * turn(ray(i), ray(j), ray(k)) < 0;
+    return turn(position(labels[i]), position(labels[j]), position(labels[k])) *
+               turn(ray(i), ray(j), ray(k)) <
+           0;
 }
 
 void AssignmentSearch::tryPose(const Four &labels, const Four &chosen)
 {
     std::array<Vector2d, 4> from, to;
     for (std::size_t i = 0; i < 4; ++i) {
-        from[i] = place(labels[i]);
+        from[i] = position(labels[i]);
         to[i] = m_candidates[static_cast<std::size_t>(chosen[i])].ray;
     }
     auto map = exactMap(from, to);
@@ -320,7 +322,7 @@ AssignmentSearch::Assignment AssignmentSearch::completed(const Matrix3d &map, co
     const double reach = std::max(3.0, 5 * worstFit * m_extentPx) / m_camera.intrinsics().fxPx;
     for (int label = 0; label < static_cast<int>(assignment.size()); ++label) {
         int &to = assignment[static_cast<std::size_t>(label)];
-        const Vector3d mapped = map * place(label).homogeneous();
+        const Vector3d mapped = map * position(label).homogeneous();
         if (to != nothing || !(mapped.z() > 0))
             continue;
         double nearest = reach;
@@ -356,7 +358,8 @@ void AssignmentSearch::refine()
             if (assignment[label] == nothing)
                 continue;
             pixels.push_back(pixel(assignment[label]));
-            pairs.push_back({place(static_cast<int>(label)), pixels.back(), m_layout.markers[label].label});
+            pairs.push_back(
+                {position(static_cast<int>(label)), pixels.back(), m_layout.markers[label].label});
         }
         const auto pose = fitPlanePose(pairs, m_camera, m_known ? FocalLength::Known : FocalLength::Free);
         if (!pose || !(pose->worldFromCamera.translation.z() > 0) ||

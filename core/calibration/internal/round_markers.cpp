@@ -2,8 +2,8 @@
 #include "core/calibration/internal/round_markers.h"
 
 #include "core/base/job_control.h"
+#include "core/calibration/internal/image_edges.h"
 #include "core/calibration/internal/luma_matrix.h"
-#include "core/calibration/internal/picture_edges.h"
 
 #include <algorithm>
 #include <array>
@@ -189,10 +189,10 @@ std::optional<Vector2d> dotCentre(const EllipseOutline &outline, const FloorView
     constexpr int corners = 48;
     std::array<Vector2d, corners> floor;
     for (int i = 0; i < corners; ++i) {
-        const auto place = view.floorFromPixel(outline.pointAt(2 * EIGEN_PI * i / corners), 0);
-        if (!place)
+        const auto position = view.floorFromPixel(outline.pointAt(2 * EIGEN_PI * i / corners), 0);
+        if (!position)
             return std::nullopt;
-        floor[static_cast<std::size_t>(i)] = *place;
+        floor[static_cast<std::size_t>(i)] = *position;
     }
     Vector2d sum = Vector2d::Zero();
     double area = 0;

@@ -21,7 +21,7 @@ using Eigen::Vector3d;
 constexpr double rimCells = 0.6;   // of the white rim that counts: beyond it the paper may end
 constexpr int borderPx = 4;        // about that, for the blur
 constexpr double smallSidePx = 60; // up to it a pixel is cut into 5 × 5 parts, above into 3 × 3
-constexpr double leastTagSidePx = 5, mostPicturePx = 30000;
+constexpr double leastTagSidePx = 5, mostImagePx = 30000;
 constexpr int mostSidePx = 400;   // above it a tag is aligned in the image at half its size
 constexpr int coarseSidePx = 120; // above it that is done first, and refined
 constexpr double startVariance = 0.25, mostVariance = 6; // of the image's own blur, px²
@@ -39,10 +39,10 @@ constexpr int mapValues = 8, values = 13; // map, variance of the blur, black, w
 using Row = Eigen::Matrix<double, values, 1>;
 
 /// What a tag looks like under a map, and how that changes.
-class TagPicture
+class TagImage
 {
 public:
-    TagPicture(const TagCells &cells, const cv::Rect &rect, int parts)
+    TagImage(const TagCells &cells, const cv::Rect &rect, int parts)
         : m_cells(cells), m_rect(rect), m_parts(parts),
           m_fine((rect.height + 2 * borderPx) * parts, (rect.width + 2 * borderPx) * parts, CV_32F)
     {
@@ -117,7 +117,7 @@ struct Sample
 {
     double error = 0; ///< seen minus predicted
     Row by;
-    double foretold = 0, seen = 0;
+    double predicted = 0, seen = 0;
 };
 
 class Alignment
@@ -127,7 +127,7 @@ public:
     Alignment(const cv::Mat &part, const TagCells &cells, const Matrix3d &start, const cv::Rect &rect,
               int parts, double addedPx)
         : m_part(part), m_rect(rect), m_added(addedPx * addedPx), m_side(1 + 2 * rimCells / cells.side),
-          m_picture(cells, rect, parts)
+          m_image(cells, rect, parts)
     {
         // Pixels are counted from the tag, or the map's last row would be tangled up with the others.
         m_fromOrigin.topRightCorner<2, 1>() =
@@ -160,12 +160,12 @@ public:
         double n = static_cast<double>(m_samples.size()), a = 0, b = 0, aa = 0, bb = 0, ab = 0;
         for (const Sample &s : m_samples) {
             a += s.seen / n;
-            b += s.foretold / n;
+            b += s.predicted / n;
         }
         for (const Sample &s : m_samples) {
             aa += (s.seen - a) * (s.seen - a);
-            bb += (s.foretold - b) * (s.foretold - b);
-            ab += (s.seen - a) * (s.foretold - b);
+            bb += (s.predicted - b) * (s.predicted - b);
+            ab += (s.seen - a) * (s.predicted - b);
         }
         return ab / std::sqrt(std::max(1e-9, aa * bb));
     }
@@ -178,25 +178,25 @@ private:
     {
         m_samples.clear();
         const Matrix3d back = m_state.map.inverse() * m_fromOrigin;
-        m_picture.draw(back, m_state.variance + m_added);
+        m_image.draw(back, m_state.variance + m_added);
         for (int y = m_rect.y; y < m_rect.y + m_rect.height; ++y) {
             for (int x = m_rect.x; x < m_rect.x + m_rect.width; ++x) {
                 const Vector3d tag = back * Vector3d(x, y, 1);
                 const double u = tag.x() / tag.z(), v = tag.y() / tag.z();
                 if (std::abs(u) > m_side || std::abs(v) > m_side)
                     continue;
-                const TagPicture::Look look = m_picture.at(x, y);
-                const Vector2d place = (m_fromOrigin * Vector3d(x, y, 1)).head<2>();
-                const Vector3d light(1, place.x() / m_rect.width, place.y() / m_rect.height);
+                const TagImage::Look look = m_image.at(x, y);
+                const Vector2d position = (m_fromOrigin * Vector3d(x, y, 1)).head<2>();
+                const Vector3d light(1, position.x() / m_rect.width, position.y() / m_rect.height);
                 const double contrast = m_state.white.dot(light);
                 const double depth = m_state.map.row(2).dot(Vector3d(u, v, 1));
                 const double across = -contrast * look.slope.x() / depth,
                              down = -contrast * look.slope.y() / depth;
                 Sample sample;
                 sample.seen = m_part.at<std::uint8_t>(y - m_rect.y, x - m_rect.x);
-                sample.foretold = m_state.black + contrast * look.white;
-                sample.error = sample.seen - sample.foretold;
-                const double on = -(across * place.x() + down * place.y());
+                sample.predicted = m_state.black + contrast * look.white;
+                sample.error = sample.seen - sample.predicted;
+                const double on = -(across * position.x() + down * position.y());
                 sample.by << across * u, across * v, across, down * u, down * v, down, on * u, on * v,
                     contrast * look.byVariance, 1, look.white * light;
                 m_samples.push_back(sample);
@@ -270,7 +270,7 @@ private:
     double m_added; ///< variance
     double m_side;  ///< of the compared area, from the middle
     Matrix3d m_fromOrigin = Matrix3d::Identity();
-    TagPicture m_picture;
+    TagImage m_image;
     TagState m_state;
     std::vector<Sample> m_samples;
     double m_sigmaPx = 0;
@@ -290,7 +290,7 @@ std::optional<cv::Rect> rectOf(const Matrix3d &map, double side, const cv::Size 
         }
     }
     const Vector2d sides = box.sizes();
-    if (!sides.allFinite() || !(sides.maxCoeff() < mostPicturePx) || !(sides.maxCoeff() > leastTagSidePx))
+    if (!sides.allFinite() || !(sides.maxCoeff() < mostImagePx) || !(sides.maxCoeff() > leastTagSidePx))
         return std::nullopt;
     const cv::Point least(static_cast<int>(std::floor(box.min().x())) - 1,
                           static_cast<int>(std::floor(box.min().y())) - 1);

@@ -57,7 +57,7 @@ Matrix3d mapOf(const apriltag_detection_t &tag, double scale)
 }
 
 /// The tags of an image that is `scale` times as large as `luma`.
-std::vector<SeenTag> read(const cv::Mat &luma, image_u8_t picture, double scale)
+std::vector<SeenTag> read(const cv::Mat &luma, image_u8_t image, double scale)
 {
     const Family family(tag36h11_create(), tag36h11_destroy);
     const std::unique_ptr<apriltag_detector_t, void (*)(apriltag_detector_t *)> detector(
@@ -66,7 +66,7 @@ std::vector<SeenTag> read(const cv::Mat &luma, image_u8_t picture, double scale)
     detector->quad_decimate = 1; // a registration is made once; small tags matter more than milliseconds
     detector->quad_sigma = 0;
     detector->refine_edges = true;
-    zarray_t *found = apriltag_detector_detect(detector.get(), &picture);
+    zarray_t *found = apriltag_detector_detect(detector.get(), &image);
     std::vector<SeenTag> tags;
     for (int i = 0; i < zarray_size(found); ++i) {
         apriltag_detection_t *tag = nullptr;
@@ -94,13 +94,13 @@ std::vector<SeenTag> readPart(const Frame &frame, std::optional<PixelRect> part,
     if (scale * std::max(rect.width(), rect.height()) > longestSidePx)
         return {};
     endIfCancelled();
-    cv::Mat picture;
+    cv::Mat image;
     if (scale > 1)
-        cv::resize(luma, picture, {}, scale, scale, cv::INTER_CUBIC);
+        cv::resize(luma, image, {}, scale, scale, cv::INTER_CUBIC);
     else
-        picture = reduced(luma, scale);
+        image = reduced(luma, scale);
     // Undecimated and unsmoothed, the detector only reads this.
-    auto tags = read(luma, {picture.cols, picture.rows, static_cast<int>(picture.step), picture.data}, scale);
+    auto tags = read(luma, {image.cols, image.rows, static_cast<int>(image.step), image.data}, scale);
     const Eigen::Projective2d origin(Eigen::Translation2d(rect.x0, rect.y0));
     for (SeenTag &tag : tags) {
         tag.pixelFromTag = origin.matrix() * tag.pixelFromTag;
@@ -153,7 +153,7 @@ Vector2d onFloor(const Vector2d &inTag, double turnRad)
     return Eigen::Rotation2Dd(turnRad) * Vector2d(inTag.x(), -inTag.y());
 }
 
-Vector2d placeOf(const MarkerLayout &layout, const SeenTag &tag)
+Vector2d positionOf(const MarkerLayout &layout, const SeenTag &tag)
 {
     return layout.markers[static_cast<std::size_t>(tag.number)].pointInWorld;
 }
@@ -208,7 +208,7 @@ std::optional<Tags> roughTags(const MarkerLayout &layout, const std::vector<Seen
             return std::nullopt;
         const Vector3d mapped = tagFromRays.matrix() * ray->homogeneous();
         const Vector2d q = onFloor(mapped.hnormalized(), 0),
-                       wanted = placeOf(layout, tag) - placeOf(layout, largest);
+                       wanted = positionOf(layout, tag) - positionOf(layout, largest);
         product += Vector2d(q.dot(wanted), q.x() * wanted.y() - q.y() * wanted.x());
         squares += q.squaredNorm();
     }
@@ -220,7 +220,7 @@ std::optional<Tags> roughTags(const MarkerLayout &layout, const std::vector<Seen
     Matrix3d floorFromTag = Matrix3d::Identity();
     floorFromTag.col(0).head<2>() = tags.halfSideM * onFloor({1, 0}, turn);
     floorFromTag.col(1).head<2>() = tags.halfSideM * onFloor({0, 1}, turn);
-    floorFromTag.col(2).head<2>() = placeOf(layout, largest);
+    floorFromTag.col(2).head<2>() = positionOf(layout, largest);
     const Homography raysFromFloor(rays->matrix() * floorFromTag.inverse());
     tags.worldFromCamera = poseFromHomography(raysFromFloor);
     const Homography floorFromRays = raysFromFloor.inverse();
@@ -250,8 +250,9 @@ LeastSquaresProblem<Tags> problemOf(const MarkerLayout &layout, const std::vecto
             const auto tag = static_cast<std::size_t>(i / 4);
             const Vector2d &corner = corners[static_cast<std::size_t>(i % 4)];
             const Vector2d arm = tags.halfSideM * onFloor(corner, tags.turnsRad[tag]),
-                           place = placeOf(layout, read[tag]) + arm;
-            const Vector3d fromCamera = Vector3d(place.x(), place.y(), 0) - tags.worldFromCamera.translation;
+                           position = positionOf(layout, read[tag]) + arm;
+            const Vector3d fromCamera =
+                Vector3d(position.x(), position.y(), 0) - tags.worldFromCamera.translation;
             Eigen::Matrix<double, 2, 3> byPoint;
             const auto pixel = camera.project(cameraAxes * fromCamera, byPoint);
             if (!pixel)
@@ -301,13 +302,13 @@ std::optional<Tags> fitted(const MarkerLayout &layout, const std::vector<SeenTag
 }
 
 /// The map of a tag at a floor position.
-std::optional<Matrix3d> mapAt(const Vector2d &place, double turnRad, const Tags &tags,
+std::optional<Matrix3d> mapAt(const Vector2d &position, double turnRad, const Tags &tags,
                               const CameraModel &camera)
 {
     const RigidTransform cameraFromWorld = tags.worldFromCamera.inverse();
     std::vector<PointPair> pairs;
     for (const Vector2d &corner : corners) {
-        const Vector2d point = place + tags.halfSideM * onFloor(corner, turnRad);
+        const Vector2d point = position + tags.halfSideM * onFloor(corner, turnRad);
         const auto pixel = camera.project(cameraFromWorld * Vector3d(point.x(), point.y(), 0));
         if (!pixel)
             return std::nullopt;
@@ -318,11 +319,11 @@ std::optional<Matrix3d> mapAt(const Vector2d &place, double turnRad, const Tags 
 }
 
 /// The turn of the nearest read tag and its quarter turns: tags are turned like their neighbours.
-double turnNear(const Vector2d &place, const MarkerLayout &layout, const std::vector<SeenTag> &read,
+double turnNear(const Vector2d &position, const MarkerLayout &layout, const std::vector<SeenTag> &read,
                 const Tags &tags)
 {
     const auto nearest = std::ranges::min_element(
-        read, {}, [&](const SeenTag &tag) { return (placeOf(layout, tag) - place).norm(); });
+        read, {}, [&](const SeenTag &tag) { return (positionOf(layout, tag) - position).norm(); });
     return tags.turnsRad[static_cast<std::size_t>(nearest - read.begin())];
 }
 
@@ -338,7 +339,7 @@ std::optional<CameraModel> estimatedCamera(const Frame &frame, const MarkerLayou
         return std::nullopt;
     std::vector<PointPair> pairs;
     for (const SeenTag &tag : read)
-        pairs.push_back({placeOf(layout, tag), tag.pixel, {}});
+        pairs.push_back({positionOf(layout, tag), tag.pixel, {}});
     const auto pose =
         fitPlanePose(pairs, CameraModel::assumed(frame.y.width, frame.y.height), FocalLength::Free);
     return pose && pose->focalSigmaPx ? std::optional(pose->camera) : std::nullopt;
@@ -346,8 +347,8 @@ std::optional<CameraModel> estimatedCamera(const Frame &frame, const MarkerLayou
 
 } // namespace
 
-std::vector<SeenTag> foretoldTags(const Frame &frame, const MarkerLayout &layout,
-                                  const std::vector<SeenTag> &read, const std::optional<CameraModel> &camera)
+std::vector<SeenTag> predictedTags(const Frame &frame, const MarkerLayout &layout,
+                                   const std::vector<SeenTag> &read, const std::optional<CameraModel> &camera)
 {
     const auto lens = camera ? camera : estimatedCamera(frame, layout, read);
     if (!lens || read.size() < 2)
@@ -359,11 +360,11 @@ std::vector<SeenTag> foretoldTags(const Frame &frame, const MarkerLayout &layout
     for (int number = 0; number < static_cast<int>(layout.markers.size()); ++number) {
         if (std::ranges::find(read, number, &SeenTag::number) != read.end())
             continue;
-        const Vector2d &place = layout.markers[static_cast<std::size_t>(number)].pointInWorld;
+        const Vector2d &position = layout.markers[static_cast<std::size_t>(number)].pointInWorld;
         std::optional<TagAlignment> best;
         for (int quarter = 0; quarter < 4; ++quarter) {
-            const double turn = turnNear(place, layout, read, *tags) + 0.5 * EIGEN_PI * quarter;
-            const auto map = mapAt(place, turn, *tags, *lens);
+            const double turn = turnNear(position, layout, read, *tags) + 0.5 * EIGEN_PI * quarter;
+            const auto map = mapAt(position, turn, *tags, *lens);
             const auto aligned = map ? alignTag(lumaMatrix(frame), tagCells(number), *map) : std::nullopt;
             // A cut-off tag may look like itself a cell beside its position, but it cannot be there.
             if (aligned && aligned->likeness >= leastTagLikeness && isNear(*map, aligned->middle()) &&

@@ -40,7 +40,8 @@ std::vector<SeenTag> findSmallTags(const Frame &frame, std::optional<PixelRect> 
 /// turns, and kept if the image matches its cells. read: two or more of the layout's tags, numbered by their
 /// index in it. camera: to be relied on; without one four read tags are needed, from which the focal length
 /// is estimated. Thread-safe.
-std::vector<SeenTag> foretoldTags(const Frame &frame, const MarkerLayout &layout,
-                                  const std::vector<SeenTag> &read, const std::optional<CameraModel> &camera);
+std::vector<SeenTag> predictedTags(const Frame &frame, const MarkerLayout &layout,
+                                   const std::vector<SeenTag> &read,
+                                   const std::optional<CameraModel> &camera);
 
 } // namespace odo

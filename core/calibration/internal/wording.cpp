@@ -57,7 +57,7 @@ Message calibrateToRely()
     return ODO_TEXT("calibration.calibrate_to_rely", "Calibrate it for reliable positions.");
 }
 
-Message useCameraPicture()
+Message useCameraImage()
 {
     return ODO_TEXT("calibration.use_camera_picture", "use an image from the camera");
 }

@@ -25,7 +25,7 @@ Message hardlyChecked(Message four);  ///< a sentence of the clause that four ch
 Message calibrateToRely();            ///< a sentence, without a lens calibration
 
 // What several of them advise.
-Message useCameraPicture();
+Message useCameraImage();
 Message correctPixels();
 Message markWhereSeen();
 Message spreadMarkers();

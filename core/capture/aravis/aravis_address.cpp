@@ -48,7 +48,7 @@ bool setTime(std::optional<Nanoseconds> &time, std::string_view value, double un
 }
 
 /// False for what is not understood.
-bool setWish(AravisAddress &address, std::string_view name, std::string_view value)
+bool applySetting(AravisAddress &address, std::string_view name, std::string_view value)
 {
     if (name == "rate")
         return (address.framesPerSecond = positive(value)).has_value();
@@ -89,17 +89,17 @@ Result<AravisAddress> parseAravisAddress(const std::string &uri)
     CameraUri split = splitCameraUri(uri, scheme);
     AravisAddress address;
     address.uri = uri;
-    address.place = std::move(split.place);
-    if (address.place.empty())
+    address.location = std::move(split.location);
+    if (address.location.empty())
         return fail(
             ErrorCode::InvalidInput, cameraAtAddress(uri),
             ODO_TEXT("capture.aravis_place_missing", "it contains neither an address nor a serial number"),
             joined({ODO_TEXT("capture.give_aravis_place", "give one as aravis:192.168.1.20 or aravis:SERIAL"),
                     ODO_TEXT("capture.cameras_are_listed", "odograph cameras lists them")},
                    Join::Semicolon));
-    for (const CameraWish &wish : split.wishes) {
-        if (!setWish(address, wish.name, wish.value))
-            return notUnderstood(uri, wish.text,
+    for (const CameraSetting &setting : split.cameraSettings) {
+        if (!applySetting(address, setting.name, setting.value))
+            return notUnderstood(uri, setting.text,
                                  ODO_TEXT("capture.aravis_wishes",
                                           "use rate, exposure_ms, gain, format, size, trigger=software, "
                                           "packet_size or packet_delay_us, as in ?rate=30&size=640x480"));

@@ -20,7 +20,7 @@ struct AravisAddress
     enum class Trigger { None, Software };
 
     std::string uri;
-    std::string place; ///< an IPv4 address or a serial number
+    std::string location; ///< an IPv4 address or a serial number
     std::optional<double> framesPerSecond, gain;
     std::optional<Nanoseconds> exposure, packetDelay;
     std::optional<std::string> format;

@@ -14,7 +14,7 @@ namespace {
 
 using namespace std::chrono_literals;
 
-constexpr Nanoseconds pictureWithin = 500ms, answerWithin = 2s, openWithin = 8s, endWithin = 300ms;
+constexpr Nanoseconds frameWithin = 500ms, answerWithin = 2s, openWithin = 8s, endWithin = 300ms;
 constexpr auto listingPatience = 100ms;
 
 class AravisSource : public CameraSource
@@ -39,7 +39,7 @@ public:
     void describe(CameraDescription description) { m_description = std::move(description); }
 
     const CameraDescription &description() const override { return m_description; }
-    Result<CapturedFrame> next() override { return m_session->next(pictureWithin); }
+    Result<CapturedFrame> next() override { return m_session->next(frameWithin); }
     void stop() override { m_session->stop(); }
     CameraCounts counts() const override { return m_session->counts(); }
 
@@ -97,11 +97,11 @@ private:
     std::thread m_thread;
 };
 
-CameraDescription describeFound(const std::string &place, const std::string &vendor, const std::string &model,
-                                const std::string &serial, bool busy)
+CameraDescription describeFound(const std::string &location, const std::string &vendor,
+                                const std::string &model, const std::string &serial, bool busy)
 {
     CameraDescription camera;
-    camera.uri = "aravis:" + (serial.empty() ? place : serial);
+    camera.uri = "aravis:" + (serial.empty() ? location : serial);
     camera.kind = "aravis";
     camera.name = foreignWords(vendor + " " + model);
     camera.serial = serial;

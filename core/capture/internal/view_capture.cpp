@@ -40,7 +40,7 @@ void ViewCapture::start()
     m_takerEnded = ended.get_future();
     auto taker = startThread(cameraAtAddress(description().uri),
                              [self = shared_from_this(), ended = std::move(ended)]() mutable {
-                                 self->takePictures();
+                                 self->takeFrames();
                                  ended.set_value();
                              });
     if (!taker)
@@ -80,7 +80,7 @@ void ViewCapture::join(std::chrono::steady_clock::time_point deadline)
     m_health.state = ViewHealth::State::Ended;
 }
 
-void ViewCapture::takePictures()
+void ViewCapture::takeFrames()
 {
     for (;;) {
         settleAutomatics();
@@ -103,9 +103,9 @@ void ViewCapture::interrupted(const Error &error)
     const std::lock_guard lock(m_mutex);
     m_health.state =
         error.code == ErrorCode::Unavailable ? ViewHealth::State::Waiting : ViewHealth::State::Ended;
-    if (!m_health.trouble)
-        m_health.trouble = Trouble{error, steadyNow()};
-    m_health.trouble->error = error; // the cause may be known better by now
+    if (!m_health.warning)
+        m_health.warning = RecordingWarning{error, steadyNow()};
+    m_health.warning->error = error; // the cause may be known better by now
     m_interruption = error;
     m_health.slow.reset();
     m_pace.clear();
@@ -175,7 +175,7 @@ void ViewCapture::noteSleep(const CapturedFrame &captured)
 
 /// By the camera's own clock and count, so that late or lost frames make no difference; the
 /// mutex is held.
-std::optional<Trouble> ViewCapture::slowness(const CapturedFrame &captured, Nanoseconds now)
+std::optional<RecordingWarning> ViewCapture::slowness(const CapturedFrame &captured, Nanoseconds now)
 {
     const CameraDescription &camera = description();
     if (!comesByWire(camera.kind) || !(camera.framesPerSecond > 0))
@@ -190,8 +190,8 @@ std::optional<Trouble> ViewCapture::slowness(const CapturedFrame &captured, Nano
     const double rate = static_cast<double>(captured.sequence - m_pace.front().sequence) / toSeconds(span);
     if (rate >= slowShare * camera.framesPerSecond)
         return std::nullopt;
-    return Trouble{slowCameraError(camera.uri, rate, camera.framesPerSecond),
-                   m_health.slow ? m_health.slow->since : now};
+    return RecordingWarning{slowCameraError(camera.uri, rate, camera.framesPerSecond),
+                            m_health.slow ? m_health.slow->since : now};
 }
 
 /// When it was taken; the mutex is held.
@@ -203,7 +203,7 @@ Nanoseconds ViewCapture::note(const CapturedFrame &captured, Nanoseconds now)
     m_health.clock = m_clock.fit();
     const Nanoseconds taken = m_health.clock->hostTime(captured.frame.time);
     m_health.state = ViewHealth::State::Delivering;
-    m_health.trouble.reset();
+    m_health.warning.reset();
     m_health.slow = slowness(captured, now);
     ++m_health.delivered;
     if (m_lastSequence && captured.sequence > *m_lastSequence + 1 + captured.lostHere)
@@ -232,7 +232,7 @@ std::shared_ptr<BoundedQueue<TimedFrame>> ViewCapture::subscribe(std::size_t cap
 }
 
 /// Nothing comes and nobody says why: a camera, or its driver, that hangs.
-std::optional<Trouble> ViewCapture::silence(Nanoseconds now) const
+std::optional<RecordingWarning> ViewCapture::silence(Nanoseconds now) const
 {
     const bool began = m_health.delivered > 0;
     const double rate = std::max(1.0, description().framesPerSecond);
@@ -241,7 +241,7 @@ std::optional<Trouble> ViewCapture::silence(Nanoseconds now) const
     const Nanoseconds last = (began ? m_lastArrival : m_begun) + (machineSlept() - m_slept);
     if (now - last <= allowed)
         return std::nullopt;
-    return Trouble{
+    return RecordingWarning{
         {ErrorCode::Unavailable, cameraAtAddress(description().uri),
          ODO_TEXT("capture.no_picture_for",
                   "no frame has arrived for %1")(quantity(std::floor(toSeconds(now - last)), 0, "s")),
@@ -262,12 +262,12 @@ ViewHealth ViewCapture::health(Nanoseconds now) const
             if (recent.arrival >= now - rateOver)
                 latenciesS.push_back(recent.latencyS);
         }
-        if (!health.trouble && health.state != ViewHealth::State::Ended)
-            health.trouble = silence(now);
+        if (!health.warning && health.state != ViewHealth::State::Ended)
+            health.warning = silence(now);
     }
-    if (health.trouble && health.state != ViewHealth::State::Ended)
+    if (health.warning && health.state != ViewHealth::State::Ended)
         health.state = ViewHealth::State::Waiting;
-    if (health.trouble)
+    if (health.warning)
         health.slow.reset();
     const double overS = toSeconds(std::min(rateOver, std::max(now - m_begun, Nanoseconds(1ms))));
     health.framesPerSecond = static_cast<double>(latenciesS.size()) / overS;
@@ -280,9 +280,9 @@ ViewHealth ViewCapture::health(Nanoseconds now) const
 std::optional<Error> ViewCapture::end() const
 {
     const std::lock_guard lock(m_mutex);
-    if (m_health.state != ViewHealth::State::Ended || !m_health.trouble)
+    if (m_health.state != ViewHealth::State::Ended || !m_health.warning)
         return std::nullopt;
-    return m_health.trouble->error;
+    return m_health.warning->error;
 }
 
 void ViewCapture::startWriting(std::shared_ptr<ViewWriter> writer, Nanoseconds preRoll)

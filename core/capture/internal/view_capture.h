@@ -58,15 +58,15 @@ private:
     };
 
     void cannotRun(Error error);
-    void takePictures();
+    void takeFrames();
     void take(CapturedFrame captured);
     void interrupted(const Error &error);
     void settleAutomatics();
     void noteSleep(const CapturedFrame &captured);
     Nanoseconds note(const CapturedFrame &captured, Nanoseconds now);
-    std::optional<Trouble> slowness(const CapturedFrame &captured, Nanoseconds now);
+    std::optional<RecordingWarning> slowness(const CapturedFrame &captured, Nanoseconds now);
     void giveOut(const TimedFrame &timed);
-    std::optional<Trouble> silence(Nanoseconds now) const;
+    std::optional<RecordingWarning> silence(Nanoseconds now) const;
 
     const std::unique_ptr<CameraSource> m_camera;
     const std::size_t m_view;

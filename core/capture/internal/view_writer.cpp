@@ -75,7 +75,7 @@ void ViewWriter::offer(CodedFrame frame)
     m_lastSequence = sequence;
     if (m_waitingBytes + frame.jpeg->size() > mostWaitingBytes) {
         ++m_recording.lostByUs;
-        ++m_withoutRoom;
+        ++m_droppedWhenFull;
         return;
     }
     m_waitingBytes += frame.jpeg->size();
@@ -83,11 +83,11 @@ void ViewWriter::offer(CodedFrame frame)
     m_wake.notify_all();
 }
 
-void ViewWriter::countLost(std::uint64_t pictures)
+void ViewWriter::countLost(std::uint64_t frames)
 {
     const std::lock_guard lock(m_mutex);
-    m_recording.frames += pictures;
-    m_recording.lostByUs += pictures;
+    m_recording.frames += frames;
+    m_recording.lostByUs += frames;
 }
 
 void ViewWriter::fail(const Error &error)
@@ -164,13 +164,13 @@ Result<void> ViewWriter::checkDisk(bool isBegun)
     if (isBegun && !files::exists(m_recording.file))
         return odo::fail(ErrorCode::Io, recordingName(),
                          ODO_TEXT("capture.recording_file_gone", "its file is no longer there"),
-                         joined({putDiskBack(),
+                         joined({reconnectDisk(),
                                  ODO_TEXT("capture.recorded_is_there", "it holds what was recorded so far")},
                                 Join::Semicolon));
-    const std::optional<DiskRoom> room = m_disk.room(m_recording.file.parent_path());
-    if (!room)
+    const std::optional<DiskCapacity> space = m_disk.space(m_recording.file.parent_path());
+    if (!space)
         return {};
-    const std::uint64_t left = m_disk.left(*room);
+    const std::uint64_t left = m_disk.left(*space);
     {
         const std::lock_guard lock(m_mutex);
         m_bytesLeft = left;
@@ -180,8 +180,8 @@ Result<void> ViewWriter::checkDisk(bool isBegun)
     return odo::fail(
         ErrorCode::Io, recordingName(),
         ODO_TEXT("capture.disk_full", "its disk has only %1 left, of which %2 are kept free")(
-            quantity(static_cast<double>(room->free) / megabyte, 0, "MB"),
-            quantity(static_cast<double>(m_disk.reserved(*room)) / megabyte, 0)),
+            quantity(static_cast<double>(space->free) / megabyte, 0, "MB"),
+            quantity(static_cast<double>(m_disk.reserved(*space)) / megabyte, 0)),
         joined({ODO_TEXT("capture.make_room", "free some disk space, or move the project to another disk"),
                 ODO_TEXT("capture.recorded_is_kept", "what was recorded so far is kept")},
                Join::Semicolon));
@@ -206,18 +206,18 @@ Result<void> ViewWriter::write(Output &output, const CodedFrame &frame) const
 void ViewWriter::note(const CodedFrame &frame)
 {
     RecordedTimes &times = m_recording.times;
-    if (times.pictures.empty()) {
+    if (times.frames.empty()) {
         m_recording.format = frame.format;
         m_firstArrival = frame.raw.arrival;
     }
     if (frame.interruption && m_lastArrival)
         m_recording.gaps.push_back(
-            {times.pictures.size(), frame.raw.arrival - *m_lastArrival, *frame.interruption});
+            {times.frames.size(), frame.raw.arrival - *m_lastArrival, *frame.interruption});
     m_lastArrival = frame.raw.arrival;
     m_bytes += frame.jpeg->size();
     m_recording.latenciesS.push_back(toSeconds(steadyNow() - frame.taken));
     for (RecordedTimes *kept : {&times, &m_fresh}) {
-        kept->pictures.push_back(frame.raw);
+        kept->frames.push_back(frame.raw);
         if (frame.clock)
             kept->readings.push_back(*frame.clock);
     }
@@ -251,13 +251,13 @@ ViewWriter::State ViewWriter::state(Nanoseconds now) const
     state.waiting = static_cast<double>(m_waitingBytes) / static_cast<double>(mostWaitingBytes);
     state.recordedS = m_firstArrival ? toSeconds(*m_lastArrival - *m_firstArrival) : 0;
     state.bytes = m_bytes;
-    state.withoutRoom = m_withoutRoom;
+    state.droppedWhenFull = m_droppedWhenFull;
     state.problem = m_recording.problem;
     if (m_bytesLeft && state.recordedS >= rateKnownFromS)
         state.secondsLeft =
             static_cast<double>(*m_bytesLeft) / (static_cast<double>(m_bytes) / state.recordedS);
     if (m_writing && now - *m_writing > slowFrom)
-        state.slow = Trouble{slowDisk(now - *m_writing, state.waiting), *m_writing};
+        state.slow = RecordingWarning{slowDisk(now - *m_writing, state.waiting), *m_writing};
     return state;
 }
 
@@ -272,12 +272,12 @@ RecordedTimes ViewWriter::takeWritten()
 void ViewWriter::leaveOutWhatIsNotInTheFile()
 {
     const auto reader = VideoReader::open(m_recording.file);
-    std::vector<RawTime> &pictures = m_recording.times.pictures;
+    std::vector<RawTime> &frames = m_recording.times.frames;
     const std::size_t there = reader ? (*reader)->info().frameTimes.size() : 0;
-    if (there >= pictures.size())
+    if (there >= frames.size())
         return;
     const std::lock_guard lock(m_mutex);
-    pictures.resize(there);
+    frames.resize(there);
     m_recording.latenciesS.resize(there);
 }
 
@@ -311,16 +311,16 @@ struct ViewCoder::Coding
     std::shared_ptr<ViewWriter> writer;
 
     /// As it came, or coded here.
-    Result<CodedFrame> code(const Picture &picture)
+    Result<CodedFrame> code(const UncodedFrame &uncoded)
     {
-        const CapturedFrame &captured = picture.captured;
+        const CapturedFrame &captured = uncoded.captured;
         CodedFrame coded{captured.jpeg,
                          captured.frame.format,
                          {captured.sequence, captured.frame.time, captured.hostTime},
-                         picture.taken,
+                         uncoded.taken,
                          captured.clock,
-                         picture.interruption,
-                         picture.lostBefore};
+                         uncoded.interruption,
+                         uncoded.lostBefore};
         if (coded.jpeg)
             return coded;
         auto jpeg = ODO_TRY(encoder.encode(captured.frame));
@@ -384,9 +384,9 @@ Result<void> ViewCoder::start()
     return {};
 }
 
-bool ViewCoder::offer(Picture picture)
+bool ViewCoder::offer(UncodedFrame uncoded)
 {
-    return m_work.tryPush(std::move(picture));
+    return m_work.tryPush(std::move(uncoded));
 }
 
 void ViewCoder::startWriting(std::shared_ptr<ViewWriter> writer, Nanoseconds from)
@@ -424,15 +424,15 @@ void ViewCoder::run()
         else if (auto *stop = std::get_if<Stop>(&*work))
             coding.end(std::move(*stop));
         else if (coding.writer || m_preRoll > Nanoseconds(0))
-            code(coding, std::get<Picture>(*work));
+            code(coding, std::get<UncodedFrame>(*work));
     }
 }
 
-void ViewCoder::code(Coding &coding, const Picture &picture)
+void ViewCoder::code(Coding &coding, const UncodedFrame &uncoded)
 {
     auto coded =
         orShortage([this] { return ODO_TEXT("capture.picture_of_camera", "a frame of camera %1")(m_uri); },
-                   [&] { return coding.code(picture); });
+                   [&] { return coding.code(uncoded); });
     if (!coded) {
         if (coding.writer)
             coding.writer->fail(coded.error());

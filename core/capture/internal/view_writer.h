@@ -43,7 +43,7 @@ public:
     /// The next frame of the camera. Never waits. Any thread, one at a time.
     void offer(CodedFrame frame);
     /// The camera delivered frames that could not be coded in time, and none after them.
-    void countLost(std::uint64_t pictures);
+    void countLost(std::uint64_t frames);
     /// Something other than the disk ends the recording of this view; what waits is still written.
     void fail(const Error &error);
     /// No more will be offered.
@@ -55,10 +55,10 @@ public:
     {
         double waiting = 0; ///< how full the queue is
         double recordedS = 0;
-        std::uint64_t bytes = 0;           ///< written
-        std::uint64_t withoutRoom = 0;     ///< frames offered while the queue was too full
-        std::optional<double> secondsLeft; ///< of what this view alone writes
-        std::optional<Trouble> slow;       ///< the disk does not keep up
+        std::uint64_t bytes = 0;              ///< written
+        std::uint64_t droppedWhenFull = 0;    ///< frames offered while the queue was too full
+        std::optional<double> secondsLeft;    ///< of what this view alone writes
+        std::optional<RecordingWarning> slow; ///< the disk does not keep up
         std::optional<Error> problem;
     };
     State state(Nanoseconds now) const; ///< any thread
@@ -89,7 +89,7 @@ private:
     std::deque<Waiting> m_waiting;
     std::size_t m_waitingBytes = 0;
     bool m_closed = false, m_writingFailed = false;
-    std::uint64_t m_bytes = 0, m_withoutRoom = 0;
+    std::uint64_t m_bytes = 0, m_droppedWhenFull = 0;
     std::optional<std::uint64_t> m_bytesLeft;
     std::optional<Nanoseconds> m_writing; ///< since when the frame being written has waited
     std::optional<std::uint64_t> m_lastSequence;
@@ -104,7 +104,7 @@ private:
 class ViewCoder
 {
 public:
-    struct Picture
+    struct UncodedFrame
     {
         CapturedFrame captured;
         Nanoseconds taken;
@@ -121,7 +121,7 @@ public:
     /// Unavailable where there is no thread; then whatever is to be written ends at once.
     Result<void> start();
     /// Never waits; false: the queue is full.
-    bool offer(Picture picture);
+    bool offer(UncodedFrame uncoded);
     /// From now on all goes to the writer, beginning with what arrived then.
     void startWriting(std::shared_ptr<ViewWriter> writer, Nanoseconds from);
     /// When what was offered by now was handed to the writer and it was closed. lostBefore: what was lost
@@ -144,11 +144,11 @@ private:
         std::promise<void> done;
         std::uint64_t lostBefore;
     };
-    using Work = std::variant<Picture, Start, Stop>;
+    using Work = std::variant<UncodedFrame, Start, Stop>;
     struct Coding;
 
     void run();
-    void code(Coding &coding, const Picture &picture);
+    void code(Coding &coding, const UncodedFrame &uncoded);
 
     const std::string m_uri;
     const Nanoseconds m_preRoll;

@@ -51,15 +51,15 @@ bool readFormat(std::string_view value, V4l2Request &request)
     return true;
 }
 
-bool readWish(const CameraWish &wish, V4l2Request &request)
+bool readSetting(const CameraSetting &setting, V4l2Request &request)
 {
-    if (wish.name == "size")
-        return readSize(wish.value, request);
-    if (wish.name == "format")
-        return readFormat(wish.value, request);
-    if (wish.name != "rate")
+    if (setting.name == "size")
+        return readSize(setting.value, request);
+    if (setting.name == "format")
+        return readFormat(setting.value, request);
+    if (setting.name != "rate")
         return false;
-    request.framesPerSecond = numberIn<double>(wish.value);
+    request.framesPerSecond = numberIn<double>(setting.value);
     return request.framesPerSecond && std::isfinite(*request.framesPerSecond);
 }
 
@@ -73,25 +73,25 @@ bool isV4l2Address(const std::string &uri)
 Result<V4l2Address> parseV4l2Address(const std::string &uri)
 {
     CameraUri split = splitCameraUri(uri, v4l2Scheme);
-    V4l2Address address{uri, std::move(split.place), {}};
-    if (address.place.empty())
+    V4l2Address address{uri, std::move(split.location), {}};
+    if (address.location.empty())
         return v4l2NotUnderstood(uri, uri);
-    for (const CameraWish &wish : split.wishes) {
-        if (!readWish(wish, address.request))
-            return v4l2NotUnderstood(uri, wish.text);
+    for (const CameraSetting &setting : split.cameraSettings) {
+        if (!readSetting(setting, address.request))
+            return v4l2NotUnderstood(uri, setting.text);
     }
     return address;
 }
 
-Result<std::shared_ptr<V4l2Device>> openV4l2Place(const V4l2Address &address)
+Result<std::shared_ptr<V4l2Device>> openV4l2Device(const V4l2Address &address)
 {
-    if (address.place.starts_with('/')) {
+    if (address.location.starts_with('/')) {
         std::error_code error;
-        const std::filesystem::path node = files::realPath(address.place, error); // sysfs knows no links
-        return V4l2Device::open(error ? std::filesystem::path(address.place) : node, address.uri);
+        const std::filesystem::path node = files::realPath(address.location, error); // sysfs knows no links
+        return V4l2Device::open(error ? std::filesystem::path(address.location) : node, address.uri);
     }
     for (auto &device : openV4l2Devices()) {
-        if (device->identity().busInfo == address.place)
+        if (device->identity().busInfo == address.location)
             return std::move(device);
     }
     return tl::unexpected(v4l2Failure(address.uri, ENOENT));
@@ -129,7 +129,7 @@ Result<std::shared_ptr<V4l2Device>> V4l2KnownCamera::find() const
                 return device;
         }
     }
-    const auto inItsPlace = openV4l2Place(m_address);
+    const auto inItsPlace = openV4l2Device(m_address);
     if (inItsPlace)
         return fail(ErrorCode::Unavailable, cameraAtAddress(m_address.uri),
                     ODO_TEXT("capture.other_camera_in_place",

@@ -13,7 +13,7 @@ namespace odo {
 /// (usb-0000:00:14.0-1).
 struct V4l2Address
 {
-    std::string uri, place;
+    std::string uri, location;
     V4l2Request request;
 };
 
@@ -28,7 +28,7 @@ Result<V4l2Address> parseV4l2Address(const std::string &uri);
 
 /// Opens the camera at the address' place. Errors: those of V4l2Device::open; NotFound where no camera is at
 /// the port.
-Result<std::shared_ptr<V4l2Device>> openV4l2Place(const V4l2Address &address);
+Result<std::shared_ptr<V4l2Device>> openV4l2Device(const V4l2Address &address);
 
 /// A camera that was opened and is to be found again after it was gone, wherever its node is then.
 class V4l2KnownCamera

@@ -103,7 +103,7 @@ constexpr auto usualSilence = 500ms;
 constexpr auto longestBeginning = 1500ms; ///< many a camera needs a second to its first frame
 constexpr auto betweenAttempts = 100ms;
 constexpr int silencesBeforeRestart = 4;
-constexpr double picturesInSilence = 2.5; ///< the wait is longer for a camera slower than that
+constexpr double framesInSilence = 2.5; ///< the wait is longer for a camera slower than that
 
 Time now()
 {
@@ -140,7 +140,7 @@ private:
     void notePassing(Error problem);
     bool takeUp();
     void restore(const V4l2Device &device);
-    std::optional<CapturedFrame> takePicture();
+    std::optional<CapturedFrame> takeFrame();
     std::optional<CapturedFrame> read(const V4l2Stream::Buffer &buffer);
     void noteSilence();
     std::chrono::nanoseconds patience() const;
@@ -153,7 +153,7 @@ private:
 
     // Of the thread that calls next().
     std::unique_ptr<V4l2Stream> m_stream; ///< none while the camera is lost
-    std::unique_ptr<V4l2Pictures> m_pictures;
+    std::unique_ptr<V4l2Frames> m_frames;
     V4l2Stamps m_stamps;
     Error m_problem;          ///< the last one
     bool m_begins = true;     ///< no intact frame since the stream started
@@ -172,7 +172,7 @@ private:
 void V4l2Source::begin(std::shared_ptr<V4l2Device> device, std::unique_ptr<V4l2Stream> stream)
 {
     m_stream = std::move(stream);
-    m_pictures = std::make_unique<V4l2Pictures>(m_stream->format());
+    m_frames = std::make_unique<V4l2Frames>(m_stream->format());
     m_begins = true;
     m_silences = 0;
     const std::lock_guard lock(m_mutex);
@@ -183,7 +183,7 @@ void V4l2Source::lose(const Error &why)
 {
     notePassing(why);
     m_atOnce = !m_begins;
-    m_stamps.beginAnew(m_description.framesPerSecond);
+    m_stamps.restart(m_description.framesPerSecond);
     m_stream.reset();
     std::shared_ptr<V4l2Device> device; // a node that is held cannot come back; closing it takes a while
     const std::lock_guard lock(m_mutex);
@@ -237,8 +237,8 @@ std::optional<CapturedFrame> V4l2Source::read(const V4l2Stream::Buffer &buffer)
 {
     const Nanoseconds arrival = steadyNow();
     const V4l2Stamps::Stamp stamp = m_stamps.next(buffer.stamp, arrival);
-    auto picture = buffer.isDamaged ? std::nullopt : m_pictures->read(buffer.bytes);
-    if (!picture) {
+    auto decoded = buffer.isDamaged ? std::nullopt : m_frames->read(buffer.bytes);
+    if (!decoded) {
         m_isDamaged = true;
         const std::lock_guard lock(m_mutex);
         ++m_counts.damaged;
@@ -246,14 +246,14 @@ std::optional<CapturedFrame> V4l2Source::read(const V4l2Stream::Buffer &buffer)
     }
     m_begins = m_isDamaged = false;
     m_silences = 0;
-    CapturedFrame captured{std::move(picture->frame), stamp.sequence, arrival, std::move(picture->jpeg),
+    CapturedFrame captured{std::move(decoded->frame), stamp.sequence, arrival, std::move(decoded->jpeg),
                            stamp.clock};
     captured.frame.index = static_cast<std::int64_t>(stamp.sequence);
     captured.frame.time = stamp.time;
     return captured;
 }
 
-std::optional<CapturedFrame> V4l2Source::takePicture()
+std::optional<CapturedFrame> V4l2Source::takeFrame()
 {
     std::optional<CapturedFrame> captured;
     while (!captured) {
@@ -277,7 +277,7 @@ std::chrono::nanoseconds V4l2Source::patience() const
 {
     const auto usual = m_begins && m_stream ? longestBeginning : usualSilence;
     return std::max<std::chrono::nanoseconds>(usual,
-                                              fromSeconds(picturesInSilence / m_description.framesPerSecond));
+                                              fromSeconds(framesInSilence / m_description.framesPerSecond));
 }
 
 /// A connected camera that sends nothing: in the end it is restarted.
@@ -307,7 +307,7 @@ Result<CapturedFrame> V4l2Source::next()
         if (!m_stream) {
             if (takeUp())
                 deadline = now() + patience();
-        } else if (auto captured = takePicture()) {
+        } else if (auto captured = takeFrame()) {
             return std::move(*captured);
         } else if (m_stream && !isSound) {
             lose(v4l2Failure(m_description.uri, EIO));
@@ -392,7 +392,7 @@ void V4l2Source::releaseAutomatics()
 Result<std::unique_ptr<CameraSource>> openV4l2Source(const std::string &uri)
 {
     const auto address = ODO_TRY(parseV4l2Address(uri));
-    auto device = ODO_TRY(openV4l2Place(address));
+    auto device = ODO_TRY(openV4l2Device(address));
     const std::vector<V4l2Mode> modes = v4l2Modes(*device);
     const auto mode = ODO_TRY(chooseMode(modes, address.request, uri));
     auto stream = ODO_TRY(V4l2Stream::start(device, mode, uri));

@@ -7,7 +7,7 @@ namespace odo {
 
 /// Opens a USB camera (or whatever else has a V4L2 node) by its address, see V4l2Address, and starts it. A
 /// camera that was lost is known again by its serial number, or by its name and port. Errors: those of
-/// parseV4l2Address, openV4l2Place, chooseMode and V4l2Stream::start.
+/// parseV4l2Address, openV4l2Device, chooseMode and V4l2Stream::start.
 Result<std::unique_ptr<CameraSource>> openV4l2Source(const std::string &uri);
 
 /// The cameras that are there, in use or not. Those that this user may not open are listed with the reason in

@@ -106,9 +106,9 @@ private:
         std::set<RecordId> measured, analysed; ///< robots
     };
     Result<void> compareDigests(const Newest &newest, Proved &proved);
-    void lookAtMeasurements(const TrialName &trial);
-    void lookAtObservations(const RecordingRecord &recording, RecordId robot);
-    void lookAtMetrics(const TrialName &trial);
+    void checkMeasurements(const TrialName &trial);
+    void checkObservations(const RecordingRecord &recording, RecordId robot);
+    void checkMetrics(const TrialName &trial);
     void compareMetrics(const AnalysisRecord &analysis);
 
     Project &m_project;
@@ -121,7 +121,7 @@ private:
     std::map<RecordId, std::string> m_robotNames;
     std::map<RecordId, TaskRecord> m_tasks;
     /// analyses made with other manual overrides than their trial has now
-    std::set<RecordId> m_overruledSince;
+    std::set<RecordId> m_overriddenSince;
     std::set<RecordId> m_changed; ///< analyses of the trial whose results differ from their digests
     Message m_where;
 };
@@ -150,7 +150,7 @@ Result<void> AnalysisCheck::prepare()
     });
     if (!read)
         return read;
-    Statement overruled(
+    Statement overridden(
         m_connection,
         QStringLiteral(
             "WITH newest AS (SELECT MAX(id) AS id, trial_id, robot_id FROM analysis GROUP BY trial_id, "
@@ -159,8 +159,8 @@ Result<void> AnalysisCheck::prepare()
             "now AS (SELECT id, frame, is_spike FROM overrule JOIN newest USING (trial_id, robot_id)) "
             "SELECT id FROM (SELECT * FROM now EXCEPT SELECT * FROM used) UNION "
             "SELECT id FROM (SELECT * FROM used EXCEPT SELECT * FROM now)"));
-    read = overruled.eachRow([this](const Statement &row) -> Result<void> {
-        m_overruledSince.insert(row.integer(0));
+    read = overridden.eachRow([this](const Statement &row) -> Result<void> {
+        m_overriddenSince.insert(row.integer(0));
         return {};
     });
     if (!read)
@@ -200,7 +200,7 @@ Result<void> AnalysisCheck::look(const TrialName &trial)
     Proved proved;
     for (const Newest &newest : m_newest[trial.id]) {
         ODO_TRY(compareDigests(newest, proved));
-        if (m_overruledSince.contains(newest.analysis))
+        if (m_overriddenSince.contains(newest.analysis))
             report(ODO_TEXT("project.overrides_changed",
                             "the manual overrides have changed since robot '%1' was analysed")(
                        Named::robot(newest.robotName)),
@@ -209,15 +209,15 @@ Result<void> AnalysisCheck::look(const TrialName &trial)
     if (m_isThorough || !std::ranges::all_of(m_measured[trial.id], [&](const Measured &one) {
             return proved.measured.contains(one.robot);
         }))
-        lookAtMeasurements(trial);
+        checkMeasurements(trial);
     if (m_isThorough || !std::ranges::all_of(m_newest[trial.id], [&](const Newest &one) {
             return proved.analysed.contains(one.robot);
         }))
-        lookAtMetrics(trial);
+        checkMetrics(trial);
     return {};
 }
 
-void AnalysisCheck::lookAtMeasurements(const TrialName &trial)
+void AnalysisCheck::checkMeasurements(const TrialName &trial)
 {
     const auto recordings = m_project.trials().recordings(trial.id);
     if (!recordings)
@@ -225,7 +225,7 @@ void AnalysisCheck::lookAtMeasurements(const TrialName &trial)
     for (const Measured &measured : m_measured[trial.id]) {
         const auto recording = std::ranges::find(*recordings, measured.recording, &RecordingRecord::id);
         if (recording != recordings->end()) {
-            lookAtObservations(*recording, measured.robot);
+            checkObservations(*recording, measured.robot);
             continue;
         }
         if (const auto track = m_project.trials().currentImportedTrack(trial.id, measured.robot); !track)
@@ -233,7 +233,7 @@ void AnalysisCheck::lookAtMeasurements(const TrialName &trial)
     }
 }
 
-void AnalysisCheck::lookAtObservations(const RecordingRecord &recording, RecordId robot)
+void AnalysisCheck::checkObservations(const RecordingRecord &recording, RecordId robot)
 {
     const auto series = m_project.trials().currentObservations(recording.id, robot);
     if (!series)
@@ -252,7 +252,7 @@ void AnalysisCheck::lookAtObservations(const RecordingRecord &recording, RecordI
                trackTrialAgain());
 }
 
-void AnalysisCheck::lookAtMetrics(const TrialName &trial)
+void AnalysisCheck::checkMetrics(const TrialName &trial)
 {
     const auto analyses = m_project.analyses().current(trial.id);
     if (!analyses)
@@ -272,8 +272,8 @@ void AnalysisCheck::compareMetrics(const AnalysisRecord &analysis)
     const Profile &profile = analysis.profile;
     std::vector<Metric> computed = measureRun(profile.samples, profile.points);
     if (const auto task = m_tasks.find(analysis.task); task != m_tasks.end()) {
-        const TaskFigures figures = measureTask(task->second.task, profile.samples, profile.points);
-        computed.insert(computed.end(), figures.metrics.begin(), figures.metrics.end());
+        const TaskMetrics metrics = measureTask(task->second.task, profile.samples, profile.points);
+        computed.insert(computed.end(), metrics.metrics.begin(), metrics.metrics.end());
     }
     const MessageArgument robot = Named::robot(analysis.robotName);
     for (const Metric &stored : profile.metrics) {
@@ -430,16 +430,16 @@ std::vector<MarkerError> computedErrors(const RegistrationRecord &record, Intrin
     const FloorView view(*camera, record.registration.worldFromCamera, record.registration.poseCovariance);
     std::vector<MarkerError> computed;
     for (const MarkerError &stored : record.registration.markers) {
-        const auto place = std::ranges::find(layout.markers, stored.label, &Marker::label);
+        const auto location = std::ranges::find(layout.markers, stored.label, &Marker::label);
         const auto seen = std::ranges::find(record.pixels, stored.label, &MarkerPixel::label);
-        if (place == layout.markers.end() || seen == record.pixels.end())
+        if (location == layout.markers.end() || seen == record.pixels.end())
             return {};
         const auto floor = view.floorFromPixel(seen->pixel, 0);
-        const auto back = view.pixelFromWorld({place->pointInWorld.x(), place->pointInWorld.y(), 0});
+        const auto back = view.pixelFromWorld({location->pointInWorld.x(), location->pointInWorld.y(), 0});
         if (!floor || !back)
             return {};
         computed.push_back(
-            {stored.label, (*floor - place->pointInWorld).norm(), (*back - seen->pixel).norm()});
+            {stored.label, (*floor - location->pointInWorld).norm(), (*back - seen->pixel).norm()});
     }
     return computed;
 }
@@ -506,7 +506,7 @@ Result<void> checkChoices(const ProjectConnection &connection, const char *table
 
 } // namespace
 
-Result<void> checkDerivedFigures(Project &project, const ProjectConnection &connection,
+Result<void> checkDerivedMetrics(Project &project, const ProjectConnection &connection,
                                  std::vector<ProjectProblem> &problems)
 {
     ODO_TRY(checkTrials(connection, problems));

@@ -21,7 +21,7 @@ Result<void> checkAnalyses(Project &project, const ProjectConnection &connection
 /// against its recordings or imported tracks, the errors of the markers of each registration in force against
 /// its markers and pixels; and that what is in force of a camera is its own. Reads the last frame times of a
 /// trial only, so thousands of trials are quick.
-Result<void> checkDerivedFigures(Project &project, const ProjectConnection &connection,
+Result<void> checkDerivedMetrics(Project &project, const ProjectConnection &connection,
                                  std::vector<ProjectProblem> &problems);
 
 } // namespace odo

@@ -82,11 +82,12 @@ Result<void> addViews(ProjectConnection &connection, RecordId id, const Analysis
     return {};
 }
 
-Result<void> addOverrules(ProjectConnection &connection, RecordId id, const std::vector<Overrule> &overrules)
+Result<void> addOverrides(ProjectConnection &connection, RecordId id,
+                          const std::vector<ManualOverride> &overrides)
 {
-    for (const Overrule &overrule : overrules) {
+    for (const ManualOverride &manualOverride : overrides) {
         Statement insert(connection, QStringLiteral("INSERT INTO analysis_overrule VALUES (?,?,?)"));
-        ODO_TRY(insert.bind(id).bind(overrule.frame).bind(overrule.isSpike ? 1 : 0).run());
+        ODO_TRY(insert.bind(id).bind(manualOverride.frame).bind(manualOverride.isSpike ? 1 : 0).run());
     }
     return {};
 }
@@ -197,10 +198,10 @@ Result<void> readDecisions(const ProjectConnection &connection, AnalysisRecord &
     });
     if (!read)
         return read;
-    Statement overrules(connection, QStringLiteral("SELECT frame, is_spike FROM analysis_overrule "
+    Statement overrides(connection, QStringLiteral("SELECT frame, is_spike FROM analysis_overrule "
                                                    "WHERE analysis_id=? ORDER BY frame"));
-    read = overrules.bind(into.id).eachRow([&into](const Statement &row) -> Result<void> {
-        into.options.overrules.push_back({row.integer(0), row.integer(1) != 0});
+    read = overrides.bind(into.id).eachRow([&into](const Statement &row) -> Result<void> {
+        into.options.overrides.push_back({row.integer(0), row.integer(1) != 0});
         return {};
     });
     if (!read)
@@ -264,10 +265,10 @@ Result<AnalysisRecord> AnalysisRepository::add(AnalysisRecord analysis, const Sa
         ODO_TRY(checkAnalysis(analysis, source.count));
         const auto id = ODO_TRY(addRow(m_connection, analysis));
         ODO_TRY(addViews(m_connection, id, analysis));
-        ODO_TRY(addOverrules(m_connection, id, analysis.options.overrules));
+        ODO_TRY(addOverrides(m_connection, id, analysis.options.overrides));
         ODO_TRY(addFindings(m_connection, id, analysis.profile));
         ODO_TRY(addPassages(m_connection, id, analysis.profile.passages));
-        ODO_TRY(addDoubtfulNames(m_connection, id, analysis.doubtfulNames));
+        ODO_TRY(addAmbiguousNames(m_connection, id, analysis.ambiguousNames));
         ODO_TRY(addSeries(m_connection, id, analysis.profile, source));
         ODO_TRY(writeDigests(m_connection, id));
         analysis.id = id;
@@ -287,15 +288,15 @@ Result<std::vector<AnalysisRecord>> AnalysisRepository::current(RecordId trial) 
                 compared.changed.empty() ? AnalysisRecord::Proof::Holds : AnalysisRecord::Proof::Broken;
         ODO_TRY(readDecisions(m_connection, analysis));
         ODO_TRY(readSeries(m_connection, analysis));
-        auto doubts = ODO_TRY(doubtfulNames(analysis.id));
-        analysis.doubtfulNames = std::move(doubts);
+        auto ambiguities = ODO_TRY(ambiguousNames(analysis.id));
+        analysis.ambiguousNames = std::move(ambiguities);
     }
     return analyses;
 }
 
-Result<std::vector<DoubtfulName>> AnalysisRepository::doubtfulNames(RecordId analysis) const
+Result<std::vector<AmbiguousName>> AnalysisRepository::ambiguousNames(RecordId analysis) const
 {
-    return readDoubtfulNames(m_connection, analysis);
+    return readAmbiguousNames(m_connection, analysis);
 }
 
 Result<std::map<RecordId, std::vector<std::string>>> AnalysisRepository::trialsByRegistration() const
@@ -316,10 +317,10 @@ Result<std::map<RecordId, std::vector<std::string>>> AnalysisRepository::trialsB
     return trials;
 }
 
-Result<std::vector<TrialFigure>> AnalysisRepository::figures(const std::string &metric, Instant from,
-                                                             Instant to) const
+Result<std::vector<TrialMetric>> AnalysisRepository::trialMetrics(const std::string &metric, Instant from,
+                                                                  Instant to) const
 {
-    std::vector<TrialFigure> figures;
+    std::vector<TrialMetric> trialMetrics;
     Statement select(
         m_connection,
         QStringLiteral("SELECT trial.id, robot_id, unit, value, sigma FROM trial "
@@ -330,13 +331,13 @@ Result<std::vector<TrialFigure>> AnalysisRepository::figures(const std::string &
     select.bind(static_cast<std::int64_t>(from.time_since_epoch().count()));
     select.bind(static_cast<std::int64_t>(to.time_since_epoch().count()));
     auto read = select.bind(metric).eachRow([&](const Statement &row) -> Result<void> {
-        figures.push_back(
+        trialMetrics.push_back(
             {row.integer(0), row.integer(1), {metric, row.name(2), row.real(3), row.optionalReal(4)}});
         return {};
     });
     if (!read)
         return tl::unexpected(read.error());
-    return figures;
+    return trialMetrics;
 }
 
 Result<std::int64_t> AnalysisRepository::countWithoutDigest() const
@@ -397,9 +398,9 @@ void bindDates(Statement &statement, Instant from, Instant to)
 
 } // namespace
 
-Result<std::vector<ScoredFigures>> AnalysisRepository::scoredFigures(Instant from, Instant to) const
+Result<std::vector<ScoredMetrics>> AnalysisRepository::scoredMetrics(Instant from, Instant to) const
 {
-    std::vector<ScoredFigures> runs;
+    std::vector<ScoredMetrics> runs;
     std::unordered_map<RecordId, std::size_t> runOf; // by analysis
     Statement counts(
         m_connection,
@@ -426,7 +427,7 @@ Result<std::vector<ScoredFigures>> AnalysisRepository::scoredFigures(Instant fro
         return {};
     });
     if (!read || runs.empty())
-        return read ? Result<std::vector<ScoredFigures>>(runs) : tl::unexpected(read.error());
+        return read ? Result<std::vector<ScoredMetrics>>(runs) : tl::unexpected(read.error());
     Statement metrics(
         m_connection,
         scoredAnalyses(QStringLiteral("metric.name, unit, value, sigma"),

@@ -11,16 +11,16 @@ namespace odo {
 
 namespace {
 
-Message pictureName()
+Message imageName()
 {
     return ODO_TEXT("project.picture_name", "name of a calibration image");
 }
 
 Result<void> addUsed(ProjectConnection &connection, const IntrinsicsRecord &record, std::size_t position)
 {
-    const CalibrationPicture &picture = record.calibration.pictures[position];
-    const StoredPicture file = position < record.files.size() ? record.files[position] : StoredPicture{};
-    ODO_TRY(checkText(pictureName(), picture.view.source));
+    const CalibrationImage &image = record.calibration.images[position];
+    const StoredImage file = position < record.files.size() ? record.files[position] : StoredImage{};
+    ODO_TRY(checkText(imageName(), image.view.source));
     ODO_TRY(checkText(ODO_TEXT("project.picture_path", "path of a calibration image"), file.path));
     const std::filesystem::path path(file.path);
     Statement insert(connection,
@@ -28,51 +28,51 @@ Result<void> addUsed(ProjectConnection &connection, const IntrinsicsRecord &reco
                                     "used, corners, path, sha256, bytes) VALUES (?,?,?,?,?,?,?,?,?)"));
     insert.bind(record.id)
         .bind(static_cast<std::int64_t>(position))
-        .bind(picture.view.source)
-        .bind(picture.rmsPx);
-    insert.bind(picture.used ? 1 : 0).bind(packCorners(picture));
+        .bind(image.view.source)
+        .bind(image.rmsPx);
+    insert.bind(image.used ? 1 : 0).bind(packCorners(image));
     insert.bind(path.is_absolute() ? storedPath(connection.file(), path) : file.path);
     return insert.bind(file.sha256).bind(file.bytes).run();
 }
 
 Result<void> addRejected(ProjectConnection &connection, const IntrinsicsRecord &record, std::size_t position)
 {
-    const RejectedPicture &picture = record.calibration.rejected[position];
-    ODO_TRY(checkText(pictureName(), picture.file));
+    const RejectedImage &image = record.calibration.rejected[position];
+    ODO_TRY(checkText(imageName(), image.file));
     Statement insert(connection, QStringLiteral("INSERT INTO rejected_picture VALUES (?,?,?,?)"));
-    insert.bind(record.id).bind(static_cast<std::int64_t>(position)).bind(picture.file);
-    return insert.bind(picture.reason).run();
+    insert.bind(record.id).bind(static_cast<std::int64_t>(position)).bind(image.file);
+    return insert.bind(image.reason).run();
 }
 
 } // namespace
 
-Result<void> addCalibrationPictures(ProjectConnection &connection, const IntrinsicsRecord &record)
+Result<void> addCalibrationImages(ProjectConnection &connection, const IntrinsicsRecord &record)
 {
-    for (std::size_t i = 0; i < record.calibration.pictures.size(); ++i)
+    for (std::size_t i = 0; i < record.calibration.images.size(); ++i)
         ODO_TRY(addUsed(connection, record, i));
     for (std::size_t i = 0; i < record.calibration.rejected.size(); ++i)
         ODO_TRY(addRejected(connection, record, i));
     return {};
 }
 
-Result<void> readCalibrationPictures(const ProjectConnection &connection, IntrinsicsRecord &into)
+Result<void> readCalibrationImages(const ProjectConnection &connection, IntrinsicsRecord &into)
 {
     Statement used(connection, QStringLiteral("SELECT file, rms_px, used, corners, path, sha256, bytes FROM "
                                               "calibration_picture WHERE intrinsics_id=? ORDER BY position"));
     auto read = used.bind(into.id).eachRow([&into](const Statement &row) -> Result<void> {
-        CalibrationPicture picture;
-        picture.view.source = row.text(0);
-        picture.view.columns = into.board.columns;
-        picture.view.rows = into.board.rows;
-        picture.view.pattern = into.board.pattern.value_or(BoardPattern::Checkerboard);
-        picture.rmsPx = row.real(1);
-        picture.used = row.integer(2) != 0;
+        CalibrationImage image;
+        image.view.source = row.text(0);
+        image.view.columns = into.board.columns;
+        image.view.rows = into.board.rows;
+        image.view.pattern = into.board.pattern.value_or(BoardPattern::Checkerboard);
+        image.rmsPx = row.real(1);
+        image.used = row.integer(2) != 0;
         if (const QByteArray corners = row.blob(3); !corners.isEmpty()) {
             ODO_TRY(unpackCorners(
-                corners, ODO_TEXT("project.corners_of", "corners of '%1'")(Named::file(picture.view.source)),
-                picture));
+                corners, ODO_TEXT("project.corners_of", "corners of '%1'")(Named::file(image.view.source)),
+                image));
         }
-        into.calibration.pictures.push_back(std::move(picture));
+        into.calibration.images.push_back(std::move(image));
         into.files.push_back({row.text(4), row.text(5), row.integer(6)});
         return {};
     });
@@ -87,7 +87,7 @@ Result<void> readCalibrationPictures(const ProjectConnection &connection, Intrin
     });
 }
 
-Result<RecordId> addLens(ProjectConnection &connection, const Intrinsics &intrinsics)
+Result<RecordId> storeIntrinsics(ProjectConnection &connection, const Intrinsics &intrinsics)
 {
     Statement insert(connection,
                      QStringLiteral("INSERT INTO lens (width_px, height_px, fx_px, fy_px, cx_px, cy_px, "
@@ -106,7 +106,7 @@ Result<Intrinsics> lens(const ProjectConnection &connection, RecordId id)
                                     "distortion, covariance FROM lens WHERE id=?"));
     const auto found = ODO_TRY(select.bind(id).firstRow());
     if (!found)
-        return noSuchId(connection, RecordKind::Lens, id);
+        return noSuchId(connection, RecordKind::Intrinsics, id);
     const Message what = ODO_TEXT("project.lens_of_project", "lens calibration %1 of the project")(id);
     const auto model = ODO_TRY(fromStoredWord(lensModelWords, select.text(6), what));
     auto distortion = ODO_TRY(unpackNumbers(select.blob(7), what));

@@ -10,11 +10,11 @@ struct ProjectConnection;
 
 /// The images of a calibration as rows, used and rejected ones; CameraRepository's part of them. The record
 /// has its id.
-Result<void> addCalibrationPictures(ProjectConnection &connection, const IntrinsicsRecord &record);
-Result<void> readCalibrationPictures(const ProjectConnection &connection, IntrinsicsRecord &into);
+Result<void> addCalibrationImages(ProjectConnection &connection, const IntrinsicsRecord &record);
+Result<void> readCalibrationImages(const ProjectConnection &connection, IntrinsicsRecord &into);
 
 /// Intrinsics as rows of the table "lens", which calibrations and registrations refer to.
-Result<RecordId> addLens(ProjectConnection &connection, const Intrinsics &intrinsics);
+Result<RecordId> storeIntrinsics(ProjectConnection &connection, const Intrinsics &intrinsics);
 Result<Intrinsics> lens(const ProjectConnection &connection, RecordId id);
 
 } // namespace odo

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/calibration/lens_influence.h"
+#include "core/calibration/intrinsics_influence.h"
 #include "core/project/internal/calibration_rows.h"
 #include "core/project/internal/connection.h"
 #include "core/project/internal/series_blobs.h"
@@ -16,7 +16,7 @@ namespace odo {
 
 // Of a camera's calibrations, and likewise of its registrations, every revision stays; the newest is in force
 // unless a person has chosen another one. A choice of another camera's, which only a hand in the database can
-// make, is none; checkDerivedFigures names it. table: "intrinsics" or "registration", whose rows have a
+// make, is none; checkDerivedMetrics names it. table: "intrinsics" or "registration", whose rows have a
 // camera_id, and for which camera has a column that names the chosen one. columns: a SELECT up to its WHERE.
 // On the project's thread.
 
@@ -107,9 +107,9 @@ Result<IntrinsicsRecord> readIntrinsics(const ProjectConnection &connection, con
     record.board.squareM = row.real(12);
     record.board.markerRatio = row.real(13);
     record.board.dictionary = row.text(14);
-    record.calibration.lensReason = row.message(15);
+    record.calibration.modelReason = row.message(15);
     record.calibration.disagreeingPart = row.real(16);
-    ODO_TRY(readCalibrationPictures(connection, record));
+    ODO_TRY(readCalibrationImages(connection, record));
     return record;
 }
 
@@ -181,14 +181,14 @@ Result<IntrinsicsRecord> CameraRepository::addIntrinsics(const IntrinsicsRecord 
         const IntrinsicCalibration &calibration = intrinsics.calibration;
         ODO_TRY(checkText(ODO_TEXT("project.calibration_origin", "origin of a calibration"),
                           intrinsics.origin.english()));
-        const auto lensId = ODO_TRY(addLens(m_connection, calibration.intrinsics));
+        const auto intrinsicsId = ODO_TRY(storeIntrinsics(m_connection, calibration.intrinsics));
         Statement insert(
             m_connection,
             QStringLiteral("INSERT INTO intrinsics (camera_id, lens_id, made_ms, origin, rms_px, "
                            "cross_validation_px, verdict, software_version, board_pattern, board_columns, "
                            "board_rows, square_m, marker_ratio, dictionary, lens_reason, disagreeing_part) "
                            "VALUES (?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?)"));
-        insert.bind(intrinsics.camera).bind(lensId);
+        insert.bind(intrinsics.camera).bind(intrinsicsId);
         insert.bind(static_cast<std::int64_t>(intrinsics.made.time_since_epoch().count()))
             .bind(intrinsics.origin);
         insert.bind(calibration.rmsPx).bind(calibration.crossValidationPx).bind(calibration.verdict);
@@ -200,13 +200,13 @@ Result<IntrinsicsRecord> CameraRepository::addIntrinsics(const IntrinsicsRecord 
             .bind(board.squareM)
             .bind(board.markerRatio)
             .bind(board.dictionary);
-        insert.bind(calibration.lensReason).bind(calibration.disagreeingPart);
+        insert.bind(calibration.modelReason).bind(calibration.disagreeingPart);
         ODO_TRY(insert.run());
         IntrinsicsRecord stored = intrinsics;
         stored.id = insert.insertedId();
         Statement newest(m_connection, QStringLiteral("UPDATE camera SET intrinsics_id=NULL WHERE id=?"));
         ODO_TRY(newest.bind(intrinsics.camera).run());
-        ODO_TRY(addCalibrationPictures(m_connection, stored));
+        ODO_TRY(addCalibrationImages(m_connection, stored));
         return stored;
     });
 }
@@ -248,10 +248,11 @@ const QString registrationColumns = QStringLiteral(
     "x_m, y_m, z_m, pose_covariance, rms_px, rms_m, verdict, software_version, picture_path, picture_sha256, "
     "picture_bytes FROM registration ");
 
-Result<RecordId> addRow(ProjectConnection &connection, const RegistrationRecord &record, RecordId lensId)
+Result<RecordId> addRow(ProjectConnection &connection, const RegistrationRecord &record,
+                        RecordId intrinsicsId)
 {
     ODO_TRY(checkText(ODO_TEXT("project.registration_picture_path", "path of a registration's image"),
-                      record.picture.path));
+                      record.image.path));
     Statement insert(
         connection,
         QStringLiteral("INSERT INTO registration (camera_id, layout_id, intrinsics_id, assumed_lens_id, "
@@ -261,16 +262,16 @@ Result<RecordId> addRow(ProjectConnection &connection, const RegistrationRecord 
     const FloorRegistration &registration = record.registration;
     const Eigen::Quaterniond &q = registration.worldFromCamera.rotation;
     const Eigen::Vector3d &t = registration.worldFromCamera.translation;
-    insert.bind(record.camera).bind(record.layout).bindReference(record.intrinsics).bind(lensId);
+    insert.bind(record.camera).bind(record.layout).bindReference(record.intrinsics).bind(intrinsicsId);
     insert.bind(static_cast<std::int64_t>(record.made.time_since_epoch().count()));
     insert.bind(q.w()).bind(q.x()).bind(q.y()).bind(q.z()).bind(t.x()).bind(t.y()).bind(t.z());
     insert.bind(packSquare(registration.poseCovariance)).bind(registration.rmsPx).bind(registration.rmsM);
     insert.bind(registration.verdict).bind(record.softwareVersion);
-    const StoredPicture &picture = record.picture;
-    const std::filesystem::path path(picture.path);
-    insert.bind(path.is_absolute() ? storedPath(connection.file(), path) : picture.path)
-        .bind(picture.sha256)
-        .bind(picture.bytes);
+    const StoredImage &image = record.image;
+    const std::filesystem::path path(image.path);
+    insert.bind(path.is_absolute() ? storedPath(connection.file(), path) : image.path)
+        .bind(image.sha256)
+        .bind(image.bytes);
     ODO_TRY(insert.run());
     return insert.insertedId();
 }
@@ -358,7 +359,7 @@ Result<RegistrationRecord> readRegistration(const ProjectConnection &connection,
     registration.rmsM = row.real(15);
     registration.verdict = row.message(16);
     record.softwareVersion = row.name(17);
-    record.picture = {row.text(18), row.text(19), row.integer(20)};
+    record.image = {row.text(18), row.text(19), row.integer(20)};
     const Message what = registrationOfProject(record.id);
     const auto covariance = ODO_TRY(unpackSquare(row.blob(13), what));
     if (covariance.rows() != 6)
@@ -379,8 +380,8 @@ Result<RegistrationRecord> readRegistration(const ProjectConnection &connection,
 Result<RegistrationRecord> CameraRepository::addRegistration(const RegistrationRecord &registration)
 {
     return transact(m_connection, [&]() -> Result<RegistrationRecord> {
-        const auto lensId = ODO_TRY(addLens(m_connection, registration.assumedIntrinsics));
-        const auto id = ODO_TRY(addRow(m_connection, registration, lensId));
+        const auto intrinsicsId = ODO_TRY(storeIntrinsics(m_connection, registration.assumedIntrinsics));
+        const auto id = ODO_TRY(addRow(m_connection, registration, intrinsicsId));
         ODO_TRY(addMarkers(m_connection, id, registration));
         Statement newest(m_connection, QStringLiteral("UPDATE camera SET registration_id=NULL WHERE id=?"));
         ODO_TRY(newest.bind(registration.camera).run());

@@ -48,7 +48,7 @@ Result<std::unique_ptr<ProjectConnection>> ProjectConnection::open(const std::fi
 }
 
 /// place: the location of the database that is read as the file.
-Result<std::unique_ptr<ProjectConnection>> ProjectConnection::openAt(const std::filesystem::path &place,
+Result<std::unique_ptr<ProjectConnection>> ProjectConnection::openAt(const std::filesystem::path &location,
                                                                      const std::filesystem::path &file,
                                                                      DatabaseAccess access)
 {
@@ -63,14 +63,14 @@ Result<std::unique_ptr<ProjectConnection>> ProjectConnection::openAt(const std::
     if (access == DatabaseAccess::Immutable)
         options += QStringLiteral(";QSQLITE_OPEN_URI");
     database.setConnectOptions(options);
-    database.setDatabaseName(access == DatabaseAccess::Immutable ? immutableAddress(place)
-                                                                 : toQString(place));
+    database.setDatabaseName(access == DatabaseAccess::Immutable ? immutableAddress(location)
+                                                                 : toQString(location));
     if (!database.open()) {
         const SqliteRefusal reason = sqliteRefusal(database.lastError().nativeErrorCode().toInt(), 0);
         return fail(reason.code, connection->subject(), reason.why, reason.advice);
     }
     ODO_TRY(connection->configure());
-    connection->m_opened = identityOf(place).value_or(FileIdentity());
+    connection->m_opened = identityOf(location).value_or(FileIdentity());
     return connection;
 }
 
@@ -268,7 +268,7 @@ void ProjectConnection::removeLog() const noexcept
     }
 }
 
-std::optional<std::filesystem::path> ProjectConnection::presentPlace() const
+std::optional<std::filesystem::path> ProjectConnection::currentLocation() const
 {
     return placeOfOpenFile(m_opened);
 }

@@ -67,7 +67,7 @@ struct ProjectConnection
     /// turn, who may be writing right now. From then on nothing is written to it here.
     bool isOverwritten() const;
     /// Where the file is now that was opened; nothing where it was deleted.
-    std::optional<std::filesystem::path> presentPlace() const;
+    std::optional<std::filesystem::path> currentLocation() const;
     /// "project 'run.odo'": how messages name it.
     Message subject() const;
 
@@ -91,7 +91,7 @@ private:
     friend class Statement;
     ProjectConnection(std::filesystem::path file, QString name, DatabaseAccess access);
     static Result<std::unique_ptr<ProjectConnection>>
-    openAt(const std::filesystem::path &place, const std::filesystem::path &file, DatabaseAccess access);
+    openAt(const std::filesystem::path &location, const std::filesystem::path &file, DatabaseAccess access);
     Result<void> configure();
     bool mayRemoveLog(const HeldTurn &turn) const noexcept;
     void noteStamp() const;
@@ -175,7 +175,7 @@ public:
     Result<void> commit();
 
 private:
-    Result<void> checkPlace() const;
+    Result<void> checkPosition() const;
     Result<void> mark() const;
     void rollBack();
 

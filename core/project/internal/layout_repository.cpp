@@ -117,7 +117,7 @@ Result<LayoutRecord> LayoutRepository::get(RecordId id) const
     return readLayout(m_connection, select.integer(0), select.name(1));
 }
 
-Result<void> LayoutRepository::setPlaces(const LayoutRecord &layout)
+Result<void> LayoutRepository::setPoints(const LayoutRecord &layout)
 {
     return transact(m_connection, [&]() -> Result<void> {
         const auto stored = ODO_TRY(get(layout.id));

@@ -142,7 +142,7 @@ std::vector<std::string_view> namesIn(std::string_view list)
 }
 
 /// "left02.jpg (6)"
-Message pictureIn(std::string_view text)
+Message frameIn(std::string_view text)
 {
     const auto at = text.rfind(" (");
     if (at != std::string_view::npos && text.ends_with(')')) {
@@ -269,7 +269,7 @@ private:
         if (std::isupper(static_cast<unsigned char>(letter)) != 0) {
             std::vector<Message> parts;
             for (const Text name : namesIn(value))
-                parts.push_back(letter == 'P' ? pictureIn(name)
+                parts.push_back(letter == 'P' ? frameIn(name)
                                               : nameAlone({kindOf(static_cast<char>(std::tolower(letter))),
                                                            std::string(name)}));
             return listed(std::move(parts));

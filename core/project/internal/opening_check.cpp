@@ -235,7 +235,7 @@ Result<void> checkIsFile(const std::filesystem::path &file)
     std::error_code problem;
     const files::Kind kind = files::kindOf(file, problem);
     if (problem)
-        return cannotBeLookedAt(projectSubject(file), problem, checkFileMayBeRead());
+        return cannotBeInspected(projectSubject(file), problem, checkFileMayBeRead());
     if (kind == files::Kind::Missing)
         return fail(ErrorCode::NotFound, projectSubject(file), noSuchFile(),
                     ODO_TEXT("project.check_name_or_make", "check the name, or create a new project"));

@@ -45,7 +45,7 @@ struct KeptFile
 
 namespace {
 
-Message putOriginalBack()
+Message restoreOriginal()
 {
     return ODO_TEXT("project.put_original_back", "put the original file back in its place");
 }
@@ -65,7 +65,7 @@ Result<FileStatus> onDisk(const std::filesystem::path &file)
     if (status->kind != files::Kind::File)
         return fail(ErrorCode::InvalidInput, what,
                     ODO_TEXT("project.no_file_but_other", "it is a folder or a device, not a file"),
-                    putOriginalBack());
+                    restoreOriginal());
     return *status;
 }
 
@@ -95,7 +95,7 @@ public:
                 report(kept,
                        ODO_TEXT("project.has_other_size",
                                 "%1 has %2 bytes instead of %3")(kept.name, found->bytes, kept.bytes),
-                       putOriginalBack());
+                       restoreOriginal());
             else if (!kept.sha256.empty())
                 m_whole.push_back(&kept);
         }
@@ -131,7 +131,7 @@ public:
             else if (*hash != kept->sha256)
                 report(*kept,
                        ODO_TEXT("project.file_changed", "%1 has changed since it was created")(kept->name),
-                       putOriginalBack());
+                       restoreOriginal());
         }
         return {};
     }
@@ -334,15 +334,15 @@ void addCalibrationFiles(Project &project, const CameraRecord &camera, std::vect
     }
     for (const IntrinsicsRecord &record : *all) {
         for (std::size_t i = 0; i < record.files.size(); ++i) {
-            const StoredPicture &picture = record.files[i];
-            if (picture.path.empty())
+            const StoredImage &image = record.files[i];
+            if (image.path.empty())
                 continue;
             files.push_back(
-                {absolutePath(project.file(), picture.path),
+                {absolutePath(project.file(), image.path),
                  ODO_TEXT("project.calibration_picture_of", "the calibration image '%1' of camera '%2'")(
-                     Named::file(record.calibration.pictures[i].view.source), Named::camera(camera.name)),
-                 picture.sha256, picture.bytes,
-                 joined({putFileBack(),
+                     Named::file(record.calibration.images[i].view.source), Named::camera(camera.name)),
+                 image.sha256, image.bytes,
+                 joined({returnFile(),
                          ODO_TEXT("project.lens_kept", "the lens calibration remains valid without it")},
                         Join::Semicolon)});
         }
@@ -360,14 +360,14 @@ void addRegistrationFiles(Project &project, const CameraRecord &camera, std::vec
     }
     std::set<std::string> seen; // a registration recomputed from the same markers has the same image
     for (const RegistrationRecord &record : *all) {
-        if (record.picture.path.empty() || !seen.insert(record.picture.path).second)
+        if (record.image.path.empty() || !seen.insert(record.image.path).second)
             continue;
         files.push_back(
-            {absolutePath(project.file(), record.picture.path),
+            {absolutePath(project.file(), record.image.path),
              ODO_TEXT("project.registration_picture_of",
                       "the image of registration %1 of camera '%2'")(record.id, Named::camera(camera.name)),
-             record.picture.sha256, record.picture.bytes,
-             joined({putFileBack(),
+             record.image.sha256, record.image.bytes,
+             joined({returnFile(),
                      ODO_TEXT("project.registration_kept", "the registration remains valid without it")},
                     Join::Semicolon)});
     }
@@ -403,7 +403,7 @@ void addRecordingFiles(Project &project, std::vector<KeptFile> &kept, Problems &
         const Message name = ODO_TEXT("project.recording_of_view",
                                       "the recording of view '%1'")(Named::camera(recording.cameraName));
         if (unfinished.contains(recording.trial) && !files::exists(file))
-            problems.push_back({isMissing(name), fileSubject(file), putBackAndOpenAgain()});
+            problems.push_back({isMissing(name), fileSubject(file), restoreAndReopen()});
         else if (!unfinished.contains(recording.trial))
             kept.push_back(
                 {file, name, recording.sha256, recording.bytes,
@@ -456,7 +456,7 @@ Result<std::vector<ProjectProblem>> checkProject(Project &project, ProjectConnec
         if (!readable)
             problems.push_back({wholeMessage(error.what, error.why), file, restoreProject()});
     }
-    if (auto checked = checkDerivedFigures(project, connection, problems); !checked)
+    if (auto checked = checkDerivedMetrics(project, connection, problems); !checked)
         problems.push_back({wholeMessage(checked.error().what, checked.error().why), file, restoreProject()});
     const std::vector<KeptFile> files = filesOf(project, problems);
     if (auto checked = checkAnalyses(project, connection, withHashes, partOf(control, 0.1, 0.4), problems);

@@ -66,7 +66,7 @@ Result<void> checkRobot(const RobotRecord &robot)
     const auto refuse = [&robot](Message why, Message advice) {
         return fail(ErrorCode::InvalidInput, robotSubject(robot.name), std::move(why), std::move(advice));
     };
-    if (robot.heightMode == RobotRecord::Height::Told && !robot.heightM)
+    if (robot.heightMode == RobotRecord::Height::Given && !robot.heightM)
         return refuse(ODO_TEXT("project.height_not_given", "it needs a fixed height, but none is given"),
                       ODO_TEXT("project.give_a_height", "enter a height, or have it estimated"));
     if (robot.heightM && !(*robot.heightM >= 0))

@@ -27,7 +27,7 @@ constexpr BlobLayout squareLayout{'M', 1, 8};
 
 constexpr std::uint8_t foundBit = 1, duplicateBit = 2, borderBit = 4;
 constexpr std::uint8_t positionBit = 1, disagreementBit = 2;
-constexpr std::uint8_t standsOutBit = 1, leftOutBit = 2;
+constexpr std::uint8_t outlierBit = 1, leftOutBit = 2;
 constexpr std::size_t maxSquareSize = 64;
 
 /// One column: each row's value, as `value(row)` gives it.
@@ -104,12 +104,12 @@ Result<void> unpackTimes(const QByteArray &bytes, const Message &what, std::vect
     return {};
 }
 
-QByteArray packRawTimes(std::span<const RawTime> pictures)
+QByteArray packRawTimes(std::span<const RawTime> frames)
 {
-    BlobWriter writer(rawTimesLayout, pictures.size());
-    putColumn(writer, pictures, [](const RawTime &picture) { return picture.sequence; });
-    putColumn(writer, pictures, [](const RawTime &picture) { return std::int64_t(picture.device.count()); });
-    putColumn(writer, pictures, [](const RawTime &picture) { return std::int64_t(picture.arrival.count()); });
+    BlobWriter writer(rawTimesLayout, frames.size());
+    putColumn(writer, frames, [](const RawTime &image) { return image.sequence; });
+    putColumn(writer, frames, [](const RawTime &image) { return std::int64_t(image.device.count()); });
+    putColumn(writer, frames, [](const RawTime &image) { return std::int64_t(image.arrival.count()); });
     return writer.take();
 }
 
@@ -118,11 +118,11 @@ Result<void> unpackRawTimes(const QByteArray &bytes, const Message &what, std::v
     auto reader = ODO_TRY(BlobReader::open(bytes, rawTimesLayout, what));
     const auto fresh = appended(appendTo, reader.rows());
     takeColumn<std::uint64_t>(reader, fresh,
-                              [](RawTime &picture, std::uint64_t value) { picture.sequence = value; });
-    takeColumn<std::int64_t>(
-        reader, fresh, [](RawTime &picture, std::int64_t value) { picture.device = Nanoseconds(value); });
-    takeColumn<std::int64_t>(
-        reader, fresh, [](RawTime &picture, std::int64_t value) { picture.arrival = Nanoseconds(value); });
+                              [](RawTime &image, std::uint64_t value) { image.sequence = value; });
+    takeColumn<std::int64_t>(reader, fresh,
+                             [](RawTime &image, std::int64_t value) { image.device = Nanoseconds(value); });
+    takeColumn<std::int64_t>(reader, fresh,
+                             [](RawTime &image, std::int64_t value) { image.arrival = Nanoseconds(value); });
     return {};
 }
 
@@ -310,30 +310,30 @@ Result<void> unpackTruth(const QByteArray &bytes, const Message &what, TruthSeri
     return {};
 }
 
-QByteArray packCorners(const CalibrationPicture &picture)
+QByteArray packCorners(const CalibrationImage &image)
 {
-    const std::size_t corners = picture.view.pixels.size();
+    const std::size_t corners = image.view.pixels.size();
     std::vector<std::uint8_t> bits(corners, 0);
-    for (std::size_t corner : picture.outliers)
-        bits.at(corner) |= standsOutBit;
-    for (std::size_t corner : picture.leftOut)
+    for (std::size_t corner : image.outliers)
+        bits.at(corner) |= outlierBit;
+    for (std::size_t corner : image.leftOut)
         bits.at(corner) |= leftOutBit;
-    std::vector<Eigen::Vector2d> residuals = picture.residualsPx;
+    std::vector<Eigen::Vector2d> residuals = image.residualsPx;
     residuals.resize(corners, Eigen::Vector2d::Zero());
     BlobWriter writer(cornersLayout, corners);
     putColumn(writer, bits, [](std::uint8_t bit) { return bit; });
-    for (const auto *vectors : {&picture.view.pixels, &picture.view.pointsOnBoard, &std::as_const(residuals)})
+    for (const auto *vectors : {&image.view.pixels, &image.view.pointsOnBoard, &std::as_const(residuals)})
         putVector(writer, *vectors, [](const Eigen::Vector2d &vector) { return vector; });
     return writer.take();
 }
 
-Result<void> unpackCorners(const QByteArray &bytes, const Message &what, CalibrationPicture &into)
+Result<void> unpackCorners(const QByteArray &bytes, const Message &what, CalibrationImage &into)
 {
     auto reader = ODO_TRY(BlobReader::open(bytes, cornersLayout, what));
     const std::size_t corners = reader.rows();
     for (std::size_t i = 0; i < corners; ++i) {
         const auto bits = reader.take<std::uint8_t>();
-        if (bits & standsOutBit)
+        if (bits & outlierBit)
             into.outliers.push_back(i);
         if (bits & leftOutBit)
             into.leftOut.push_back(i);

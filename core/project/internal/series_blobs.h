@@ -31,7 +31,7 @@ constexpr std::size_t rowsPerChunk = 8192;
 QByteArray packTimes(std::span<const Nanoseconds> times);
 Result<void> unpackTimes(const QByteArray &bytes, const Message &what, std::vector<Nanoseconds> &appendTo);
 
-QByteArray packRawTimes(std::span<const RawTime> pictures);
+QByteArray packRawTimes(std::span<const RawTime> frames);
 Result<void> unpackRawTimes(const QByteArray &bytes, const Message &what, std::vector<RawTime> &appendTo);
 
 QByteArray packClockReadings(std::span<const ClockReading> readings);
@@ -54,9 +54,9 @@ QByteArray packTruth(const TruthSeries &truth);
 Result<void> unpackTruth(const QByteArray &bytes, const Message &what, TruthSeries &into);
 
 /// The corners of a board image with their residuals, and which of them are outliers or do not count.
-QByteArray packCorners(const CalibrationPicture &picture);
+QByteArray packCorners(const CalibrationImage &image);
 /// Fills in the image's corners; the rest stays as it is.
-Result<void> unpackCorners(const QByteArray &bytes, const Message &what, CalibrationPicture &into);
+Result<void> unpackCorners(const QByteArray &bytes, const Message &what, CalibrationImage &into);
 
 QByteArray packNumbers(std::span<const double> numbers);
 Result<std::vector<double>> unpackNumbers(const QByteArray &bytes, const Message &what);

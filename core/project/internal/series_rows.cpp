@@ -60,34 +60,34 @@ Result<std::optional<ObservationSeries>> TrialRepository::currentObservations(Re
     return std::optional(std::move(series));
 }
 
-Result<void> TrialRepository::setOverrules(RecordId trial, RecordId robot,
-                                           const std::vector<Overrule> &overrules)
+Result<void> TrialRepository::setManualOverrides(RecordId trial, RecordId robot,
+                                                 const std::vector<ManualOverride> &overrides)
 {
     return transact(m_connection, [&]() -> Result<void> {
         Statement remove(m_connection,
                          QStringLiteral("DELETE FROM overrule WHERE trial_id=? AND robot_id=?"));
         ODO_TRY(remove.bind(trial).bind(robot).run());
-        for (const Overrule &overrule : overrules) {
+        for (const ManualOverride &manualOverride : overrides) {
             Statement insert(m_connection, QStringLiteral("INSERT INTO overrule VALUES (?,?,?,?)"));
-            insert.bind(trial).bind(robot).bind(overrule.frame).bind(overrule.isSpike ? 1 : 0);
+            insert.bind(trial).bind(robot).bind(manualOverride.frame).bind(manualOverride.isSpike ? 1 : 0);
             ODO_TRY(insert.run());
         }
         return {};
     });
 }
 
-Result<std::vector<Overrule>> TrialRepository::overrules(RecordId trial, RecordId robot) const
+Result<std::vector<ManualOverride>> TrialRepository::overrides(RecordId trial, RecordId robot) const
 {
-    std::vector<Overrule> overrules;
+    std::vector<ManualOverride> overrides;
     Statement select(m_connection, QStringLiteral("SELECT frame, is_spike FROM overrule WHERE trial_id=? AND "
                                                   "robot_id=? ORDER BY frame"));
     auto read = select.bind(trial).bind(robot).eachRow([&](const Statement &row) -> Result<void> {
-        overrules.push_back({row.integer(0), row.integer(1) != 0});
+        overrides.push_back({row.integer(0), row.integer(1) != 0});
         return {};
     });
     if (!read)
         return tl::unexpected(read.error());
-    return overrules;
+    return overrides;
 }
 
 Result<void> TrialRepository::setPointedOut(RecordId trial, const std::vector<PointedOutRobot> &robots)
@@ -287,16 +287,16 @@ Result<std::optional<TruthSeries>> TrialRepository::truth(RecordId trial, Record
     return std::optional(std::move(truth));
 }
 
-Result<void> addDoubtfulNames(ProjectConnection &connection, RecordId analysis,
-                              const std::vector<DoubtfulName> &doubts)
+Result<void> addAmbiguousNames(ProjectConnection &connection, RecordId analysis,
+                               const std::vector<AmbiguousName> &ambiguities)
 {
-    for (std::size_t i = 0; i < doubts.size(); ++i) {
-        const DoubtfulName &doubt = doubts[i];
+    for (std::size_t i = 0; i < ambiguities.size(); ++i) {
+        const AmbiguousName &ambiguity = ambiguities[i];
         const auto position = static_cast<std::int64_t>(i);
         Statement insert(connection, QStringLiteral("INSERT INTO doubtful_name VALUES (?,?,?,?)"));
-        insert.bind(analysis).bind(position).bind(static_cast<std::int64_t>(doubt.from.count()));
-        ODO_TRY(insert.bind(static_cast<std::int64_t>(doubt.to.count())).run());
-        for (const RecordId other : doubt.others) {
+        insert.bind(analysis).bind(position).bind(static_cast<std::int64_t>(ambiguity.from.count()));
+        ODO_TRY(insert.bind(static_cast<std::int64_t>(ambiguity.to.count())).run());
+        for (const RecordId other : ambiguity.others) {
             Statement insertOther(connection,
                                   QStringLiteral("INSERT INTO doubtful_name_robot VALUES (?,?,?)"));
             ODO_TRY(insertOther.bind(analysis).bind(position).bind(other).run());
@@ -305,9 +305,9 @@ Result<void> addDoubtfulNames(ProjectConnection &connection, RecordId analysis,
     return {};
 }
 
-Result<std::vector<DoubtfulName>> readDoubtfulNames(const ProjectConnection &connection, RecordId analysis)
+Result<std::vector<AmbiguousName>> readAmbiguousNames(const ProjectConnection &connection, RecordId analysis)
 {
-    std::vector<DoubtfulName> doubts;
+    std::vector<AmbiguousName> ambiguities;
     std::optional<std::int64_t> last;
     Statement select(
         connection,
@@ -322,18 +322,18 @@ Result<std::vector<DoubtfulName>> readDoubtfulNames(const ProjectConnection &con
             constexpr std::int64_t latest = std::numeric_limits<std::int64_t>::max() / 2;
             const Nanoseconds from(std::clamp<std::int64_t>(row.integer(1), 0, latest)),
                 to(std::clamp<std::int64_t>(row.integer(2), 0, latest));
-            doubts.push_back({std::min(from, to), std::max(from, to), {}, {}});
+            ambiguities.push_back({std::min(from, to), std::max(from, to), {}, {}});
         }
         last = row.integer(0);
         if (row.integer(3) != 0) {
-            doubts.back().others.push_back(row.integer(3));
-            doubts.back().otherNames.push_back(row.name(4));
+            ambiguities.back().others.push_back(row.integer(3));
+            ambiguities.back().otherNames.push_back(row.name(4));
         }
         return {};
     });
     if (!read)
         return tl::unexpected(read.error());
-    return doubts;
+    return ambiguities;
 }
 
 } // namespace odo

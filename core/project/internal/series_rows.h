@@ -12,8 +12,8 @@ struct ProjectConnection;
 
 /// Stores when it was ambiguous which robot an analysis is of, and reads it back in the same order. On
 /// the connection's thread. Errors: those of the database; a robot that is not there.
-Result<void> addDoubtfulNames(ProjectConnection &connection, RecordId analysis,
-                              const std::vector<DoubtfulName> &doubts);
-Result<std::vector<DoubtfulName>> readDoubtfulNames(const ProjectConnection &connection, RecordId analysis);
+Result<void> addAmbiguousNames(ProjectConnection &connection, RecordId analysis,
+                               const std::vector<AmbiguousName> &ambiguities);
+Result<std::vector<AmbiguousName>> readAmbiguousNames(const ProjectConnection &connection, RecordId analysis);
 
 } // namespace odo

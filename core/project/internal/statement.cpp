@@ -212,7 +212,7 @@ RecordId Statement::insertedId() const
 }
 
 /// In the turn, of the outermost: whether what is stored gets to where the project was opened.
-Result<void> Transaction::checkPlace() const
+Result<void> Transaction::checkPosition() const
 {
     if (m_depth > 0)
         return {};
@@ -254,7 +254,7 @@ Result<void> Transaction::begin()
                     ODO_TEXT("project.try_change_again", "try the whole change again"));
     auto turn = ODO_TRY(m_connection.takeTurn());
     m_turn = std::move(turn);
-    ODO_TRY(checkPlace());
+    ODO_TRY(checkPosition());
     const QString sql =
         m_depth == 0 ? QStringLiteral("BEGIN IMMEDIATE") : QStringLiteral("SAVEPOINT step%1").arg(m_depth);
     if (auto begun = m_connection.execute(sql); !begun) {
@@ -269,7 +269,7 @@ Result<void> Transaction::begin()
 
 Result<void> Transaction::commit()
 {
-    if (auto inPlace = checkPlace(); !inPlace) {
+    if (auto inPlace = checkPosition(); !inPlace) {
         rollBack();
         return inPlace;
     }
@@ -331,7 +331,7 @@ SqliteRefusal unknownRefusal()
 SqliteRefusal fullDisk()
 {
     return {ErrorCode::Io, ODO_TEXT("project.disk_full", "the disk is full, the change was not saved"),
-            makeRoomOnDisk()};
+            freeDiskSpace()};
 }
 
 } // namespace

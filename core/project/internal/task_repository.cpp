@@ -20,7 +20,7 @@ const QString taskColumns = QStringLiteral("SELECT id, name, template, path_poin
                                            "max_speed_m_s, max_accel_m_s2, archived_ms FROM task ");
 
 /// x and y of each point in turn.
-QByteArray packPlaces(const std::vector<Eigen::Vector2d> &points)
+QByteArray packPositions(const std::vector<Eigen::Vector2d> &points)
 {
     std::vector<double> numbers;
     for (const Eigen::Vector2d &point : points)
@@ -29,8 +29,8 @@ QByteArray packPlaces(const std::vector<Eigen::Vector2d> &points)
 }
 
 /// ifCutOff: why it cannot be used where half a point is at its end.
-Result<std::vector<Eigen::Vector2d>> unpackPlaces(const QByteArray &blob, const Message &what,
-                                                  const Message &ifCutOff)
+Result<std::vector<Eigen::Vector2d>> unpackPositions(const QByteArray &blob, const Message &what,
+                                                     const Message &ifCutOff)
 {
     std::vector<Eigen::Vector2d> points;
     if (blob.isEmpty())
@@ -49,9 +49,9 @@ Result<void> readZones(const ProjectConnection &connection, const Message &what,
         connection, QStringLiteral("SELECT name, rule, corners FROM zone WHERE task_id=? ORDER BY position"));
     return select.bind(into.id).eachRow([&](const Statement &row) -> Result<void> {
         const auto rule = ODO_TRY(fromStoredWord(zoneRuleWords, row.text(1), zoneSubject(row.name(0))));
-        auto corners = ODO_TRY(
-            unpackPlaces(row.blob(2), what,
-                         ODO_TEXT("project.zone_cut_off", "its zone '%1' ends within a point")(row.name(0))));
+        auto corners = ODO_TRY(unpackPositions(
+            row.blob(2), what,
+            ODO_TEXT("project.zone_cut_off", "its zone '%1' ends within a point")(row.name(0))));
         into.task.zones.push_back({row.name(0), rule, std::move(corners)});
         return {};
     });
@@ -76,7 +76,7 @@ Result<void> readCourse(const ProjectConnection &connection, const Statement &ro
     const Message what = taskSubject(record.name);
     const auto kind = ODO_TRY(fromStoredWord(taskTemplateWords, row.text(2), what));
     record.task.kind = kind;
-    auto path = ODO_TRY(unpackPlaces(
+    auto path = ODO_TRY(unpackPositions(
         row.blob(3), what, ODO_TEXT("project.path_cut_off", "its reference path ends within a point")));
     record.task.path = {std::move(path), row.integer(4) != 0};
     record.task.limits = {row.optionalReal(5), row.optionalReal(6)};
@@ -137,7 +137,7 @@ Result<void> addZones(ProjectConnection &connection, RecordId task, const std::v
         ODO_TRY(checkName(RecordKind::Zone, zone.name));
         Statement insert(connection, QStringLiteral("INSERT INTO zone VALUES (?,?,?,?,?)"));
         insert.bind(task).bind(static_cast<std::int64_t>(i)).bind(zone.name);
-        ODO_TRY(insert.bind(storedWord(zoneRuleWords, zone.rule)).bind(packPlaces(zone.corners)).run());
+        ODO_TRY(insert.bind(storedWord(zoneRuleWords, zone.rule)).bind(packPositions(zone.corners)).run());
     }
     return {};
 }
@@ -168,7 +168,7 @@ Result<TaskRecord> TaskRepository::add(const TaskRecord &given)
                            "max_speed_m_s, max_accel_m_s2, archived_ms) VALUES (?,?,?,?,?,?,?)"));
         insert.bind(task.name)
             .bind(storedWord(taskTemplateWords, task.task.kind))
-            .bind(packPlaces(task.task.path.points));
+            .bind(packPositions(task.task.path.points));
         insert.bind(task.task.path.closed ? 1 : 0).bind(task.task.limits.maxSpeedMps);
         insert.bind(task.task.limits.maxAccelMps2);
         insert.bindReference(task.archived ? task.archived->time_since_epoch().count() : 0);
@@ -434,7 +434,7 @@ Result<void> TaskRepository::setScoring(RecordId task, const std::vector<Criteri
         ODO_TRY(runFor(m_connection, "DELETE FROM scoring WHERE task_id=?", task));
         std::int64_t position = 0;
         for (const Criterion &line : criteria) {
-            ODO_TRY(checkName(RecordKind::Figure, line.metric));
+            ODO_TRY(checkName(RecordKind::Metric, line.metric));
             Statement insert(m_connection, QStringLiteral("INSERT INTO scoring VALUES (?,?,?,?,?,?)"));
             insert.bind(task).bind(position++).bind(line.metric).bind(line.fullAt).bind(line.noneAt);
             ODO_TRY(insert.bind(line.points).run());

@@ -107,7 +107,7 @@ Message useAtMost(std::size_t count)
     return ODO_TEXT("project.use_at_most", "use at most %1")(count);
 }
 
-Message putFileBack()
+Message returnFile()
 {
     return ODO_TEXT("project.put_file_back", "put the file back in its place");
 }

@@ -36,7 +36,7 @@ Message isDamagedRestoreFile();       ///< advice, of what only a damaged file h
 Message restoreProject();             ///< advice
 Message hasTooManySamples();          ///< more than maxBlobRows
 Message useAtMost(std::size_t count); ///< advice
-Message putFileBack();                ///< advice
+Message returnFile();                 ///< advice
 Message keepIt();                     ///< advice
 Message projectCheck();               ///< "check of the project"
 Message runProjectCheck();            ///< advice
@@ -49,7 +49,7 @@ constexpr StoredWords<LensModel, 3> lensModelWords{
     {{LensModel::Standard, "standard"}, {LensModel::Rational, "rational"}, {LensModel::Fisheye, "fisheye"}}};
 constexpr StoredWords<BoardPattern, 2> boardPatternWords{
     {{BoardPattern::Checkerboard, "checkerboard"}, {BoardPattern::Charuco, "charuco"}}};
-constexpr StoredWords<RobotRecord::Height, 3> heightModeWords{{{RobotRecord::Height::Told, "told"},
+constexpr StoredWords<RobotRecord::Height, 3> heightModeWords{{{RobotRecord::Height::Given, "told"},
                                                                {RobotRecord::Height::Automatic, "automatic"},
                                                                {RobotRecord::Height::Free, "free"}}};
 constexpr StoredWords<Smoother, 4> smootherWords{{{Smoother::Rts, "rts"},
@@ -79,7 +79,7 @@ constexpr StoredWords<RegistrationCheck::Outcome, 4> checkOutcomeWords{
     {{RegistrationCheck::Outcome::Still, "still"},
      {RegistrationCheck::Outcome::CameraMoved, "camera"},
      {RegistrationCheck::Outcome::MarkersMoved, "markers"},
-     {RegistrationCheck::Outcome::NotTold, "not_told"}}};
+     {RegistrationCheck::Outcome::Undetermined, "not_told"}}};
 constexpr StoredWords<ChangeEntry::Kind, 3> changeKindWords{{{ChangeEntry::Kind::Made, "made"},
                                                              {ChangeEntry::Kind::Undone, "undone"},
                                                              {ChangeEntry::Kind::Redone, "redone"}}};

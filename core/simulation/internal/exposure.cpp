@@ -27,7 +27,7 @@ double shareOfExposure(double timeS, double exposureS, double fromS, double leng
 class Exposure
 {
 public:
-    Exposure(const SimulatedScene &scene, int camera, const PictureOutline &outline, double timeS)
+    Exposure(const SimulatedScene &scene, int camera, const ImageOutline &outline, double timeS)
         : m_scene(scene), m_camera(camera), m_view(scene.cameras[static_cast<std::size_t>(camera)].view),
           m_exposureS(scene.cameras[static_cast<std::size_t>(camera)].sensor.exposureS),
           m_readoutS(scene.cameras[static_cast<std::size_t>(camera)].sensor.readoutS), m_outline(outline),
@@ -80,7 +80,7 @@ private:
         thing.bounds = boundsOf(thing.pieces.front().outline);
         for (const PaintedPiece &piece : thing.pieces)
             thing.bounds = thing.bounds.united(boundsOf(piece.outline));
-        thing.bounds = thing.bounds.clipped(m_outline.pictureRect());
+        thing.bounds = thing.bounds.clipped(m_outline.imageRect());
         if (!thing.bounds.isEmpty())
             result.push_back(std::move(thing));
     }
@@ -168,8 +168,8 @@ private:
             return {middleS};
         const double turnPx =
             std::abs(std::remainder(end.headingRad - start.headingRad, 2 * std::numbers::pi)) * 50;
-        const double wayPx = (*to - *from).norm() + turnPx;
-        const int count = std::clamp(static_cast<int>(std::ceil(wayPx / subStepPx)), 1, mostSubSteps);
+        const double distancePx = (*to - *from).norm() + turnPx;
+        const int count = std::clamp(static_cast<int>(std::ceil(distancePx / subStepPx)), 1, mostSubSteps);
         std::vector<double> times;
         for (int i = 0; i < count; ++i)
             times.push_back(middleS + m_exposureS * ((i + 0.5) / count - 0.5));
@@ -312,14 +312,14 @@ private:
     const int m_camera;
     const FloorView &m_view;
     const double m_exposureS, m_readoutS;
-    const PictureOutline &m_outline;
+    const ImageOutline &m_outline;
     const double m_timeS;
 };
 
 } // namespace
 
 std::vector<PaintedThing> thingsInExposure(const SimulatedScene &scene, int camera,
-                                           const PictureOutline &outline, double timeS)
+                                           const ImageOutline &outline, double timeS)
 {
     return Exposure(scene, camera, outline, timeS).things();
 }

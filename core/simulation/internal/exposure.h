@@ -26,7 +26,7 @@ struct PaintedThing
 /// Everything that moves or comes and goes, as a camera sees it in an exposure about a time, from the
 /// farthest to the nearest: reflections, mirror images, shadows, robots and bystanders, occluders.
 std::vector<PaintedThing> thingsInExposure(const SimulatedScene &scene, int camera,
-                                           const PictureOutline &outline, double timeS);
+                                           const ImageOutline &outline, double timeS);
 
 /// Mean of the room's light over an exposure about a time, 1 where nothing changes it.
 double lightInExposure(const std::vector<LightChange> &lights, double exposureS, double timeS);

@@ -74,11 +74,11 @@ class FloorPainter
 public:
     FloorPainter(const SimulatedFloor &floor, const FloorView &view)
         : m_floor(floor), m_view(view), m_outline(view.camera(), view.cameraFromWorld()),
-          m_seed(floor.textureSeed), m_picture(m_outline.pictureRect())
+          m_seed(floor.textureSeed), m_image(m_outline.imageRect())
     {
     }
 
-    RgbPicture paint()
+    RgbImage paint()
     {
         paintRoom();
         paintTiles();
@@ -88,23 +88,23 @@ public:
         if (m_floor.markerSideM > 0)
             for (std::size_t i = 0; i < m_floor.markers.markers.size(); ++i)
                 paintMarker(m_floor.markers.markers[i].pointInWorld, static_cast<int>(i));
-        return std::move(m_picture);
+        return std::move(m_image);
     }
 
 private:
     void paintRoom()
     {
-        const PixelRect rect = m_picture.rect();
+        const PixelRect rect = m_image.rect();
         for (int y = rect.y0; y < rect.y1; ++y) {
             const float light = 0.86f + 0.22f * static_cast<float>(y) / static_cast<float>(rect.height());
-            std::fill_n(m_picture.row(y), rect.width(), toRgb(m_floor.room) * light);
+            std::fill_n(m_image.row(y), rect.width(), toRgb(m_floor.room) * light);
         }
     }
 
     void paintTiles()
     {
         paintOne(floorRectangle(m_floor.lower, m_floor.upper), toRgb(m_floor.colour) * 0.86f);
-        PolygonLayer tiles(m_picture.rect());
+        PolygonLayer tiles(m_image.rect());
         const double tile = m_floor.tileM;
         const Eigen::Array2i first = (m_floor.lower.array() / tile).floor().cast<int>();
         const Eigen::Array2i last = (m_floor.upper.array() / tile).ceil().cast<int>();
@@ -124,15 +124,15 @@ private:
                           toRgb(m_floor.colour) * static_cast<float>(light));
             }
         }
-        tiles.paintOver(m_picture);
+        tiles.paintOver(m_image);
     }
 
     void paintGrain()
     {
-        const PixelRect rect = m_picture.rect();
+        const PixelRect rect = m_image.rect();
         const FloorGrid grid(m_view, rect.width(), rect.height());
         for (int y = rect.y0; y < rect.y1; ++y) {
-            Rgb *pixels = m_picture.row(y);
+            Rgb *pixels = m_image.row(y);
             for (int x = rect.x0; x < rect.x1; ++x)
                 if (const auto point = grid.at(x, y))
                     pixels[x] *= static_cast<float>(1.0 + m_floor.textureAmplitude * grain(*point, m_seed));
@@ -149,7 +149,7 @@ private:
 
     void paintMarker(const Eigen::Vector2d &centre, int id)
     {
-        if (m_floor.markerFigure == MarkerFigure::Tag)
+        if (m_floor.markerShape == MarkerShape::Tag)
             paintTag(centre, id);
         else
             paintRound(centre);
@@ -161,7 +161,7 @@ private:
         const Eigen::Vector2d paper = Eigen::Vector2d::Constant(1.3 * radius);
         paintOne(floorRectangle(centre - paper, centre + paper), paperWhite);
         paintOne(circle(centre, radius), inkBlack);
-        if (m_floor.markerFigure == MarkerFigure::Ring)
+        if (m_floor.markerShape == MarkerShape::Ring)
             paintOne(circle(centre, radius / 2), paperWhite);
     }
 
@@ -184,7 +184,7 @@ private:
         const double half = cell * pattern.side / 2;
         const Eigen::Vector2d paper = Eigen::Vector2d::Constant(half + 0.5 * cell);
         paintOne(floorRectangle(centre - paper, centre + paper), paperWhite);
-        PolygonLayer ink(m_picture.rect());
+        PolygonLayer ink(m_image.rect());
         for (int row = 0; row < pattern.side; ++row) {
             for (int column = 0; column < pattern.side; ++column) {
                 if (!pattern.isBlack(column, row))
@@ -196,30 +196,30 @@ private:
                 ink.add(m_outline.of(floorRectangle(lower, upper)), inkBlack);
             }
         }
-        ink.paintOver(m_picture);
+        ink.paintOver(m_image);
     }
 
     void paintOne(const std::vector<Eigen::Vector3d> &corners, const Rgb &colour)
     {
         const std::vector<Eigen::Vector2d> outline = m_outline.of(corners);
-        const PixelRect rect = boundsOf(outline).clipped(m_picture.rect());
+        const PixelRect rect = boundsOf(outline).clipped(m_image.rect());
         if (rect.isEmpty())
             return;
         PolygonLayer layer(rect);
         layer.add(outline, colour);
-        layer.paintOver(m_picture);
+        layer.paintOver(m_image);
     }
 
     const SimulatedFloor &m_floor;
     const FloorView &m_view;
-    const PictureOutline m_outline;
+    const ImageOutline m_outline;
     const std::uint64_t m_seed;
-    RgbPicture m_picture;
+    RgbImage m_image;
 };
 
 } // namespace
 
-RgbPicture paintFloor(const SimulatedFloor &floor, const FloorView &view)
+RgbImage paintFloor(const SimulatedFloor &floor, const FloorView &view)
 {
     return FloorPainter(floor, view).paint();
 }

@@ -8,7 +8,7 @@ namespace odo {
 
 /// Paints what stands still: the room, the floor with its tiles and grain, patches and markers. Takes some
 /// 0.2 s.
-RgbPicture paintFloor(const SimulatedFloor &floor, const FloorView &view);
+RgbImage paintFloor(const SimulatedFloor &floor, const FloorView &view);
 
 /// The corners of a rectangle on the floor, in order.
 std::vector<Eigen::Vector3d> floorRectangle(const Eigen::Vector2d &lower, const Eigen::Vector2d &upper);

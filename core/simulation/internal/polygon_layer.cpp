@@ -82,12 +82,12 @@ void PolygonLayer::addSpan(Rgb *row, double xa, double xb, double cover, const R
     put(last + 1, cover * (1.0 - before));
 }
 
-void PolygonLayer::paintOver(RgbPicture &picture)
+void PolygonLayer::paintOver(RgbImage &image)
 {
-    const PixelRect rect = m_rect.clipped(picture.rect());
+    const PixelRect rect = m_rect.clipped(image.rect());
     for (int y = rect.y0; y < rect.y1; ++y) {
         const Rgb *changes = m_changes.data() + static_cast<std::ptrdiff_t>(y - m_rect.y0) * m_stride;
-        Rgb *pixels = picture.row(y) - picture.rect().x0;
+        Rgb *pixels = image.row(y) - image.rect().x0;
         Rgb sum = Rgb::Zero();
         for (int x = m_rect.x0; x < rect.x1; ++x) {
             sum += changes[x - m_rect.x0];
@@ -135,19 +135,19 @@ DirectionBounds directionsOfBorder(const CameraModel &camera)
 
 } // namespace
 
-PictureOutline::PictureOutline(CameraModel camera, RigidTransform cameraFromSource)
+ImageOutline::ImageOutline(CameraModel camera, RigidTransform cameraFromSource)
     : m_camera(std::move(camera)), m_cameraFromSource(std::move(cameraFromSource))
 {
     const DirectionBounds b = directionsOfBorder(m_camera);
     m_inward = {{1, 0, -b.lower.x()}, {-1, 0, b.upper.x()}, {0, 1, -b.lower.y()}, {0, -1, b.upper.y()}};
 }
 
-PixelRect PictureOutline::pictureRect() const
+PixelRect ImageOutline::imageRect() const
 {
     return {0, 0, m_camera.intrinsics().widthPx, m_camera.intrinsics().heightPx};
 }
 
-std::vector<Eigen::Vector3d> PictureOutline::clipped(std::vector<Eigen::Vector3d> polygon) const
+std::vector<Eigen::Vector3d> ImageOutline::clipped(std::vector<Eigen::Vector3d> polygon) const
 {
     // Sutherland and Hodgman 1974: one plane after the other.
     for (const Eigen::Vector3d &inward : m_inward) {
@@ -165,7 +165,7 @@ std::vector<Eigen::Vector3d> PictureOutline::clipped(std::vector<Eigen::Vector3d
     return polygon;
 }
 
-std::vector<Eigen::Vector2d> PictureOutline::of(std::span<const Eigen::Vector3d> polygon) const
+std::vector<Eigen::Vector2d> ImageOutline::of(std::span<const Eigen::Vector3d> polygon) const
 {
     std::vector<Eigen::Vector3d> inCamera;
     inCamera.reserve(polygon.size() + 4);

@@ -23,10 +23,10 @@ inline Rgb toRgb(const RgbColour &colour)
 }
 
 /// Full-resolution colour of a part of a frame.
-class RgbPicture
+class RgbImage
 {
 public:
-    explicit RgbPicture(const PixelRect &rect)
+    explicit RgbImage(const PixelRect &rect)
         : m_rect(rect),
           m_pixels(static_cast<std::size_t>(rect.width()) * static_cast<std::size_t>(rect.height()))
     {
@@ -40,9 +40,9 @@ public:
         return m_pixels.data() + static_cast<std::ptrdiff_t>(y - m_rect.y0) * m_rect.width();
     }
     /// A copy of a part, which must lie inside.
-    RgbPicture part(const PixelRect &rect) const
+    RgbImage part(const PixelRect &rect) const
     {
-        RgbPicture copy(rect);
+        RgbImage copy(rect);
         for (int y = rect.y0; y < rect.y1; ++y)
             std::copy_n(row(y) + (rect.x0 - m_rect.x0), rect.width(), copy.row(y));
         return copy;
@@ -68,7 +68,7 @@ public:
     /// Adds a closed polygon, in luma pixels, in either orientation; parts outside the rectangle are cut off.
     void add(std::span<const Eigen::Vector2d> outline, const Rgb &colour, double weight = 1.0);
     /// Paints the layer over a frame. The layer is used up by it.
-    void paintOver(RgbPicture &picture);
+    void paintOver(RgbImage &image);
 
 private:
     void addEdge(Eigen::Vector2d from, Eigen::Vector2d to, const Rgb &premultiplied);
@@ -81,16 +81,16 @@ private:
 
 /// Turns flat polygons in space into their outlines in the frame: cut to what the camera can see, and with
 /// the edges divided finely enough to follow the lens distortion to a thousandth of a pixel. Immutable.
-class PictureOutline
+class ImageOutline
 {
 public:
-    PictureOutline(CameraModel camera, RigidTransform cameraFromSource);
+    ImageOutline(CameraModel camera, RigidTransform cameraFromSource);
 
     /// Outline in luma pixels of a convex polygon (points in the source frame, metres); empty where it is out
     /// of sight.
     std::vector<Eigen::Vector2d> of(std::span<const Eigen::Vector3d> polygon) const;
 
-    PixelRect pictureRect() const;
+    PixelRect imageRect() const;
 
 private:
     std::vector<Eigen::Vector3d> clipped(std::vector<Eigen::Vector3d> polygon) const;

@@ -22,7 +22,10 @@ struct SolidFace
     std::vector<Eigen::Vector3d> corners;
     Eigen::Vector3d normal = Eigen::Vector3d::UnitZ(); ///< outward
 
-    bool isSeenFrom(const Eigen::Vector3d &place) const { return normal.dot(place - corners.front()) > 0; }
+    bool isSeenFrom(const Eigen::Vector3d &position) const
+    {
+        return normal.dot(position - corners.front()) > 0;
+    }
 };
 
 /// The base of an upright part, or the outline of any other seen from above; anticlockwise.
@@ -61,13 +64,13 @@ SolidFace faceOf(std::vector<Eigen::Vector3d> corners)
 
 /// Both ends and the sides of a prism. place: the position of a point of the outline at the lower (0) or
 /// upper (1) end.
-template <class Place>
-std::vector<SolidFace> prism(const std::vector<Eigen::Vector2d> &outline, const Place &place)
+template <class Position>
+std::vector<SolidFace> prism(const std::vector<Eigen::Vector2d> &outline, const Position &position)
 {
     std::vector<Eigen::Vector3d> lower, upper;
     for (const Eigen::Vector2d &point : outline) {
-        lower.push_back(place(point, 0));
-        upper.push_back(place(point, 1));
+        lower.push_back(position(point, 0));
+        upper.push_back(position(point, 1));
     }
     std::vector<SolidFace> faces{faceOf(upper), faceOf({lower.rbegin(), lower.rend()})};
     for (std::size_t i = 0; i < outline.size(); ++i) {

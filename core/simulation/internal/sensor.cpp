@@ -98,7 +98,7 @@ Sensor::Sensor(const SensorModel &model, int width, int height, std::uint64_t ke
                                                  m_across.after * numbers[i + 1])));
 }
 
-void Sensor::take(const RgbPicture &part)
+void Sensor::take(const RgbImage &part)
 {
     const PixelRect rect = part.rect();
     for (int y = rect.y0; y < rect.y1; ++y) {
@@ -118,7 +118,7 @@ PixelRect Sensor::chromaRect(const PixelRect &rect) const
             rect.y1 == m_height ? m_chromaHeight : (rect.y1 - 2) / 2 + 1};
 }
 
-void Sensor::takeChroma(const RgbPicture &part)
+void Sensor::takeChroma(const RgbImage &part)
 {
     const PixelRect rect = part.rect(), chroma = chromaRect(rect);
     const int lastX = rect.width() - 1, lastY = rect.y1 - 1;
@@ -161,10 +161,10 @@ void Sensor::restore(const PixelRect &rect)
     copyRows(chroma, m_chromaWidth, m_still.v, m_now.v);
 }
 
-std::shared_ptr<FrameBuffer> Sensor::read(double gain, std::uint64_t picture) const
+std::shared_ptr<FrameBuffer> Sensor::read(double gain, std::uint64_t image) const
 {
     auto frame = std::make_shared<FrameBuffer>(m_format);
-    const std::uint64_t key = randomHash(m_key, picture);
+    const std::uint64_t key = randomHash(m_key, image);
     readLuma(*frame, gain, randomHash(key, 1));
     readChroma(m_now.u, *frame, true, gain, randomHash(key, 2));
     readChroma(m_now.v, *frame, false, gain, randomHash(key, 3));

@@ -22,14 +22,14 @@ public:
 
     /// Takes over a part of the frame. Its border of two pixels (where it is not the frame's) must be as
     /// before.
-    void take(const RgbPicture &part);
+    void take(const RgbImage &part);
     /// Remembers the whole frame as it is now, for restore.
     void keepStill();
     /// Puts a part back to what keepStill remembered; a rectangle that was taken before.
     void restore(const PixelRect &rect);
 
     /// The frame: planes · gain + noise, rounded. The noise is that of this frame number.
-    std::shared_ptr<FrameBuffer> read(double gain, std::uint64_t picture) const;
+    std::shared_ptr<FrameBuffer> read(double gain, std::uint64_t image) const;
 
 private:
     struct Planes
@@ -41,7 +41,7 @@ private:
     {
         float before, at, after;
     };
-    void takeChroma(const RgbPicture &part);
+    void takeChroma(const RgbImage &part);
     PixelRect chromaRect(const PixelRect &rect) const;
     void readLuma(FrameBuffer &frame, double gain, std::uint64_t key) const;
     void readChroma(const std::vector<std::int16_t> &plane, FrameBuffer &frame, bool isU, double gain,

@@ -54,7 +54,7 @@ std::vector<TimedPosition> thinned(const std::vector<TimedPosition> &track)
     return means;
 }
 
-struct PlaceAndVelocity
+struct PositionAndVelocity
 {
     Eigen::Vector2d point, velocity;
     double velocityVariance =
@@ -65,7 +65,7 @@ struct PlaceAndVelocity
 /// (local quadratic regression, Cleveland 1979). Plain interpolation between two noisy positions will not do:
 /// its noise is least half-way between them, which draws the offset towards half frames. nullopt outside the
 /// track and where it has a gap.
-std::optional<PlaceAndVelocity> trackAt(const std::vector<TimedPosition> &track, double timeS)
+std::optional<PositionAndVelocity> trackAt(const std::vector<TimedPosition> &track, double timeS)
 {
     const auto isBefore = [](const TimedPosition &p, double t) { return p.timeS < t; };
     const auto begin = std::lower_bound(track.begin(), track.end(), timeS - halfWindowS, isBefore);
@@ -94,8 +94,8 @@ std::optional<PlaceAndVelocity> trackAt(const std::vector<TimedPosition> &track,
     }
     const double variance = squares / std::max(1.0, double(end - begin) - 3);
     const double gain = solver.solve(Eigen::Vector3d(0, 1, 0)).y() / (halfWindowS * halfWindowS);
-    return PlaceAndVelocity{parabola.row(0).transpose(), parabola.row(1).transpose() / halfWindowS,
-                            variance * gain};
+    return PositionAndVelocity{parabola.row(0).transpose(), parabola.row(1).transpose() / halfWindowS,
+                               variance * gain};
 }
 
 /// How the second view's times are mapped to the first's.
@@ -276,10 +276,10 @@ Fit refine(const std::vector<TimedPosition> &first, const std::vector<TimedPosit
 ClipOffset offsetFrom(const Fit &fit, double frameS)
 {
     const double noise = independentVariance(fit.agreement.variance, frameS),
-                 told = fit.agreement.information(0, 0);
+                 given = fit.agreement.information(0, 0);
     ClipOffset result;
     result.offsetS = fit.clock.offsetS;
-    result.sigmaS = told > 0 ? std::sqrt(noise / told) : 1e9;
+    result.sigmaS = given > 0 ? std::sqrt(noise / given) : 1e9;
     result.score =
         fit.motionVariance > 0 ? std::clamp(1 - fit.agreement.variance / fit.motionVariance, 0.0, 1.0) : 0;
     return result;
@@ -288,11 +288,11 @@ ClipOffset offsetFrom(const Fit &fit, double frameS)
 /// Fits the rate as well, if the motion determines it.
 ClipOffset withRate(const ClipOffset &plain, const Fit &plainFit, const Fit &fit, double frameS)
 {
-    const Eigen::Matrix2d &told = fit.agreement.information;
+    const Eigen::Matrix2d &given = fit.agreement.information;
     ClipOffset result = plain;
-    if (told(0, 0) <= 0 || told(1, 1) <= 0 || told.determinant() <= 0)
+    if (given(0, 0) <= 0 || given(1, 1) <= 0 || given.determinant() <= 0)
         return result;
-    const Eigen::Matrix2d covariance = independentVariance(fit.agreement.variance, frameS) * told.inverse();
+    const Eigen::Matrix2d covariance = independentVariance(fit.agreement.variance, frameS) * given.inverse();
     result.rateSigma = std::sqrt(covariance(1, 1));
     if (std::abs(fit.clock.rate) <= 3 * result.rateSigma || std::abs(fit.clock.rate) > largestClockRate ||
         fit.agreement.variance >= plainFit.agreement.variance)

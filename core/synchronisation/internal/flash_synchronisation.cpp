@@ -89,7 +89,7 @@ public:
     }
 
 private:
-    double timeS(std::size_t picture) const { return toSeconds(m_levels[picture].time); }
+    double timeS(std::size_t image) const { return toSeconds(m_levels[image].time); }
 
     bool isEdge(const Run &run) const
     {

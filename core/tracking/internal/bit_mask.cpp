@@ -332,19 +332,19 @@ public:
     ConnectedParts parts()
     {
         // of each run its part's; of each part where its next run belongs
-        std::vector<std::size_t> numbers(m_runs.size()), places;
+        std::vector<std::size_t> numbers(m_runs.size()), positions;
         for (std::size_t i = 0; i < m_runs.size(); ++i) {
             const std::size_t first = firstOf(i);
-            numbers[i] = first == i ? places.size() : numbers[first];
+            numbers[i] = first == i ? positions.size() : numbers[first];
             if (first == i)
-                places.push_back(0);
-            ++places[numbers[i]];
+                positions.push_back(0);
+            ++positions[numbers[i]];
         }
-        std::exclusive_scan(places.begin(), places.end(), places.begin(), std::size_t(0));
+        std::exclusive_scan(positions.begin(), positions.end(), positions.begin(), std::size_t(0));
         std::vector<PixelRun> runs(m_runs.size());
         for (std::size_t i = 0; i < m_runs.size(); ++i)
-            runs[places[numbers[i]]++] = m_runs[i];
-        return ConnectedParts(std::move(runs), places);
+            runs[positions[numbers[i]]++] = m_runs[i];
+        return ConnectedParts(std::move(runs), positions);
     }
 
 private:

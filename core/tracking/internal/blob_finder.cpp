@@ -278,7 +278,7 @@ void RegionMeasure::addInside(const ChromaGrid &grid, const Blob &blob, Sums &su
 bool RegionMeasure::findReference(const ChromaGrid &grid, int x, int y, int stepX, int stepY, int wanted,
                                   EdgeReference &reference) const
 {
-    const auto inPicture = [&grid](int px, int py) {
+    const auto inImage = [&grid](int px, int py) {
         return static_cast<unsigned>(px) < static_cast<unsigned>(grid.u.width) &&
                static_cast<unsigned>(py) < static_cast<unsigned>(grid.u.height);
     };
@@ -286,12 +286,12 @@ bool RegionMeasure::findReference(const ChromaGrid &grid, int x, int y, int step
     for (int r = 1; r <= farthestReference; ++r) {
         fineX += stepX, fineY += stepY;
         const int px = fineX >> 8, py = fineY >> 8;
-        if (!inPicture(px, py))
+        if (!inImage(px, py))
             return false;
         if (classAt(px, py) != wanted)
             continue;
         int qx = (fineX + stepX) >> 8, qy = (fineY + stepY) >> 8;
-        if (!inPicture(qx, qy) || classAt(qx, qy) != wanted)
+        if (!inImage(qx, qy) || classAt(qx, qy) != wanted)
             qx = px, qy = py;
         reference.u = 0.5f * static_cast<float>(grid.u.at(px, py) + grid.u.at(qx, qy));
         reference.v = 0.5f * static_cast<float>(grid.v.at(px, py) + grid.v.at(qx, qy));
@@ -350,8 +350,8 @@ void RegionMeasure::addEdge(const ChromaGrid &grid, const Blob &blob, const Regi
     }
 }
 
-RegionShape RegionMeasure::look(const ChromaGrid &grid, const Blob &blob, const RegionMask &mask,
-                                const Chroma &expected)
+RegionShape RegionMeasure::examine(const ChromaGrid &grid, const Blob &blob, const RegionMask &mask,
+                                   const Chroma &expected)
 {
     classify(mask);
     RegionShape shape;
@@ -366,7 +366,7 @@ RegionShape RegionMeasure::look(const ChromaGrid &grid, const Blob &blob, const 
 RegionShape RegionMeasure::measure(const ChromaGrid &grid, const Blob &blob, const RegionMask &mask,
                                    const Chroma &expected)
 {
-    RegionShape shape = look(grid, blob, mask, expected);
+    RegionShape shape = examine(grid, blob, mask, expected);
     Sums sums;
     addInside(grid, blob, sums);
     addEdge(grid, blob, mask, shape, sums);

@@ -109,8 +109,8 @@ public:
     /// Colour and noise only, with the moments of the mask's samples, which are right to a sample: half of
     /// the work, for a region whose outline is fitted otherwise. The mask must have been painted from the
     /// blob. `expected` is used if the region is too small to have a sample that is wholly inside.
-    RegionShape look(const ChromaGrid &grid, const Blob &blob, const RegionMask &mask,
-                     const Chroma &expected);
+    RegionShape examine(const ChromaGrid &grid, const Blob &blob, const RegionMask &mask,
+                        const Chroma &expected);
     /// All of it.
     RegionShape measure(const ChromaGrid &grid, const Blob &blob, const RegionMask &mask,
                         const Chroma &expected);

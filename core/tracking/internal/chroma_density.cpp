@@ -190,19 +190,19 @@ double ChromaDensity::overlap(const ChromaDensity &other) const
     return sum;
 }
 
-double likeness(const Chroma &seen, const Chroma &told)
+double likeness(const Chroma &seen, const Chroma &given)
 {
-    const double toldSaturation = told.norm(), seenSaturation = seen.norm();
-    if (toldSaturation <= 0 || seenSaturation <= 0)
+    const double givenSaturation = given.norm(), seenSaturation = seen.norm();
+    if (givenSaturation <= 0 || seenSaturation <= 0)
         return 0;
-    const double cosine = std::clamp(seen.dot(told) / (seenSaturation * toldSaturation), -1.0, 1.0);
-    const double paler = std::min(toldSaturation, seenSaturation);
+    const double cosine = std::clamp(seen.dot(given) / (seenSaturation * givenSaturation), -1.0, 1.0);
+    const double paler = std::min(givenSaturation, seenSaturation);
     const double variance = hueSigmaRad * hueSigmaRad + chromaSigma * chromaSigma / (paler * paler);
     // The square of an angle is no less than that of its chord.
     if (2 * (1 - cosine) > mostSquaredSigmas * variance)
         return 0;
     const double angle = std::acos(cosine);
-    const double ratio = seenSaturation / toldSaturation;
+    const double ratio = seenSaturation / givenSaturation;
     double excess = 0;
     if (ratio < dimmestUnpenalised)
         excess = std::log(dimmestUnpenalised / ratio) / 0.25;
@@ -211,20 +211,20 @@ double likeness(const Chroma &seen, const Chroma &told)
     return std::exp(-0.5 * (angle * angle / variance + excess * excess));
 }
 
-ChromaDensity densityOfToldColour(const Chroma &told)
+ChromaDensity densityOfGivenColour(const Chroma &given)
 {
     ChromaDensity density;
     for (std::size_t bin = 0; bin < ChromaDensity::binCount; ++bin)
-        density[bin] = static_cast<float>(likeness(ChromaDensity::centreOf(bin), told));
+        density[bin] = static_cast<float>(likeness(ChromaDensity::centreOf(bin), given));
     density.normalise();
     return density;
 }
 
-ChromaTable::ChromaTable(const ChromaDensity &robot, const ChromaDensity &background, float doubt)
+ChromaTable::ChromaTable(const ChromaDensity &robot, const ChromaDensity &background, float uncertainty)
 {
     for (std::size_t bin = 0; bin < ChromaDensity::binCount; ++bin) {
         const float likelihood = robot[bin];
-        const float all = likelihood + background[bin] + doubt;
+        const float all = likelihood + background[bin] + uncertainty;
         m_weights[bin] = all > 0 ? static_cast<std::uint8_t>(255.0f * likelihood / all + 0.5f) : 0;
     }
     findBox();

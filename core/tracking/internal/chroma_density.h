@@ -72,10 +72,10 @@ private:
 /// 1 at the given chroma, falling with the angle between the hues and, outside 0.6 to 1.5 times its
 /// saturation, with the saturation: how well the observed colour may be the given one under some light and
 /// camera.
-double likeness(const Chroma &seen, const Chroma &told);
+double likeness(const Chroma &seen, const Chroma &given);
 
 /// The likeness as a density.
-ChromaDensity densityOfToldColour(const Chroma &told);
+ChromaDensity densityOfGivenColour(const Chroma &given);
 
 /// For each chroma bin the probability (0 to 255) that a sample of it is the robot's, the robot and the rest
 /// being equally likely beforehand. What the inner loops read.
@@ -87,7 +87,7 @@ public:
     ChromaTable() = default;
     /// Weight = F/(F + B + doubt): robot and background as densities that sum to about one; doubt is what a
     /// chroma that was never seen at all has against it.
-    ChromaTable(const ChromaDensity &robot, const ChromaDensity &background, float doubt);
+    ChromaTable(const ChromaDensity &robot, const ChromaDensity &background, float uncertainty);
 
     /// Takes what either table takes.
     void add(const ChromaTable &other);

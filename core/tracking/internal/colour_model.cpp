@@ -9,7 +9,7 @@ namespace odo {
 namespace {
 
 constexpr double dimmer = 0.6, brighter = 1.35; ///< smear of the table about the present colour
-constexpr double learnedDoubt = 2e-3, toldDoubt = 1e-4;
+constexpr double learnedUncertainty = 2e-3, givenUncertainty = 1e-4;
 constexpr double leastLikeness = 0.4; ///< to the given colour, without regard to the background
 constexpr double followGain = 0.25;
 constexpr double scaleStep = 0.06, turnStepRad = 0.035; ///< before the table is built again
@@ -17,15 +17,15 @@ constexpr double leastScale = 0.35, mostScale = 2.5, mostTurnRad = 0.4;
 
 } // namespace
 
-ColourModel::ColourModel(const Chroma &told)
-    : m_told(told), m_toldDensity(densityOfToldColour(told)), m_density(m_toldDensity)
+ColourModel::ColourModel(const Chroma &given)
+    : m_given(given), m_givenDensity(densityOfGivenColour(given)), m_density(m_givenDensity)
 {
 }
 
 Chroma ColourModel::expected() const
 {
     if (!m_learned)
-        return m_told;
+        return m_given;
     const double c = std::cos(m_turnRad), s = std::sin(m_turnRad);
     return m_scale * Chroma(c * m_mean.x() - s * m_mean.y(), s * m_mean.x() + c * m_mean.y());
 }
@@ -47,26 +47,26 @@ float ColourModel::leastAlike() const
 {
     float highest = 0;
     for (std::size_t bin = 0; bin < ChromaDensity::binCount; ++bin)
-        highest = std::max(highest, m_toldDensity[bin]);
+        highest = std::max(highest, m_givenDensity[bin]);
     return static_cast<float>(leastLikeness) * highest;
 }
 
-double ColourModel::shareAlike(const ChromaDensity &picture) const
+double ColourModel::shareAlike(const ChromaDensity &image) const
 {
     const float least = leastAlike();
     double share = 0;
     for (std::size_t bin = 0; bin < ChromaDensity::binCount; ++bin) {
-        if (m_toldDensity[bin] > least)
-            share += picture[bin];
+        if (m_givenDensity[bin] > least)
+            share += image[bin];
     }
     return share;
 }
 
-ChromaTable ColourModel::toldTable(const ChromaDensity *background) const
+ChromaTable ColourModel::givenColourTable(const ChromaDensity *background) const
 {
     if (background)
-        return {m_toldDensity, *background, static_cast<float>(toldDoubt)};
-    return {m_toldDensity, ChromaDensity(), leastAlike()};
+        return {m_givenDensity, *background, static_cast<float>(givenUncertainty)};
+    return {m_givenDensity, ChromaDensity(), leastAlike()};
 }
 
 void ColourModel::learn(const ChromaGrid &grid, const RegionMask &mask, const Chroma &mean)
@@ -102,7 +102,7 @@ bool ColourModel::follow(const Chroma &seen)
 
 void ColourModel::buildTable(const ChromaDensity &background)
 {
-    m_table = {m_smeared.transformed(m_scale, m_turnRad), background, static_cast<float>(learnedDoubt)};
+    m_table = {m_smeared.transformed(m_scale, m_turnRad), background, static_cast<float>(learnedUncertainty)};
     m_tableScale = m_scale;
     m_tableTurnRad = m_turnRad;
 }
@@ -133,7 +133,7 @@ void Strangers::note(const TrackedFrame &frame, const std::vector<Blob> &blobs, 
         const Eigen::Vector2d centre = frame.grid().toLuma(blob.centre());
         const double areaPx = blob.area() * frame.lumaPerSample();
         if (m_strangers.size() < mostStrangers && areaPx > leastArea * lost.areaPx &&
-            (centre - lost.placePx).norm() > fartherThanRobotRadii * lost.radiusPx)
+            (centre - lost.positionPx).norm() > fartherThanRobotRadii * lost.radiusPx)
             m_strangers.push_back({centre, areaPx});
     }
 }

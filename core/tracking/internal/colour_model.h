@@ -14,10 +14,10 @@ class ColourModel
 {
 public:
     ColourModel() = default;
-    explicit ColourModel(const Chroma &told);
+    explicit ColourModel(const Chroma &given);
 
-    const Chroma &told() const { return m_told; }
-    const ChromaDensity &toldDensity() const { return m_toldDensity; }
+    const Chroma &given() const { return m_given; }
+    const ChromaDensity &givenDensity() const { return m_givenDensity; }
     bool isLearned() const { return m_learned; }
     /// The chroma the robot is expected to show now.
     Chroma expected() const;
@@ -28,10 +28,10 @@ public:
     ChromaDensity densityUnderOtherLight() const;
 
     /// The share of a frame (passed as its density) that looks like the given colour: 0 to 1.
-    double shareAlike(const ChromaDensity &picture) const;
+    double shareAlike(const ChromaDensity &image) const;
 
     /// A table from the given colour. Without regard to the background it finds more, and more that is wrong.
-    ChromaTable toldTable(const ChromaDensity *background) const;
+    ChromaTable givenColourTable(const ChromaDensity *background) const;
 
     /// Learns the colour from the samples of a mask that are in the frame.
     void learn(const ChromaGrid &grid, const RegionMask &mask, const Chroma &mean);
@@ -46,9 +46,9 @@ public:
 private:
     float leastAlike() const;
 
-    Chroma m_told = Chroma::Zero(), m_mean = Chroma::Zero();
+    Chroma m_given = Chroma::Zero(), m_mean = Chroma::Zero();
     bool m_learned = false;
-    ChromaDensity m_toldDensity;
+    ChromaDensity m_givenDensity;
     ChromaDensity m_density;           ///< as learned
     ChromaDensity m_smeared;           ///< the same under other light
     double m_scale = 1, m_turnRad = 0; ///< of the present colour against the learned one
@@ -59,7 +59,7 @@ private:
 /// A robot as it was when it was lost.
 struct LostRobot
 {
-    Eigen::Vector2d placePx = Eigen::Vector2d::Zero(); ///< where it should be now
+    Eigen::Vector2d positionPx = Eigen::Vector2d::Zero(); ///< where it should be now
     double radiusPx = 0, areaPx = 0;
     double sinceS = 0;     ///< since it was last seen
     bool justLost = false; ///< this is the first frame without it

@@ -268,7 +268,7 @@ void ComparedWindow::compare(const Frame &frame, const LightGain &gain, const Di
     m_frame = &frame;
     m_gain = gain;
     compareRows(part);
-    placeAround(m_differs.crowded().bounds(), part.rect); // single pixels are noise
+    positionAround(m_differs.crowded().bounds(), part.rect); // single pixels are noise
 }
 
 float ComparedWindow::chromaNoise2(int x, int y) const
@@ -286,7 +286,7 @@ void ComparedWindow::compareRows(const DifferenceWindow &part)
     takeChroma(enlarger, m_frame->v, 1, m_vSamples);
     takeChroma(enlarger, m_background.u, m_gain.factor, m_uBehindSamples);
     takeChroma(enlarger, m_background.v, m_gain.factor, m_vBehindSamples);
-    const int columns = ChromaEnlarger::room(part.rect.width());
+    const int columns = ChromaEnlarger::margin(part.rect.width());
     for (cv::Mat1s *plane : {&m_uPart, &m_vPart, &m_uBehindPart, &m_vBehindPart})
         plane->create(part.rect.height(), columns);
     for (BitMask *mask : {&m_differs, &m_plain, &m_darkened})
@@ -319,8 +319,8 @@ void ComparedWindow::compareRow(const DifferenceWindow &part, int y, ChromaEnlar
     const DifferenceWindow::Band &band = part.bands[std::size_t(y / DifferenceLattice::step)];
     if (band.begin >= band.end)
         return;
-    const int x0 = part.rect.x0 + band.begin, width = band.end - band.begin, pictureY = part.rect.y0 + y,
-              ahead = std::min(pictureY + windowRowsAhead, part.rect.y1 - 1);
+    const int x0 = part.rect.x0 + band.begin, width = band.end - band.begin, imageY = part.rect.y0 + y,
+              ahead = std::min(imageY + windowRowsAhead, part.rect.y1 - 1);
     fetchEarly(m_frame->y.row(ahead) + x0, width);
     fetchEarly(m_background.y.row(ahead) + x0, width);
     fetchEarly(reinterpret_cast<const std::uint8_t *>(m_noise.lumaRow(ahead) + x0), 2 * width);
@@ -329,17 +329,17 @@ void ComparedWindow::compareRow(const DifferenceWindow &part, int y, ChromaEnlar
         enlarger.enlargeRow(samples, y, band.begin, band.end, row);
         return row;
     };
-    readChromaInverse(x0, width, pictureY);
+    readChromaInverse(x0, width, imageY);
     const ComparedRow row{width,
                           m_gain,
                           m_background.darkestShadow,
-                          m_frame->y.row(pictureY) + x0,
-                          m_background.y.row(pictureY) + x0,
+                          m_frame->y.row(imageY) + x0,
+                          m_background.y.row(imageY) + x0,
                           enlarge(m_uSamples, m_uPart),
                           enlarge(m_vSamples, m_vPart),
                           enlarge(m_uBehindSamples, m_uBehindPart),
                           enlarge(m_vBehindSamples, m_vBehindPart),
-                          m_noise.lumaRow(pictureY) + x0,
+                          m_noise.lumaRow(imageY) + x0,
                           m_chromaInverse.data()};
     row.markDifferences(m_marks.data(), m_plainMarks.data());
     m_differs.setRow(y, m_marks.data() + band.safeBegin - band.begin, band.safeBegin, band.safeEnd);
@@ -352,7 +352,7 @@ void ComparedWindow::compareRow(const DifferenceWindow &part, int y, ChromaEnlar
 }
 
 /// Makes the window of the foreground in the part.
-void ComparedWindow::placeAround(const PixelRect &found, const PixelRect &part)
+void ComparedWindow::positionAround(const PixelRect &found, const PixelRect &part)
 {
     const PixelRect within = found.isEmpty() ? PixelRect()
                                              : PixelRect{found.x0 - marginPx, found.y0 - marginPx,

@@ -13,9 +13,9 @@ namespace {
 
 constexpr int windowMargin = 12, nearMargin = 20; // luma pixels around what was found on the lattice
 
-PixelRect grownBy(const PixelRect &rect, int margin, const PixelRect &picture)
+PixelRect grownBy(const PixelRect &rect, int margin, const PixelRect &image)
 {
-    return PixelRect{rect.x0 - margin, rect.y0 - margin, rect.x1 + margin, rect.y1 + margin}.clipped(picture);
+    return PixelRect{rect.x0 - margin, rect.y0 - margin, rect.x1 + margin, rect.y1 + margin}.clipped(image);
 }
 
 /// Rectangles that hold those given and do not overlap.
@@ -67,7 +67,7 @@ std::vector<DifferenceWindow::Band> bandsOf(const BitMask &found, const PixelRec
 
 } // namespace
 
-std::vector<std::vector<DifferenceWindow>> windowsAround(const BitMask &differences, const PixelRect &picture)
+std::vector<std::vector<DifferenceWindow>> windowsAround(const BitMask &differences, const PixelRect &image)
 {
     // One or two samples are noise; those that are two apart belong together.
     constexpr int step = DifferenceLattice::step;
@@ -76,8 +76,8 @@ std::vector<std::vector<DifferenceWindow>> windowsAround(const BitMask &differen
     for (const ConnectedPart &part : connectedParts(found)) {
         const PixelRect cells = boundsOf(part),
                         box{cells.x0 * step, cells.y0 * step, cells.x1 * step, cells.y1 * step};
-        windows.push_back(grownBy(box, windowMargin, picture));
-        wide.push_back(grownBy(box, nearMargin, picture));
+        windows.push_back(grownBy(box, windowMargin, image));
+        wide.push_back(grownBy(box, nearMargin, image));
     }
     windows = merged(windows);
     std::vector<std::vector<DifferenceWindow>> groups;
@@ -97,7 +97,7 @@ namespace {
 constexpr int rowsAhead = 6;
 
 /// The row of luma pixels on which a row of the lattice lies.
-int pictureRow(int latticeRow)
+int imageRow(int latticeRow)
 {
     return latticeRow * DifferenceLattice::step + DifferenceLattice::step / 2;
 }
@@ -172,8 +172,7 @@ void DifferenceLattice::takePlane(const RowOf &rowOf, int shiftX, int shiftY,
 {
     into.resize(std::size_t(m_columns) * std::size_t(m_rows));
     for (int j = 0; j < m_rows; ++j)
-        takeRow(rowOf(pictureRow(j) >> shiftY), shiftX, m_columns,
-                into.data() + std::ptrdiff_t(j) * m_columns);
+        takeRow(rowOf(imageRow(j) >> shiftY), shiftX, m_columns, into.data() + std::ptrdiff_t(j) * m_columns);
 }
 
 void DifferenceLattice::compare(const Frame &frame, const Background &background)
@@ -182,8 +181,8 @@ void DifferenceLattice::compare(const Frame &frame, const Background &background
     m_luma.resize(m_behind.y.size());
     for (int j = 0; j < m_rows; ++j) {
         if (j + rowsAhead < m_rows)
-            fetchEarly(frame.y.row(pictureRow(j + rowsAhead)), frame.y.width);
-        takeRow(frame.y.row(pictureRow(j)), 0, m_columns, m_luma.data() + std::ptrdiff_t(j) * m_columns);
+            fetchEarly(frame.y.row(imageRow(j + rowsAhead)), frame.y.width);
+        takeRow(frame.y.row(imageRow(j)), 0, m_columns, m_luma.data() + std::ptrdiff_t(j) * m_columns);
     }
     // all of it: samples aligned with a codec's blocks give a less exact gain
     const Background::Plane &behind = background.y;
@@ -195,11 +194,11 @@ void DifferenceLattice::compare(const Frame &frame, const Background &background
         row->resize(std::size_t(m_columns));
     for (int j = 0; j < m_rows; ++j) {
         if (j + rowsAhead < m_rows) {
-            fetchEarly(frame.u.row(pictureRow(j + rowsAhead) >> sy), frame.u.width);
-            fetchEarly(frame.v.row(pictureRow(j + rowsAhead) >> sy), frame.v.width);
+            fetchEarly(frame.u.row(imageRow(j + rowsAhead) >> sy), frame.u.width);
+            fetchEarly(frame.v.row(imageRow(j + rowsAhead) >> sy), frame.v.width);
         }
-        takeRow(frame.u.row(pictureRow(j) >> sy), sx, m_columns, m_u.data());
-        takeRow(frame.v.row(pictureRow(j) >> sy), sx, m_columns, m_v.data());
+        takeRow(frame.u.row(imageRow(j) >> sy), sx, m_columns, m_u.data());
+        takeRow(frame.v.row(imageRow(j) >> sy), sx, m_columns, m_v.data());
         compareRow(j);
     }
 }
@@ -227,18 +226,17 @@ void DifferenceLattice::adaptToLight()
         m_litBehind[i] = table[m_behind.y[i]];
 }
 
-/// Whether a step is larger than the noise. inPicture, inRow: the sample's number in the frame and in its
+/// Whether a step is larger than the noise. inImage, inRow: the sample's number in the frame and in its
 /// row.
-bool DifferenceLattice::differs(std::size_t inPicture, std::size_t inRow) const
+bool DifferenceLattice::differs(std::size_t inImage, std::size_t inRow) const
 {
     const auto share = [](int difference, int sigmas) {
         return squared(float(difference)) / squared(float(sigmas) * Background::sigmaUnit);
     };
-    const int luma = m_luma[inPicture], darker = luma - m_litBehind[inPicture],
+    const int luma = m_luma[inImage], darker = luma - m_litBehind[inImage],
               dy = luma >= LightGain::mostLuma ? std::max(0, darker) : darker;
-    const int du = m_u[inRow] - m_behind.u[inPicture], dv = m_v[inRow] - m_behind.v[inPicture];
-    return share(dy, m_sigmas.y[inPicture]) + share(du, m_sigmas.u[inPicture]) +
-               share(dv, m_sigmas.v[inPicture]) >
+    const int du = m_u[inRow] - m_behind.u[inImage], dv = m_v[inRow] - m_behind.v[inImage];
+    return share(dy, m_sigmas.y[inImage]) + share(du, m_sigmas.u[inImage]) + share(dv, m_sigmas.v[inImage]) >
            differsInSigmas2;
 }
 

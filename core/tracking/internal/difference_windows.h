@@ -28,8 +28,7 @@ struct DifferenceWindow
 /// Windows around the foreground on a lattice (core/tracking/internal/difference_windows.h), which do not
 /// overlap; in groups of those that are near one another, as a robot and its shadow may be. Single samples
 /// are noise and get none. Pure.
-std::vector<std::vector<DifferenceWindow>> windowsAround(const BitMask &differences,
-                                                         const PixelRect &picture);
+std::vector<std::vector<DifferenceWindow>> windowsAround(const BitMask &differences, const PixelRect &image);
 
 /// A frame beside its background on a lattice of every fourth pixel, which shows at little cost where to look
 /// closer. Keeps copies of the lattice's samples. One thread at a time.
@@ -59,7 +58,7 @@ private:
     void takePlane(const RowOf &rowOf, int shiftX, int shiftY, std::vector<std::uint8_t> &into) const;
     void adaptToLight();
     void compareRow(int j);
-    bool differs(std::size_t inPicture, std::size_t inRow) const;
+    bool differs(std::size_t inImage, std::size_t inRow) const;
 
     FrameFormat m_format;
     int m_columns = 0, m_rows = 0;

@@ -94,12 +94,12 @@ EdgeFinder::Lines EdgeFinder::gather(const ScanLine *lines, int count) const
     all.inward =
         all.each([](const ScanLine &line, const Direction &) { return static_cast<float>(line.inward); });
     all.slope = all.each([](const ScanLine &line, const Direction &) { return line.slope; });
-    all.room = all.each([](const ScanLine &line, const Direction &) { return line.room; });
+    all.margin = all.each([](const ScanLine &line, const Direction &) { return line.margin; });
     return all;
 }
 
 /// The samples of both chroma planes as one value: along the robot's colour. Returns which edges were found.
-Int4 EdgeFinder::findInChroma(const Lines &lines, Float4 &places) const
+Int4 EdgeFinder::findInChroma(const Lines &lines, Float4 &positions) const
 {
     EdgeProfiles chroma;
     for (int k = 0; k < EdgeProfiles::lines; ++k) {
@@ -108,7 +108,7 @@ Int4 EdgeFinder::findInChroma(const Lines &lines, Float4 &places) const
         const auto spacing = static_cast<float>(direction.spacing);
         const int count = 2 * chromaReach / direction.spacing;
         const int first = floorOf((line.start - direction.offset) / spacing + 0.5f) - count / 2;
-        if (line.room < leastRoom || (line.line + 1) * direction.pitch > direction.lumaLines || first < 0 ||
+        if (line.margin < leastRoom || (line.line + 1) * direction.pitch > direction.lumaLines || first < 0 ||
             first + count > direction.samples) {
             chroma.setEmpty(k);
             continue;
@@ -119,20 +119,20 @@ Int4 EdgeFinder::findInChroma(const Lines &lines, Float4 &places) const
                        return m_colourU * u[i * direction.u.along] + m_colourV * v[i * direction.v.along];
                    });
     }
-    const Float4 most = 0.5f * lines.room;
+    const Float4 most = 0.5f * lines.margin;
     EdgeSearch search{lines.inward, atMost(same(4), most), 2, false};
-    const Float4 contrasts = moveToEdges(chroma, search, leastContrast, places);
+    const Float4 contrasts = moveToEdges(chroma, search, leastContrast, positions);
     search.halfWidth = atMost(same(3), most);
-    moveToEdges(chroma, search, leastContrast, places);
+    moveToEdges(chroma, search, leastContrast, positions);
     // Once more with references as near as its blur allows: a narrow side of the robot is darker than the
     // rest.
     search.halfWidth = atMost(chromaHalfWidth + 0.5f * magnitudeOf(lines.slope) + m_blur, most);
-    moveToEdges(chroma, search, leastContrast, places);
+    moveToEdges(chroma, search, leastContrast, positions);
     return contrasts >= leastContrast;
 }
 
 /// Moves the positions to the luma's edges near them. Returns which were found: none without contrast.
-Int4 EdgeFinder::findInLuma(const Lines &lines, Float4 &places)
+Int4 EdgeFinder::findInLuma(const Lines &lines, Float4 &positions)
 {
     const Float4 motion =
         atMost(same(mostMotion),
@@ -142,14 +142,14 @@ Int4 EdgeFinder::findInLuma(const Lines &lines, Float4 &places)
     EdgeSearch search;
     search.inward = lines.inward;
     search.halfWidth = atMost(sharpHalfWidth + slopeWidth * magnitudeOf(lines.slope) + m_blur + motion,
-                              0.5f * lines.room - 1);
+                              0.5f * lines.margin - 1);
     search.reference = sharpReference + 0.5f * m_blur;
     search.leadOn = true;
     EdgeProfiles luma;
     for (int k = 0; k < EdgeProfiles::lines; ++k) {
         const ScanLine &line = *lines.line[static_cast<std::size_t>(k)];
         const Direction &direction = *lines.direction[static_cast<std::size_t>(k)];
-        const int first = floorOf(places[k] - 0.5f * static_cast<float>(m_lumaCount - 2));
+        const int first = floorOf(positions[k] - 0.5f * static_cast<float>(m_lumaCount - 2));
         if ((line.line + 1) * direction.pitch > direction.lumaLines || first < 0 ||
             first + m_lumaCount > direction.lumaSamples) {
             luma.setEmpty(k);
@@ -164,23 +164,23 @@ Int4 EdgeFinder::findInLuma(const Lines &lines, Float4 &places)
             return y[at] + beside[at];
         });
     }
-    const Float4 starts = places;
-    const Float4 before = moveToEdges(luma, search, leastContrast, places),
-                 after = moveToEdges(luma, search, leastContrast, places);
+    const Float4 starts = positions;
+    const Float4 before = moveToEdges(luma, search, leastContrast, positions),
+                 after = moveToEdges(luma, search, leastContrast, positions);
     const Int4 found = (magnitudeOf(before) >= leastContrast) & (magnitudeOf(after) >= leastContrast) &
-                       (magnitudeOf(places - starts) <= mostLag);
+                       (magnitudeOf(positions - starts) <= mostLag);
     if (m_searches++ % searchesPerSharpness == 0)
-        measureSharpness(luma, lines, places, found & (motion < 0.5f) & (magnitudeOf(lines.slope) < 0.4f));
+        measureSharpness(luma, lines, positions, found & (motion < 0.5f) & (magnitudeOf(lines.slope) < 0.4f));
     return found;
 }
 
-void EdgeFinder::measureSharpness(const EdgeProfiles &luma, const Lines &lines, Float4 places, Int4 wanted)
+void EdgeFinder::measureSharpness(const EdgeProfiles &luma, const Lines &lines, Float4 positions, Int4 wanted)
 {
     const Float4 d = lines.inward;
-    const Float4 wide =
-        luma.mean(places + d * 2.5f, places + d * 4.0f) - luma.mean(places - d * 4.0f, places - d * 2.5f);
-    const Float4 close =
-        luma.mean(places + d * 0.75f, places + d * 1.5f) - luma.mean(places - d * 1.5f, places - d * 0.75f);
+    const Float4 wide = luma.mean(positions + d * 2.5f, positions + d * 4.0f) -
+                        luma.mean(positions - d * 4.0f, positions - d * 2.5f);
+    const Float4 close = luma.mean(positions + d * 0.75f, positions + d * 1.5f) -
+                         luma.mean(positions - d * 1.5f, positions - d * 0.75f);
     const Float4 sharpness = atMost(atLeast(close / wide, same(0.3f)), same(1));
     wanted &= magnitudeOf(wide) > 2 * leastContrast;
     for (int k = 0; k < EdgeProfiles::lines; ++k) {
@@ -194,16 +194,16 @@ void EdgeFinder::measureSharpness(const EdgeProfiles &luma, const Lines &lines, 
 void EdgeFinder::find(const ScanLine *lines, int count, LineEdge *edges)
 {
     const Lines all = gather(lines, count);
-    Float4 places = all.start;
-    const Int4 found = findInChroma(all, places);
+    Float4 positions = all.start;
+    const Int4 found = findInChroma(all, positions);
     // The chroma's row may differ from the luma's: along a slanted edge that is a shift.
-    places += all.each([](const ScanLine &line, const Direction &direction) {
+    positions += all.each([](const ScanLine &line, const Direction &direction) {
         return direction.lagAlong + line.slope * (direction.shift - direction.lagAcross);
     });
-    Float4 lumaPlaces = places;
-    const Int4 byLuma = findInLuma(all, lumaPlaces) & found;
-    const Float4 lag = byLuma ? lumaPlaces - places : Float4{};
-    const Float4 outward = found ? (all.start - places - lag) * all.inward : Float4{};
+    Float4 lumaPositions = positions;
+    const Int4 byLuma = findInLuma(all, lumaPositions) & found;
+    const Float4 lag = byLuma ? lumaPositions - positions : Float4{};
+    const Float4 outward = found ? (all.start - positions - lag) * all.inward : Float4{};
     for (int k = 0; k < count; ++k) {
         edges[k].outward = outward[k];
         edges[k].lag = lag[k];

@@ -69,7 +69,7 @@ private:
     {
         std::array<const ScanLine *, EdgeProfiles::lines> line;
         std::array<const Direction *, EdgeProfiles::lines> direction;
-        Float4 start, inward, slope, room;
+        Float4 start, inward, slope, margin;
 
         template <class Function>
         Float4 each(Function of) const
@@ -79,9 +79,9 @@ private:
         }
     };
     Lines gather(const ScanLine *lines, int count) const;
-    Int4 findInChroma(const Lines &lines, Float4 &places) const;
-    Int4 findInLuma(const Lines &lines, Float4 &places);
-    void measureSharpness(const EdgeProfiles &luma, const Lines &lines, Float4 places, Int4 wanted);
+    Int4 findInChroma(const Lines &lines, Float4 &positions) const;
+    Int4 findInLuma(const Lines &lines, Float4 &positions);
+    void measureSharpness(const EdgeProfiles &luma, const Lines &lines, Float4 positions, Int4 wanted);
 
     Direction m_rows, m_columns;
     int m_colourU = 0, m_colourV = 0; ///< the robot's, of length colourLength

@@ -172,16 +172,16 @@ void OutlineFit::fillGaps()
 
 /// Median of the residuals of the positions from a cubic through their neighbours, which are so many steps
 /// away, so that neither slope nor curvature counts. Below 0 when there are too few.
-float OutlineFit::scatter(const std::vector<float> &places, const std::vector<std::int8_t> &sides, int step,
-                          std::vector<float> &leftOver)
+float OutlineFit::scatter(const std::vector<float> &positions, const std::vector<std::int8_t> &sides,
+                          int step, std::vector<float> &leftOver)
 {
     constexpr std::size_t beyond = 4;
-    const std::size_t n = places.size() - 2 * beyond, one = static_cast<std::size_t>(step), two = 2 * one;
+    const std::size_t n = positions.size() - 2 * beyond, one = static_cast<std::size_t>(step), two = 2 * one;
     leftOver.resize(n);
     std::size_t count = 0;
     for (std::size_t i = beyond; i < n + beyond; ++i) {
-        const float left = places[i] - (places[i - one] + places[i + one]) * (4.0f / 6) +
-                           (places[i - two] + places[i + two]) * (1.0f / 6);
+        const float left = positions[i] - (positions[i - one] + positions[i + one]) * (4.0f / 6) +
+                           (positions[i - two] + positions[i + two]) * (1.0f / 6);
         const std::int8_t side = sides[i];
         const bool alike = side >= 0 && sides[i - one] == side && sides[i + one] == side &&
                            sides[i - two] == side && sides[i + two] == side;
@@ -196,15 +196,15 @@ float OutlineFit::scatter(const std::vector<float> &places, const std::vector<st
 double OutlineFit::varianceOfEdges(const std::vector<ScanLine> &lines)
 {
     constexpr int beyond = 4;
-    unroll(lines.size(), beyond, m_places, [&](std::size_t i) {
+    unroll(lines.size(), beyond, m_positions, [&](std::size_t i) {
         return lines[i].start - static_cast<float>(lines[i].inward) * m_edges[i].outward;
     });
     unroll(lines.size(), beyond, m_sides, [&](std::size_t i) {
         const int side = 2 * lines[i].alongX + (lines[i].inward > 0);
         return static_cast<std::int8_t>(m_edges[i].good ? side : -1);
     });
-    const float near = scatter(m_places, m_sides, 1, m_leftOver),
-                far = scatter(m_places, m_sides, 2, m_leftOver);
+    const float near = scatter(m_positions, m_sides, 1, m_leftOver),
+                far = scatter(m_positions, m_sides, 2, m_leftOver);
     if (near < 0 || far < 0)
         return unknownVariance;
     // A median is 0.6745 standard deviations; the weights' squares sum to 70/36.

@@ -58,7 +58,7 @@ private:
     void fillGaps();
     void gather(const ChromaGrid &grid, const std::vector<ScanLine> &lines, Outline &outline);
     double varianceOfEdges(const std::vector<ScanLine> &lines);
-    static float scatter(const std::vector<float> &places, const std::vector<std::int8_t> &sides, int step,
+    static float scatter(const std::vector<float> &positions, const std::vector<std::int8_t> &sides, int step,
                          std::vector<float> &leftOver);
 
     ScanLines m_scanLines;
@@ -67,7 +67,7 @@ private:
     std::vector<LineEdge> m_edges;
     std::vector<float> m_outwards, m_inwards; ///< of the edges, about the ring
     std::vector<float> m_most, m_least;       ///< of the edges near each
-    std::vector<float> m_places;              ///< of the edges along their lines, about the ring
+    std::vector<float> m_positions;           ///< of the edges along their lines, about the ring
     std::vector<std::int8_t> m_sides;         ///< of the outline that the edges are on, −1 without an edge
     std::vector<float> m_leftOver;
 };

@@ -128,11 +128,10 @@ double compactness(const Eigen::Matrix2d &covariance, double area)
     return solid * bellOf(std::max(0.0, longOverShort - 4.0) / 1.5);
 }
 
-double sizeLikelihood(double fractionOfPicture)
+double sizeLikelihood(double fractionOfImage)
 {
     constexpr double small = 1e-4, large = 0.2;
-    return fractionOfPicture / (fractionOfPicture + small) *
-           bellOf(std::max(0.0, fractionOfPicture - large) / 0.1);
+    return fractionOfImage / (fractionOfImage + small) * bellOf(std::max(0.0, fractionOfImage - large) / 0.1);
 }
 
 } // namespace odo

@@ -71,6 +71,6 @@ double bellOf(double x);
 double compactness(const Eigen::Matrix2d &covariance, double area);
 
 /// 0 to 1: how plausible it is that a robot fills this fraction of the frame.
-double sizeLikelihood(double fractionOfPicture);
+double sizeLikelihood(double fractionOfImage);
 
 } // namespace odo

@@ -16,15 +16,15 @@ constexpr int framesPerTable = 64;
 constexpr int missesUntilLost = 1, missesWhileHidden = 30;
 constexpr double relearnAfterS = 1.5; ///< lost for so long, the given colour is believed again
 constexpr int missesPerRelearning = 8;
-constexpr double leastRankInWindow = 0.02, leastRankInPicture = 0.15, leastFirstScore = 0.25;
+constexpr double leastRankInWindow = 0.02, leastRankInImage = 0.15, leastFirstScore = 0.25;
 constexpr double sizeSigma = 0.2;      ///< of the logarithm of the area, from one frame to the next
 constexpr double mostSizeNoise = 0.12; ///< of the area of a small robot, from frame to frame
 constexpr std::size_t mostCandidates = 6;
 constexpr double leastColourSigma = 3.0, relativeColourSigma = 0.06; ///< of a region's mean, in code values
 constexpr double mostSizeCost = 12.0, mostColourCost = 16.0;
-constexpr double doubtPerFrameTogether = 0.04; ///< of the position, in radii
-constexpr double scoreTogether = 0.1;          ///< below what is used where another view is surer
-constexpr double sigmaTogether = 0.3;          ///< of the position, in radii
+constexpr double uncertaintyPerFrameTogether = 0.04; ///< of the position, in radii
+constexpr double scoreTogether = 0.1;                ///< below what is used where another view is surer
+constexpr double sigmaTogether = 0.3;                ///< of the position, in radii
 /// Of a touched robot's area: what may always be hidden unnoticed, and what may be hidden without making its
 /// position uncertain.
 constexpr double leastPartHidden = 0.02, mostPartHidden = 0.08;
@@ -34,7 +34,7 @@ constexpr double leastPartHidden = 0.02, mostPartHidden = 0.08;
 void RobotFollower::reset(const FrameFormat &format)
 {
     m_phase = Phase::Unseen;
-    m_model = ColourModel(chromaOf(m_told, format));
+    m_model = ColourModel(chromaOf(m_given, format));
     m_candidates.clear();
     m_missed = 0;
     m_touched = false;
@@ -46,10 +46,10 @@ void RobotFollower::reset(const FrameFormat &format)
 Eigen::AlignedBox2d RobotFollower::expectedBox(double timeS) const
 {
     const double sinceS = std::max(0.0, timeS - m_predictor.lastTimeS());
-    const double doubt =
+    const double uncertainty =
         6.0 + 0.5 * m_radiusPx + 0.5 * sinceS * m_predictor.velocity().norm() + 0.5 * m_missed * m_radiusPx;
     const Eigen::Vector2d centre = m_predictor.at(timeS);
-    const Eigen::Vector2d half = 1.3 * m_halfSizePx + Eigen::Vector2d::Constant(doubt);
+    const Eigen::Vector2d half = 1.3 * m_halfSizePx + Eigen::Vector2d::Constant(uncertainty);
     return {centre - half, centre + half};
 }
 
@@ -90,11 +90,11 @@ double RobotFollower::rankInWindow(const TrackedFrame &frame, const Blob &blob) 
            blob.meanWeight();
 }
 
-double RobotFollower::rankUnseen(const TrackedFrame &frame, const Blob &blob) const
+double RobotFollower::rankHidden(const TrackedFrame &frame, const Blob &blob) const
 {
     return compactness(blob.covariance(), blob.area()) *
-           sizeLikelihood(blob.area() * frame.lumaPerSample() / frame.pictureAreaPx()) *
-           likeness(blob.meanChroma(), m_model.told());
+           sizeLikelihood(blob.area() * frame.lumaPerSample() / frame.imageAreaPx()) *
+           likeness(blob.meanChroma(), m_model.given());
 }
 
 double RobotFollower::rankLost(const TrackedFrame &frame, const Blob &blob) const
@@ -146,8 +146,8 @@ void RobotFollower::lookAt(const TrackedFrame &frame, const ChromaRect &window, 
 double RobotFollower::costOf(const TrackedFrame &frame, const Blob &region) const
 {
     const double sinceS = std::max(0.0, frame.timeS() - m_predictor.lastTimeS());
-    const double doubtful = std::min(1.0, doubtPerFrameTogether * (m_framesTogether + 2 * m_missed));
-    const double reach = (0.35 + doubtful) * m_radiusPx + 3.0 + 0.5 * sinceS * m_predictor.velocity().norm();
+    const double uncertain = std::min(1.0, uncertaintyPerFrameTogether * (m_framesTogether + 2 * m_missed));
+    const double reach = (0.35 + uncertain) * m_radiusPx + 3.0 + 0.5 * sinceS * m_predictor.velocity().norm();
     const double away = (frame.grid().toLuma(region.centre()) - predictedPx(frame)).norm() / reach;
     const double size =
         std::log(region.area() * frame.lumaPerSample() / m_area.px()) / (m_atBorder ? 1.0 : sizeSigma);
@@ -161,13 +161,13 @@ double RobotFollower::costOf(const TrackedFrame &frame, const Blob &region) cons
 void RobotFollower::search(const TrackedFrame &frame, const ChromaDensity &background)
 {
     m_candidates.clear();
-    const ChromaRect picture = frame.grid().bounds();
+    const ChromaRect image = frame.grid().bounds();
     if (m_phase == Phase::Lost) {
-        m_finder.find(frame.grid(), m_model.table(), picture, frame.searchStep());
+        m_finder.find(frame.grid(), m_model.table(), image, frame.searchStep());
         m_strangers.note(frame, m_finder.blobs(),
                          {predictedPx(frame), m_radiusPx, m_area.px(),
                           frame.timeS() - m_predictor.lastTimeS(), m_missed == missesUntilLost});
-        collect(frame, Candidate::By::LearnedColour, leastRankInPicture, &RobotFollower::rankLost);
+        collect(frame, Candidate::By::LearnedColour, leastRankInImage, &RobotFollower::rankLost);
         const bool forLong = frame.timeS() - m_predictor.lastTimeS() > relearnAfterS;
         if (!m_candidates.empty() || !forLong || m_missed % missesPerRelearning != 0) {
             sortCandidates();
@@ -175,15 +175,15 @@ void RobotFollower::search(const TrackedFrame &frame, const ChromaDensity &backg
         }
     }
     // A robot that fills much of the frame is also much of the background, so once more without regard to it.
-    m_finder.find(frame.grid(), m_model.toldTable(&background), picture, frame.searchStep());
-    collect(frame, Candidate::By::ToldColour, leastRankInPicture, &RobotFollower::rankUnseen);
-    m_finder.find(frame.grid(), m_model.toldTable(nullptr), picture, frame.searchStep());
-    collect(frame, Candidate::By::ToldColourAlone, leastRankInPicture, &RobotFollower::rankUnseen);
+    m_finder.find(frame.grid(), m_model.givenColourTable(&background), image, frame.searchStep());
+    collect(frame, Candidate::By::GivenColour, leastRankInImage, &RobotFollower::rankHidden);
+    m_finder.find(frame.grid(), m_model.givenColourTable(nullptr), image, frame.searchStep());
+    collect(frame, Candidate::By::GivenColourAlone, leastRankInImage, &RobotFollower::rankHidden);
     sortCandidates();
 }
 
 /// Found on the coarse lattice by the colour that is known: the same region on every sample.
-bool RobotFollower::lookAgain(const TrackedFrame &frame, const Candidate &candidate, Blob &blob)
+bool RobotFollower::searchAgain(const TrackedFrame &frame, const Candidate &candidate, Blob &blob)
 {
     const ChromaRect window = candidate.blob.box.grownBy(8).clippedTo(frame.grid().bounds());
     m_finder.find(frame.grid(), m_model.table(), window, 1);
@@ -205,7 +205,8 @@ bool RobotFollower::learnFrom(const TrackedFrame &frame, const Candidate &candid
     const int margin = 8 + std::max(box.width(), box.height()) / 2;
     const ChromaRect window = box.grownBy(margin).clippedTo(frame.grid().bounds());
     ColourModel model = m_model;
-    ChromaTable table = model.toldTable(candidate.by == Candidate::By::ToldColour ? &background : nullptr);
+    ChromaTable table =
+        model.givenColourTable(candidate.by == Candidate::By::GivenColour ? &background : nullptr);
     RegionShape shape;
     for (int pass = 0; pass < 3; ++pass) {
         m_finder.find(frame.grid(), table, window, 1);
@@ -226,7 +227,7 @@ bool RobotFollower::learnFrom(const TrackedFrame &frame, const Candidate &candid
         model.buildTable(background);
         table = model.table();
     }
-    if (rankUnseen(frame, blob) < leastFirstScore)
+    if (rankHidden(frame, blob) < leastFirstScore)
         return false;
     m_model = model;
     return true;
@@ -236,7 +237,7 @@ void RobotFollower::accept(const TrackedFrame &frame, const Candidate &candidate
 {
     observe(frame, candidate.blob, observation);
     if (m_touched)
-        doubtWhenTouched(observation);
+        uncertainWhenTouched(observation);
     else
         keepSilhouette(frame, observation);
 }
@@ -248,7 +249,7 @@ void RobotFollower::keepSilhouette(const TrackedFrame &frame, const Observation 
 }
 
 /// Another robot may hide a part of this one, which shifts the centre; or has lent it a part of its own.
-void RobotFollower::doubtWhenTouched(Observation &observation) const
+void RobotFollower::uncertainWhenTouched(Observation &observation) const
 {
     const double off = std::abs(1 - observation.areaPx / m_area.px());
     const double shift = std::clamp(off, leastPartHidden, 1.0) * m_radiusPx;
@@ -283,7 +284,7 @@ bool RobotFollower::acceptFound(const TrackedFrame &frame, const Candidate &cand
 {
     Blob blob;
     const bool known = candidate.by == Candidate::By::LearnedColour;
-    if (!(known ? lookAgain(frame, candidate, blob) : learnFrom(frame, candidate, background, blob)))
+    if (!(known ? searchAgain(frame, candidate, blob) : learnFrom(frame, candidate, background, blob)))
         return false;
     const double areaPx = blob.area() * frame.lumaPerSample();
     if (known)
@@ -317,7 +318,7 @@ void RobotFollower::observe(const TrackedFrame &frame, const Blob &blob, Observa
                  blob.box.bottom > inner.bottom;
     observation.found = true;
     observation.touchesBorder = m_atBorder;
-    RegionShape shape = m_measure.look(frame.grid(), blob, m_mask, m_model.expected());
+    RegionShape shape = m_measure.examine(frame.grid(), blob, m_mask, m_model.expected());
     const Eigen::Vector2d motionPx = m_predictor.velocity() * (frame.timeS() - m_predictor.lastTimeS());
     const auto trust =
         m_atBorder ? std::nullopt : m_outline.refine(frame, m_mask, {motionPx, m_area.wholePx()}, shape);
@@ -328,7 +329,7 @@ void RobotFollower::observe(const TrackedFrame &frame, const Blob &blob, Observa
     observation.centreCovariancePx2 = scale.asDiagonal() * shape.centreCovariance * scale.asDiagonal();
     observation.areaPx = shape.area * frame.lumaPerSample();
     if (!trust && !m_atBorder)
-        doubtSize(observation);
+        uncertainSize(observation);
     observation.meanChroma = shape.colour;
     observation.score = trust.value_or(1) * scoreOf(frame, blob, shape);
     update(frame, blob, shape, observation);
@@ -336,7 +337,7 @@ void RobotFollower::observe(const TrackedFrame &frame, const Blob &blob, Observa
 
 /// Moments alone cannot distinguish a cover or a merge from the robot: an area that is not the expected one
 /// has moved the centre by as much of the radius, at most.
-void RobotFollower::doubtSize(Observation &observation) const
+void RobotFollower::uncertainSize(Observation &observation) const
 {
     const double off = std::abs(1 - observation.areaPx / m_area.px());
     if (off < mostSizeNoise)

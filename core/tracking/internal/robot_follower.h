@@ -17,8 +17,8 @@ struct Candidate
     double score = 0;         ///< 0 to 1, for comparison among candidates
     enum class By {
         LearnedColour,
-        ToldColour,
-        ToldColourAlone
+        GivenColour,
+        GivenColourAlone
     } by = By::LearnedColour; ///< Alone: whatever the background
 };
 
@@ -27,7 +27,7 @@ struct Candidate
 class RobotFollower
 {
 public:
-    explicit RobotFollower(RgbColour told) : m_told(told) {}
+    explicit RobotFollower(RgbColour given) : m_given(given) {}
 
     bool isFollowing() const { return m_phase == Phase::Following; }
     const ColourModel &model() const { return m_model; }
@@ -90,24 +90,24 @@ private:
 
     Eigen::AlignedBox2d expectedBox(double timeS) const;
     double rankInWindow(const TrackedFrame &frame, const Blob &blob) const;
-    double rankUnseen(const TrackedFrame &frame, const Blob &blob) const;
+    double rankHidden(const TrackedFrame &frame, const Blob &blob) const;
     double rankLost(const TrackedFrame &frame, const Blob &blob) const;
     void collect(const TrackedFrame &frame, Candidate::By by, double least,
                  double (RobotFollower::*rank)(const TrackedFrame &, const Blob &) const);
     void sortCandidates();
-    bool lookAgain(const TrackedFrame &frame, const Candidate &candidate, Blob &blob);
+    bool searchAgain(const TrackedFrame &frame, const Candidate &candidate, Blob &blob);
     bool learnFrom(const TrackedFrame &frame, const Candidate &candidate, const ChromaDensity &background,
                    Blob &blob);
     static void fetchLuma(const TrackedFrame &frame, const Blob &blob);
     void observe(const TrackedFrame &frame, const Blob &blob, Observation &observation);
-    void doubtSize(Observation &observation) const;
+    void uncertainSize(Observation &observation) const;
     double scoreOf(const TrackedFrame &frame, const Blob &blob, const RegionShape &shape) const;
     void keepSilhouette(const TrackedFrame &frame, const Observation &observation);
-    void doubtWhenTouched(Observation &observation) const;
+    void uncertainWhenTouched(Observation &observation) const;
     void update(const TrackedFrame &frame, const Blob &blob, const RegionShape &shape,
                 const Observation &observation);
 
-    RgbColour m_told;
+    RgbColour m_given;
     Phase m_phase = Phase::Unseen;
     ColourModel m_model;
     MotionPredictor m_predictor;

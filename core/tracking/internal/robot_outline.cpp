@@ -165,7 +165,7 @@ OutlineVerdict OutlineMemory::replaceBy(const Overlay &overlay, double timeS)
     verdict.moments.covariancePx2 = m_moments.covariancePx2 * grown * grown;
     // What agrees fixes the centre the worse the less of the rim it takes up.
     const double sigma = 0.3 + overlay.residual * (1 - overlay.agreeing) * 2 + 0.01 * m_meanRadius;
-    verdict.doubt = Eigen::Matrix2d::Identity() * sigma * sigma;
+    verdict.uncertainty = Eigen::Matrix2d::Identity() * sigma * sigma;
     verdict.trust = 0.5 * overlay.agreeing;
     m_moments = verdict.moments;
     for (float &radius : m_radii)
@@ -208,7 +208,7 @@ OutlineVerdict OutlineMemory::judge(const Outline &outline, double timeS, double
     if (overlay.agreeing >= leastAgreeing)
         return replaceBy(overlay, timeS);
     verdict.as = OutlineVerdict::As::Unreliable;
-    verdict.doubt = Eigen::Matrix2d::Identity() * (drawn * drawn + 0.04 * m_meanRadius * m_meanRadius);
+    verdict.uncertainty = Eigen::Matrix2d::Identity() * (drawn * drawn + 0.04 * m_meanRadius * m_meanRadius);
     verdict.trust = 0.15;
     // The remembered outline waits where the robot may be by now.
     m_moments.centrePx = outline.moments.centrePx;
@@ -248,7 +248,7 @@ std::optional<double> RobotOutline::refine(const TrackedFrame &frame, const Regi
     shape.centre = frame.grid().fromLuma(verdict.moments.centrePx);
     shape.covariance = perLuma.asDiagonal() * verdict.moments.covariancePx2 * perLuma.asDiagonal();
     shape.centreCovariance =
-        perLuma.asDiagonal() * (m_outline.centreCovariance + verdict.doubt) * perLuma.asDiagonal();
+        perLuma.asDiagonal() * (m_outline.centreCovariance + verdict.uncertainty) * perLuma.asDiagonal();
     return verdict.trust;
 }
 

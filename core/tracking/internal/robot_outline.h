@@ -19,8 +19,8 @@ struct OutlineVerdict
         Unreliable ///< too much of it did not
     } as = As::Seen;
     RegionMoments moments;
-    Eigen::Matrix2d doubt = Eigen::Matrix2d::Zero(); ///< what to add to the centre's covariance, px²
-    double trust = 1;                                ///< factor of the score
+    Eigen::Matrix2d uncertainty = Eigen::Matrix2d::Zero(); ///< what to add to the centre's covariance, px²
+    double trust = 1;                                      ///< factor of the score
 };
 
 /// Remembers a robot's outline, as its distance from its centre in each direction, and distinguishes a

@@ -129,8 +129,8 @@ const std::vector<ScanLine> &ScanLines::layAround(const RegionMask &mask, const 
             const float at =
                 static_cast<float>(scan.alongX ? a.x() : a.y()) + perLine * static_cast<float>(forward * k);
             scan.start = at * s + offset - beyondMask * s * static_cast<float>(scan.inward);
-            scan.room = s * (scan.alongX ? m_spanX[static_cast<std::size_t>(scan.line - mask.area.top)]
-                                         : m_spanY[static_cast<std::size_t>(scan.line - mask.area.left)]);
+            scan.margin = s * (scan.alongX ? m_spanX[static_cast<std::size_t>(scan.line - mask.area.top)]
+                                           : m_spanY[static_cast<std::size_t>(scan.line - mask.area.left)]);
             m_lines.push_back(scan);
         }
     }
@@ -146,23 +146,23 @@ Float4 EdgeProfiles::mean(Float4 from, Float4 to) const
 }
 
 Float4 moveToEdges(const EdgeProfiles &profiles, const EdgeSearch &search, float leastContrast,
-                   Float4 &places)
+                   Float4 &positions)
 {
     const Float4 h = search.halfWidth, d = search.inward, perR = d / search.reference;
     const Float4 toEnd = d * h, toOuter = d * (h + search.reference);
     // Sums up to the ends of the stretches, from the inside outwards.
-    const Float4 inner = profiles.upTo(places + toOuter), innerEnd = profiles.upTo(places + toEnd),
-                 outerEnd = profiles.upTo(places - toEnd), outer = profiles.upTo(places - toOuter);
+    const Float4 inner = profiles.upTo(positions + toOuter), innerEnd = profiles.upTo(positions + toEnd),
+                 outerEnd = profiles.upTo(positions - toEnd), outer = profiles.upTo(positions - toOuter);
     const Float4 in = perR * (inner - innerEnd);
     Float4 out = perR * (outerEnd - outer);
     if (search.leadOn) {
-        const Float4 farther = perR * (outer - profiles.upTo(places - toOuter - d * search.reference));
+        const Float4 farther = perR * (outer - profiles.upTo(positions - toOuter - d * search.reference));
         out += (out - farther) * (0.5f + 0.5f * h / search.reference);
     }
     const Float4 contrasts = in - out;
     const Float4 across = d * (innerEnd - outerEnd) / (2 * h);
     const Float4 inside = atMost(atLeast((across - out) / contrasts, Float4{}), same(1));
-    places = magnitudeOf(contrasts) < leastContrast ? places : places + toEnd * (1 - 2 * inside);
+    positions = magnitudeOf(contrasts) < leastContrast ? positions : positions + toEnd * (1 - 2 * inside);
     return contrasts;
 }
 

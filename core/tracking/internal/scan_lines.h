@@ -14,11 +14,11 @@ namespace odo {
 struct ScanLine
 {
     bool alongX = false;
-    int line = 0;    ///< chroma row (along x) or chroma column
-    int inward = 1;  ///< sign of the direction to the inside
-    float start = 0; ///< position along the line where the hull crosses it
-    float slope = 0; ///< of the hull: change of the position for one luma pixel across the lines
-    float room = 0;  ///< length of the hull along the line
+    int line = 0;     ///< chroma row (along x) or chroma column
+    int inward = 1;   ///< sign of the direction to the inside
+    float start = 0;  ///< position along the line where the hull crosses it
+    float slope = 0;  ///< of the hull: change of the position for one luma pixel across the lines
+    float margin = 0; ///< length of the hull along the line
 };
 
 /// Draws scan lines all round the convex hull of a mask, in order, clockwise on the screen: along rows where
@@ -104,9 +104,9 @@ public:
     Float4 mean(Float4 from, Float4 to) const;
 
     /// Sum from the start of each line up to a position on it.
-    Float4 upTo(Float4 places) const
+    Float4 upTo(Float4 positions) const
     {
-        const Float4 at = atMost(atLeast((places - m_begin) * m_perSpacing, Float4{}), m_last);
+        const Float4 at = atMost(atLeast((positions - m_begin) * m_perSpacing, Float4{}), m_last);
         const Int4 i = __builtin_convertvector(at, Int4);
         const auto two = reinterpret_cast<Int4>(Long2{sampleAt(0, i[0]), sampleAt(1, i[1])}),
                    more = reinterpret_cast<Int4>(Long2{sampleAt(2, i[2]), sampleAt(3, i[3])});
@@ -144,6 +144,6 @@ struct EdgeSearch
 /// for a step of any symmetric blur once repeated until it stays. Returns the contrasts, inside less outside;
 /// where one is below the least its position stays.
 Float4 moveToEdges(const EdgeProfiles &profiles, const EdgeSearch &search, float leastContrast,
-                   Float4 &places);
+                   Float4 &positions);
 
 } // namespace odo

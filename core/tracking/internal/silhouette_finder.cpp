@@ -80,12 +80,12 @@ std::vector<Eigen::Vector2d> hullOf(const BitMask &set)
 }
 
 /// Whether a point is farther than a distance from a convex polygon.
-bool isBeyond(const std::vector<Eigen::Vector2d> &hull, const Eigen::Vector2d &place, double distance)
+bool isBeyond(const std::vector<Eigen::Vector2d> &hull, const Eigen::Vector2d &position, double distance)
 {
     bool isInside = true;
     for (std::size_t i = 0; i < hull.size(); ++i) {
         const Eigen::Vector2d &from = hull[i], along = hull[(i + 1) % hull.size()] - from,
-                              away = place - from;
+                              away = position - from;
         isInside &= along.x() * away.y() - along.y() * away.x() >= 0;
         const double at = std::clamp(along.dot(away) / std::max(along.squaredNorm(), 1e-9), 0.0, 1.0);
         if ((away - at * along).squaredNorm() <= distance * distance)

@@ -29,7 +29,7 @@ constexpr double scoreOfParts = 0.4;
 constexpr int mostBesideOthers = 30;    // frames, after which it may be a part of what they are together
 constexpr double leastFirstClear = 0.2; // share that cannot be a shadow
 constexpr double shadowShift = 0.3;     // of the radius: by which a shadow may draw the centre
-constexpr double leastSizeDoubt = 0.15; // of the area: what is more moves the centre
+constexpr double leastSizeUncertainty = 0.15; // of the area: what is more moves the centre
 
 struct Followed
 {
@@ -87,7 +87,7 @@ struct SilhouetteTracker::Impl
 {
     SilhouetteFinder finder;
     std::vector<Followed> robots; ///< and what else is followed
-    std::size_t told = 0;         ///< how many of them robots are
+    std::size_t given = 0;        ///< how many of them robots are
     std::vector<Observation> last;
     DuplicateDetector duplicates;
     std::optional<FloorView> floor;
@@ -95,7 +95,7 @@ struct SilhouetteTracker::Impl
 
     std::vector<bool> leaveTogether(std::vector<SeenSilhouette> &seen, double timeS);
     void takeWholeInstead(Followed &robot, SeenSilhouette &taken) const;
-    void doubtPart(Followed &robot, SeenSilhouette &taken) const;
+    void uncertainPart(Followed &robot, SeenSilhouette &taken) const;
     void assign(const Frame &frame, std::vector<SeenSilhouette> seen, std::span<const SilhouetteCue> cues);
     void addWholes(std::vector<SeenSilhouette> &seen);
     void accept(Followed &robot, const SeenSilhouette &silhouette, double timeS, Observation &observation);
@@ -128,7 +128,7 @@ void SilhouetteTracker::Impl::accept(Followed &robot, const SeenSilhouette &silh
         observation.centreCovariancePx2 += Eigen::Matrix2d::Identity() * shift * shift;
     }
     const double off = robot.area.offInLn(areaPx);
-    if (off > leastSizeDoubt) { // something hides a part of it, or has grown together with it
+    if (off > leastSizeUncertainty) { // something hides a part of it, or has grown together with it
         const double shift = std::min(off, 1.0) * robot.radiusPx();
         observation.centreCovariancePx2 += Eigen::Matrix2d::Identity() * shift * shift;
     }
@@ -144,7 +144,7 @@ void SilhouetteTracker::Impl::addWholes(std::vector<SeenSilhouette> &seen)
 {
     wholes.clear();
     besides.clear();
-    if (told > 1) // whose parts are beside those of others
+    if (given > 1) // whose parts are beside those of others
         return;
     for (const std::vector<std::size_t> &parts : groupsOfParts(seen)) {
         SeenSilhouette whole = joined(seen, parts);
@@ -164,7 +164,7 @@ void SilhouetteTracker::Impl::addWholes(std::vector<SeenSilhouette> &seen)
 
 /// What has long gone along beside something else may be a part of what both are: then the whole's middle is
 /// the robot's.
-void SilhouetteTracker::Impl::doubtPart(Followed &robot, SeenSilhouette &taken) const
+void SilhouetteTracker::Impl::uncertainPart(Followed &robot, SeenSilhouette &taken) const
 {
     const auto contains = [&taken](const SeenSilhouette &one) {
         return one.box.contains(taken.box) && one.regions > taken.regions;
@@ -228,7 +228,7 @@ void SilhouetteTracker::Impl::assign(const Frame &frame, std::vector<SeenSilhoue
         SeenSilhouette taken = std::move(seen[silhouette]);
         seen.erase(seen.begin() + std::ptrdiff_t(silhouette));
         takeWholeInstead(robots[robot], taken);
-        doubtPart(robots[robot], taken);
+        uncertainPart(robots[robot], taken);
         std::erase_if(seen, [&taken](const SeenSilhouette &one) {
             return isPartOf(one, taken) || isPartOf(taken, one);
         });
@@ -271,7 +271,7 @@ void SilhouetteTracker::Impl::assign(const Frame &frame, std::vector<SeenSilhoue
         if (robots[r].isFollowing() && ++robots[r].missed <= mostMisses)
             continue;
         robots[r].missed = -1;
-        if (r >= told) // any other may be next
+        if (r >= given) // any other may be next
             robots[r] = Followed();
         const auto fits = [&](const SeenSilhouette &one) {
             const double ratio = robots[r].area.px() > 0 ? one.moments.areaPx2 / robots[r].area.px() : 1;

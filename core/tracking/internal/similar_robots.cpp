@@ -20,11 +20,11 @@ ChromaRect joined(const ChromaRect &a, const ChromaRect &b)
 }
 
 /// Half the squared distance, in standard deviations, by which a point is outside a region.
-double costOutside(const TrackedFrame &frame, const Blob &region, const Eigen::Vector2d &placePx)
+double costOutside(const TrackedFrame &frame, const Blob &region, const Eigen::Vector2d &positionPx)
 {
     constexpr double inside =
         3.0; ///< squared, in the region's own standard deviations; its edge is at 3 to 4
-    const Eigen::Vector2d off = frame.grid().fromLuma(placePx) - region.centre();
+    const Eigen::Vector2d off = frame.grid().fromLuma(positionPx) - region.centre();
     return 0.5 * std::max(0.0, off.dot(region.covariance().inverse() * off) - inside);
 }
 

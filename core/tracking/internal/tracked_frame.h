@@ -22,10 +22,7 @@ public:
     const ChromaGrid &grid() const { return m_grid; }
     double timeS() const { return toSeconds(m_frame->time); }
     int searchStep() const { return m_searchStep; }
-    double pictureAreaPx() const
-    {
-        return static_cast<double>(m_frame->format.width) * m_frame->format.height;
-    }
+    double imageAreaPx() const { return static_cast<double>(m_frame->format.width) * m_frame->format.height; }
     double lumaPerSample() const { return m_grid.scale.prod(); }
     /// Makes sure that the whole frame can be read, not only the part that was decoded. False when the rest
     /// is damaged.

@@ -27,7 +27,8 @@ double forwardM(const std::vector<Sighting> &sightings, std::size_t at, double a
 {
     if (at == 0 || !sightings[at].seen || !sightings[at - 1].seen)
         return 0;
-    const Eigen::Vector2d moved = sightings[at].place.pointInWorld - sightings[at - 1].place.pointInWorld;
+    const Eigen::Vector2d moved =
+        sightings[at].position.pointInWorld - sightings[at - 1].position.pointInWorld;
     return moved.dot(Eigen::Vector2d(std::cos(angleRad), std::sin(angleRad)));
 }
 
@@ -70,7 +71,7 @@ std::vector<std::vector<BodyAxis>> directionsOfMotion(const std::vector<ViewTrac
                                                       const std::vector<std::vector<Sighting>> &sightings,
                                                       const std::vector<std::vector<BodyAxis>> &axes)
 {
-    constexpr double windowS = 0.2, leastWayM = 0.03, guessSigmaRad = 0.15, nearRad = 0.4;
+    constexpr double windowS = 0.2, leastDistanceM = 0.03, guessSigmaRad = 0.15, nearRad = 0.4;
     std::vector<std::vector<BodyAxis>> directions;
     for (std::size_t v = 0; v < views.size(); ++v) {
         const std::vector<Sighting> &seen = sightings[v];
@@ -91,14 +92,14 @@ std::vector<std::vector<BodyAxis>> directionsOfMotion(const std::vector<ViewTrac
                 n += 1;
                 t += dt;
                 tt += dt * dt;
-                p += seen[k].place.pointInWorld;
-                tp += dt * seen[k].place.pointInWorld;
+                p += seen[k].position.pointInWorld;
+                tp += dt * seen[k].position.pointInWorld;
             }
             const double spread = n * tt - t * t;
             if (n < 3 || spread <= 0)
                 continue;
             const Eigen::Vector2d velocity = (n * tp - t * p) / spread;
-            if (velocity.norm() * windowS < leastWayM)
+            if (velocity.norm() * windowS < leastDistanceM)
                 continue;
             const double moving = std::atan2(velocity.y(), velocity.x()),
                          away = std::remainder(axes[v][i].angleRad - moving, std::numbers::pi);
@@ -128,7 +129,7 @@ std::optional<BodyMotion> motionAt(const std::vector<std::vector<Sighting>> &sig
             const double t = toSeconds(one->time - time);
             const Eigen::Vector3d row(1, t, t * t / 2);
             normal += row * row.transpose();
-            right += row * one->place.pointInWorld.transpose();
+            right += row * one->position.pointInWorld.transpose();
             ++count;
         }
         if (count < fewest)
@@ -155,7 +156,7 @@ constexpr double longestGapS = 1.0; // an axis that was not seen for longer may 
 constexpr double commonShare = 0.5; // of an outline's uncertainty that all frames share
 
 /// Where an observation is among the views'.
-struct Place
+struct RobotPosition
 {
     std::uint32_t view = 0, observation = 0;
 };
@@ -167,23 +168,23 @@ class AxisNodes
 public:
     AxisNodes(const std::vector<ViewTrack> &views, const SolidShape &shape) : m_views(views), m_shape(shape)
     {
-        const auto timeAt = [&](Place place) {
-            return toSeconds(timeOf(views[place.view], observationAt(place)));
+        const auto timeAt = [&](RobotPosition position) {
+            return toSeconds(timeOf(views[position.view], observationAt(position)));
         };
         for (std::size_t v = 0; v < views.size(); ++v) {
             for (std::size_t i = 0; i < views[v].observations.size(); ++i)
-                m_places.push_back({static_cast<std::uint32_t>(v), static_cast<std::uint32_t>(i)});
+                m_positions.push_back({static_cast<std::uint32_t>(v), static_cast<std::uint32_t>(i)});
         }
-        std::stable_sort(m_places.begin(), m_places.end(),
-                         [&](Place a, Place b) { return timeAt(a) < timeAt(b); });
-        m_nodes.reserve(m_places.size());
-        for (const Place place : m_places)
-            m_nodes.push_back({timeAt(place)});
-        m_sigmaRad.resize(m_places.size());
+        std::stable_sort(m_positions.begin(), m_positions.end(),
+                         [&](RobotPosition a, RobotPosition b) { return timeAt(a) < timeAt(b); });
+        m_nodes.reserve(m_positions.size());
+        for (const RobotPosition position : m_positions)
+            m_nodes.push_back({timeAt(position)});
+        m_sigmaRad.resize(m_positions.size());
     }
 
-    std::size_t size() const { return m_places.size(); }
-    Place place(std::size_t i) const { return m_places[i]; }
+    std::size_t size() const { return m_positions.size(); }
+    RobotPosition position(std::size_t i) const { return m_positions[i]; }
     const TrackNode &node(std::size_t i) const { return m_nodes[i]; }
     std::span<const TrackNode> nodes() const { return m_nodes; }
     /// Of the last measured axis up to a node that is not the first of its stretch.
@@ -197,8 +198,8 @@ public:
     /// nullopt: the outline shows no axis.
     std::optional<OutlineMisfit> misfit(std::size_t i) const
     {
-        return isClear(i) ? OutlineMisfit::create(*m_views[m_places[i].view].floorView, m_shape,
-                                                  outlineMoments(observationAt(m_places[i])))
+        return isClear(i) ? OutlineMisfit::create(*m_views[m_positions[i].view].floorView, m_shape,
+                                                  outlineMoments(observationAt(m_positions[i])))
                           : std::nullopt;
     }
 
@@ -207,14 +208,14 @@ public:
                                       double aboutRad) const
     {
         constexpr double followRad = 0.3; // from one observation to the next
-        const Observation &observation = observationAt(m_places[i]);
-        const auto &view = m_views[m_places[i].view].floorView;
+        const Observation &observation = observationAt(m_positions[i]);
+        const auto &view = m_views[m_positions[i].view].floorView;
         const auto start = isClear(i)
                                ? view->floorFromPixel(observation.ellipse.centrePx, middleHeightM(m_shape))
                                : std::nullopt;
-        const auto placed =
-            start ? placeBySupport(*view, m_shape, observation, difference, {*start, {aboutRad, followRad}})
-                  : std::nullopt;
+        const auto placed = start ? positionBySupport(*view, m_shape, observation, difference,
+                                                      {*start, {aboutRad, followRad}})
+                                  : std::nullopt;
         return placed && placed->axis.sigmaRad < followRad / 2 ? std::optional(placed->axis) : std::nullopt;
     }
 
@@ -229,18 +230,18 @@ public:
 private:
     bool isClear(std::size_t i) const
     {
-        const Observation &observation = observationAt(m_places[i]);
-        return m_views[m_places[i].view].floorView && observation.found && !observation.duplicateFrame &&
+        const Observation &observation = observationAt(m_positions[i]);
+        return m_views[m_positions[i].view].floorView && observation.found && !observation.duplicateFrame &&
                !observation.touchesBorder && observation.score >= leastAxisScore;
     }
-    const Observation &observationAt(Place place) const
+    const Observation &observationAt(RobotPosition position) const
     {
-        return m_views[place.view].observations[place.observation];
+        return m_views[position.view].observations[position.observation];
     }
 
     const std::vector<ViewTrack> &m_views;
     const SolidShape &m_shape;
-    std::vector<Place> m_places;
+    std::vector<RobotPosition> m_positions;
     std::vector<TrackNode> m_nodes;
     std::vector<double> m_sigmaRad; ///< of the outline's axis, where it was measured
 };
@@ -350,7 +351,7 @@ std::vector<std::vector<BodyAxis>> trackAxis(const std::vector<ViewTrack> &views
     refineAxes(all, smooth(all));
     const std::vector<BodyAxis> smoothed = smooth(all);
     for (std::size_t i = 0; i < all.size(); ++i)
-        axes[all.place(i).view][all.place(i).observation] = smoothed[i];
+        axes[all.position(i).view][all.position(i).observation] = smoothed[i];
     return axes;
 }
 
@@ -388,7 +389,7 @@ std::vector<std::vector<BodyAxis>> trackDirection(const std::vector<ViewTrack> &
         axes.emplace_back(view.observations.size());
     const std::vector<BodyAxis> smoothed = smooth(all);
     for (std::size_t i = 0; i < all.size(); ++i)
-        axes[all.place(i).view][all.place(i).observation] = {
+        axes[all.position(i).view][all.position(i).observation] = {
             headings[i] + std::remainder(smoothed[i].angleRad - headings[i], std::numbers::pi),
             smoothed[i].sigmaRad};
     return axes;

@@ -18,7 +18,7 @@ namespace odo {
 /// turn where needed so that the body turns on without a jump, and moves forward rather than backward over
 /// each stretch in which its axis was known throughout. Of a robot that moves only backward the rear is
 /// called its front, always alike. axes, sightings: of every observation of every view (trackAxis,
-/// placeBody).
+/// positionBody).
 std::vector<std::vector<BodyAxis>> directedAxes(const std::vector<ViewTrack> &views,
                                                 const std::vector<std::vector<Sighting>> &sightings,
                                                 std::vector<std::vector<BodyAxis>> axes);
@@ -53,11 +53,11 @@ std::vector<std::vector<BodyAxis>> trackAxis(const std::vector<ViewTrack> &views
 struct BodyPose
 {
     Nanoseconds time{0}; ///< of the first view's clock
-    Eigen::Vector2d place = Eigen::Vector2d::Zero();
+    Eigen::Vector2d position = Eigen::Vector2d::Zero();
     double headingRad = 0;
 };
 
-/// The same of a solid whose two ends differ, as the supports of its outlines show it (placeBySupport):
+/// The same of a solid whose two ends differ, as the supports of its outlines show it (positionBySupport):
 /// followed from observation to observation, from the poses that are known, of which there is at least one,
 /// in order. Directions modulo 2π.
 std::vector<std::vector<BodyAxis>> trackDirection(const std::vector<ViewTrack> &views,

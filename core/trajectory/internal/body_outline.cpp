@@ -20,7 +20,7 @@ constexpr int mostIterations = 3;
 constexpr int aboutSteps = 8;
 constexpr double aboutStepRad = 0.025;
 constexpr double worstMisfit = 4; // σ of each of the three second moments: not this solid's silhouette
-constexpr int placeIterations = 4;
+constexpr int positionIterations = 4;
 
 } // namespace
 
@@ -42,17 +42,17 @@ OutlineSigma sigmaOfOutline(const RegionMoments &outline)
     // A circle of radius r that is drawn too wide by e has its area r²π and its moments r²/4 too large by
     // 2e/r.
     const double radius = std::sqrt(std::max(outline.areaPx2, 1.0) / std::numbers::pi);
-    const double share = 2 * outlineDoubtPx / radius;
+    const double share = 2 * outlineSigmaPx / radius;
     return {share, share * outline.covariancePx2.trace() / 2};
 }
 
 OutlineDifferences outlineDifferences(const RegionMoments &seen, const RegionMoments &model,
                                       const OutlineSigma &sigma, double centroidSigmaPx)
 {
-    const Eigen::Vector2d place = (seen.centrePx - model.centrePx) / centroidSigmaPx;
+    const Eigen::Vector2d position = (seen.centrePx - model.centrePx) / centroidSigmaPx;
     const Eigen::Matrix2d spread = (seen.covariancePx2 - model.covariancePx2) / sigma.covariancePx2;
     OutlineDifferences differences;
-    differences << place, std::log(seen.areaPx2 / model.areaPx2) / sigma.areaShare, spread(0, 0),
+    differences << position, std::log(seen.areaPx2 / model.areaPx2) / sigma.areaShare, spread(0, 0),
         spread(1, 1), spread(0, 1);
     return differences;
 }
@@ -131,7 +131,7 @@ std::optional<Eigen::Vector2d> pixelOfBodyMiddle(const FloorView &view, const So
 {
     const double middleM = middleHeightM(shape);
     Eigen::Vector2d pixel = centroidPx;
-    for (int iteration = 0; iteration < placeIterations; ++iteration) {
+    for (int iteration = 0; iteration < positionIterations; ++iteration) {
         const auto position = view.floorFromPixel(pixel, middleM);
         if (!position)
             return std::nullopt;
@@ -313,9 +313,9 @@ struct SupportDifference
 
 } // namespace
 
-std::optional<SupportPlace> placeBySupport(const FloorView &view, const SolidShape &shape,
-                                           const Observation &observation, const OutlineDifference &known,
-                                           const PlaceGuess &guess)
+std::optional<SupportPosition> positionBySupport(const FloorView &view, const SolidShape &shape,
+                                                 const Observation &observation,
+                                                 const OutlineDifference &known, const PositionGuess &guess)
 {
     if (observation.supportPx.size() != supportDirections)
         return std::nullopt;
@@ -325,7 +325,7 @@ std::optional<SupportPlace> placeBySupport(const FloorView &view, const SolidSha
     const Function function(difference);
     ceres::TinySolver<Function> solver;
     solver.options.max_num_iterations = 20;
-    Eigen::Vector3d pose(guess.place.x(), guess.place.y(), guess.axis.angleRad);
+    Eigen::Vector3d pose(guess.position.x(), guess.position.y(), guess.axis.angleRad);
     const auto &summary = solver.Solve(function, &pose);
     Eigen::Matrix<double, supportDirections + 1, 1> residuals;
     Eigen::Matrix<double, supportDirections + 1, 3> slopes;
@@ -333,7 +333,7 @@ std::optional<SupportPlace> placeBySupport(const FloorView &view, const SolidSha
         !function(pose.data(), residuals.data(), slopes.data()))
         return std::nullopt;
     const Eigen::Matrix3d covariance = (slopes.transpose() * slopes).inverse();
-    return SupportPlace{pose.head<2>(), {pose.z(), std::sqrt(std::max(0.0, covariance(2, 2)))}};
+    return SupportPosition{pose.head<2>(), {pose.z(), std::sqrt(std::max(0.0, covariance(2, 2)))}};
 }
 
 } // namespace odo

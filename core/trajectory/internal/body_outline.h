@@ -28,7 +28,7 @@ RegionMoments outlineMoments(const Observation &observation);
 
 /// By how much all of an outline may be drawn too wide or too narrow (shadow at the foot, motion blur,
 /// coding): the error that the area and the second moments of all frames share. Pixels.
-constexpr double outlineDoubtPx = 0.15;
+constexpr double outlineSigmaPx = 0.15;
 
 /// σ of an outline's area as a share of itself, and of its second moments in px², that follow from the
 /// uncertainty.
@@ -148,16 +148,16 @@ struct OutlineDifference
 };
 
 /// Prior knowledge of a solid's position.
-struct PlaceGuess
+struct PositionGuess
 {
-    Eigen::Vector2d place = Eigen::Vector2d::Zero();
+    Eigen::Vector2d position = Eigen::Vector2d::Zero();
     BodyAxis axis;
 };
 
 /// Position and direction of a body.
-struct SupportPlace
+struct SupportPosition
 {
-    Eigen::Vector2d place = Eigen::Vector2d::Zero();
+    Eigen::Vector2d position = Eigen::Vector2d::Zero();
     BodyAxis axis; ///< σ from the support together with the guess
 };
 
@@ -165,8 +165,9 @@ struct SupportPlace
 /// direction as was seen, by least squares with Cauchy's loss (ceres::TinySolver): a side of which the
 /// outline is missing, or that is drawn too far, takes less part than in the centroid. nullopt: the
 /// observation has no support, or the search leaves the image. Pure.
-std::optional<SupportPlace> placeBySupport(const FloorView &view, const SolidShape &shape,
-                                           const Observation &observation,
-                                           const OutlineDifference &difference, const PlaceGuess &guess);
+std::optional<SupportPosition> positionBySupport(const FloorView &view, const SolidShape &shape,
+                                                 const Observation &observation,
+                                                 const OutlineDifference &difference,
+                                                 const PositionGuess &guess);
 
 } // namespace odo

@@ -18,7 +18,7 @@ constexpr double unknownSigmaPx = 0.5;
 constexpr std::size_t leastClear = 10;
 constexpr double largestUsualExcess = 0.15; // of the area's logarithm
 constexpr double oddAreaScatter = 5,
-                 oddAreaDoubts = 4;  // times the usual scatter, and times the uncertainty of outlines
+                 oddAreaUncertainty = 4; // times the usual scatter, and times the uncertainty of outlines
 constexpr double leastSigmaPx = 0.1; // what all edges of an outline share, whatever the noise of each says
 // What coding, shading and the lens's blur leave in all of a run's outlines alike: the centres of known
 // outlines come back from H.264 and MJPEG files with so much bias (docs/accuracy.md).
@@ -46,7 +46,7 @@ Sighting sightingOf(const ViewTrack &view, const Observation &observation, bool 
     return sighting;
 }
 
-bool canBePlaced(const Observation &observation, const Sighting &sighting)
+bool canBePositioned(const Observation &observation, const Sighting &sighting)
 {
     return observation.found && !sighting.duplicate && observation.ellipse.centrePx.allFinite();
 }
@@ -54,27 +54,27 @@ bool canBePlaced(const Observation &observation, const Sighting &sighting)
 void layAt(Sighting &sighting, const FloorView &view, const Eigen::Vector2d &pixel,
            const Eigen::Matrix2d &covariance, double planeM, double unexplainedPx = 0)
 {
-    const auto place = view.locate(pixel, covariance, planeM);
+    const auto position = view.locate(pixel, covariance, planeM);
     const double lastingVariancePx2 = lastingSigmaPx * lastingSigmaPx + unexplainedPx * unexplainedPx;
     const auto lasting = view.locate(pixel, Eigen::Matrix2d::Identity() * lastingVariancePx2, planeM);
-    if (place && place->pointInWorld.allFinite() && place->pixelCovariance.allFinite()) {
+    if (position && position->pointInWorld.allFinite() && position->pixelCovariance.allFinite()) {
         sighting.seen = true;
-        sighting.place = *place;
-        sighting.place.calibrationCovariance += lasting->pixelCovariance;
+        sighting.position = *position;
+        sighting.position.calibrationCovariance += lasting->pixelCovariance;
     }
 }
 
 } // namespace
 
-std::vector<Sighting> placeObservations(const ViewTrack &view, double planeM)
+std::vector<Sighting> positionObservations(const ViewTrack &view, double planeM)
 {
     std::vector<Sighting> sightings;
     sightings.reserve(view.observations.size());
-    const std::vector<bool> repeated = repeatedPictures(view.observations);
+    const std::vector<bool> repeated = repeatedFrames(view.observations);
     for (std::size_t i = 0; i < view.observations.size(); ++i) {
         const Observation &observation = view.observations[i];
         Sighting sighting = sightingOf(view, observation, repeated[i]);
-        if (canBePlaced(observation, sighting))
+        if (canBePositioned(observation, sighting))
             layAt(sighting, *view.floorView, observation.ellipse.centrePx,
                   usableCovariance(observation.centreCovariancePx2), planeM);
         sightings.push_back(sighting);
@@ -106,9 +106,9 @@ std::optional<BodyPixel> bodyPixel(const FloorView &view, const SolidShape &shap
         const Eigen::Vector2d shift = *turned - *here;
         const auto start = view.floorFromPixel(*here, middleHeightM(shape));
         const auto placed =
-            start ? placeBySupport(view, shape, observation, outlines, {*start, axis}) : std::nullopt;
+            start ? positionBySupport(view, shape, observation, outlines, {*start, axis}) : std::nullopt;
         const auto middle =
-            placed ? view.pixelFromWorld({placed->place.x(), placed->place.y(), middleHeightM(shape)})
+            placed ? view.pixelFromWorld({placed->position.x(), placed->position.y(), middleHeightM(shape)})
                    : std::nullopt;
         return BodyPixel{middle.value_or(*here), shift * shift.transpose()};
     }
@@ -132,7 +132,7 @@ std::optional<BodyPixel> bodyPixel(const FloorView &view, const SolidShape &shap
 double areaExcess(const FloorView &view, const SolidShape &shape, const Observation &observation,
                   const Sighting &sighting, const BodyAxis &axis)
 {
-    const auto model = silhouetteMoments(view, shape, sighting.place.pointInWorld, axis.angleRad);
+    const auto model = silhouetteMoments(view, shape, sighting.position.pointInWorld, axis.angleRad);
     return model && model->areaPx2 > 0 && observation.areaPx > 0
                ? std::log(observation.areaPx / model->areaPx2)
                : 0;
@@ -147,30 +147,30 @@ struct BodySightings
     double areaShare = 0;       ///< the usual uncertainty of an area
 };
 
-BodySightings placeInView(const ViewTrack &view, const SolidShape &shape, const std::vector<BodyAxis> &axes,
-                          const SolidDoubt &doubt)
+BodySightings positionInView(const ViewTrack &view, const SolidShape &shape,
+                             const std::vector<BodyAxis> &axes, const SolidUncertainty &uncertainty)
 {
     BodySightings placed;
     placed.excess.resize(view.observations.size());
     placed.sightings.reserve(view.observations.size());
-    const std::vector<bool> repeated = repeatedPictures(view.observations);
+    const std::vector<bool> repeated = repeatedFrames(view.observations);
     std::vector<double> areaShares;
     for (std::size_t i = 0; i < view.observations.size(); ++i) {
         const Observation &observation = view.observations[i];
         Sighting sighting = sightingOf(view, observation, repeated[i]);
-        const auto pixel = canBePlaced(observation, sighting)
-                               ? bodyPixel(*view.floorView, shape, observation, axes[i], doubt.outlines)
+        const auto pixel = canBePositioned(observation, sighting)
+                               ? bodyPixel(*view.floorView, shape, observation, axes[i], uncertainty.outlines)
                                : std::nullopt;
         if (pixel)
             layAt(sighting, *view.floorView, pixel->pixel,
                   usableCovariance(observation.centreCovariancePx2) + pixel->covariance, middleHeightM(shape),
-                  doubt.unexplainedPx);
+                  uncertainty.unexplainedPx);
         if (sighting.seen) {
             const Eigen::Vector2d forward(std::cos(axes[i].angleRad), std::sin(axes[i].angleRad)),
                 left(-forward.y(), forward.x());
-            sighting.place.calibrationCovariance +=
-                doubt.forwardM * doubt.forwardM * forward * forward.transpose() +
-                doubt.leftM * doubt.leftM * left * left.transpose();
+            sighting.position.calibrationCovariance +=
+                uncertainty.forwardM * uncertainty.forwardM * forward * forward.transpose() +
+                uncertainty.leftM * uncertainty.leftM * left * left.transpose();
             placed.excess[i] = areaExcess(*view.floorView, shape, observation, sighting, axes[i]);
             areaShares.push_back(sigmaOfOutline(outlineMoments(observation)).areaShare);
             if (!sighting.cut)
@@ -183,7 +183,7 @@ BodySightings placeInView(const ViewTrack &view, const SolidShape &shape, const 
 }
 
 /// Takes the score of outlines that are larger or smaller than a view usually sees the solid.
-void doubtOddAreas(BodySightings &placed, double usual)
+void uncertaintyOfOddAreas(BodySightings &placed, double usual)
 {
     std::vector<double> deviations;
     for (const double excess : placed.clear) {
@@ -191,7 +191,7 @@ void doubtOddAreas(BodySightings &placed, double usual)
             deviations.push_back(std::abs(excess - usual));
     }
     const double scatter = deviations.empty() ? 0 : 1.4826 * upperMedian(std::move(deviations));
-    const double limit = std::max(oddAreaScatter * scatter, oddAreaDoubts * placed.areaShare);
+    const double limit = std::max(oddAreaScatter * scatter, oddAreaUncertainty * placed.areaShare);
     for (std::size_t i = 0; i < placed.sightings.size(); ++i) {
         Sighting &sighting = placed.sightings[i];
         if (sighting.seen && !sighting.cut && std::abs(placed.excess[i] - usual) > limit)
@@ -222,20 +222,20 @@ std::vector<double> usualExcess(const std::vector<BodySightings> &views)
 
 } // namespace
 
-std::vector<std::vector<Sighting>> placeBody(const std::vector<ViewTrack> &views, const SolidShape &shape,
-                                             const std::vector<std::vector<BodyAxis>> &axes,
-                                             const SolidDoubt &doubt)
+std::vector<std::vector<Sighting>> positionBody(const std::vector<ViewTrack> &views, const SolidShape &shape,
+                                                const std::vector<std::vector<BodyAxis>> &axes,
+                                                const SolidUncertainty &uncertainty)
 {
     std::vector<BodySightings> placed(views.size());
     for (std::size_t v = 0; v < views.size(); ++v) {
         if (views[v].floorView)
-            placed[v] = placeInView(views[v], shape, axes[v], doubt);
+            placed[v] = positionInView(views[v], shape, axes[v], uncertainty);
     }
     const std::vector<double> usual = usualExcess(placed);
     std::vector<std::vector<Sighting>> sightings;
     for (std::size_t v = 0; v < views.size(); ++v) {
         if (placed[v].clear.size() >= leastClear)
-            doubtOddAreas(placed[v], usual[v]);
+            uncertaintyOfOddAreas(placed[v], usual[v]);
         sightings.push_back(std::move(placed[v].sightings));
     }
     return sightings;
@@ -298,7 +298,7 @@ bool isRepeat(const std::vector<Observation> &all, std::size_t first, std::size_
 
 } // namespace
 
-std::vector<bool> repeatedPictures(const std::vector<Observation> &observations)
+std::vector<bool> repeatedFrames(const std::vector<Observation> &observations)
 {
     std::vector<bool> repeated(observations.size());
     for (std::size_t i = 2; i < observations.size(); ++i) {

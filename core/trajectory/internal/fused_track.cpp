@@ -33,25 +33,25 @@ double distanceSquared(const FloorPosition &a, const FloorPosition &b)
 
 } // namespace
 
-Eigen::Matrix2d totalCovariance(const FloorPosition &place)
+Eigen::Matrix2d totalCovariance(const FloorPosition &position)
 {
-    return place.pixelCovariance + place.calibrationCovariance;
+    return position.pixelCovariance + position.calibrationCovariance;
 }
 
 FusedPosition fuse(std::span<const ViewPosition> positions)
 {
     Eigen::Matrix2d information = Eigen::Matrix2d::Zero();
     for (const ViewPosition &one : positions)
-        information += totalCovariance(one.place).inverse();
+        information += totalCovariance(one.position).inverse();
     const Eigen::Matrix2d covariance = information.inverse();
 
     FusedPosition fused;
     for (const ViewPosition &one : positions) {
-        const Eigen::Matrix2d weight = covariance * totalCovariance(one.place).inverse();
-        fused.position += weight * one.place.pointInWorld;
-        fused.covariance += weight * one.place.pixelCovariance * weight.transpose();
-        fused.commonCovariance += weight * one.place.calibrationCovariance * weight.transpose();
-        fused.displacementPerMetreHeight += weight * one.place.displacementPerMetreHeight;
+        const Eigen::Matrix2d weight = covariance * totalCovariance(one.position).inverse();
+        fused.position += weight * one.position.pointInWorld;
+        fused.covariance += weight * one.position.pixelCovariance * weight.transpose();
+        fused.commonCovariance += weight * one.position.calibrationCovariance * weight.transpose();
+        fused.displacementPerMetreHeight += weight * one.position.displacementPerMetreHeight;
         fused.views |= 1u << one.view;
     }
     return fused;
@@ -62,8 +62,8 @@ double largestDistance(std::span<const ViewPosition> positions)
     double largest = 0;
     for (std::size_t a = 0; a < positions.size(); ++a) {
         for (std::size_t b = a + 1; b < positions.size(); ++b)
-            largest =
-                std::max(largest, (positions[a].place.pointInWorld - positions[b].place.pointInWorld).norm());
+            largest = std::max(
+                largest, (positions[a].position.pointInWorld - positions[b].position.pointInWorld).norm());
     }
     return largest;
 }
@@ -76,8 +76,9 @@ AgreementGate::AgreementGate(const std::vector<std::vector<Sighting>> &views)
             for (std::size_t i = 0; i < std::min(views[a].size(), views[b].size()); ++i) {
                 if (!views[a][i].seen || !views[b][i].seen)
                     continue;
-                distances.push_back(distanceSquared(views[a][i].place, views[b][i].place));
-                variances.push_back(differenceCovariance(views[a][i].place, views[b][i].place).trace() / 2);
+                distances.push_back(distanceSquared(views[a][i].position, views[b][i].position));
+                variances.push_back(differenceCovariance(views[a][i].position, views[b][i].position).trace() /
+                                    2);
             }
         }
     }
@@ -91,7 +92,7 @@ AgreementGate::AgreementGate(const std::vector<std::vector<Sighting>> &views)
 
 bool AgreementGate::agree(const ViewPosition &a, const ViewPosition &b) const
 {
-    return distanceSquared(a.place, b.place) <= refusalGate * m_scale;
+    return distanceSquared(a.position, b.position) <= refusalGate * m_scale;
 }
 
 std::vector<ViewPosition> AgreementGate::largestAgreeingGroup(std::span<const ViewPosition> positions) const
@@ -153,7 +154,7 @@ Found collect(const std::vector<std::vector<Sighting>> &views, std::size_t i, do
               SampleEvidence &evidence)
 {
     Found found;
-    std::vector<ViewPosition> doubtful;
+    std::vector<ViewPosition> uncertain;
     bool allCut = true, areOutlines = true;
     for (std::size_t v = 0; v < views.size(); ++v) {
         const Sighting &sighting = views[v][i];
@@ -163,14 +164,14 @@ Found collect(const std::vector<std::vector<Sighting>> &views, std::size_t i, do
         evidence.bestScore = std::max(evidence.bestScore, sighting.score);
         allCut &= sighting.cut;
         areOutlines &= sighting.ofOutline;
-        const ViewPosition position{static_cast<std::uint32_t>(v), sighting.place};
+        const ViewPosition position{static_cast<std::uint32_t>(v), sighting.position};
         if (sighting.cut || sighting.score < leastScore)
-            doubtful.push_back(position);
+            uncertain.push_back(position);
         else
             found.positions.push_back(position);
     }
-    if (found.positions.empty() && !doubtful.empty()) {
-        found.positions = std::move(doubtful);
+    if (found.positions.empty() && !uncertain.empty()) {
+        found.positions = std::move(uncertain);
         found.sure = false;
         evidence.cut = allCut;
         evidence.partlySeen = areOutlines;
@@ -223,9 +224,9 @@ std::optional<std::size_t> onlyFit(const std::vector<ViewPosition> &contenders,
     std::optional<std::size_t> fit;
     for (std::size_t c = 0; c < contenders.size(); ++c) {
         const Eigen::Matrix2d s = estimate.covariance.topLeftCorner<2, 2>() +
-                                  totalCovariance(contenders[c].place) +
+                                  totalCovariance(contenders[c].position) +
                                   Eigen::Matrix2d::Identity() * singleViewSigmaM * singleViewSigmaM;
-        const Eigen::Vector2d d = contenders[c].place.pointInWorld - estimate.position();
+        const Eigen::Vector2d d = contenders[c].position.pointInWorld - estimate.position();
         if (d.dot(s.inverse() * d) > refusalGate)
             continue;
         if (fit)

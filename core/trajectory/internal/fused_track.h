@@ -18,11 +18,11 @@ namespace odo {
 struct ViewPosition
 {
     std::uint32_t view = 0; ///< index of the view
-    FloorPosition place;
+    FloorPosition position;
 };
 
 /// The part of single frames and the part of the calibration together, m².
-Eigen::Matrix2d totalCovariance(const FloorPosition &place);
+Eigen::Matrix2d totalCovariance(const FloorPosition &position);
 
 /// Several views' word, joined.
 struct FusedPosition

@@ -35,7 +35,7 @@ std::vector<ViewPair> collectPairs(const std::vector<std::vector<Sighting>> &vie
                 const Sighting &first = views[a][i], &second = views[b][i];
                 if (!first.seen || !second.seen || first.cut || second.cut)
                     continue;
-                const FloorPosition &p = first.place, &q = second.place;
+                const FloorPosition &p = first.position, &q = second.position;
                 pairs.push_back({p.pointInWorld - q.pointInWorld,
                                  p.displacementPerMetreHeight - q.displacementPerMetreHeight,
                                  (p.pixelCovariance + q.pixelCovariance).inverse(),
@@ -115,18 +115,18 @@ std::optional<PlaneEstimate> estimatePlane(const std::vector<std::vector<Sightin
 namespace {
 
 // A given height is that of the top; the end of the colour is known less well.
-constexpr double toldPlaneSigmaM = 0.002;
+constexpr double givenPlaneSigmaM = 0.002;
 // A robot of unknown height seen by one view is taken to lie on the floor; most are less than 120 mm high.
 constexpr double unknownPlaneSigmaM = 0.03;
 
 } // namespace
 
-std::vector<std::vector<Sighting>> lookFromAllViews(const std::vector<ViewTrack> &views,
+std::vector<std::vector<Sighting>> viewFromAllSides(const std::vector<ViewTrack> &views,
                                                     const std::vector<Nanoseconds> &times, double planeM)
 {
     std::vector<std::vector<Sighting>> all;
     for (const ViewTrack &view : views)
-        all.push_back(view.floorView ? sightingsAt(times, placeObservations(view, planeM))
+        all.push_back(view.floorView ? sightingsAt(times, positionObservations(view, planeM))
                                      : std::vector<Sighting>(times.size()));
     return all;
 }
@@ -136,10 +136,10 @@ PlaneChoice choosePlane(const std::vector<ViewTrack> &views, const std::vector<N
 {
     if (shape.heightM) {
         const bool mark = isMarkAtTop(views, *shape.heightM);
-        return {mark ? *shape.heightM : silhouettePlaneM(*shape.heightM), toldPlaneSigmaM, *shape.heightM,
+        return {mark ? *shape.heightM : silhouettePlaneM(*shape.heightM), givenPlaneSigmaM, *shape.heightM,
                 false};
     }
-    if (const auto estimate = estimatePlane(lookFromAllViews(views, times, 0))) {
+    if (const auto estimate = estimatePlane(viewFromAllSides(views, times, 0))) {
         const bool mark = isMarkAtTop(views, estimate->planeM);
         return {estimate->planeM, estimate->sigmaM, mark ? estimate->planeM : 2 * estimate->planeM, true};
     }
@@ -170,11 +170,11 @@ std::optional<TimedHeight> heightAt(const std::vector<std::vector<Sighting>> &vi
             if (!first.seen || !second.seen || first.cut || second.cut)
                 continue;
             const Eigen::Vector2d perMetre =
-                first.place.displacementPerMetreHeight - second.place.displacementPerMetreHeight;
+                first.position.displacementPerMetreHeight - second.position.displacementPerMetreHeight;
             const Eigen::Matrix2d weight =
-                (first.place.pixelCovariance + second.place.pixelCovariance).inverse();
+                (first.position.pixelCovariance + second.position.pixelCovariance).inverse();
             information += perMetre.dot(weight * perMetre);
-            projection -= perMetre.dot(weight * (first.place.pointInWorld - second.place.pointInWorld));
+            projection -= perMetre.dot(weight * (first.position.pointInWorld - second.position.pointInWorld));
             parallax = std::max(parallax, perMetre.norm());
         }
     }
@@ -218,10 +218,10 @@ std::optional<FreeHeightSightings> freeHeight(std::vector<std::vector<Sighting>>
         const double height = sure ? heights[i]->heightM : near;
         const double variance = sure ? heights[i]->varianceM2 : neighbourSigmaM * neighbourSigmaM;
         for (auto &view : views) {
-            FloorPosition &place = view[i].place;
-            place.pointInWorld += height * place.displacementPerMetreHeight;
-            place.pixelCovariance +=
-                variance * place.displacementPerMetreHeight * place.displacementPerMetreHeight.transpose();
+            FloorPosition &position = view[i].position;
+            position.pointInWorld += height * position.displacementPerMetreHeight;
+            position.pixelCovariance += variance * position.displacementPerMetreHeight *
+                                        position.displacementPerMetreHeight.transpose();
         }
     }
     return FreeHeightSightings{std::move(views), upperMedian(std::move(known))};
@@ -245,11 +245,11 @@ constexpr double markShare = 0.5; // of the span from foot to top; a body covers
 /// vertical.
 std::optional<double> verticalShare(const FloorView &view, const Ellipse &ellipse, double heightM)
 {
-    const auto place = view.floorFromPixel(ellipse.centrePx, heightM);
-    if (!place)
+    const auto position = view.floorFromPixel(ellipse.centrePx, heightM);
+    if (!position)
         return std::nullopt;
-    const auto foot = view.pixelFromWorld({place->x(), place->y(), 0});
-    const auto top = view.pixelFromWorld({place->x(), place->y(), heightM});
+    const auto foot = view.pixelFromWorld({position->x(), position->y(), 0});
+    const auto top = view.pixelFromWorld({position->x(), position->y(), heightM});
     if (!foot || !top)
         return std::nullopt;
     const Eigen::Vector2d span = *top - *foot;

@@ -31,7 +31,7 @@ struct PlaneChoice
 };
 
 /// Each view's sightings on a plane at common times, in their order. Unregistered views see nothing.
-std::vector<std::vector<Sighting>> lookFromAllViews(const std::vector<ViewTrack> &views,
+std::vector<std::vector<Sighting>> viewFromAllSides(const std::vector<ViewTrack> &views,
                                                     const std::vector<Nanoseconds> &times, double planeM);
 
 /// The plane of a robot whose form is not known: by the given height (a mark at its top lies there, a body's

@@ -35,8 +35,8 @@ struct Step
     double dt, kept;
     Eigen::Matrix3d axisNoise;
 
-    Step(double dtS, double wayM, bool struck, const MotionNoise &motion)
-        : dt(dtS), kept(std::exp(-std::abs(wayM) / motion.slowLengthM))
+    Step(double dtS, double pathM, bool struck, const MotionNoise &motion)
+        : dt(dtS), kept(std::exp(-std::abs(pathM) / motion.slowLengthM))
     {
         const double t2 = dt * dt, t3 = t2 * dt;
         axisNoise << t3 * t2 / 20, t2 * t2 / 8, t3 / 6, //

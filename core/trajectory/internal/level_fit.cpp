@@ -23,7 +23,7 @@ constexpr double likelyShift = 0.15;
 // and across it: most robots are as wide to the left as to the right
 constexpr double likelyLean = 0.005;
 constexpr double likelyDrawnPx = 0.1;
-constexpr double toldSigmaM = 0.001;
+constexpr double givenSigmaM = 0.001;
 constexpr double leastMisfit = 0.2; // no outline is better than a tenth of a pixel
 // of a heading against the motion; of how far behind the middle the wheels are that do not turn
 constexpr double drivenSigmaRad = 0.035, likelyAxleM = 0.05;
@@ -112,7 +112,7 @@ struct LevelPrior
 {
     LevelForm expected;
     SolidShape box;
-    RobotShape told;
+    RobotShape given;
     static constexpr int size = FormSize + 3;
 
     template <class T>
@@ -129,12 +129,13 @@ struct LevelPrior
         const auto levels = levelsOf(form);
         const auto off = [&levels](const std::optional<double> &known, T LevelOf<T>::*side) {
             return known ? T((2.0 * max(levels[0].*side, max(levels[1].*side, levels[2].*side)) - *known) /
-                             toldSigmaM)
+                             givenSigmaM)
                          : T(0);
         };
-        residual[FormSize] = off(told.lengthM, &LevelOf<T>::front);
-        residual[FormSize + 1] = off(told.widthM, &LevelOf<T>::left);
-        residual[FormSize + 2] = told.heightM ? T((levels.back().height - *told.heightM) / toldSigmaM) : T(0);
+        residual[FormSize] = off(given.lengthM, &LevelOf<T>::front);
+        residual[FormSize + 1] = off(given.widthM, &LevelOf<T>::left);
+        residual[FormSize + 2] =
+            given.heightM ? T((levels.back().height - *given.heightM) / givenSigmaM) : T(0);
         return true;
     }
 };
@@ -215,7 +216,7 @@ public:
                  const std::vector<std::vector<BodyAxis>> &axes,
                  const std::vector<std::vector<Sighting>> &sightings, const SolidShape &box);
     bool isEnough() const { return m_times.size() >= leastLevelTimes; }
-    bool solve(const SolidShape &box, const RobotShape &told, const LevelStart &start);
+    bool solve(const SolidShape &box, const RobotShape &given, const LevelStart &start);
     std::optional<LevelFit> result();
 
 private:
@@ -230,7 +231,7 @@ private:
         options.loss_function_ownership = ceres::DO_NOT_TAKE_OWNERSHIP;
         return options;
     }
-    bool findDoubt(LevelFit &fit);
+    bool findUncertainty(LevelFit &fit);
 
     std::vector<CommonOutlines> m_times;
     std::vector<LevelPose> m_poses; ///< at the times
@@ -252,13 +253,13 @@ LevelProblem::LevelProblem(const std::vector<CommonOutlines> &times, const std::
             return outline.supportPx.size() != supportDirections;
         });
         const auto direction = directionAt(views, axes, common.time);
-        const auto place = common.outlines.empty()
-                               ? std::nullopt
-                               : common.outlines.front().view->floorFromPixel(
-                                     common.outlines.front().moments.centrePx, middleHeightM(box));
-        if (!direction || !place)
+        const auto position = common.outlines.empty()
+                                  ? std::nullopt
+                                  : common.outlines.front().view->floorFromPixel(
+                                        common.outlines.front().moments.centrePx, middleHeightM(box));
+        if (!direction || !position)
             continue;
-        m_poses.push_back({place->x(), place->y(), *direction});
+        m_poses.push_back({position->x(), position->y(), *direction});
         m_motions.push_back(motionAt(sightings, common.time));
         m_times.push_back(std::move(common));
     }
@@ -289,11 +290,11 @@ void LevelProblem::addResiduals(const LevelPrior &prior)
     }
 }
 
-bool LevelProblem::solve(const SolidShape &box, const RobotShape &told, const LevelStart &start)
+bool LevelProblem::solve(const SolidShape &box, const RobotShape &given, const LevelStart &start)
 {
     constexpr LevelStart usual{0.1, 0};
     m_form = formOf(box, start);
-    addResiduals({formOf(box, usual), box, told});
+    addResiduals({formOf(box, usual), box, given});
     ceres::Solver::Options options;
     options.linear_solver_type = ceres::DENSE_SCHUR;
     options.max_num_iterations = 100;
@@ -347,7 +348,7 @@ void LevelProblem::findMisfit(LevelFit &fit)
     fit.lastingPx = std::sqrt(squares / (2.0 * double(m_blocks.size())));
 }
 
-bool LevelProblem::findDoubt(LevelFit &fit)
+bool LevelProblem::findUncertainty(LevelFit &fit)
 {
     ceres::Covariance covariance({});
     std::array<double, FormSize * FormSize> block{};
@@ -368,7 +369,7 @@ std::optional<LevelFit> LevelProblem::result()
     for (std::size_t t = 0; t < m_times.size(); ++t)
         fit.poses.push_back({m_times[t].time, {m_poses[t][0], m_poses[t][1]}, m_poses[t][2]});
     findMisfit(fit);
-    return findDoubt(fit) ? std::optional(std::move(fit)) : std::nullopt;
+    return findUncertainty(fit) ? std::optional(std::move(fit)) : std::nullopt;
 }
 
 } // namespace
@@ -382,10 +383,10 @@ std::optional<LevelFit> fitLevels(const std::vector<CommonOutlines> &times,
                                   const std::vector<ViewTrack> &views,
                                   const std::vector<std::vector<BodyAxis>> &axes,
                                   const std::vector<std::vector<Sighting>> &sightings, const SolidShape &box,
-                                  const RobotShape &told, const LevelStart &start)
+                                  const RobotShape &given, const LevelStart &start)
 {
     LevelProblem problem(times, views, axes, sightings, box);
-    return problem.isEnough() && problem.solve(box, told, start) ? problem.result() : std::nullopt;
+    return problem.isEnough() && problem.solve(box, given, start) ? problem.result() : std::nullopt;
 }
 
 } // namespace odo

@@ -47,7 +47,7 @@ std::optional<LevelFit> fitLevels(const std::vector<CommonOutlines> &times,
                                   const std::vector<ViewTrack> &views,
                                   const std::vector<std::vector<BodyAxis>> &axes,
                                   const std::vector<std::vector<Sighting>> &sightings, const SolidShape &box,
-                                  const RobotShape &told, const LevelStart &start);
+                                  const RobotShape &given, const LevelStart &start);
 
 inline double valueOf(double number)
 {

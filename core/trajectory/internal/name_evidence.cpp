@@ -22,7 +22,7 @@ constexpr double leastScore = 0.2;
 constexpr std::size_t leastFrames = 3, framesOfVelocity = 6;
 constexpr double mostLinkCost = 12.0;
 constexpr double accelerationRadii = 16.0; ///< per s²: 2 m/s² of a robot whose circle has a radius of 0.12 m
-constexpr double placeSigmaRadii = 0.3, speedSigmaRadii = 0.5;
+constexpr double positionSigmaRadii = 0.3, speedSigmaRadii = 0.5;
 
 Tracklet::End endAt(const std::vector<Observation> &observations, std::size_t at, std::size_t inner,
                     const ViewClock &clock)
@@ -82,12 +82,12 @@ double costOfJoining(const Tracklet::End &end, const Tracklet::End &begin)
 {
     const double dt = std::max(0.0, begin.timeS - end.timeS);
     const double radius = std::max(1.0, std::min(end.radiusPx, begin.radiusPx));
-    const double placeSigma = radius * (placeSigmaRadii + 0.25 * accelerationRadii * dt * dt);
+    const double positionSigma = radius * (positionSigmaRadii + 0.25 * accelerationRadii * dt * dt);
     const double speedSigma = radius * (speedSigmaRadii + accelerationRadii * dt);
     const Eigen::Vector2d halfway = (begin.positionPx - 0.5 * dt * begin.velocityPxPerS) -
                                     (end.positionPx + 0.5 * dt * end.velocityPxPerS);
     const Eigen::Vector2d change = begin.velocityPxPerS - end.velocityPxPerS;
-    return std::min(mostLinkCost, 0.5 * (halfway.squaredNorm() / (placeSigma * placeSigma) +
+    return std::min(mostLinkCost, 0.5 * (halfway.squaredNorm() / (positionSigma * positionSigma) +
                                          change.squaredNorm() / (speedSigma * speedSigma)));
 }
 
@@ -96,7 +96,7 @@ namespace {
 constexpr double momentStepS = 0.05;
 constexpr double longestInterpolationS = 0.12;
 // of what stands still; what goes all the time and as far is as likely a robot as can be
-constexpr double leastLikeness = 0.15, wayOfRobotM = 1;
+constexpr double leastLikeness = 0.15, distanceOfRobotM = 1;
 constexpr double likenessAtBorder = 0.3;
 constexpr double secondPlaneM = 0.1; ///< any height: a ray moves on a straight line through the planes
 
@@ -180,24 +180,24 @@ std::vector<FloorMoment> gatherMoments(const std::vector<NamedView> &views,
     return moments;
 }
 
-struct PlaceAtTime
+struct PositionAtTime
 {
     double timeS = 0;
-    Eigen::Vector2d placeM;
+    Eigen::Vector2d stationM;
 };
 
 /// Of the times at which something was seen, the share at which it had moved on within the second before.
-double shareInMotion(const std::vector<PlaceAtTime> &way)
+double shareInMotion(const std::vector<PositionAtTime> &path)
 {
     constexpr double longestS = 1, leastMps = 0.02, leastM = 0.01; // less is what an outline at rest does
     std::size_t moving = 0, from = 0;
-    for (const PlaceAtTime &now : way) {
-        while (now.timeS - way[from].timeS > longestS)
+    for (const PositionAtTime &now : path) {
+        while (now.timeS - path[from].timeS > longestS)
             ++from;
-        const double goneM = (now.placeM - way[from].placeM).norm();
-        moving += goneM > leastM && goneM > leastMps * (now.timeS - way[from].timeS) ? 1 : 0;
+        const double goneM = (now.stationM - path[from].stationM).norm();
+        moving += goneM > leastM && goneM > leastMps * (now.timeS - path[from].timeS) ? 1 : 0;
     }
-    return way.empty() ? 0 : double(moving) / double(way.size());
+    return path.empty() ? 0 : double(moving) / double(path.size());
 }
 
 /// Robots drive over the floor within the frame; people stand beside it, a ball comes to rest, hands reach
@@ -206,23 +206,23 @@ TrackletOf judged(TrackletOf one, const NamedView &view, const std::vector<Obser
 {
     Eigen::AlignedBox2d visited;
     std::vector<double> sizes;
-    std::vector<PlaceAtTime> way;
+    std::vector<PositionAtTime> path;
     double atBorder = 0;
     const double frames = double(one.tracklet.last - one.tracklet.first + 1);
     for (std::size_t i = one.tracklet.first; i <= one.tracklet.last; ++i) {
         const Observation &seen = observations[i];
         atBorder += seen.touchesBorder ? 1 / frames : 0;
-        const auto place =
+        const auto position =
             view.floorView ? view.floorView->floorFromPixel(seen.ellipse.centrePx, 0) : std::nullopt;
-        if (!place)
+        if (!position)
             continue;
-        visited.extend(*place);
-        way.push_back({toSeconds(seen.time), *place});
+        visited.extend(*position);
+        path.push_back({toSeconds(seen.time), *position});
         sizes.push_back(sizeOf(*view.floorView, seen));
     }
     const double movedM = visited.isEmpty() ? 0 : visited.diagonal().norm();
     const double moves =
-        leastLikeness + (1 - leastLikeness) * std::min(1.0, movedM / wayOfRobotM) * shareInMotion(way);
+        leastLikeness + (1 - leastLikeness) * std::min(1.0, movedM / distanceOfRobotM) * shareInMotion(path);
     one.likeness = moves * (1 - (1 - likenessAtBorder) * atBorder);
     one.sizeM = sizes.empty() ? 0 : upperMedian(std::move(sizes));
     return one;
@@ -238,8 +238,8 @@ void addTracklets(NameEvidence &evidence)
                evidence.tracklets[next].tracklet.begin.timeS <= moment.timeS;
              ++next)
             newest[{evidence.tracklets[next].view, evidence.tracklets[next].slot}] = next;
-        for (const auto &[place, index] : newest) {
-            const auto &[view, slot] = place;
+        for (const auto &[position, index] : newest) {
+            const auto &[view, slot] = position;
             if (slot < moment.sights[view].size() && moment.sights[view][slot].seen &&
                 evidence.tracklets[index].tracklet.end.timeS >= moment.timeS)
                 moment.sights[view][slot].tracklet = index;
@@ -261,8 +261,8 @@ void addPointedOut(const std::vector<NamedView> &views, const std::vector<std::s
 {
     for (std::size_t v = 0; v < views.size(); ++v) {
         for (std::size_t i = 0; i < views[v].pointedOut.size(); ++i) {
-            const PointedOut &told = views[v].pointedOut[i];
-            const auto name = std::ranges::find(considered, told.robot);
+            const PointedOut &given = views[v].pointedOut[i];
+            const auto name = std::ranges::find(considered, given.robot);
             if (name == considered.end())
                 continue;
             TrackletOf *own = nullptr;
@@ -271,9 +271,9 @@ void addPointedOut(const std::vector<NamedView> &views, const std::vector<std::s
                 if (one.view != v)
                     continue;
                 const auto &observations = observationsOf(views[v], considered, one.slot);
-                const auto at = std::ranges::find(observations, told.frame, &Observation::frame);
+                const auto at = std::ranges::find(observations, given.frame, &Observation::frame);
                 const auto index = static_cast<std::size_t>(at - observations.begin());
-                if (index < one.tracklet.first || index > one.tracklet.last || !holds(*at, told.pixel) ||
+                if (index < one.tracklet.first || index > one.tracklet.last || !holds(*at, given.pixel) ||
                     at->areaPx >= leastPx)
                     continue;
                 own = &one;
@@ -290,7 +290,7 @@ void addPointedOut(const std::vector<NamedView> &views, const std::vector<std::s
 /// Mean of what all robots' hues together are off. It does not depend on who is who, as long as all are
 /// there.
 double hueShiftOf(const NamedView &view, const std::vector<std::size_t> &considered,
-                  const std::vector<std::optional<double>> &told)
+                  const std::vector<std::optional<double>> &given)
 {
     double sum = 0, count = 0;
     const std::size_t frames = view.robots[considered.front()].size();
@@ -299,8 +299,8 @@ double hueShiftOf(const NamedView &view, const std::vector<std::size_t> &conside
         bool all = true;
         for (std::size_t k = 0; all && k < considered.size(); ++k) {
             const Observation &observation = view.robots[considered[k]][i];
-            all = told[k] && isSure(observation) && !observation.meanChroma.isZero();
-            shift += all ? hueDifference(hueOf(observation.meanChroma), *told[k]) : 0;
+            all = given[k] && isSure(observation) && !observation.meanChroma.isZero();
+            shift += all ? hueDifference(hueOf(observation.meanChroma), *given[k]) : 0;
         }
         if (!all)
             continue;
@@ -318,7 +318,7 @@ const std::vector<Observation> &observationsOf(const NamedView &view,
     return slot < considered.size() ? view.robots[considered[slot]] : view.others[slot - considered.size()];
 }
 
-std::optional<double> toldHue(const NamedRobot &robot)
+std::optional<double> givenHue(const NamedRobot &robot)
 {
     return robot.colour ? std::optional(hueOf(chromaOf(*robot.colour, FrameFormat{}))) : std::nullopt;
 }
@@ -338,8 +338,8 @@ NameEvidence gatherEvidence(const std::vector<NamedView> &views, const std::vect
 {
     NameEvidence evidence;
     for (const std::size_t robot : considered)
-        evidence.toldHueRad.push_back(toldHue(robots[robot]));
-    const bool ofAnyLook = std::ranges::none_of(evidence.toldHueRad, &std::optional<double>::has_value);
+        evidence.givenHueRad.push_back(givenHue(robots[robot]));
+    const bool ofAnyLook = std::ranges::none_of(evidence.givenHueRad, &std::optional<double>::has_value);
     for (std::size_t v = 0; v < views.size(); ++v) {
         evidence.slots.push_back(considered.size() + (ofAnyLook ? views[v].others.size() : 0));
         for (std::size_t slot = 0; slot < evidence.slots[v]; ++slot) {
@@ -347,7 +347,7 @@ NameEvidence gatherEvidence(const std::vector<NamedView> &views, const std::vect
             for (const Tracklet &tracklet : cutIntoTracklets(observations, clockOf(views[v])))
                 evidence.tracklets.push_back(judged({v, slot, tracklet}, views[v], observations));
         }
-        evidence.hueShiftRad.push_back(hueShiftOf(views[v], considered, evidence.toldHueRad));
+        evidence.hueShiftRad.push_back(hueShiftOf(views[v], considered, evidence.givenHueRad));
     }
     std::stable_sort(evidence.tracklets.begin(), evidence.tracklets.end(),
                      [](const TrackletOf &a, const TrackletOf &b) {

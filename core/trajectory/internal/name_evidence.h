@@ -91,7 +91,7 @@ struct NameEvidence
     std::vector<TrackletOf> tracklets; ///< in order of their begin
     std::vector<FloorMoment> moments;  ///< every 50 ms, where at least two views saw anything; in order
     std::vector<double> hueShiftRad;   ///< for each view, of all its robots against their given colours
-    std::vector<std::optional<double>> toldHueRad; ///< for each robot; none if no colour is given
+    std::vector<std::optional<double>> givenHueRad; ///< for each robot; none if no colour is given
     std::vector<std::pair<std::size_t, std::size_t>> nothingThere; ///< as of NameOutcome
 };
 
@@ -104,7 +104,7 @@ const std::vector<Observation> &observationsOf(const NamedView &view,
                                                const std::vector<std::size_t> &considered, std::size_t slot);
 
 /// Of the given colour, if there is one.
-std::optional<double> toldHue(const NamedRobot &robot);
+std::optional<double> givenHue(const NamedRobot &robot);
 
 /// Hue of a chroma, and the distance of two in (−π, π].
 double hueOf(const Eigen::Vector2d &chroma);

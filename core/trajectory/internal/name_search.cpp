@@ -27,7 +27,8 @@ constexpr double costOfNoRobotPerS = 4.0; ///< of something that is as likely a 
 
 constexpr double costOfContradicting = 1000.0; ///< what a person has said
 
-constexpr double costOfDoubt = 3.0; ///< by which one way is surely better than another: of e^3 = 20 to 1
+constexpr double costOfUncertainty =
+    3.0; ///< by which one way is surely better than another: of e^3 = 20 to 1
 
 constexpr int none = -1;
 
@@ -58,7 +59,7 @@ class NamesSearch
 {
 public:
     NamesSearch(const NameEvidence &evidence, std::size_t views, const NameKnowledge &knowledge)
-        : m_evidence(evidence), m_knowledge(knowledge), m_views(views), m_robots(evidence.toldHueRad.size()),
+        : m_evidence(evidence), m_knowledge(knowledge), m_views(views), m_robots(evidence.givenHueRad.size()),
           m_apart(evidence.tracklets.size())
     {
         if (knowledge.viewsAgree)
@@ -76,22 +77,22 @@ public:
         found.names = namesOf(best.decision);
         const Links links = linksOf(found.names, best.decision);
         for (const NameHypothesis &other : m_hypotheses)
-            addDoubts(best.cost, other.cost, other.decision, links, found);
+            addAmbiguities(best.cost, other.cost, other.decision, links, found);
         for (int d = best.decision; d != none; d = decisionOf(d).before)
             for (const auto &[cost, decision] : decisionOf(d).nearlyAsGood)
-                addDoubts(0, cost, decision, links, found);
+                addAmbiguities(0, cost, decision, links, found);
         return found;
     }
 
 private:
-    std::size_t placeOf(std::size_t view, std::size_t name) const { return view * m_robots + name; }
+    std::size_t positionOf(std::size_t view, std::size_t name) const { return view * m_robots + name; }
     const TrackletOf &trackletOf(int number) const
     {
         return m_evidence.tracklets[static_cast<std::size_t>(number)];
     }
     int lastOf(const NameHypothesis &hypothesis, std::size_t view, std::size_t name) const
     {
-        return hypothesis.last[placeOf(view, name)];
+        return hypothesis.last[positionOf(view, name)];
     }
 
     /// Of two sizes that should be one thing's. Of a given colour a part may be seen.
@@ -105,7 +106,7 @@ private:
 
     bool ofAnyLook() const
     {
-        return std::ranges::none_of(m_evidence.toldHueRad, &std::optional<double>::has_value);
+        return std::ranges::none_of(m_evidence.givenHueRad, &std::optional<double>::has_value);
     }
 
     /// What a moment adds to the costs of two views' tracklets.
@@ -151,7 +152,7 @@ private:
         const int last = lastOf(hypothesis, begun.view, name);
         if (last != none)
             cost += costOfJoining(trackletOf(last).tracklet.end, begun.tracklet.begin);
-        else if (m_robots > 1 && !m_evidence.toldHueRad[name])
+        else if (m_robots > 1 && !m_evidence.givenHueRad[name])
             cost += costOfBeginning;
         if (!m_knowledge.sizesM.empty())
             cost += costOfSizes(begun.sizeM, m_knowledge.sizesM[name]);
@@ -172,9 +173,9 @@ private:
         if (seen.isZero())
             return 0;
         double cost = 0;
-        if (const auto told = m_evidence.toldHueRad[name]) {
+        if (const auto given = m_evidence.givenHueRad[name]) {
             const double hue =
-                hueDifference(hueOf(seen) - m_evidence.hueShiftRad[begun.view], *told) / hueSigmaRad;
+                hueDifference(hueOf(seen) - m_evidence.hueShiftRad[begun.view], *given) / hueSigmaRad;
             cost = std::min(mostHueCost, 0.5 * hue * hue);
         }
         if (m_knowledge.looks.empty())
@@ -191,7 +192,7 @@ private:
     /// Robots without a given colour whose names nothing has yet are all alike.
     bool isUnused(const NameHypothesis &hypothesis, std::size_t name) const
     {
-        if (m_evidence.toldHueRad[name])
+        if (m_evidence.givenHueRad[name])
             return false;
         for (std::size_t view = 0; view < m_views; ++view)
             if (lastOf(hypothesis, view, name) != none)
@@ -225,7 +226,7 @@ private:
             NameHypothesis &changed = next.emplace_back(hypothesis);
             changed.cost += cost + contradiction[name];
             if (name < m_robots)
-                changed.last[placeOf(begun.view, name)] = static_cast<int>(t);
+                changed.last[positionOf(begun.view, name)] = static_cast<int>(t);
             m_decisions.push_back({hypothesis.decision, t, name, {}});
             changed.decision = static_cast<int>(m_decisions.size()) - 1;
         };
@@ -262,7 +263,7 @@ private:
                 continue;
             }
             const NameHypothesis &cheaper = best[its->second];
-            if (const double more = hypothesis.cost - cheaper.cost; more < costOfDoubt)
+            if (const double more = hypothesis.cost - cheaper.cost; more < costOfUncertainty)
                 m_decisions[static_cast<std::size_t>(cheaper.decision)].nearlyAsGood.emplace_back(
                     more, hypothesis.decision);
         }
@@ -286,7 +287,7 @@ private:
         std::vector<int> last(m_views * m_robots, none);
         for (std::size_t t = 0; decision != none && t <= decisionOf(decision).tracklet; ++t) {
             if (names[t] < m_robots)
-                links.push_back(std::exchange(last[placeOf(m_evidence.tracklets[t].view, names[t])],
+                links.push_back(std::exchange(last[positionOf(m_evidence.tracklets[t].view, names[t])],
                                               static_cast<int>(t)));
             else
                 links.push_back(none);
@@ -295,9 +296,10 @@ private:
     }
 
     /// Where another way links the tracklets otherwise than the best one.
-    void addDoubts(double bestCost, double cost, int decision, const Links &best, FoundNames &found) const
+    void addAmbiguities(double bestCost, double cost, int decision, const Links &best,
+                        FoundNames &found) const
     {
-        if (cost - bestCost >= costOfDoubt)
+        if (cost - bestCost >= costOfUncertainty)
             return;
         const std::vector<std::size_t> names = namesOf(decision);
         const Links other = linksOf(names, decision);
@@ -308,7 +310,7 @@ private:
             const std::size_t otherName =
                 other[t] == none ? names[t] : found.names[static_cast<std::size_t>(other[t])];
             if (otherName < m_robots) // else it is not between robots
-                found.doubts.push_back({static_cast<std::size_t>(best[t]), t, otherName});
+                found.ambiguities.push_back({static_cast<std::size_t>(best[t]), t, otherName});
         }
     }
 

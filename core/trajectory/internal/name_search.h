@@ -21,7 +21,7 @@ struct NameKnowledge
 
 /// Two tracklets of one view that got one name, where another way to name the tracklets explains the evidence
 /// nearly as well.
-struct DoubtfulLink
+struct AmbiguousLink
 {
     std::size_t before = 0, behind = 0;
     /// that the second one has by that way; may be its own where only what lies between is named otherwise
@@ -33,7 +33,7 @@ struct FoundNames
     /// of each tracklet of the evidence: an index among the robots considered, or their number where it is no
     /// robot
     std::vector<std::size_t> names;
-    std::vector<DoubtfulLink> doubts;
+    std::vector<AmbiguousLink> ambiguities;
 };
 
 /// The likeliest names. Tracklets of one view that overlap in time never share a name.

@@ -20,7 +20,7 @@ constexpr double smoothRad = 0.26;      // over which the difference is correlat
 constexpr double alikeSides = 0.9;      // correlation of left and right
 constexpr double nugget = 1e-4;         // of the prior's variance: what is not smooth
 constexpr double likelyShiftM = 0.05;   // of a position that is wrong with the solid alone
-constexpr double toldSizeSigmaM = 0.001;
+constexpr double givenSizeSigmaM = 0.001;
 constexpr double amplitudesM[] = {0.0003, 0.001, 0.002, 0.004, 0.008, 0.016, 0.032};
 // times whose outlines have errors of their own; those of all others repeat them
 constexpr double sameErrors = 12;
@@ -66,7 +66,7 @@ Eigen::VectorXd acrossBody(const Eigen::Vector3d &direction, double sign)
 struct TimeRows
 {
     double headingRad = 0;
-    Eigen::Matrix2d placePrecision = Eigen::Matrix2d::Zero();
+    Eigen::Matrix2d positionPrecision = Eigen::Matrix2d::Zero();
     /// of the position and the unknowns
     Eigen::Matrix<double, 2, Eigen::Dynamic> coupling =
         Eigen::Matrix<double, 2, Eigen::Dynamic>::Zero(2, unknowns);
@@ -76,7 +76,7 @@ struct TimeRows
 class ReachProblem
 {
 public:
-    ReachProblem(const std::vector<CommonOutlines> &times, const LevelFit &fit, const RobotShape &told);
+    ReachProblem(const std::vector<CommonOutlines> &times, const LevelFit &fit, const RobotShape &given);
     std::optional<LearnedReach> solve(double widerPx) const;
 
 private:
@@ -89,7 +89,7 @@ private:
 
     void addOutline(const CommonOutlines::Outline &outline, const BodyPose &pose, const LevelFit &fit,
                     double weight, TimeRows &time);
-    void keepTold(const LevelFit &fit, const RobotShape &told);
+    void keepGiven(const LevelFit &fit, const RobotShape &given);
     Solution solvedWith(double amplitudeM, const Eigen::MatrixXd &priorPrecision,
                         double priorLogDeterminant) const;
 
@@ -99,7 +99,7 @@ private:
 };
 
 ReachProblem::ReachProblem(const std::vector<CommonOutlines> &times, const LevelFit &fit,
-                           const RobotShape &told)
+                           const RobotShape &given)
 {
     const double share = std::min(1.0, sameErrors / double(std::max<std::size_t>(1, fit.poses.size())));
     for (const BodyPose &pose : fit.poses) {
@@ -108,32 +108,32 @@ ReachProblem::ReachProblem(const std::vector<CommonOutlines> &times, const Level
             continue;
         TimeRows time;
         time.headingRad = pose.headingRad;
-        time.placePrecision.diagonal().setConstant(1 / (likelyShiftM * likelyShiftM));
+        time.positionPrecision.diagonal().setConstant(1 / (likelyShiftM * likelyShiftM));
         for (const CommonOutlines::Outline &outline : common->outlines)
             if (outline.supportPx.size() == supportDirections)
                 addOutline(outline, pose, fit, share / (supportSigmaPx * supportSigmaPx), time);
         if (time.coupling.isZero(0)) // no outline with a support
             continue;
-        const Eigen::Matrix<double, 2, Eigen::Dynamic> byPlace =
-            time.placePrecision.inverse() * time.coupling;
-        m_precision.noalias() -= time.coupling.transpose() * byPlace;
-        m_pull.noalias() -= byPlace.transpose() * time.pull;
+        const Eigen::Matrix<double, 2, Eigen::Dynamic> byPosition =
+            time.positionPrecision.inverse() * time.coupling;
+        m_precision.noalias() -= time.coupling.transpose() * byPosition;
+        m_pull.noalias() -= byPosition.transpose() * time.pull;
         m_times.push_back(std::move(time));
     }
-    keepTold(fit, told);
+    keepGiven(fit, given);
 }
 
 void ReachProblem::addOutline(const CommonOutlines::Outline &outline, const BodyPose &pose,
                               const LevelFit &fit, double weight, TimeRows &time)
 {
-    const double place[] = {pose.place.x(), pose.place.y(), pose.headingRad};
+    const double position[] = {pose.position.x(), pose.position.y(), pose.headingRad};
     std::array<double, supportDirections> reach{};
     std::array<Eigen::Vector3d, supportDirections> slopes; // of the reach by a point of the body, px/m
     const auto keepSlope = [&slopes](std::size_t k, const Eigen::Vector3d &slope) {
         slopes[k] = slope;
         return 0.0;
     };
-    if (!reachOfLevels(*outline.view, levelsOfShape<double>(fit.shape), fit.shape.roundShare, place, reach,
+    if (!reachOfLevels(*outline.view, levelsOfShape<double>(fit.shape), fit.shape.roundShare, position, reach,
                        keepSlope))
         return;
     std::array<double, supportDirections> residual{}; // in σ, limited
@@ -141,7 +141,7 @@ void ReachProblem::addOutline(const CommonOutlines::Outline &outline, const Body
     const Eigen::AngleAxisd toRobot(-pose.headingRad, Eigen::Vector3d::UnitZ());
     for (std::size_t k = 0; k < supportDirections; ++k) {
         const double scale = slopes[k].norm(), offPx = residual[k] * supportSigmaPx;
-        const Eigen::Vector2d byPlace = slopes[k].head<2>();
+        const Eigen::Vector2d byPosition = slopes[k].head<2>();
         const auto weights = ReachCorrection::weightsAt(toRobot * slopes[k]);
         std::array<std::pair<int, double>, 5> row{{{WiderOutlines, 1}}};
         for (std::size_t i = 0; i < weights.node.size(); ++i)
@@ -150,24 +150,24 @@ void ReachProblem::addOutline(const CommonOutlines::Outline &outline, const Body
             for (const auto &[j, b] : row)
                 m_precision(i, j) += weight * a * b;
             m_pull[i] += weight * a * offPx;
-            time.coupling.col(i) += weight * a * byPlace;
+            time.coupling.col(i) += weight * a * byPosition;
         }
-        time.placePrecision += weight * byPlace * byPlace.transpose();
-        time.pull += weight * offPx * byPlace;
+        time.positionPrecision += weight * byPosition * byPosition.transpose();
+        time.pull += weight * offPx * byPosition;
     }
 }
 
-void ReachProblem::keepTold(const LevelFit &fit, const RobotShape &told)
+void ReachProblem::keepGiven(const LevelFit &fit, const RobotShape &given)
 {
     const auto keep = [this](const Eigen::Vector3d &direction, double offM) {
-        const Eigen::VectorXd row = acrossBody(direction, 1) / toldSizeSigmaM;
+        const Eigen::VectorXd row = acrossBody(direction, 1) / givenSizeSigmaM;
         m_precision.noalias() += row * row.transpose();
-        m_pull += row * (offM / toldSizeSigmaM);
+        m_pull += row * (offM / givenSizeSigmaM);
     };
-    if (told.lengthM)
-        keep(Eigen::Vector3d::UnitX(), *told.lengthM - fit.shape.lengthM);
-    if (told.widthM)
-        keep(Eigen::Vector3d::UnitY(), *told.widthM - fit.shape.widthM);
+    if (given.lengthM)
+        keep(Eigen::Vector3d::UnitX(), *given.lengthM - fit.shape.lengthM);
+    if (given.widthM)
+        keep(Eigen::Vector3d::UnitY(), *given.widthM - fit.shape.widthM);
 }
 
 ReachProblem::Solution ReachProblem::solvedWith(double amplitudeM, const Eigen::MatrixXd &priorPrecision,
@@ -216,7 +216,7 @@ std::optional<LearnedReach> ReachProblem::solve(double widerPx) const
         // Of the middle, at this time, by the unknowns: the position follows them, and the middle is offset
         // from it.
         const Eigen::Matrix<double, 2, Eigen::Dynamic> inRobot =
-            -(Eigen::Rotation2Dd(-time.headingRad).toRotationMatrix() * time.placePrecision.inverse()) *
+            -(Eigen::Rotation2Dd(-time.headingRad).toRotationMatrix() * time.positionPrecision.inverse()) *
             time.coupling;
         const auto variance = [&best](const Eigen::VectorXd &row) { return row.dot(best.factor.solve(row)); };
         forward += variance(inRobot.row(0).transpose() + ahead) / double(m_times.size());
@@ -230,9 +230,9 @@ std::optional<LearnedReach> ReachProblem::solve(double widerPx) const
 } // namespace
 
 std::optional<LearnedReach> learnReach(const std::vector<CommonOutlines> &times, const LevelFit &fit,
-                                       const RobotShape &told)
+                                       const RobotShape &given)
 {
-    return ReachProblem(times, fit, told).solve(fit.widerPx);
+    return ReachProblem(times, fit, given).solve(fit.widerPx);
 }
 
 } // namespace odo

@@ -28,6 +28,6 @@ struct LearnedReach
 /// this is in the σ, which takes no body for known to better than two millimetres. told: a length and a width
 /// are kept. nullopt: no outline was measured by its support. Pure.
 std::optional<LearnedReach> learnReach(const std::vector<CommonOutlines> &times, const LevelFit &fit,
-                                       const RobotShape &told);
+                                       const RobotShape &given);
 
 } // namespace odo

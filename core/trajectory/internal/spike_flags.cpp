@@ -212,8 +212,8 @@ std::size_t countUsed(const std::vector<Sample> &samples)
 
 /// A first guess of the outliers, by Hampel's identifier on position and speed. Only the first estimate of
 /// the noise leaves them out; whether they are spikes is for the search to say.
-Round standingOut(const std::vector<Sample> &samples, const std::vector<bool> &open,
-                  const AnalysisOptions &options)
+Round outlying(const std::vector<Sample> &samples, const std::vector<bool> &open,
+               const AnalysisOptions &options)
 {
     Round round(samples.size());
     const auto isOpen = [&](const Sample &sample) {
@@ -238,8 +238,8 @@ std::vector<TrackSegment> partedSegments(const std::vector<Sample> &samples, con
 
 /// Refuses samples that are outliers among their neighbours by Hampel's identifier, and lie further from the
 /// smoothed track than their noise lets them. At an abrupt change of motion they may.
-void flagStandingOut(std::vector<Sample> &samples, const Round &round, MotionNoise noise,
-                     const AnalysisOptions &options)
+void flagOutliers(std::vector<Sample> &samples, const Round &round, MotionNoise noise,
+                  const AnalysisOptions &options)
 {
     constexpr double gate = 30;            // χ²(2): 1 in 3 million
     constexpr double leastShareOpen = 0.1; // of the noise: what the track leaves, having used the sample too
@@ -289,7 +289,7 @@ SpikeVerdict flagSpikes(std::vector<Sample> &samples, const AnalysisOptions &opt
                         const MeasurementNoise &measurement)
 {
     const std::vector<bool> open = openSamples(samples);
-    Round round = standingOut(samples, open, options);
+    Round round = outlying(samples, open, options);
     MotionNoise searchNoise;
     for (int pass = 0; pass < mostPasses; ++pass) {
         searchNoise = pass == 0 ? firstNoise(samples, open, round, options)
@@ -306,7 +306,7 @@ SpikeVerdict flagSpikes(std::vector<Sample> &samples, const AnalysisOptions &opt
     };
     const MotionNoise noise = noiseOfUsed();
     const std::size_t used = countUsed(samples);
-    flagStandingOut(samples, round, noise, options);
+    flagOutliers(samples, round, noise, options);
     nameLimits(samples, options);
     refuseBeyondTask(samples, options, noise.measurementScale);
     return {countUsed(samples) == used ? noise : noiseOfUsed(), searchNoise, std::move(round.struck)};
@@ -317,7 +317,7 @@ std::vector<bool> flagSpikesKnowing(const SpikeVerdict &known, std::vector<Sampl
 {
     Round round = searchAll(samples, openSamples(samples), known.searchNoise, options);
     flagFound(samples, round);
-    flagStandingOut(samples, round, known.noise, options);
+    flagOutliers(samples, round, known.noise, options);
     nameLimits(samples, options);
     refuseBeyondTask(samples, options, known.noise.measurementScale);
     return std::move(round.struck);
@@ -325,7 +325,7 @@ std::vector<bool> flagSpikesKnowing(const SpikeVerdict &known, std::vector<Sampl
 
 namespace {
 
-Message standingOutWords(HampelSpike spike)
+Message outlierWords(HampelSpike spike)
 {
     if (spike.byPosition && spike.bySpeed)
         return ODO_TEXT("trajectory.stands_out_in_both", "spike in position and speed");
@@ -334,7 +334,7 @@ Message standingOutWords(HampelSpike spike)
 }
 
 Message reasonOf(const Sample &sample, const SampleEvidence &evidence, const ProfilePoint &point,
-                 HampelSpike standsOut)
+                 HampelSpike isOutlier)
 {
     if (hasFlag(sample.flags, SampleFlag::ByHand) && isRejected(sample.flags))
         return ODO_TEXT("trajectory.spike_by_hand", "marked as a spike by hand");
@@ -350,8 +350,8 @@ Message reasonOf(const Sample &sample, const SampleEvidence &evidence, const Pro
                               ? ODO_TEXT("trajectory.jump_of", "jump of %1")(quantity(
                                     toMillimetres((*sample.position - point.position).norm()), 0, "mm"))
                               : ODO_TEXT("trajectory.jump", "jump"));
-        if (standsOut.any())
-            reasons.push_back(standingOutWords(standsOut));
+        if (isOutlier.any())
+            reasons.push_back(outlierWords(isOutlier));
     }
     if (hasFlag(sample.flags, SampleFlag::SpeedLimit))
         reasons.push_back(ODO_TEXT("trajectory.faster_than_limit", "speed above the limit"));
@@ -376,11 +376,11 @@ std::vector<Spike> describeSpikes(const FusedTrack &track, const std::vector<Pro
     if (std::ranges::none_of(track.samples,
                              [](const Sample &sample) { return (sample.flags & spikeFlags) != 0; }))
         return {};
-    std::vector<HampelSpike> standsOut(track.samples.size());
+    std::vector<HampelSpike> isOutlier(track.samples.size());
     const auto isMeasured = [](const Sample &sample) { return sample.position.has_value(); };
     for (const TrackSegment &segment : cutIntoSegments(track.samples, longestGap, isMeasured)) {
         const auto found = hampelSpikes(segment.nodes);
-        std::copy(found.begin(), found.end(), standsOut.begin() + static_cast<std::ptrdiff_t>(segment.first));
+        std::copy(found.begin(), found.end(), isOutlier.begin() + static_cast<std::ptrdiff_t>(segment.first));
     }
     std::vector<Spike> spikes;
     for (std::size_t i = 0; i < track.samples.size(); ++i) {
@@ -391,7 +391,7 @@ std::vector<Spike> describeSpikes(const FusedTrack &track, const std::vector<Pro
             (against == flagBit(SampleFlag::ViewsDisagree) && evidence.isContradicted))
             continue;
         spikes.push_back({static_cast<std::int64_t>(i), sample.time, sample.flags,
-                          reasonOf(sample, evidence, points[i], standsOut[i])});
+                          reasonOf(sample, evidence, points[i], isOutlier[i])});
     }
     return spikes;
 }

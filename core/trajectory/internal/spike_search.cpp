@@ -19,7 +19,7 @@ constexpr double spikePricePerSecond = 50; // for those that follow the first
 constexpr double changePrice = 2;          // beside what the widened covariance costs
 constexpr double restartPrice = 70;        // the robot was carried elsewhere
 constexpr double startSpeedSigma = 2, startAccelSigma = 10;
-constexpr double innovationToDoubt = 6; // below it there is nothing to explain
+constexpr double innovationToSigma = 6; // below it there is nothing to explain
 constexpr double innovationToRestart = 30;
 constexpr double sigmasOverLimit = 4;
 // A tracker that strays longer is unlikely, and a track that is all spikes absurd.
@@ -179,7 +179,7 @@ private:
         const double squared = filter.distanceSquared(node, &logDeterminant);
         if (distance)
             *distance = squared;
-        return std::max(0.0, squared - innovationToDoubt) +
+        return std::max(0.0, squared - innovationToSigma) +
                std::max(0.0, logDeterminant - measurementLog(node) - m_usualWidening);
     }
 
@@ -201,7 +201,7 @@ private:
         only.filter.predict(node);
         double distance = 0;
         const double price = priceOf(only.filter, node, &distance);
-        if (distance > innovationToDoubt) {
+        if (distance > innovationToSigma) {
             only.filter = before;
             return false;
         }
@@ -229,12 +229,12 @@ private:
         const bool possible = !isTooFast(hypothesis, node);
         if (possible)
             believe(moved, i, price, Decision::Follows);
-        const bool doubtful = distance > innovationToDoubt || hypothesis.lastSpike.has_value() || !possible;
-        if (!doubtful)
+        const bool uncertain = distance > innovationToSigma || hypothesis.lastSpike.has_value() || !possible;
+        if (!uncertain)
             return;
         disbelieve(moved, i);
         const double since = node.timeS - hypothesis.lastTimeS;
-        if (possible && distance > innovationToDoubt) {
+        if (possible && distance > innovationToSigma) {
             for (const Decision decision : {Decision::Sped, Decision::Collided}) {
                 Hypothesis changed = moved;
                 // A push shows only some time after it began, a blow at once.

@@ -52,9 +52,9 @@ Result<Profile> profileOfTrack(FusedTrack track, const AnalysisOptions &options,
     profile.metrics = measureRun(instants);
     measureGaps(instants, profile);
     if (options.task) {
-        TaskFigures figures = measureTask(*options.task, track.samples, profile.points);
-        profile.passages = std::move(figures.passages);
-        profile.metrics.insert(profile.metrics.end(), figures.metrics.begin(), figures.metrics.end());
+        TaskMetrics metrics = measureTask(*options.task, track.samples, profile.points);
+        profile.passages = std::move(metrics.passages);
+        profile.metrics.insert(profile.metrics.end(), metrics.metrics.begin(), metrics.metrics.end());
     }
     profile.samples = std::move(track.samples);
     return profile;

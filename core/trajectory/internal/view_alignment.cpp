@@ -20,21 +20,21 @@ struct ViewOffset
     Eigen::Vector2d mean = Eigen::Vector2d::Zero();
     double weight = 0;
     Nanoseconds time{0};
-    Eigen::Vector2d place = Eigen::Vector2d::Zero();
+    Eigen::Vector2d position = Eigen::Vector2d::Zero();
 
     void add(const Eigen::Vector2d &residual, const Sample &sample)
     {
         weight = std::min(weight + 1, averagedSamples);
         mean += (residual - mean) / weight;
         time = sample.time;
-        place = *sample.position;
+        position = *sample.position;
     }
 
     /// What of it is expected at another position.
     Eigen::Vector2d at(const Eigen::Vector2d &point, const std::optional<FloorView> &view) const
     {
-        const auto there = view ? view->sharedCovariance(place, place, 0) : std::nullopt;
-        const auto shared = view ? view->sharedCovariance(point, place, 0) : std::nullopt;
+        const auto there = view ? view->sharedCovariance(position, position, 0) : std::nullopt;
+        const auto shared = view ? view->sharedCovariance(point, position, 0) : std::nullopt;
         if (!there || !shared || !(there->determinant() > 0))
             return mean;
         return *shared * there->inverse() * mean;
@@ -58,7 +58,7 @@ public:
             return std::nullopt;
         const bool joined = std::popcount(sample.views) > 1 && !isRejected(sample.flags);
         if (joined)
-            m_offset.add(m_sightings[i].place.pointInWorld - *sample.position, sample);
+            m_offset.add(m_sightings[i].position.pointInWorld - *sample.position, sample);
         return !joined && sample.views == m_bit && m_offset.weight > 0 ? std::optional(m_offset)
                                                                        : std::nullopt;
     }
@@ -193,14 +193,14 @@ private:
         result.cut = a.cut || b.cut;
         result.ofOutline = a.ofOutline && b.ofOutline;
         result.score = std::min(a.score, b.score);
-        result.place.pixelCovariance = blend(a.place.pixelCovariance, b.place.pixelCovariance);
-        result.place.calibrationCovariance =
-            blend(a.place.calibrationCovariance, b.place.calibrationCovariance);
-        result.place.displacementPerMetreHeight =
-            blend(a.place.displacementPerMetreHeight, b.place.displacementPerMetreHeight);
-        result.place.pointInWorld.setZero();
+        result.position.pixelCovariance = blend(a.position.pixelCovariance, b.position.pixelCovariance);
+        result.position.calibrationCovariance =
+            blend(a.position.calibrationCovariance, b.position.calibrationCovariance);
+        result.position.displacementPerMetreHeight =
+            blend(a.position.displacementPerMetreHeight, b.position.displacementPerMetreHeight);
+        result.position.pointInWorld.setZero();
         for (const std::size_t i : nodes)
-            result.place.pointInWorld += weight(nodes, i, time) * m_sightings[i].place.pointInWorld;
+            result.position.pointInWorld += weight(nodes, i, time) * m_sightings[i].position.pointInWorld;
         return result;
     }
 
@@ -239,7 +239,7 @@ std::vector<Sighting> sightingsAt(const std::vector<Nanoseconds> &times,
     for (const Nanoseconds time : times) {
         result.push_back(interpolator.at(time));
         if (result.back().seen)
-            result.back().place.pixelCovariance *= factor;
+            result.back().position.pixelCovariance *= factor;
     }
     return result;
 }

@@ -78,34 +78,34 @@ ChromaSiting sitingOf(const VideoInput &input)
 /// The memory of chroma planes that the decoder did not give as such.
 struct OwnChroma
 {
-    libav::FramePtr picture;
+    libav::FramePtr avFrame;
     std::vector<std::uint8_t> u, v;
 };
 
-Frame withNeutralChroma(libav::FramePtr picture, Frame frame, int width, int height)
+Frame withNeutralChroma(libav::FramePtr avFrame, Frame frame, int width, int height)
 {
     auto own = std::make_shared<OwnChroma>();
-    own->picture = std::move(picture);
+    own->avFrame = std::move(avFrame);
     own->u.assign(static_cast<std::size_t>(width) * static_cast<std::size_t>(height), neutralChroma);
     frame.u = frame.v = {own->u.data(), width, height, width};
     frame.owner = std::move(own);
     return frame;
 }
 
-Frame withChromaTakenApart(libav::FramePtr picture, Frame frame, int width, int height)
+Frame withChromaTakenApart(libav::FramePtr avFrame, Frame frame, int width, int height)
 {
     auto own = std::make_shared<OwnChroma>();
     own->u.resize(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
     own->v.resize(own->u.size());
     std::size_t to = 0;
     for (int y = 0; y < height; ++y) {
-        const std::uint8_t *row = picture->data[1] + static_cast<std::ptrdiff_t>(y) * picture->linesize[1];
+        const std::uint8_t *row = avFrame->data[1] + static_cast<std::ptrdiff_t>(y) * avFrame->linesize[1];
         for (int x = 0; x < width; ++x, ++to) {
             own->u[to] = row[2 * x];
             own->v[to] = row[2 * x + 1];
         }
     }
-    own->picture = std::move(picture);
+    own->avFrame = std::move(avFrame);
     frame.u = {own->u.data(), width, height, width};
     frame.v = {own->v.data(), width, height, width};
     frame.owner = std::move(own);
@@ -201,25 +201,25 @@ void judgeByMost(const std::vector<std::vector<std::uint8_t>> &jpegs, FrameForma
                               : (shiftY == 0 ? AV_PIX_FMT_YUVJ422P : AV_PIX_FMT_YUVJ420P);
 }
 
-bool fits(const AVFrame &picture, const FrameFormat &format, AVPixelFormat pixelFormat)
+bool fits(const AVFrame &avFrame, const FrameFormat &format, AVPixelFormat pixelFormat)
 {
-    return picture.width == format.width && picture.height == format.height && picture.format == pixelFormat;
+    return avFrame.width == format.width && avFrame.height == format.height && avFrame.format == pixelFormat;
 }
 
-Frame frameOf(libav::FramePtr picture, const FrameFormat &format)
+Frame frameOf(libav::FramePtr avFrame, const FrameFormat &format)
 {
     Frame frame;
     frame.format = format;
-    frame.y = {picture->data[0], format.width, format.height, picture->linesize[0]};
+    frame.y = {avFrame->data[0], format.width, format.height, avFrame->linesize[0]};
     const int chromaWidth = AV_CEIL_RSHIFT(format.width, format.chromaShiftX);
     const int chromaHeight = AV_CEIL_RSHIFT(format.height, format.chromaShiftY);
-    if (picture->format == AV_PIX_FMT_GRAY8)
-        return withNeutralChroma(std::move(picture), frame, chromaWidth, chromaHeight);
-    if (picture->format == AV_PIX_FMT_NV12)
-        return withChromaTakenApart(std::move(picture), frame, chromaWidth, chromaHeight);
-    frame.u = {picture->data[1], chromaWidth, chromaHeight, picture->linesize[1]};
-    frame.v = {picture->data[2], chromaWidth, chromaHeight, picture->linesize[2]};
-    frame.owner = std::shared_ptr<const AVFrame>(picture.release(), libav::Delete());
+    if (avFrame->format == AV_PIX_FMT_GRAY8)
+        return withNeutralChroma(std::move(avFrame), frame, chromaWidth, chromaHeight);
+    if (avFrame->format == AV_PIX_FMT_NV12)
+        return withChromaTakenApart(std::move(avFrame), frame, chromaWidth, chromaHeight);
+    frame.u = {avFrame->data[1], chromaWidth, chromaHeight, avFrame->linesize[1]};
+    frame.v = {avFrame->data[2], chromaWidth, chromaHeight, avFrame->linesize[2]};
+    frame.owner = std::shared_ptr<const AVFrame>(avFrame.release(), libav::Delete());
     return frame;
 }
 

@@ -27,10 +27,10 @@ void judgeByMost(const std::vector<std::vector<std::uint8_t>> &jpegs, FrameForma
 /// A decoded frame as a Frame that keeps it alive; its planes are referred to, except for semi-planar
 /// chroma (taken apart) and grey (given chroma 128). Index and time are left to the caller. The frame must
 /// have the format's size and pixel format.
-Frame frameOf(libav::FramePtr picture, const FrameFormat &format);
+Frame frameOf(libav::FramePtr avFrame, const FrameFormat &format);
 
 /// Whether frameOf can take this frame as one of the stream's.
-bool fits(const AVFrame &picture, const FrameFormat &format, AVPixelFormat pixelFormat);
+bool fits(const AVFrame &avFrame, const FrameFormat &format, AVPixelFormat pixelFormat);
 
 /// chroma_sample_loc_type (0 left, 1 centre, 2 top left, ...) of the first sequence parameter set in H.264
 /// decoder configuration (avcC or Annex B), or nullopt where the stream says nothing about it. Never reads

@@ -172,25 +172,25 @@ Result<EncodedStream> describeStream(const AVCodecContext &encoder, const FrameF
     return stream;
 }
 
-Result<libav::FramePtr> pictureOf(const Frame &frame, const AVCodecContext &encoder, std::int64_t timeUs)
+Result<libav::FramePtr> avFrameOf(const Frame &frame, const AVCodecContext &encoder, std::int64_t timeUs)
 {
-    libav::FramePtr picture(libav::allocated(av_frame_alloc()));
-    picture->format = encoder.pix_fmt;
-    picture->width = encoder.width;
-    picture->height = encoder.height;
-    picture->pts = timeUs;
-    picture->color_range = encoder.color_range;
-    picture->colorspace = encoder.colorspace;
-    picture->chroma_location = encoder.chroma_sample_location;
+    libav::FramePtr avFrame(libav::allocated(av_frame_alloc()));
+    avFrame->format = encoder.pix_fmt;
+    avFrame->width = encoder.width;
+    avFrame->height = encoder.height;
+    avFrame->pts = timeUs;
+    avFrame->color_range = encoder.color_range;
+    avFrame->colorspace = encoder.colorspace;
+    avFrame->chroma_location = encoder.chroma_sample_location;
     if (encoder.codec_id == AV_CODEC_ID_MJPEG)
-        picture->quality = encoder.global_quality;
-    if (const int error = av_frame_get_buffer(picture.get(), 0); error < 0)
+        avFrame->quality = encoder.global_quality;
+    if (const int error = av_frame_get_buffer(avFrame.get(), 0); error < 0)
         return fail(ErrorCode::Internal, cannotEncode(), foreignWords(libav::errorText(error)),
                     closeOtherPrograms());
-    copyPlane(frame.y, picture->data[0], picture->linesize[0]);
-    copyPlane(frame.u, picture->data[1], picture->linesize[1]);
-    copyPlane(frame.v, picture->data[2], picture->linesize[2]);
-    return picture;
+    copyPlane(frame.y, avFrame->data[0], avFrame->linesize[0]);
+    copyPlane(frame.u, avFrame->data[1], avFrame->linesize[1]);
+    copyPlane(frame.v, avFrame->data[2], avFrame->linesize[2]);
+    return avFrame;
 }
 
 } // namespace odo

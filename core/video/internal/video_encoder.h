@@ -26,6 +26,6 @@ struct EncodedStream
 Result<EncodedStream> describeStream(const AVCodecContext &encoder, const FrameFormat &format);
 
 /// A frame as libav's, its planes copied.
-Result<libav::FramePtr> pictureOf(const Frame &frame, const AVCodecContext &encoder, std::int64_t timeUs);
+Result<libav::FramePtr> avFrameOf(const Frame &frame, const AVCodecContext &encoder, std::int64_t timeUs);
 
 } // namespace odo

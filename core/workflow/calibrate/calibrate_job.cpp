@@ -7,8 +7,8 @@
 #include "core/project/project.h"
 #include "core/project/records.h"
 #include "core/project/repositories.h"
-#include "core/video/picture.h"
-#include "core/workflow/calibrate/calibration_pictures.h"
+#include "core/video/image.h"
+#include "core/workflow/calibrate/calibration_images.h"
 #include "core/workflow/calibrate/cameras.h"
 
 #include <algorithm>
@@ -28,28 +28,27 @@ CalibrationStorage::CalibrationStorage(const std::filesystem::path &mediaFolder,
                                        IntrinsicCalibration calibration, const BoardSpec &board)
     : m_media(mediaFolder), m_camera(std::move(camera))
 {
-    m_record.origin = ODO_TEXT("workflow.calibrated_from_pictures",
-                               "calibrated from %1 images")(calibration.picturesUsed());
+    m_record.origin =
+        ODO_TEXT("workflow.calibrated_from_pictures", "calibrated from %1 images")(calibration.imagesUsed());
     m_record.calibration = std::move(calibration);
     m_record.board = board;
     m_record.softwareVersion = ODOGRAPH_VERSION;
 }
 
-Result<void> CalibrationStorage::writePictures(const std::vector<BoardPicture> &pictures,
-                                               const JobControl &control)
+Result<void> CalibrationStorage::writeImages(const std::vector<BoardImage> &images, const JobControl &control)
 {
-    const auto &used = m_record.calibration.pictures;
+    const auto &used = m_record.calibration.images;
     for (std::size_t i = 0; i < used.size(); ++i) {
         if (control.isCancelled())
             return cancelled(calibrationOf(m_camera));
         control.report(double(i) / double(used.size()),
                        ODO_TEXT("workflow.keeping_pictures", "saving the images"));
-        const auto picture = std::ranges::find(pictures, used[i].view.source, &BoardPicture::source);
+        const auto image = std::ranges::find(images, used[i].view.source, &BoardImage::source);
         m_record.files.emplace_back(); // those without an image have none
-        if (picture == pictures.end())
+        if (image == images.end())
             continue;
         const std::string name = m_camera + "_" + std::filesystem::path(used[i].view.source).stem().string();
-        auto written = ODO_TRY(m_media.write(name, picture->png));
+        auto written = ODO_TRY(m_media.write(name, image->png));
         m_record.files.back() = std::move(written);
     }
     return {};
@@ -121,7 +120,7 @@ Result<void> CalibrateJob::run(const JobControl &control)
     m_calibration.rejected.insert(m_calibration.rejected.begin(), m_rejected.begin(), m_rejected.end());
     m_storage = std::make_unique<CalibrationStorage>(m_mediaFolder, m_settings.camera, m_calibration,
                                                      m_settings.board);
-    auto written = m_storage->writePictures(m_pictures, control);
+    auto written = m_storage->writeImages(m_images, control);
     if (!written)
         m_storage.reset();
     return written;
@@ -129,10 +128,10 @@ Result<void> CalibrateJob::run(const JobControl &control)
 
 Result<void> CalibrateJob::searchFile(const std::filesystem::path &file, const JobControl &control)
 {
-    const auto visited = visitPictures(
+    const auto visited = visitImages(
         file, boardVideoStep,
         [&](const Frame &frame, const std::string &name) {
-            searchPicture(frame, name);
+            searchImage(frame, name);
             return !control.isCancelled() && m_views.size() < enoughVideoViews + m_settings.files.size();
         },
         control.cancel);
@@ -144,7 +143,7 @@ Result<void> CalibrateJob::searchFile(const std::filesystem::path &file, const J
     return {};
 }
 
-void CalibrateJob::searchPicture(const Frame &frame, const std::string &name)
+void CalibrateJob::searchImage(const Frame &frame, const std::string &name)
 {
     if (m_widthPx == 0) {
         m_widthPx = frame.format.width;
@@ -166,7 +165,7 @@ void CalibrateJob::searchPicture(const Frame &frame, const std::string &name)
     m_settings.board.rows = view->rows;
     m_views.push_back(std::move(*view));
     if (auto png = greyPng(frame))
-        m_pictures.push_back({name, std::move(*png)});
+        m_images.push_back({name, std::move(*png)});
 }
 
 Result<void> CalibrateJob::commit(Project &project)

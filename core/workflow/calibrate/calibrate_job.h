@@ -4,7 +4,7 @@
 #include "core/base/job_control.h"
 #include "core/calibration/board_detection.h"
 #include "core/project/records.h"
-#include "core/workflow/calibrate/calibration_pictures.h"
+#include "core/workflow/calibrate/calibration_images.h"
 #include "core/workflow/job.h"
 
 #include <filesystem>
@@ -28,7 +28,7 @@ public:
 
     /// Writes each image beside the project that has the source of one of the calibration's. Any thread;
     /// long. Errors: Io, Cancelled.
-    Result<void> writePictures(const std::vector<BoardPicture> &pictures, const JobControl &control);
+    Result<void> writeImages(const std::vector<BoardImage> &images, const JobControl &control);
     /// The rows, in one transaction; the camera is made when there is none of that name. The project's
     /// thread. Once.
     Result<IntrinsicsRecord> commit(Project &project);
@@ -57,17 +57,17 @@ public:
     Result<void> commit(Project &project) override;
 
     const CalibrateSettings &settings() const { return m_settings; }
-    int picturesUsed() const { return static_cast<int>(m_views.size()); }
+    int imagesUsed() const { return static_cast<int>(m_views.size()); }
     const IntrinsicCalibration &calibration() const { return m_calibration; } ///< after run
 
 private:
     Result<void> searchFile(const std::filesystem::path &file, const JobControl &control);
-    void searchPicture(const Frame &frame, const std::string &name);
+    void searchImage(const Frame &frame, const std::string &name);
 
     CalibrateSettings m_settings;
     std::vector<BoardView> m_views;
-    std::vector<BoardPicture> m_pictures; ///< of the views
-    std::vector<RejectedPicture> m_rejected;
+    std::vector<BoardImage> m_images; ///< of the views
+    std::vector<RejectedImage> m_rejected;
     int m_widthPx = 0, m_heightPx = 0;
     IntrinsicCalibration m_calibration;
     std::filesystem::path m_mediaFolder;

@@ -115,9 +115,9 @@ void addName(std::vector<std::string> &names, const std::string &name)
         names.push_back(name);
 }
 
-std::filesystem::path pictureOf(Project &project, const StoredPicture &picture)
+std::filesystem::path imageOf(Project &project, const StoredImage &image)
 {
-    return picture.path.empty() ? std::filesystem::path() : absolutePath(project.file(), picture.path);
+    return image.path.empty() ? std::filesystem::path() : absolutePath(project.file(), image.path);
 }
 
 Revision revisionOf(Project &project, const IntrinsicsRecord &record)
@@ -128,13 +128,13 @@ Revision revisionOf(Project &project, const IntrinsicsRecord &record)
     revision.made = record.made;
     revision.softwareVersion = record.softwareVersion;
     revision.origin = record.origin;
-    revision.evidence = static_cast<int>(record.calibration.picturesUsed());
+    revision.evidence = static_cast<int>(record.calibration.imagesUsed());
     revision.rmsPx = record.calibration.rmsPx;
     revision.verdict = record.calibration.verdict;
     const auto kept =
-        std::ranges::find_if(record.files, [](const StoredPicture &file) { return !file.path.empty(); });
+        std::ranges::find_if(record.files, [](const StoredImage &file) { return !file.path.empty(); });
     if (kept != record.files.end())
-        revision.picture = pictureOf(project, *kept);
+        revision.image = imageOf(project, *kept);
     return revision;
 }
 
@@ -155,7 +155,7 @@ Result<Revision> revisionOf(Project &project, const RegistrationRecord &record)
     revision.evidence = static_cast<int>(record.registration.markers.size());
     revision.rmsPx = record.registration.rmsPx;
     revision.verdict = record.registration.verdict;
-    revision.picture = pictureOf(project, record.picture);
+    revision.image = imageOf(project, record.image);
     revision.markers = record.pixels;
     return revision;
 }
@@ -303,10 +303,10 @@ Result<std::vector<LayoutRecord>> layoutsOfWorld(Project &project, const LayoutR
     for (std::size_t i = 0; i < world.size(); ++i) {
         const auto cameras = ODO_TRY(camerasOnLayout(project, world[i].id));
         for (const LayoutRecord &layout : all) {
-            const bool isThrough = std::ranges::any_of(cameras, [&](const RegisteredCamera &camera) {
-                return isLayoutThrough(layout.layout.name, camera.camera.name);
+            const bool isViaCamera = std::ranges::any_of(cameras, [&](const RegisteredCamera &camera) {
+                return isLayoutOfReference(layout.layout.name, camera.camera.name);
             });
-            if (isThrough && std::ranges::find(world, layout.id, &LayoutRecord::id) == world.end())
+            if (isViaCamera && std::ranges::find(world, layout.id, &LayoutRecord::id) == world.end())
                 world.push_back(layout);
         }
     }
@@ -328,7 +328,7 @@ Result<void> carryCameras(Project &project, const LayoutRecord &layout, LayoutAx
     return {};
 }
 
-Result<std::vector<std::string>> tasksWithPlaces(Project &project)
+Result<std::vector<std::string>> tasksWithPositions(Project &project)
 {
     const auto tasks = ODO_TRY(project.tasks().all());
     std::vector<std::string> names;
@@ -345,7 +345,7 @@ Result<LayoutAxesOutcome> changeLayoutAxes(Project &project, const std::string &
 {
     auto stored = ODO_TRY(project.layouts().find(layout));
     const auto newFromOld = ODO_TRY(axesTransformOf(stored.layout, change));
-    auto tasks = ODO_TRY(tasksWithPlaces(project));
+    auto tasks = ODO_TRY(tasksWithPositions(project));
     LayoutAxesOutcome outcome{std::move(stored), newFromOld, {}, std::move(tasks)};
     const auto world = ODO_TRY(layoutsOfWorld(project, outcome.layout));
     const auto done = project.change(
@@ -353,7 +353,7 @@ Result<LayoutAxesOutcome> changeLayoutAxes(Project &project, const std::string &
         [&]() -> Result<void> {
             for (LayoutRecord each : world) {
                 each.layout = transformed(each.layout, newFromOld);
-                ODO_TRY(project.layouts().setPlaces(each));
+                ODO_TRY(project.layouts().setPoints(each));
                 ODO_TRY(carryCameras(project, each, outcome));
             }
             outcome.layout.layout = transformed(outcome.layout.layout, newFromOld);

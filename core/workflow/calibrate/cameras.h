@@ -64,7 +64,7 @@ struct Revision
     Message verdict;
     bool isCurrent = false; ///< in force
     /// that it was made from, of a calibration the first; empty: none was kept
-    std::filesystem::path picture;
+    std::filesystem::path image;
     std::vector<MarkerPixel> markers; ///< in it
     std::vector<std::string> trials;  ///< whose newest analysis was made with it
 };

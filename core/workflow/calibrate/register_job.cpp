@@ -6,7 +6,7 @@
 #include "core/exchange/labelled_points.h"
 #include "core/project/project.h"
 #include "core/project/repositories.h"
-#include "core/workflow/calibrate/calibration_pictures.h"
+#include "core/workflow/calibrate/calibration_images.h"
 #include "core/workflow/calibrate/cameras.h"
 #include "core/workflow/shared_words.h"
 #include "core/workflow/trial_sources.h"
@@ -19,14 +19,14 @@ namespace {
 
 // Markers do not move; a few frames are searched in case somebody stands before one in the first.
 constexpr int markerVideoStep = 10;
-constexpr int mostPictures = 12;
+constexpr int mostImages = 12;
 
 Message registrationOf(const std::string &camera)
 {
     return ODO_TEXT("workflow.registration_of_camera", "registration of camera '%1'")(Named::camera(camera));
 }
 
-Message pictureSizeNotKnown()
+Message imageSizeNotKnown()
 {
     return joined({ODO_TEXT("workflow.picture_size_not_known", "the size of its images is not known"),
                    ODO_TEXT("workflow.neither_lens_nor_recording", "it has no intrinsics and no recording")},
@@ -42,7 +42,7 @@ Result<void> RegisterJob::prepare(Project &project)
     const auto layout = ODO_TRY(project.layouts().find(m_settings.layout));
     m_layout = layout.layout;
     m_record.layout = layout.id;
-    m_record.picture = m_settings.picture;
+    m_record.image = m_settings.image;
     m_mediaFolder = project.mediaFolder();
 
     const auto cameras = ODO_TRY(project.cameras().all());
@@ -56,9 +56,9 @@ Result<void> RegisterJob::prepare(Project &project)
             m_record.intrinsics = intrinsics->id;
         }
         const auto recording = ODO_TRY(project.trials().newestRecording(camera.id));
-        if (recording && m_settings.pictureFile.empty() && m_settings.pixelsFile.empty() &&
+        if (recording && m_settings.imageFile.empty() && m_settings.pixelsFile.empty() &&
             m_settings.pixels.empty())
-            m_settings.pictureFile = project.resolve(*recording);
+            m_settings.imageFile = project.resolve(*recording);
         if (recording && !m_intrinsicsKnown) {
             m_intrinsics.widthPx = recording->widthPx;
             m_intrinsics.heightPx = recording->heightPx;
@@ -73,8 +73,8 @@ Result<void> RegisterJob::run(const JobControl &control)
         auto pixels = ODO_TRY(readPixelsCsv(m_settings.pixelsFile));
         m_settings.pixels = std::move(pixels);
     }
-    if (m_settings.pixels.empty() || !m_settings.pictureFile.empty())
-        ODO_TRY(findInPictures(control));
+    if (m_settings.pixels.empty() || !m_settings.imageFile.empty())
+        ODO_TRY(findInImages(control));
     auto camera = ODO_TRY(cameraModel());
     auto registration = registerFloor(m_layout, m_settings.pixels, camera, m_intrinsicsKnown);
     if (!registration) {
@@ -85,24 +85,24 @@ Result<void> RegisterJob::run(const JobControl &control)
     m_record.pixels = m_settings.pixels;
     m_record.assumedIntrinsics = registration->intrinsics;
     m_record.registration = std::move(*registration);
-    return keepPicture();
+    return keepImage();
 }
 
-Result<void> RegisterJob::keepPicture()
+Result<void> RegisterJob::keepImage()
 {
     if (!m_seenIn)
         return {};
     m_media = std::make_unique<CalibrationMedia>(m_mediaFolder);
     auto written = ODO_TRY(m_media->writeFloor(m_settings.camera, *m_seenIn));
-    m_record.picture = std::move(written);
+    m_record.image = std::move(written);
     return {};
 }
 
-Result<void> RegisterJob::findInPictures(const JobControl &control)
+Result<void> RegisterJob::findInImages(const JobControl &control)
 {
     const Message what =
         ODO_TEXT("workflow.markers_for_camera", "markers for camera '%1'")(Named::camera(m_settings.camera));
-    if (m_settings.pictureFile.empty())
+    if (m_settings.imageFile.empty())
         return fail(ErrorCode::NotFound, what,
                     ODO_TEXT("workflow.no_pixels_no_picture",
                              "it needs pixels, or an image to detect the markers in"),
@@ -118,10 +118,10 @@ Result<void> RegisterJob::findInPictures(const JobControl &control)
         fail(ErrorCode::Undetermined, what,
              ODO_TEXT("workflow.video_without_picture", "the video has no frame"), giveAnotherFile());
     int looked = 0;
-    auto visited = visitPictures(
-        m_settings.pictureFile, markerVideoStep,
+    auto visited = visitImages(
+        m_settings.imageFile, markerVideoStep,
         [&](const Frame &frame, const std::string &name) {
-            control.report(double(looked) / mostPictures, lookingForMarkersIn(name));
+            control.report(double(looked) / mostImages, detectingMarkersIn(name));
             if (!m_intrinsicsKnown) {
                 m_intrinsics.widthPx = frame.format.width;
                 m_intrinsics.heightPx = frame.format.height;
@@ -137,7 +137,7 @@ Result<void> RegisterJob::findInPictures(const JobControl &control)
                 m_settings.pixels = std::move(*pixels);
                 m_seenIn = frame;
             }
-            return m_settings.pixels.size() < m_layout.markers.size() && ++looked < mostPictures &&
+            return m_settings.pixels.size() < m_layout.markers.size() && ++looked < mostImages &&
                    !control.isCancelled();
         },
         control.cancel);
@@ -156,7 +156,7 @@ Result<CameraModel> RegisterJob::cameraModel() const
         return CameraModel::create(m_intrinsics);
     if (m_intrinsics.widthPx > 0)
         return CameraModel::assumed(m_intrinsics.widthPx, m_intrinsics.heightPx);
-    return fail(ErrorCode::NotFound, registrationOf(m_settings.camera), pictureSizeNotKnown(),
+    return fail(ErrorCode::NotFound, registrationOf(m_settings.camera), imageSizeNotKnown(),
                 ODO_TEXT("workflow.calibrate_or_give_picture",
                          "calibrate it, import its intrinsics, or give --image or --video as well"));
 }
@@ -166,7 +166,7 @@ Message registerChange(const std::string &camera)
     return ODO_TEXT("workflow.register_camera", "register camera %1")(Named::camera(camera));
 }
 
-Result<RegistrationRecord> registerWithLensInForce(Project &project, const std::string &camera)
+Result<RegistrationRecord> registerWithCurrentIntrinsics(Project &project, const std::string &camera)
 {
     const Message what =
         ODO_TEXT("workflow.registration_with_lens_in_force",
@@ -181,13 +181,13 @@ Result<RegistrationRecord> registerWithLensInForce(Project &project, const std::
     const auto layout = ODO_TRY(project.layouts().get(registered.registration.layout));
     const auto cameras = ODO_TRY(project.cameras().all());
     if (std::ranges::any_of(cameras, [&](const CameraRecord &each) {
-            return isLayoutThrough(layout.layout.name, each.name);
+            return isLayoutOfReference(layout.layout.name, each.name);
         }))
         return fail(ErrorCode::InvalidInput, what,
                     ODO_TEXT("workflow.registered_through_another", "it was registered via another camera"),
                     ODO_TEXT("workflow.register_through_it_again", "register it via that camera again"));
     RegisterSettings settings{
-        camera, layout.layout.name, {}, {}, registered.registration.pixels, registered.registration.picture};
+        camera, layout.layout.name, {}, {}, registered.registration.pixels, registered.registration.image};
     RegisterJob job(std::move(settings));
     ODO_TRY(job.prepare(project));
     ODO_TRY(job.run({}));
@@ -220,12 +220,12 @@ Result<void> RegisterJob::commit(Project &project)
 
 namespace {
 
-constexpr const char *throughWord = " through ";
+constexpr const char *viaWord = " through ";
 
-Message subject(const RegisterThroughSettings &settings)
+Message subject(const RegisterViaCameraSettings &settings)
 {
     return ODO_TEXT("workflow.registration_through", "registration of camera '%1' via '%2'")(
-        Named::camera(settings.camera), Named::camera(settings.through));
+        Named::camera(settings.camera), Named::camera(settings.reference));
 }
 
 std::string freeName(const std::vector<LayoutRecord> &layouts, const std::string &wanted)
@@ -241,28 +241,31 @@ std::string freeName(const std::vector<LayoutRecord> &layouts, const std::string
 
 } // namespace
 
-RegisterThroughJob::RegisterThroughJob(RegisterThroughSettings settings) : m_settings(std::move(settings)) {}
-
-Result<void> RegisterThroughJob::prepare(Project &project)
+RegisterViaCameraJob::RegisterViaCameraJob(RegisterViaCameraSettings settings)
+    : m_settings(std::move(settings))
 {
-    if (m_settings.camera == m_settings.through)
+}
+
+Result<void> RegisterViaCameraJob::prepare(Project &project)
+{
+    if (m_settings.camera == m_settings.reference)
         return fail(ErrorCode::InvalidInput, subject(m_settings),
                     ODO_TEXT("workflow.through_itself", "a camera cannot be registered via itself"),
                     ODO_TEXT("workflow.name_another_camera", "name another camera that is registered"));
-    const auto through = ODO_TRY(project.cameras().find(m_settings.through));
-    const auto registration = ODO_TRY(project.cameras().currentRegistration(through.id));
+    const auto reference = ODO_TRY(project.cameras().find(m_settings.reference));
+    const auto registration = ODO_TRY(project.cameras().currentRegistration(reference.id));
     if (!registration)
         return fail(ErrorCode::NotFound, subject(m_settings),
                     ODO_TEXT("workflow.camera_not_registered",
-                             "camera '%1' is not registered")(Named::camera(m_settings.through)),
+                             "camera '%1' is not registered")(Named::camera(m_settings.reference)),
                     registerItFirst());
     auto view = ODO_TRY(floorViewOf(project, *registration));
-    m_through = std::move(view);
-    m_throughRegistration = registration->id;
+    m_reference = std::move(view);
+    m_referenceRegistration = registration->id;
     return findCamera(project);
 }
 
-Result<void> RegisterThroughJob::findCamera(Project &project)
+Result<void> RegisterViaCameraJob::findCamera(Project &project)
 {
     const auto camera = ODO_TRY(project.cameras().find(m_settings.camera));
     const auto intrinsics = ODO_TRY(project.cameras().currentIntrinsics(camera.id));
@@ -275,43 +278,43 @@ Result<void> RegisterThroughJob::findCamera(Project &project)
     }
     const auto recording = ODO_TRY(project.trials().newestRecording(camera.id));
     if (!recording)
-        return fail(ErrorCode::NotFound, subject(m_settings), pictureSizeNotKnown(),
+        return fail(ErrorCode::NotFound, subject(m_settings), imageSizeNotKnown(),
                     ODO_TEXT("workflow.calibrate_or_import_trial",
                              "calibrate it, import its intrinsics, or import a trial with it first"));
     m_camera = CameraModel::assumed(recording->widthPx, recording->heightPx);
     return {};
 }
 
-Result<void> RegisterThroughJob::run(const JobControl &)
+Result<void> RegisterViaCameraJob::run(const JobControl &)
 {
-    auto chained = registerThrough(*m_through, cameraSubject(m_settings.through), m_settings.points,
-                                   *m_camera, m_intrinsicsKnown);
+    auto chained = registerViaCamera(*m_reference, cameraSubject(m_settings.reference), m_settings.points,
+                                     *m_camera, m_intrinsicsKnown);
     if (!chained) {
         Error error = chained.error();
         error.what = subject(m_settings);
         return tl::unexpected(error);
     }
-    m_layout = std::move(chained->places);
+    m_layout = std::move(chained->positions);
     m_record.pixels = std::move(chained->pixels);
     m_record.registration = std::move(chained->registration);
     m_record.assumedIntrinsics = m_record.registration.intrinsics;
-    m_record.picture = m_settings.picture;
+    m_record.image = m_settings.image;
     m_record.registration.verdict =
         joined({std::move(m_record.registration.verdict),
                 ODO_TEXT("workflow.made_through_registration",
-                         "It was made via registration %1 of the project.")(m_throughRegistration)},
+                         "It was made via registration %1 of the project.")(m_referenceRegistration)},
                Join::Space);
     return {};
 }
 
-Result<void> RegisterThroughJob::commit(Project &project)
+Result<void> RegisterViaCameraJob::commit(Project &project)
 {
     return project.note(ODO_TEXT("workflow.register_camera_through", "register camera %1 via camera %2")(
-                            Named::camera(m_settings.camera), Named::camera(m_settings.through)),
+                            Named::camera(m_settings.camera), Named::camera(m_settings.reference)),
                         [&]() -> Result<void> {
                             const auto layouts = ODO_TRY(project.layouts().all());
                             m_layout.name =
-                                freeName(layouts, m_settings.camera + throughWord + m_settings.through);
+                                freeName(layouts, m_settings.camera + viaWord + m_settings.reference);
                             const auto layout = ODO_TRY(project.layouts().add(m_layout));
                             m_record.layout = layout.id;
                             const auto stored =
@@ -321,10 +324,10 @@ Result<void> RegisterThroughJob::commit(Project &project)
                         });
 }
 
-bool isLayoutThrough(const std::string &layoutName, const std::string &through)
+bool isLayoutOfReference(const std::string &layoutName, const std::string &reference)
 {
     // freeName() may have put a number behind it.
-    const std::string ending = throughWord + through;
+    const std::string ending = viaWord + reference;
     const auto at = layoutName.rfind(ending);
     if (at == std::string::npos || at == 0)
         return false;

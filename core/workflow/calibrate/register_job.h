@@ -4,7 +4,7 @@
 #include "core/calibration/chained_registration.h"
 #include "core/calibration/joint_registration.h"
 #include "core/project/records.h"
-#include "core/workflow/calibrate/calibration_pictures.h"
+#include "core/workflow/calibrate/calibration_images.h"
 #include "core/workflow/job.h"
 
 #include <filesystem>
@@ -21,10 +21,10 @@ struct RegisterSettings
     std::string layout;
     std::filesystem::path pixelsFile; ///< label,u,v; or empty
     /// an image or video in which to detect the markers, or (with pixelsFile)
-    std::filesystem::path pictureFile;
+    std::filesystem::path imageFile;
     ///< that gives the image size of a camera without intrinsics; or empty
     std::vector<MarkerPixel> pixels; ///< picked in a window; instead of pixelsFile
-    StoredPicture picture = {};      ///< in which the pixels were picked, if the project has it already
+    StoredImage image = {};          ///< in which the pixels were picked, if the project has it already
     /// markers marked by hand, to find the others in the image (MarkerSearch)
     std::vector<MarkerPixel> hints = {};
 };
@@ -44,9 +44,9 @@ public:
     const RegistrationRecord &record() const { return m_record; } ///< after run
 
 private:
-    Result<void> findInPictures(const JobControl &control);
+    Result<void> findInImages(const JobControl &control);
     Result<CameraModel> cameraModel() const;
-    Result<void> keepPicture();
+    Result<void> keepImage();
 
     RegisterSettings m_settings;
     MarkerLayout m_layout;
@@ -65,24 +65,24 @@ Message registerChange(const std::string &camera);
 /// intrinsics: applies a newer calibration to the same markers, also for a camera that is long gone. NotFound
 /// where it is not registered; InvalidInput where the registration was made with those intrinsics, or through
 /// another camera. What the last check found stays. Quick.
-Result<RegistrationRecord> registerWithLensInForce(Project &project, const std::string &camera);
+Result<RegistrationRecord> registerWithCurrentIntrinsics(Project &project, const std::string &camera);
 
-struct RegisterThroughSettings
+struct RegisterViaCameraSettings
 {
     std::string camera;
-    std::string through; ///< a camera that is registered
+    std::string reference; ///< a camera that is registered
     std::vector<SharedPoint> points;
-    StoredPicture picture = {}; ///< of the camera, in which the points were picked, where the project has it
+    StoredImage image = {}; ///< of the camera, in which the points were picked, where the project has it
 };
 
 /// Registers a camera by points of the floor that a registered camera sees as well. Stores it as the camera's
 /// newest registration, with the positions found as a layout of its own ("C through B", numbered where that
 /// name is taken); the verdict names the registration it was made through. The camera needs intrinsics or a
 /// recording, for its image size.
-class RegisterThroughJob : public Job
+class RegisterViaCameraJob : public Job
 {
 public:
-    explicit RegisterThroughJob(RegisterThroughSettings settings);
+    explicit RegisterViaCameraJob(RegisterViaCameraSettings settings);
     Result<void> prepare(Project &project) override;
     Result<void> run(const JobControl &control) override;
     Result<void> commit(Project &project) override;
@@ -93,9 +93,9 @@ public:
 private:
     Result<void> findCamera(Project &project);
 
-    RegisterThroughSettings m_settings;
-    std::optional<FloorView> m_through;
-    RecordId m_throughRegistration = 0;
+    RegisterViaCameraSettings m_settings;
+    std::optional<FloorView> m_reference;
+    RecordId m_referenceRegistration = 0;
     std::optional<CameraModel> m_camera;
     bool m_intrinsicsKnown = false;
     MarkerLayout m_layout;
@@ -103,7 +103,7 @@ private:
 };
 
 /// Whether a layout is one of those that registrations through this camera keep.
-bool isLayoutThrough(const std::string &layoutName, const std::string &through);
+bool isLayoutOfReference(const std::string &layoutName, const std::string &reference);
 
 struct RegisterJointSettings
 {

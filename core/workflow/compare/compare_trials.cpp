@@ -99,7 +99,7 @@ Result<TrialComparison> compareTrials(const ComparedTrials &trials, const Compar
         options.task = trials.task->task;
     options.alignBy = settings.alignBy;
     options.handTimesS = settings.handTimesS;
-    options.placeM = settings.placeM;
+    options.stationM = settings.stationM;
     options.shareCalibration = trials.shareCalibration;
     std::vector<ComparedRun> runs;
     for (const ComparedTrial &run : trials.runs)

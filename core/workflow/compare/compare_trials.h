@@ -23,7 +23,7 @@ struct CompareSettings
     std::vector<Run> runs;          ///< the others are compared with the first
     std::optional<AlignBy> alignBy; ///< as ComparisonOptions
     std::vector<double> handTimesS; ///< of each run, since its first view's first frame
-    std::optional<double> placeM;
+    std::optional<double> stationM;
 };
 
 /// What is read of one run.

@@ -258,9 +258,9 @@ Result<void> ImportTracksJob::analyse(std::size_t robot)
         error.what = robotInTrialSubject(record.name, m_settings.trial);
         return tl::unexpected(error);
     }
-    if (!analysed->doubt.isEmpty())
+    if (!analysed->caveat.isEmpty())
         m_warnings.push_back(
-            joined({robotInTrialSubject(record.name, m_settings.trial), analysed->doubt}, Join::Colon));
+            joined({robotInTrialSubject(record.name, m_settings.trial), analysed->caveat}, Join::Colon));
     analysis = newAnalysis(m_trial, record, {}, std::move(analysed->options));
     analysis.task = m_task ? m_task->id : 0;
     analysis.profile = std::move(analysed->profile);

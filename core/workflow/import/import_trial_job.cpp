@@ -60,7 +60,7 @@ Message whyNoTracks(const RegisteredView &view, const std::vector<RobotRecord> &
     if (!view.floorView)
         return ODO_TEXT("workflow.camera_not_on_floor", "camera '%1' is not registered to the floor")(
             Named::camera(view.recording.cameraName));
-    return robots.empty() ? noRobotToLookFor() : Message();
+    return robots.empty() ? noRobotToTrack() : Message();
 }
 
 } // namespace
@@ -214,7 +214,7 @@ Result<void> ImportTrialJob::checkSteps()
     const std::size_t others = m_settings.videos.size() - 1, given = m_settings.steps.size();
     const bool forAll =
         given == 0 ||
-        (given == 1 && (others == 0 || m_settings.steps.front().how != ImportSettings::Sync::Told));
+        (given == 1 && (others == 0 || m_settings.steps.front().how != ImportSettings::Sync::Given));
     if (given != others && !forAll)
         return fail(
             ErrorCode::InvalidInput, importSubject(m_settings.trial),
@@ -236,7 +236,7 @@ Result<void> ImportTrialJob::synchronise(const JobControl &control)
         m_recordings[view].syncMethod = "none";
         if (step.how == ImportSettings::Sync::Automatic)
             toFind.push_back(view);
-        if (step.how == ImportSettings::Sync::Told) {
+        if (step.how == ImportSettings::Sync::Given) {
             m_recordings[view].syncMethod = "told";
             m_recordings[view].startOffsetS = step.offsetS;
         }

@@ -16,7 +16,7 @@ namespace odo {
 
 struct ImportSettings
 {
-    enum class Sync { Automatic, None, Told };
+    enum class Sync { Automatic, None, Given };
     /// How a view is synchronised with the first.
     struct ViewStep
     {

@@ -23,24 +23,24 @@ namespace odo {
 namespace {
 
 /// The raw times of the frames in the file: no more of them, and no fewer.
-void fit(std::vector<RawTime> &pictures, const std::vector<Nanoseconds> &fileTimes)
+void fit(std::vector<RawTime> &frames, const std::vector<Nanoseconds> &fileTimes)
 {
     if (fileTimes.empty())
-        return pictures.clear();
-    pictures.resize(std::min(pictures.size(), fileTimes.size()));
-    if (pictures.empty())
-        pictures.push_back({});
-    const RawTime last = pictures.back();
-    const Nanoseconds lastInFile = fileTimes[pictures.size() - 1];
-    for (std::size_t i = pictures.size(); i < fileTimes.size(); ++i) {
+        return frames.clear();
+    frames.resize(std::min(frames.size(), fileTimes.size()));
+    if (frames.empty())
+        frames.push_back({});
+    const RawTime last = frames.back();
+    const Nanoseconds lastInFile = fileTimes[frames.size() - 1];
+    for (std::size_t i = frames.size(); i < fileTimes.size(); ++i) {
         const Nanoseconds since = fileTimes[i] - lastInFile;
-        pictures.push_back({last.sequence, last.device + since, last.arrival + since});
+        frames.push_back({last.sequence, last.device + since, last.arrival + since});
     }
 }
 
 /// Of a file that cannot be played: whether it holds nothing but the beginning of one. Its name is not
 /// enough: never delete what somebody might still recover a frame from.
-bool hasNoPicture(const std::filesystem::path &file)
+bool hasNoFrame(const std::filesystem::path &file)
 {
     constexpr std::uintmax_t mostWithout = 65536;
     std::error_code problem;
@@ -97,7 +97,7 @@ Result<void> RecoverJob::recover(Unfinished &unfinished, const CancelToken &canc
 {
     std::vector<EndedView> ended;
     for (View &view : unfinished.views) {
-        if (!files::exists(view.file) && (!view.times.pictures.empty() || !m_lock)) {
+        if (!files::exists(view.file) && (!view.times.frames.empty() || !m_lock)) {
             unfinished.missing = view.file;
             return {};
         }
@@ -105,14 +105,13 @@ Result<void> RecoverJob::recover(Unfinished &unfinished, const CancelToken &canc
         if (!reader && reader.error().code == ErrorCode::Cancelled)
             return tl::unexpected(reader.error());
         if (!reader) { // it was cut off before a frame was on the disk
-            if (view.times.pictures.empty() && isOwnMedia(view.file, m_mediaFolder) &&
-                hasNoPicture(view.file))
+            if (view.times.frames.empty() && isOwnMedia(view.file, m_mediaFolder) && hasNoFrame(view.file))
                 unfinished.empty.push_back(view.file);
             continue;
         }
         const VideoInfo &info = (*reader)->info();
-        EndedView one{view.record, view.file, {}, 0, !view.times.pictures.empty()};
-        fit(view.times.pictures, info.frameTimes);
+        EndedView one{view.record, view.file, {}, 0, !view.times.frames.empty()};
+        fit(view.times.frames, info.frameTimes);
         DerivedTimes derived = deriveTimes(view.times);
         one.taken = std::move(derived.taken);
         one.clockSigmaS = derived.sigmaS;
@@ -138,11 +137,11 @@ Result<void> RecoverJob::complete(Project &project, Unfinished &unfinished)
     TrialRecord &trial = unfinished.trial;
     const auto tell = [&](Message outcome, Message advice = {}) {
         const Message what = joined({trialSubject(trial.name), recordingWasCutOff()}, Join::Colon);
-        m_told.push_back(
+        m_problems.push_back(
             joined({what, joined({std::move(outcome), std::move(advice)}, Join::Colon)}, Join::Semicolon));
     };
     if (!unfinished.missing.empty()) {
-        tell(isMissing(fileSubject(unfinished.missing)), putBackAndOpenAgain());
+        tell(isMissing(fileSubject(unfinished.missing)), restoreAndReopen());
         return {};
     }
     if (unfinished.recordings.empty()) {
@@ -191,7 +190,7 @@ Result<std::vector<Message>> recoverTrials(Project &project, const JobControl &c
     ODO_TRY(job.commit(project));
     HashJob hashes;
     ODO_TRY(runToEnd(hashes, project, control));
-    return job.told();
+    return job.problems();
 }
 
 Result<void> HashJob::prepare(Project &project)
@@ -270,7 +269,7 @@ Result<std::vector<RecordingRecord>> describeRecordings(const std::vector<EndedV
         std::error_code problem;
         record.bytes = static_cast<std::int64_t>(files::sizeOf(view.file, problem));
         if (problem)
-            return cannotBeLookedAt(quotedFileSubject(view.file), problem, checkFileIsThere());
+            return cannotBeInspected(quotedFileSubject(view.file), problem, checkFileIsThere());
         records.push_back(std::move(record));
     }
     return records;

@@ -29,7 +29,7 @@ public:
     /// After prepare: whether there is anything to do; run and commit may be left out where not.
     bool isNeeded() const { return !m_trials.empty(); }
     /// After commit: a sentence for each trial.
-    const std::vector<Message> &told() const { return m_told; }
+    const std::vector<Message> &problems() const { return m_problems; }
 
 private:
     struct View
@@ -53,7 +53,7 @@ private:
     std::filesystem::path m_mediaFolder;
     std::unique_ptr<RecordingLock> m_lock;
     std::vector<Unfinished> m_trials;
-    std::vector<Message> m_told;
+    std::vector<Message> m_problems;
 };
 
 /// Completes them at once, hashes too, on the project's thread, and gives a sentence for each: what the

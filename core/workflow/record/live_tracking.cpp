@@ -23,21 +23,21 @@ constexpr Nanoseconds keptBeforeARun = 10s, latencyWindow = 10s;
 /// Registered at another frame size, its positions would be silently wrong.
 bool fits(const LiveView &view, const FrameFormat &format)
 {
-    const Intrinsics &lens = view.floorView->camera().intrinsics();
-    return lens.widthPx == format.width && lens.heightPx == format.height;
+    const Intrinsics &intrinsics = view.floorView->camera().intrinsics();
+    return intrinsics.widthPx == format.width && intrinsics.heightPx == format.height;
 }
 
 } // namespace
 
-Message liveWords(const LiveFigures &figures)
+Message liveWords(const LiveStatistics &statistics)
 {
-    if (figures.latencyMedianS <= 0)
+    if (statistics.latencyMedianS <= 0)
         return {};
-    const MessageArgument behind = quantity(std::round(1e3 * figures.latencyMedianS), 0, "ms");
-    return figures.dropped == 0
+    const MessageArgument behind = quantity(std::round(1e3 * statistics.latencyMedianS), 0, "ms");
+    return statistics.dropped == 0
                ? ODO_TEXT("workflow.map_behind", "the map is %1 behind, no frame skipped")(behind)
                : ODO_TEXT("workflow.map_behind_and_skipping",
-                          "the map is %1 behind, %2 frames skipped")(behind, figures.dropped);
+                          "the map is %1 behind, %2 frames skipped")(behind, statistics.dropped);
 }
 
 Result<TaskAnalysis> analyseRun(const LiveRun &run, const AnalysisOptions &options,
@@ -101,26 +101,26 @@ LiveTracker::~LiveTracker()
 void LiveTracker::follow(std::size_t view)
 {
     View &own = m_views[view];
-    while (auto picture = own.feed->pop()) {
-        LiveSight sight{view, std::move(*picture), {}};
-        Frame &frame = sight.picture.captured.frame;
-        frame.time = sight.picture.taken; // all views use one clock
+    while (auto timedFrame = own.feed->pop()) {
+        LiveSight sight{view, std::move(*timedFrame), {}};
+        Frame &frame = sight.timedFrame.captured.frame;
+        frame.time = sight.timedFrame.taken; // all views use one clock
         if (own.background) {
             if (auto newer = own.background->add(frame))
                 own.tracker->setBackground(std::move(*newer));
         }
         if (own.tracker)
             sight.observations = own.tracker->track(frame);
-        place(std::move(sight));
+        locate(std::move(sight));
     }
 }
 
-void LiveTracker::place(LiveSight sight)
+void LiveTracker::locate(LiveSight sight)
 {
     const std::lock_guard lock(m_mutex);
     ++m_tracked;
     const LiveView &view = m_views[sight.view].view;
-    const bool placed = view.floorView && fits(view, sight.picture.captured.frame.format);
+    const bool placed = view.floorView && fits(view, sight.timedFrame.captured.frame.format);
     if (placed)
         keep(sight.view, sight);
     for (std::size_t r = 0; placed && r < sight.observations.size(); ++r) {
@@ -152,18 +152,18 @@ void LiveTracker::keep(std::size_t view, const LiveSight &sight)
     }
 }
 
-LiveFigures LiveTracker::figures() const
+LiveStatistics LiveTracker::statistics() const
 {
     const std::lock_guard lock(m_mutex);
-    LiveFigures figures{m_tracked, 0, 0, 0};
+    LiveStatistics statistics{m_tracked, 0, 0, 0};
     for (const View &view : m_views)
-        figures.dropped += view.feed->dropped();
+        statistics.dropped += view.feed->dropped();
     std::vector<double> latencies;
     for (const auto &[when, latencyS] : m_latencies)
         latencies.push_back(latencyS);
-    figures.latencyMedianS = percentile(latencies, 50);
-    figures.latencyP99S = percentile(std::move(latencies), 99);
-    return figures;
+    statistics.latencyMedianS = percentile(latencies, 50);
+    statistics.latencyP99S = percentile(std::move(latencies), 99);
+    return statistics;
 }
 
 void LiveTracker::beginRun(Nanoseconds from)
@@ -199,7 +199,7 @@ std::vector<LiveRun> LiveTracker::endRun()
 namespace {
 
 constexpr std::size_t momentsAhead = 64;
-constexpr double measuredConfidence = 1, foretoldConfidence = 0.5;
+constexpr double measuredConfidence = 1, predictedConfidence = 0.5;
 constexpr double slowestWithHeading = 3; // standard deviations of the speed
 
 std::string shown(const BroadcastTarget &target)
@@ -336,7 +336,7 @@ void LiveBroadcast::take(const LiveMoment &moment)
     m_moments.pushOrDrop(moment);
 }
 
-LiveBroadcast::Figures LiveBroadcast::figures() const
+LiveBroadcast::BroadcastStatistics LiveBroadcast::statistics() const
 {
     return {m_sent, m_failed, m_moments.dropped()};
 }
@@ -368,7 +368,7 @@ void LiveBroadcast::addTo(SslFrame &frame, const LiveMoment &moment)
         yaw = std::atan2(point.velocity.y(), point.velocity.x());
     const bool isMeasured = moment.position.sample.position && !moment.position.isSpike;
     frame.robots.push_back({m_numbers[moment.robot].isYellow, m_numbers[moment.robot].id,
-                            isMeasured ? measuredConfidence : foretoldConfidence, point.position.x(),
+                            isMeasured ? measuredConfidence : predictedConfidence, point.position.x(),
                             point.position.y(), yaw, m_robots[moment.robot].heightM});
 }
 

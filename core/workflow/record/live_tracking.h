@@ -27,7 +27,7 @@ namespace odo {
 struct LiveSight
 {
     std::size_t view = 0;
-    TimedFrame picture;
+    TimedFrame timedFrame;
     std::vector<Observation> observations;
 };
 
@@ -40,7 +40,7 @@ struct LiveMoment
 };
 
 /// How live tracking keeps up.
-struct LiveFigures
+struct LiveStatistics
 {
     std::uint64_t tracked = 0,
                   dropped = 0; ///< frames of all views; dropped: tracking was too slow for them
@@ -48,7 +48,7 @@ struct LiveFigures
            latencyP99S = 0; ///< of the last ten seconds' positions, from exposure; 0 of none
 };
 /// "the map is 38 ms behind, none skipped"; empty while nothing has been placed.
-Message liveWords(const LiveFigures &figures);
+Message liveWords(const LiveStatistics &statistics);
 
 /// What live tracking has seen of a robot in a run: enough for the ordinary analysis.
 struct LiveRun
@@ -84,7 +84,7 @@ public:
     LiveTracker(const LiveTracker &) = delete;
     LiveTracker &operator=(const LiveTracker &) = delete;
 
-    LiveFigures figures() const;
+    LiveStatistics statistics() const;
     /// A run started at this time of the steady clock, up to ten seconds ago: what is seen from then on is
     /// kept.
     void beginRun(Nanoseconds from);
@@ -104,7 +104,7 @@ private:
     LiveTracker(const std::vector<LiveView> &views, const std::vector<RobotRecord> &robots,
                 Listener listener);
     void follow(std::size_t view);
-    void place(LiveSight sight);
+    void locate(LiveSight sight);
     void keep(std::size_t view, const LiveSight &sight);
 
     const std::vector<RobotRecord> m_robots;
@@ -159,12 +159,12 @@ public:
     /// Never waits; from one thread at a time, as a LiveTracker's listener is called.
     void take(const LiveMoment &moment);
 
-    struct Figures
+    struct BroadcastStatistics
     {
         /// packets; failed: the network refused them; dropped: moments of a robot
         std::uint64_t sent = 0, failed = 0, dropped = 0;
     };
-    Figures figures() const;
+    BroadcastStatistics statistics() const;
 
 private:
     LiveBroadcast(DatagramSocket socket, std::uint32_t address, const BroadcastTarget &target,

@@ -35,7 +35,7 @@ Result<std::shared_ptr<LiveTrial>> LiveTrial::begin(Project &project, TrialRecor
     if (!files::exists(project.file()))
         return fail(ErrorCode::NotFound, recordingSubject(trial.name),
                     ODO_TEXT("workflow.project_file_gone", "the project file no longer exists"),
-                    joined({putDiskBack(), ODO_TEXT("workflow.nothing_recorded", "nothing was recorded")},
+                    joined({reconnectDisk(), ODO_TEXT("workflow.nothing_recorded", "nothing was recorded")},
                            Join::Semicolon));
     auto lock = ODO_TRY(RecordingLock::take(project.mediaFolder()));
     std::shared_ptr<LiveTrial> live(new LiveTrial(session, std::move(lock)));
@@ -93,13 +93,12 @@ Result<void> LiveTrial::append(Project &project)
     for (std::size_t i = 0; i < m_views.size(); ++i) {
         View &view = m_views[i];
         const RecordedTimes fresh = m_session.takeWritten(i);
-        if (fresh.pictures.empty())
+        if (fresh.frames.empty())
             continue;
-        if (view.pictures + view.pending.pictures.size() == 0)
-            view.first = fresh.pictures.front().arrival;
-        view.last = fresh.pictures.back().arrival;
-        view.pending.pictures.insert(view.pending.pictures.end(), fresh.pictures.begin(),
-                                     fresh.pictures.end());
+        if (view.frames + view.pending.frames.size() == 0)
+            view.first = fresh.frames.front().arrival;
+        view.last = fresh.frames.back().arrival;
+        view.pending.frames.insert(view.pending.frames.end(), fresh.frames.begin(), fresh.frames.end());
         view.pending.readings.insert(view.pending.readings.end(), fresh.readings.begin(),
                                      fresh.readings.end());
     }
@@ -127,7 +126,7 @@ Result<void> LiveTrial::store(Project &project)
     if (!stored)
         return stored;
     for (View &view : m_views) {
-        view.pictures += view.pending.pictures.size();
+        view.frames += view.pending.frames.size();
         view.readings += view.pending.readings.size();
         view.pending = {};
     }
@@ -157,7 +156,7 @@ Result<void> LiveTrial::run(const JobControl &control)
             using Times = std::decay_t<decltype(all)>;
             return Times(all.begin() + static_cast<std::ptrdiff_t>(std::min(stored, all.size())), all.end());
         };
-        view.pending = {added(outcome.times.pictures, view.pictures),
+        view.pending = {added(outcome.times.frames, view.frames),
                         added(outcome.times.readings, view.readings)};
         ended.push_back({view.record, view.file.path(), outcome.taken, outcome.clockSigmaS});
         if (outcome.taken.empty())

@@ -57,9 +57,9 @@ private:
     {
         RecordingRecord record;
         ClaimedFile file;
-        RecordedTimes pending;                  ///< on the disk, and not yet in the project
-        std::size_t pictures = 0, readings = 0; ///< in the project
-        Nanoseconds first{0}, last{0};          ///< arrival
+        RecordedTimes pending;                ///< on the disk, and not yet in the project
+        std::size_t frames = 0, readings = 0; ///< in the project
+        Nanoseconds first{0}, last{0};        ///< arrival
     };
     LiveTrial(CaptureSession &session, std::unique_ptr<RecordingLock> lock)
         : m_session(session), m_lock(std::move(lock))

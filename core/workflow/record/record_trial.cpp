@@ -22,7 +22,7 @@ namespace {
 using namespace std::chrono_literals;
 using Clock = std::chrono::steady_clock;
 
-constexpr auto lookEach = 50ms, appendEach = 1000ms, longestStart = 10000ms;
+constexpr auto checkInterval = 50ms, appendEach = 1000ms, longestStart = 10000ms;
 
 Result<void> checkSettings(Project &project, const RecordSettings &settings)
 {
@@ -66,8 +66,8 @@ Result<std::vector<std::unique_ptr<CameraSource>>> openCameras(const RecordSetti
 }
 
 /// The time counts from when all cameras deliver, which may take them a moment.
-Result<void> waitForPictures(const CaptureSession &session, const RecordSettings &settings,
-                             const JobControl &control)
+Result<void> waitForFrames(const CaptureSession &session, const RecordSettings &settings,
+                           const JobControl &control)
 {
     const auto until = Clock::now() + longestStart;
     for (;;) {
@@ -83,12 +83,12 @@ Result<void> waitForPictures(const CaptureSession &session, const RecordSettings
             return fail(ErrorCode::Io, recordingSubject(settings.trial),
                         joined({ODO_TEXT("workflow.camera_gave_no_picture",
                                          "camera '%1' delivered no frame")(Named::camera(camera)),
-                                silent->trouble ? silent->trouble->error.why : Message()},
+                                silent->warning ? silent->warning->error.why : Message()},
                                Join::Colon),
                         ODO_TEXT("workflow.check_it_is_connected",
                                  "check that it is connected and not used by another program"));
         }
-        std::this_thread::sleep_for(lookEach);
+        std::this_thread::sleep_for(checkInterval);
     }
 }
 
@@ -99,7 +99,7 @@ Result<void> letRun(const RecordSettings &settings, const JobControl &control)
     while (Clock::now() < until) {
         if (control.isCancelled())
             return cancelled(recordingSubject(settings.trial));
-        std::this_thread::sleep_for(std::min<Nanoseconds>(lookEach, until - Clock::now()));
+        std::this_thread::sleep_for(std::min<Nanoseconds>(checkInterval, until - Clock::now()));
     }
     return {};
 }
@@ -196,7 +196,7 @@ Result<void> keepRecording(Project &project, LiveTrial &live, const CaptureSessi
     auto appended = begun;
     bool wasInPlace = true;
     for (;;) {
-        std::this_thread::sleep_for(lookEach);
+        std::this_thread::sleep_for(checkInterval);
         const auto now = Clock::now();
         const double passedS = std::chrono::duration<double>(now - begun).count();
         control.report(std::min(1.0, passedS / settings.seconds),
@@ -229,7 +229,7 @@ Result<std::shared_ptr<LiveTrial>> recordTrial(Project &project, const RecordSet
     auto cameras = ODO_TRY(openCameras(settings, appearancesOf(robots.value_or(std::vector<RobotRecord>()))));
     const Nanoseconds preRoll = fromSeconds(settings.preRollS);
     CaptureSession session(std::move(cameras), {.preRoll = preRoll});
-    ODO_TRY(waitForPictures(session, settings, control));
+    ODO_TRY(waitForFrames(session, settings, control));
     const auto sending = beginSending(std::move(sent), session); // ends before the session does
     if (!sending)
         return tl::unexpected(sending.error());

@@ -18,7 +18,7 @@ namespace odo {
 namespace {
 
 Result<AnalysisRecord> chosenAnalysis(const std::vector<AnalysisRecord> &analyses,
-                                      const OverruleRequest &request)
+                                      const OverrideRequest &request)
 {
     const Message what = trialSubject(request.trial);
     std::vector<std::string> names;
@@ -38,7 +38,7 @@ Result<AnalysisRecord> chosenAnalysis(const std::vector<AnalysisRecord> &analyse
 }
 
 /// The sample as the request named it.
-Message sampleSubject(const OverruleRequest &request)
+Message sampleSubject(const OverrideRequest &request)
 {
     const MessageArgument trial = Named::trial(request.trial);
     return request.frame
@@ -47,7 +47,7 @@ Message sampleSubject(const OverruleRequest &request)
                           "%1 of trial '%2'")(quantity(request.timeS.value_or(0), 3, "s"), trial);
 }
 
-Result<Sample> chosenSample(const std::vector<Sample> &samples, const OverruleRequest &request)
+Result<Sample> chosenSample(const std::vector<Sample> &samples, const OverrideRequest &request)
 {
     const Message what = sampleSubject(request);
     if (samples.empty())
@@ -68,7 +68,7 @@ Result<Sample> chosenSample(const std::vector<Sample> &samples, const OverruleRe
                                   : ODO_TEXT("workflow.choose_time", "choose a time from %1 to %2")(
                                         quantity(toSeconds(samples.front().time), 3, "s"),
                                         quantity(toSeconds(samples.back().time), 3, "s")));
-    if (!nearest->position && request.word != OverruleRequest::Word::Clear)
+    if (!nearest->position && request.word != OverrideRequest::Word::Clear)
         return fail(ErrorCode::InvalidInput, what,
                     ODO_TEXT("workflow.not_measured_there", "the robot has no measurement at that time"),
                     ODO_TEXT("workflow.choose_measured_frame", "choose a frame with a measurement"));
@@ -77,68 +77,68 @@ Result<Sample> chosenSample(const std::vector<Sample> &samples, const OverruleRe
 
 } // namespace
 
-OverruleJob::OverruleJob(OverruleRequest request) : m_request(std::move(request)) {}
+OverrideJob::OverrideJob(OverrideRequest request) : m_request(std::move(request)) {}
 
-OverruleJob::~OverruleJob() = default;
+OverrideJob::~OverrideJob() = default;
 
-Result<void> OverruleJob::prepare(Project &project)
+Result<void> OverrideJob::prepare(Project &project)
 {
     const auto trial = ODO_TRY(project.trials().find(m_request.trial));
     const auto analyses = ODO_TRY(project.analyses().current(trial.id));
     const auto analysis = ODO_TRY(chosenAnalysis(analyses, m_request));
     const auto sample = ODO_TRY(chosenSample(analysis.profile.samples, m_request));
-    const auto before = ODO_TRY(project.trials().overrules(trial.id, analysis.robot));
+    const auto before = ODO_TRY(project.trials().overrides(trial.id, analysis.robot));
     m_before = before;
     m_trial = trial.id;
     m_robot = analysis.robot;
     m_outcome.robot = analysis.robotName;
     m_outcome.frame = sample.frame;
     m_outcome.time = sample.time;
-    if (m_request.word == OverruleRequest::Word::Clear) {
-        m_overrules = withoutOverrule(m_before, sample.frame);
-        if (m_overrules.size() == m_before.size())
+    if (m_request.word == OverrideRequest::Word::Clear) {
+        m_overrides = withoutOverride(m_before, sample.frame);
+        if (m_overrides.size() == m_before.size())
             return fail(ErrorCode::NotFound, sampleSubject(m_request),
                         ODO_TEXT("workflow.nothing_said_there", "that frame has no manual override"),
                         ODO_TEXT("workflow.see_flags_by_hand", "see the flags by_hand in odograph export"));
     } else {
-        m_overrules = withOverrule(m_before, {sample.frame, m_request.word == OverruleRequest::Word::Spike});
+        m_overrides = withOverride(m_before, {sample.frame, m_request.word == OverrideRequest::Word::Spike});
     }
     TrackSettings settings;
     settings.robots = {m_outcome.robot};
     settings.again = true;
-    settings.overrules[m_outcome.robot] = m_overrules;
+    settings.overrides[m_outcome.robot] = m_overrides;
     m_analysis = std::make_unique<TrackJob>(m_request.trial, std::move(settings));
     return m_analysis->prepare(project);
 }
 
-Result<void> OverruleJob::run(const JobControl &control)
+Result<void> OverrideJob::run(const JobControl &control)
 {
     return m_analysis->run(control);
 }
 
-Result<void> OverruleJob::commit(Project &project)
+Result<void> OverrideJob::commit(Project &project)
 {
     const auto words = [this] {
         const MessageArgument trial = Named::trial(m_request.trial);
         switch (m_request.word) {
-        case OverruleRequest::Word::Spike:
+        case OverrideRequest::Word::Spike:
             return ODO_TEXT("workflow.mark_spike", "mark frame %1 of %2 as a spike")(m_outcome.frame, trial);
-        case OverruleRequest::Word::Valid:
+        case OverrideRequest::Word::Valid:
             return ODO_TEXT("workflow.use_frame", "use frame %1 of %2")(m_outcome.frame, trial);
-        case OverruleRequest::Word::Clear:
+        case OverrideRequest::Word::Clear:
             break;
         }
         return ODO_TEXT("workflow.leave_frame", "remove the override of frame %1 of %2")(m_outcome.frame,
                                                                                          trial);
     };
     auto stored = project.change(words(), [&]() -> Result<void> {
-        const auto now = ODO_TRY(project.trials().overrules(m_trial, m_robot));
+        const auto now = ODO_TRY(project.trials().overrides(m_trial, m_robot));
         if (now != m_before)
             return fail(ErrorCode::InvalidInput, sampleSubject(m_request),
                         ODO_TEXT("workflow.other_sample_judged",
                                  "another sample was overridden while this one was analysed"),
                         ODO_TEXT("workflow.say_it_again", "repeat it for frame %1")(m_outcome.frame));
-        ODO_TRY(project.trials().setOverrules(m_trial, m_robot, m_overrules));
+        ODO_TRY(project.trials().setManualOverrides(m_trial, m_robot, m_overrides));
         return m_analysis->commit(project);
     });
     if (!stored)
@@ -153,7 +153,7 @@ Result<void> OverruleJob::commit(Project &project)
 
 namespace {
 
-void comparePlaces(const Profile &before, const Profile &after, ProfileChange &change)
+void comparePositions(const Profile &before, const Profile &after, ProfileChange &change)
 {
     std::map<std::int64_t, std::size_t> byFrame;
     for (std::size_t i = 0; i < before.samples.size(); ++i)
@@ -215,7 +215,7 @@ ProfileChange changeBetween(const Profile &before, const Profile &after)
     ProfileChange change;
     change.spikesBefore = before.spikes.size();
     change.spikesAfter = after.spikes.size();
-    comparePlaces(before, after, change);
+    comparePositions(before, after, change);
     compareMetrics(before, after, change);
     change.words = wordsOf(change);
     return change;

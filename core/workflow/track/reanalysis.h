@@ -15,7 +15,7 @@ namespace odo {
 class TrackJob;
 
 /// A manual override of one sample of a trial.
-struct OverruleRequest
+struct OverrideRequest
 {
     enum class Word {
         Spike, ///< it is not to be used
@@ -29,7 +29,7 @@ struct OverruleRequest
     Word word = Word::Spike;
 };
 
-struct OverruleOutcome
+struct OverrideOutcome
 {
     std::string robot;
     std::int64_t frame = 0;
@@ -41,23 +41,23 @@ struct OverruleOutcome
 /// Stores a manual override of a sample and reanalyses the stored observations with it; older analyses stay.
 /// Errors: the robot was not tracked, no frame at that time, nothing measured there, nothing to remove,
 /// another sample was overridden between prepare and commit.
-class OverruleJob : public Job
+class OverrideJob : public Job
 {
 public:
-    explicit OverruleJob(OverruleRequest request);
-    ~OverruleJob() override;
+    explicit OverrideJob(OverrideRequest request);
+    ~OverrideJob() override;
     Result<void> prepare(Project &project) override;
     Result<void> run(const JobControl &control) override;
     Result<void> commit(Project &project) override;
 
-    const OverruleOutcome &outcome() const { return m_outcome; } ///< after commit
+    const OverrideOutcome &outcome() const { return m_outcome; } ///< after commit
 
 private:
-    OverruleRequest m_request;
+    OverrideRequest m_request;
     RecordId m_trial = 0, m_robot = 0;
-    std::vector<Overrule> m_before, m_overrules;
+    std::vector<ManualOverride> m_before, m_overrides;
     std::unique_ptr<TrackJob> m_analysis;
-    OverruleOutcome m_outcome;
+    OverrideOutcome m_outcome;
 };
 
 /// A metric before and after; nullopt where one of the two analyses has none.

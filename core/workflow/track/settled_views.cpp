@@ -25,9 +25,9 @@ std::vector<PointedOut> pointedOutIn(const RegisteredView &view, const std::vect
     return here;
 }
 
-Error nothingThere(const RegisteredView &view, const PointedOut &told, const RobotRecord &robot)
+Error nothingThere(const RegisteredView &view, const PointedOut &given, const RobotRecord &robot)
 {
-    const auto frame = static_cast<std::size_t>(told.frame);
+    const auto frame = static_cast<std::size_t>(given.frame);
     const double timeS = frame < view.recording.frameTimes.size()
                              ? toSeconds(clockOf(view.recording).commonTime(view.recording.frameTimes[frame]))
                              : 0;
@@ -35,7 +35,7 @@ Error nothingThere(const RegisteredView &view, const PointedOut &told, const Rob
             ODO_TEXT("workflow.robot_in_view", "robot '%1' in view '%2'")(
                 Named::robot(robot.name), Named::camera(view.recording.cameraName)),
             ODO_TEXT("workflow.nothing_stands_out", "no foreground object was found at pixel %1,%2 at %3")(
-                quantity(told.pixel.x(), 0), quantity(told.pixel.y(), 0), quantity(timeS, 2, "s")),
+                quantity(given.pixel.x(), 0), quantity(given.pixel.y(), 0), quantity(timeS, 2, "s")),
             ODO_TEXT("workflow.point_out_whole_robot",
                      "point it out where the whole robot is visible and moving")};
 }
@@ -48,10 +48,10 @@ NamedRobot namedRobot(const RobotRecord &robot)
             shapeOf(robot).heightM};
 }
 
-Result<std::vector<NameDoubt>> settleNames(const std::vector<RegisteredView> &views,
-                                           const std::vector<RobotRecord> &robots,
-                                           std::vector<TrackedView> &tracked,
-                                           const std::vector<PointedOutRobot> &pointedOut)
+Result<std::vector<NameAmbiguity>> settleNames(const std::vector<RegisteredView> &views,
+                                               const std::vector<RobotRecord> &robots,
+                                               std::vector<TrackedView> &tracked,
+                                               const std::vector<PointedOutRobot> &pointedOut)
 {
     std::vector<NamedRobot> named;
     for (const RobotRecord &robot : robots)
@@ -70,8 +70,8 @@ Result<std::vector<NameDoubt>> settleNames(const std::vector<RegisteredView> &vi
     NameOutcome outcome = assignNames(seen, named);
     if (!outcome.nothingThere.empty()) {
         const auto &[view, number] = outcome.nothingThere.front();
-        const PointedOut &told = seen[view].pointedOut[number];
-        return tl::unexpected(nothingThere(views[view], told, robots[told.robot]));
+        const PointedOut &given = seen[view].pointedOut[number];
+        return tl::unexpected(nothingThere(views[view], given, robots[given.robot]));
     }
     for (std::size_t v = 0; v < views.size(); ++v) {
         for (std::size_t r = 0; r < robots.size(); ++r)
@@ -81,20 +81,20 @@ Result<std::vector<NameDoubt>> settleNames(const std::vector<RegisteredView> &vi
         std::vector<std::vector<Observation> *> its;
         for (TrackedView &view : tracked)
             its.push_back(&view.series[r].observations);
-        doubtUntrimmed(its);
+        uncertaintyUntrimmed(its);
     }
-    return std::move(outcome.doubts);
+    return std::move(outcome.ambiguities);
 }
 
-std::vector<std::vector<DoubtfulName>> doubtfulNamesOf(const std::vector<NameDoubt> &doubts,
-                                                       const std::vector<RobotRecord> &robots)
+std::vector<std::vector<AmbiguousName>> ambiguousNamesOf(const std::vector<NameAmbiguity> &ambiguities,
+                                                         const std::vector<RobotRecord> &robots)
 {
-    std::vector<std::vector<DoubtfulName>> all(robots.size());
-    for (const NameDoubt &doubt : doubts) {
-        DoubtfulName &stored = all[doubt.robot].emplace_back();
-        stored.from = fromSeconds(doubt.fromS);
-        stored.to = fromSeconds(doubt.toS);
-        for (const std::size_t other : doubt.others) {
+    std::vector<std::vector<AmbiguousName>> all(robots.size());
+    for (const NameAmbiguity &ambiguity : ambiguities) {
+        AmbiguousName &stored = all[ambiguity.robot].emplace_back();
+        stored.from = fromSeconds(ambiguity.fromS);
+        stored.to = fromSeconds(ambiguity.toS);
+        for (const std::size_t other : ambiguity.others) {
             stored.others.push_back(robots[other].id);
             stored.otherNames.push_back(robots[other].name);
         }
@@ -102,11 +102,11 @@ std::vector<std::vector<DoubtfulName>> doubtfulNamesOf(const std::vector<NameDou
     return all;
 }
 
-double doubtfulSeconds(const std::vector<DoubtfulName> &doubts)
+double ambiguousSeconds(const std::vector<AmbiguousName> &ambiguities)
 {
     double seconds = 0;
-    for (const DoubtfulName &doubt : doubts)
-        seconds += toSeconds(doubt.to - doubt.from);
+    for (const AmbiguousName &ambiguity : ambiguities)
+        seconds += toSeconds(ambiguity.to - ambiguity.from);
     return seconds;
 }
 
@@ -162,19 +162,19 @@ Outlines outlinesOf(const std::vector<RegisteredView> &views, const std::vector<
 }
 
 /// Robots of which much may be deep shadow, and whose outlines are not explained well already.
-std::vector<Outlines> doubtfulOutlines(const std::vector<RegisteredView> &views,
-                                       const std::vector<RobotRecord> &robots,
-                                       std::vector<TrackedView> &tracked)
+std::vector<Outlines> uncertainOutlines(const std::vector<RegisteredView> &views,
+                                        const std::vector<RobotRecord> &robots,
+                                        std::vector<TrackedView> &tracked)
 {
-    std::vector<Outlines> doubtful;
+    std::vector<Outlines> uncertain;
     for (std::size_t r = 0; r < robots.size(); ++r) {
         if (deepShareOf(tracked, r) <= leastDeepShare)
             continue;
         Outlines outlines = outlinesOf(views, robots, tracked, r);
         if (outlines.misfit.value_or(0) > goodMisfit)
-            doubtful.push_back(outlines);
+            uncertain.push_back(outlines);
     }
-    return doubtful;
+    return uncertain;
 }
 
 /// Whether solids explain the outlines of these robots clearly better than before, and nothing of them was
@@ -201,13 +201,13 @@ Result<SettledViews> trackAndSettle(const std::vector<RegisteredView> &views,
         auto seen = ODO_TRY(track(partOf(control, done, done + part)));
         done += part;
         control.report(done, ODO_TEXT("workflow.settling_names", "assigning names to the robots"));
-        auto doubts = ODO_TRY(settleNames(views, robots, seen, pointedOut));
-        return SettledViews{std::move(seen), std::move(doubts)};
+        auto ambiguities = ODO_TRY(settleNames(views, robots, seen, pointedOut));
+        return SettledViews{std::move(seen), std::move(ambiguities)};
     };
     auto best = tracked(firstPart, [&](const JobControl &part) { return trackViews(views, robots, part); });
     if (!best)
         return best;
-    std::vector<Outlines> known = doubtfulOutlines(views, robots, best->views);
+    std::vector<Outlines> known = uncertainOutlines(views, robots, best->views);
     for (const float darkest : darkerShadows) {
         if (known.empty())
             break;

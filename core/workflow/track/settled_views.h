@@ -16,23 +16,23 @@ NamedRobot namedRobot(const RobotRecord &robot);
 /// anything is analysed or stored, and which tracked object is a robot of any look. The views' offsets must
 /// be known. Gives when the identity was ambiguous, by the robots' numbers. pointedOut: of the trial.
 /// InvalidInput: nothing was tracked where a robot was pointed out.
-Result<std::vector<NameDoubt>> settleNames(const std::vector<RegisteredView> &views,
-                                           const std::vector<RobotRecord> &robots,
-                                           std::vector<TrackedView> &tracked,
-                                           const std::vector<PointedOutRobot> &pointedOut = {});
+Result<std::vector<NameAmbiguity>> settleNames(const std::vector<RegisteredView> &views,
+                                               const std::vector<RobotRecord> &robots,
+                                               std::vector<TrackedView> &tracked,
+                                               const std::vector<PointedOutRobot> &pointedOut = {});
 
 /// The same as they are stored: of each robot its own.
-std::vector<std::vector<DoubtfulName>> doubtfulNamesOf(const std::vector<NameDoubt> &doubts,
-                                                       const std::vector<RobotRecord> &robots);
+std::vector<std::vector<AmbiguousName>> ambiguousNamesOf(const std::vector<NameAmbiguity> &ambiguities,
+                                                         const std::vector<RobotRecord> &robots);
 
 /// Their total duration. They do not overlap.
-double doubtfulSeconds(const std::vector<DoubtfulName> &doubts);
+double ambiguousSeconds(const std::vector<AmbiguousName> &ambiguities);
 
 /// All views of a trial, tracked, with their robots' names settled.
 struct SettledViews
 {
     std::vector<TrackedView> views;
-    std::vector<NameDoubt> doubts;
+    std::vector<NameAmbiguity> ambiguities;
 };
 
 /// trackViews and settleNames. On a plain floor a deep shadow and a dark side of a robot look alike in a

@@ -88,11 +88,11 @@ Result<std::vector<PointedOutRobot>> pointedOutRobots(Project &project, const Tr
             std::erase_if(all, [&](const PointedOutRobot &one) { return one.robot == robot->id; });
             continue;
         }
-        const auto told = ODO_TRY(resolved(pointer, *robot, views));
+        const auto given = ODO_TRY(resolved(pointer, *robot, views));
         std::erase_if(all, [&](const PointedOutRobot &one) {
-            return one.robot == told.robot && one.recording == told.recording;
+            return one.robot == given.robot && one.recording == given.recording;
         });
-        all.push_back(told);
+        all.push_back(given);
     }
     return all;
 }
@@ -126,7 +126,7 @@ struct TrackJob::Impl
     std::vector<ObservationSeries> observations;
     std::vector<StoredRobot> others; ///< of the trial, which are not tracked now
     /// of each robot; with `again` those of its newest analysis
-    std::vector<std::vector<DoubtfulName>> doubts;
+    std::vector<std::vector<AmbiguousName>> ambiguities;
     TrackOutcome outcome;
 
     Result<void> readOptions(Project &project);
@@ -177,7 +177,7 @@ Result<void> TrackJob::Impl::readOptions(Project &project)
 {
     const auto analyses = ODO_TRY(project.analyses().currentMetrics(trial.id));
     options.clear();
-    doubts.clear();
+    ambiguities.clear();
     for (const RobotRecord &robot : robots) {
         AnalysisOptions its;
         const auto newest = std::find_if(analyses.begin(), analyses.end(),
@@ -186,13 +186,14 @@ Result<void> TrackJob::Impl::readOptions(Project &project)
             its.smoother = newest->options.smoother;
         its.smoother = settings.smoother.value_or(its.smoother);
         auto known =
-            ODO_TRY(settings.again && newest != analyses.end() ? project.analyses().doubtfulNames(newest->id)
-                                                               : Result<std::vector<DoubtfulName>>());
-        doubts.push_back(std::move(known));
-        const auto told = settings.overrules.find(robot.name);
-        auto overrules = ODO_TRY(
-            told != settings.overrules.end() ? told->second : project.trials().overrules(trial.id, robot.id));
-        its.overrules = std::move(overrules);
+            ODO_TRY(settings.again && newest != analyses.end() ? project.analyses().ambiguousNames(newest->id)
+                                                               : Result<std::vector<AmbiguousName>>());
+        ambiguities.push_back(std::move(known));
+        const auto given = settings.overrides.find(robot.name);
+        auto overrides =
+            ODO_TRY(given != settings.overrides.end() ? given->second
+                                                      : project.trials().overrides(trial.id, robot.id));
+        its.overrides = std::move(overrides);
         options.push_back(std::move(its));
     }
     return {};
@@ -230,17 +231,17 @@ Result<void> TrackJob::run(const JobControl &control)
     if (!tracked)
         return tl::unexpected(tracked.error());
     if (!d.settings.again)
-        d.doubts = doubtfulNamesOf(tracked->doubts, d.robots);
+        d.ambiguities = ambiguousNamesOf(tracked->ambiguities, d.robots);
     d.outcome.warnings = stepWarnings(d.trialName, d.views);
     for (Message &warning : damageWarnings(d.trialName, d.views, tracked->views))
         d.outcome.warnings.push_back(std::move(warning));
     control.report(0.97, ODO_TEXT("workflow.analysing", "analysing"));
     ODO_TRY(d.analyseAll(tracked->views));
 
-    std::int64_t pictures = 0;
+    std::int64_t frames = 0;
     for (TrackedView &view : tracked->views) {
         d.outcome.decodeS += toSeconds(view.decodeCpuTime);
-        pictures += view.frames;
+        frames += view.frames;
         if (d.settings.again)
             continue;
         for (ObservationSeries &series : view.series)
@@ -248,7 +249,7 @@ Result<void> TrackJob::run(const JobControl &control)
     }
     d.outcome.trial = d.trialName;
     d.outcome.wallS = std::chrono::duration<double>(std::chrono::steady_clock::now() - started).count();
-    d.outcome.framesPerSecond = d.outcome.wallS > 0 ? double(pictures) / d.outcome.wallS : 0;
+    d.outcome.framesPerSecond = d.outcome.wallS > 0 ? double(frames) / d.outcome.wallS : 0;
     return {};
 }
 
@@ -292,10 +293,10 @@ Result<void> TrackJob::Impl::analyseAll(std::vector<TrackedView> &tracked)
         analysis.task = task ? task->id : 0;
         analysis.options = std::move(analysed->options);
         analysis.profile = std::move(analysed->profile);
-        analysis.doubtfulNames = doubts[r];
-        if (!analysed->doubt.isEmpty())
+        analysis.ambiguousNames = ambiguities[r];
+        if (!analysed->caveat.isEmpty())
             outcome.warnings.push_back(
-                joined({robotInTrialSubject(robot.name, trialName), analysed->doubt}, Join::Colon));
+                joined({robotInTrialSubject(robot.name, trialName), analysed->caveat}, Join::Colon));
         if (floorColour)
             outcome.warnings.push_back(wholeMessage(floorColour->error));
         for (Message &warning : analysisWarnings(analysis, trialName))
@@ -329,8 +330,8 @@ void TrackJob::Impl::addOutcome(AnalysisRecord analysis)
     result.frames = static_cast<std::int64_t>(analysis.profile.samples.size());
     for (const Sample &sample : analysis.profile.samples)
         result.tracked += sample.position.has_value();
-    if (!settings.again || !analysis.doubtfulNames.empty())
-        result.doubtfulS = doubtfulSeconds(analysis.doubtfulNames);
+    if (!settings.again || !analysis.ambiguousNames.empty())
+        result.ambiguousS = ambiguousSeconds(analysis.ambiguousNames);
     result.analysis = std::move(analysis);
     outcome.robots.push_back(std::move(result));
 }

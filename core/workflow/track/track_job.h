@@ -31,7 +31,7 @@ struct TrackSettings
     /// Nothing is decoded: the newest stored observations are reanalysed with the current registrations,
     /// robot size and overrides.
     bool again = false;
-    std::map<std::string, std::vector<Overrule>> overrules; ///< by robot, instead of the stored ones
+    std::map<std::string, std::vector<ManualOverride>> overrides; ///< by robot, instead of the stored ones
     /// kept with the trial, replacing those of the same robot and view
     std::vector<RobotPointer> pointers;
 };
@@ -44,7 +44,7 @@ struct TrackedRobot
     std::int64_t tracked = 0; ///< of them, with a position
     bool isFoundByColour = false;
     /// for how long it was ambiguous among similar robots; empty with `again` where no such time is stored
-    std::optional<double> doubtfulS;
+    std::optional<double> ambiguousS;
     std::vector<Occlusion> occlusions; ///< when which view did not measure the whole of it
     AnalysisRecord analysis;
 };

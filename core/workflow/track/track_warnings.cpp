@@ -15,9 +15,9 @@ namespace odo {
 
 namespace {
 
-constexpr double mostOfPicture = 0.10; ///< no robot is larger in a frame that shows its task
-constexpr double hardlyEver = 0.05;    ///< of the frames
-constexpr double doubtfulStepS = 0.005;
+constexpr double mostOfImage = 0.10; ///< no robot is larger in a frame that shows its task
+constexpr double hardlyEver = 0.05;  ///< of the frames
+constexpr double ambiguousStepS = 0.005;
 
 double partFound(const std::vector<TrackedView> &tracked, std::size_t robot)
 {
@@ -45,15 +45,15 @@ std::vector<Message> analysisWarnings(const AnalysisRecord &analysis, const std:
 {
     std::vector<Message> sentences;
     if (!analysis.views.empty())
-        sentences = describeUnseenStretches(analysis.profile, analysis.options.longestBridgedGap);
+        sentences = describeGaps(analysis.profile, analysis.options.longestBridgedGap);
     else // of an imported track no camera could be moved
         std::ranges::transform(analysis.profile.gaps, std::back_inserter(sentences), unmeasuredSentence);
     if (analysis.proof == AnalysisRecord::Proof::Broken)
         sentences.insert(sentences.begin(), changedResults());
     if (Message apart = viewsApartSentence(analysis.profile); !apart.isEmpty())
         sentences.push_back(std::move(apart));
-    if (!analysis.doubtfulNames.empty())
-        sentences.push_back(joined({doubtfulNamesSentence(analysis.doubtfulNames, analysis.robotName),
+    if (!analysis.ambiguousNames.empty())
+        sentences.push_back(joined({ambiguousNamesText(analysis.ambiguousNames, analysis.robotName),
                                     ODO_TEXT("workflow.give_own_colours", "give each its own colour")},
                                    Join::Semicolon));
     for (Message &sentence : sentences)
@@ -90,23 +90,23 @@ Message viewsApartSentence(const Profile &profile)
                Join::Semicolon));
 }
 
-Message doubtfulNamesSentence(std::span<const DoubtfulName> doubts, const std::string &robotName)
+Message ambiguousNamesText(std::span<const AmbiguousName> ambiguities, const std::string &robotName)
 {
-    if (doubts.empty())
+    if (ambiguities.empty())
         return {};
     std::set<std::string> others;
-    for (const DoubtfulName &doubt : doubts)
-        others.insert(doubt.otherNames.begin(), doubt.otherNames.end());
-    const MessageArgument from = quantity(toSeconds(doubts.front().from), 2, "s"),
-                          to = quantity(toSeconds(doubts.front().to), 2, "s");
-    const bool isOnce = doubts.size() == 1;
+    for (const AmbiguousName &ambiguity : ambiguities)
+        others.insert(ambiguity.otherNames.begin(), ambiguity.otherNames.end());
+    const MessageArgument from = quantity(toSeconds(ambiguities.front().from), 2, "s"),
+                          to = quantity(toSeconds(ambiguities.front().to), 2, "s");
+    const bool isOnce = ambiguities.size() == 1;
     if (others.empty())
         return isOnce ? ODO_TEXT("workflow.doubtful_name_unknown",
                                  "from %1 to %2 this may be %3 or another robot that looks the same")(
                             from, to, Named::robot(robotName))
                       : ODO_TEXT("workflow.doubtful_names_unknown",
                                  "from %1 to %2 (the first of %3 times) this may be %4 or another robot that "
-                                 "looks the same")(from, to, doubts.size(), Named::robot(robotName));
+                                 "looks the same")(from, to, ambiguities.size(), Named::robot(robotName));
     std::vector<std::string> names{robotName};
     names.insert(names.end(), others.begin(), std::prev(others.end()));
     const MessageArgument first = listed(names, MessageArgument::Kind::Robot, MessageArgument::Joint::Comma),
@@ -115,7 +115,7 @@ Message doubtfulNamesSentence(std::span<const DoubtfulName> doubts, const std::s
                                                                                              last)
                   : ODO_TEXT("workflow.doubtful_names",
                              "from %1 to %2 (the first of %3 times) this may be %4 or %5")(
-                        from, to, doubts.size(), first, last);
+                        from, to, ambiguities.size(), first, last);
 }
 
 std::vector<Message> damageWarnings(const std::string &trialName, const std::vector<RegisteredView> &views,
@@ -157,7 +157,7 @@ std::vector<Message> stepWarnings(const std::string &trialName,
                 ODO_TEXT(
                     "workflow.import_again_for_offset",
                     "import the videos again with automatic synchronisation, or enter the time offset")));
-        else if (found && view.startOffsetSigmaS > doubtfulStepS)
+        else if (found && view.startOffsetSigmaS > ambiguousStepS)
             sentences.push_back(wholeMessage(
                 what,
                 ODO_TEXT("workflow.doubtful_step", "it is synchronised only to %1, which is %2 at 1 m/s")(
@@ -192,7 +192,7 @@ std::optional<FloorColour> floorColourOf(const RobotRecord &robot, const std::st
             worst = v;
         }
     }
-    if (share <= mostOfPicture)
+    if (share <= mostOfImage)
         return std::nullopt;
     return FloorColour{
         {ErrorCode::Undetermined, robotInTrialSubject(robot.name, trialName),

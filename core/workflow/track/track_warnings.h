@@ -25,7 +25,7 @@ Message viewsApartSentence(const Profile &profile);
 
 /// "from 3.20 s to 3.90 s this may be Blue 1 or Blue 2": a robot and those that it may be as well. Of several
 /// stretches the first one, how many there are, and all those robots. Empty for none.
-Message doubtfulNamesSentence(std::span<const DoubtfulName> doubts, const std::string &robotName);
+Message ambiguousNamesText(std::span<const AmbiguousName> ambiguities, const std::string &robotName);
 
 /// Whole sentences on views that are fused although their time offset is unknown or uncertain: not
 /// synchronised, or with a σ of more than 5 ms, which is 5 mm at 1 m/s. `used`: the views that are measured

@@ -107,10 +107,10 @@ void checkAnalysis(const AnalysisRecord &analysis, const std::string &trial, Che
         checks.add(viewsAgree, CheckLevel::Bad, joined({robot, std::move(apart)}, Join::Colon));
     checkTime(analysis, robot, checks);
     checkMotion(analysis, robot, checks);
-    if (!analysis.doubtfulNames.empty())
+    if (!analysis.ambiguousNames.empty())
         checks.add(
             nameKnown, CheckLevel::Doubtful,
-            joined({robot, doubtfulNamesSentence(analysis.doubtfulNames, analysis.robotName)}, Join::Colon));
+            joined({robot, ambiguousNamesText(analysis.ambiguousNames, analysis.robotName)}, Join::Colon));
 }
 
 void checkFrames(const RecordingRecord &view, const std::string &trial, Checks &checks)

@@ -33,9 +33,9 @@ constexpr std::size_t learnedAhead = 4;
 } // namespace
 
 /// The background of a recording, from some ten frames a second of all of it. nullopt: it has no frame.
-/// onPicture: after each frame. Errors: a recording that is missing or is no video; cancelled.
+/// onImage: after each frame. Errors: a recording that is missing or is no video; cancelled.
 Result<std::optional<Background>> learnBackground(const RegisteredView &view, const CancelToken &cancel,
-                                                  const std::function<void()> &onPicture)
+                                                  const std::function<void()> &onImage)
 {
     auto stream = ODO_TRY(FrameStream::open(view.file, learnedAhead, cancel));
     const std::int64_t step =
@@ -49,7 +49,7 @@ Result<std::optional<Background>> learnBackground(const RegisteredView &view, co
             return learner.learned();
         if (frame->index % step == 0)
             learner.add(*frame);
-        onPicture();
+        onImage();
     }
 }
 
@@ -70,7 +70,7 @@ public:
     {
     }
 
-    void countPicture()
+    void countFrame()
     {
         const std::int64_t done = ++m_done;
         if (done % 20 != 0)
@@ -105,7 +105,7 @@ Result<std::unique_ptr<RobotTracker>> trackerFor(const RegisteredView &view,
     if (targets.empty())
         return nullptr;
     if (needsBackground(targets) && !background) {
-        auto learned = learnBackground(view, control.cancel, [&progress] { progress.countPicture(); });
+        auto learned = learnBackground(view, control.cancel, [&progress] { progress.countFrame(); });
         if (!learned)
             return tl::unexpected(learned.error());
         background = std::move(*learned);
@@ -173,7 +173,7 @@ Result<TrackedView> trackView(const RegisteredView &view, const std::vector<Robo
         for (std::size_t i = 0; i < others.size(); ++i)
             tracked.others[i].push_back(others[i]);
         ++tracked.frames;
-        progress.countPicture();
+        progress.countFrame();
     }
     addDamaged(next, times.size(), times, tracked);
     tracked.decodeCpuTime = stream.decodeCpuTime();
@@ -334,7 +334,7 @@ void returnObservations(std::vector<ViewTrack> tracks, std::vector<TrackedView> 
 RobotShape shapeOf(const RobotRecord &robot)
 {
     RobotShape shape;
-    if (robot.heightMode == RobotRecord::Height::Told)
+    if (robot.heightMode == RobotRecord::Height::Given)
         shape.heightM = robot.heightM;
     shape.heightVaries = robot.heightMode == RobotRecord::Height::Free;
     shape.lengthM = robot.lengthM;

@@ -76,7 +76,7 @@ struct TaskAnalysis
     Profile profile;
     AnalysisOptions options;
     /// empty, or why the task's limits were left out: "what: why; do this" from the why on
-    Message doubt;
+    Message caveat;
 };
 
 /// Makes a profile with the options it is given.

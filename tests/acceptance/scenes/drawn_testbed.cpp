@@ -19,7 +19,7 @@ FloorView viewThat(const std::function<FloorView()> &drawn, const std::vector<Ei
     for (;;) {
         FloorView view = drawn();
         const bool seesAll = std::all_of(points.begin(), points.end(), [&](const Eigen::Vector2d &point) {
-            return isInPicture(view, {point.x(), point.y(), 0}, markerBorderPx);
+            return isInImage(view, {point.x(), point.y(), 0}, markerBorderPx);
         });
         if (seesAll)
             return view;
@@ -73,7 +73,7 @@ void addCamera(SimulatedScene &scene, SeededDraw &draw, FloorView view)
 
 } // namespace
 
-bool isInPicture(const FloorView &view, const Eigen::Vector3d &pointInWorld, double borderPx)
+bool isInImage(const FloorView &view, const Eigen::Vector3d &pointInWorld, double borderPx)
 {
     const auto pixel = view.pixelFromWorld(pointInWorld);
     return pixel && pixel->x() > borderPx && pixel->y() > borderPx && pixel->x() < widthPx - 1 - borderPx &&

@@ -27,6 +27,6 @@ SimulatedScene drawnHandOverTestbed(SeededDraw &draw);
 SimulatedScene drawnTestbedFrom(SeededDraw &draw, double lowestM, double highestM);
 
 /// Whether a point of the floor lies in the camera's picture, with a border.
-bool isInPicture(const FloorView &view, const Eigen::Vector3d &pointInWorld, double borderPx);
+bool isInImage(const FloorView &view, const Eigen::Vector3d &pointInWorld, double borderPx);
 
 } // namespace odo::test

@@ -27,19 +27,20 @@ SharedMotion drawnWay(SeededDraw &draw)
     }
 }
 
-AccuracyScene onTestbed(SimulatedScene testbed, SeededDraw &draw, Look look, bool sizeTold = false)
+AccuracyScene onTestbed(SimulatedScene testbed, SeededDraw &draw, Look look, bool hasGivenSize = false)
 {
     AccuracyScene scene;
     scene.scene = std::move(testbed);
     scene.scene.durationS = 8;
-    addRobot(scene, draw, robotOfLook(look, drawnWay(draw)), sizeTold);
-    scene.told.front().colour.clear();
+    addRobot(scene, draw, robotOfLook(look, drawnWay(draw)), hasGivenSize);
+    scene.given.front().colour.clear();
     return scene;
 }
 
-AccuracyScene withLook(SeededDraw &draw, Look look, const Corners &corners = nearSide, bool sizeTold = false)
+AccuracyScene withLook(SeededDraw &draw, Look look, const Corners &corners = nearSide,
+                       bool hasGivenSize = false)
 {
-    return onTestbed(drawnTestbed(draw, corners), draw, look, sizeTold);
+    return onTestbed(drawnTestbed(draw, corners), draw, look, hasGivenSize);
 }
 
 void setLamp(AccuracyScene &scene, SeededDraw &draw, double strength)
@@ -282,7 +283,7 @@ AccuracyScene ballBeforeTheStart(SeededDraw &draw)
     scene.scene = drawnTestbed(draw, nearSide);
     scene.scene.durationS = 10;
     addRobot(scene, draw, robotOfLook(Look::Vacuum, makeLineMotion({0.5, 0.6}, {2.5, 1.4}, 5, 4)), false);
-    scene.told.front().colour.clear();
+    scene.given.front().colour.clear();
     scene.scene.bystanders = {rollingBall(makeLineMotion({0.4, 1.9}, {2.8, 1.7}, 0.5, 3))};
     return scene;
 }
@@ -297,7 +298,7 @@ AccuracyScene twoAlike(SeededDraw &draw)
             Look::WhiteRover, makeEllipseMotion({1.5, 1.1}, 0.9, 0.5, period, phase + 3.14159 * i, 1.0));
         robot.name += std::to_string(i + 1);
         addRobot(scene, draw, robot, false);
-        scene.told.back().colour.clear();
+        scene.given.back().colour.clear();
     }
     return scene;
 }

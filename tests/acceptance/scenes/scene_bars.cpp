@@ -11,7 +11,7 @@ namespace odo::test {
 namespace {
 
 using Pick = std::function<bool(const MeasuredScene &)>;
-using Figure = double (AccuracySums::*)() const;
+using Metric = double (AccuracySums::*)() const;
 
 class Judge
 {
@@ -19,10 +19,10 @@ public:
     explicit Judge(const std::vector<MeasuredScene> &scenes) : m_scenes(scenes) {}
 
     /// The worst scene's and all together's root mean square, of scenes with two views or more.
-    void rms(const QString &figure, Figure value, double atMost, const Pick &counts)
+    void rms(const QString &metric, Metric value, double atMost, const Pick &counts)
     {
         AccuracySums together;
-        BarResult worst{figure + QStringLiteral(", worst"), -1, 0, atMost, {}};
+        BarResult worst{metric + QStringLiteral(", worst"), -1, 0, atMost, {}};
         for (const MeasuredScene &scene : m_scenes) {
             if (scene.scene.oneView || !counts(scene) || !scene.problem.isEmpty())
                 continue;
@@ -37,13 +37,13 @@ public:
         }
         if (worst.value < 0)
             return;
-        m_results.push_back({figure + QStringLiteral(", together"), (together.*value)(), 0, atMost, {}});
+        m_results.push_back({metric + QStringLiteral(", together"), (together.*value)(), 0, atMost, {}});
         m_results.push_back(worst);
     }
 
-    void add(const QString &figure, double value, double atLeast, double atMost)
+    void add(const QString &metric, double value, double atLeast, double atMost)
     {
-        m_results.push_back({figure, value, atLeast, atMost, {}});
+        m_results.push_back({metric, value, atLeast, atMost, {}});
     }
 
     std::vector<BarResult> take() { return std::move(m_results); }
@@ -55,12 +55,12 @@ private:
 
 void judgeSolids(Judge &judge)
 {
-    const Pick told = [](const MeasuredScene &m) { return m.scene.sizeTold(); };
-    const Pick notTold = [](const MeasuredScene &m) { return !m.scene.sizeTold(); };
+    const Pick given = [](const MeasuredScene &m) { return m.scene.hasGivenSize(); };
+    const Pick notGiven = [](const MeasuredScene &m) { return !m.scene.hasGivenSize(); };
     const Pick plain = [](const MeasuredScene &m) { return m.scene.kind == SceneKind::Plain; };
     const Pick hard = [](const MeasuredScene &m) { return m.scene.kind == SceneKind::Hard; };
-    judge.rms(QStringLiteral("position RMS, size told, mm"), &AccuracySums::positionRmsMm, 4, told);
-    judge.rms(QStringLiteral("position RMS, size not told, mm"), &AccuracySums::positionRmsMm, 8, notTold);
+    judge.rms(QStringLiteral("position RMS, size told, mm"), &AccuracySums::positionRmsMm, 4, given);
+    judge.rms(QStringLiteral("position RMS, size not told, mm"), &AccuracySums::positionRmsMm, 8, notGiven);
     judge.rms(QStringLiteral("velocity RMS, plain, mm/s"), &AccuracySums::velocityRmsMmS, 12, plain);
     judge.rms(QStringLiteral("velocity RMS, hard, mm/s"), &AccuracySums::velocityRmsMmS, 20, hard);
     judge.rms(QStringLiteral("acceleration RMS, plain, mm/s2"), &AccuracySums::accelerationRmsMmS2, 250,
@@ -113,9 +113,9 @@ std::vector<BarResult> judgeLooks(const std::vector<MeasuredScene> &scenes)
 {
     Judge judge(scenes);
     judge.rms(QStringLiteral("position RMS, size told, mm"), &AccuracySums::positionRmsMm, 3,
-              [](const MeasuredScene &m) { return m.scene.sizeTold(); });
+              [](const MeasuredScene &m) { return m.scene.hasGivenSize(); });
     judge.rms(QStringLiteral("position RMS, size not told, mm"), &AccuracySums::positionRmsMm, 5,
-              [](const MeasuredScene &m) { return !m.scene.sizeTold(); });
+              [](const MeasuredScene &m) { return !m.scene.hasGivenSize(); });
     const Pick every = [](const MeasuredScene &) { return true; };
     judge.rms(QStringLiteral("velocity RMS, mm/s"), &AccuracySums::velocityRmsMmS, 15, every);
     judge.rms(QStringLiteral("acceleration RMS, mm/s2"), &AccuracySums::accelerationRmsMmS2, 300, every);

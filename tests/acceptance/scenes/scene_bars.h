@@ -8,7 +8,7 @@ namespace odo::test {
 /// One demand on the accuracy and what was measured; of all scenes together, or the worst scene's.
 struct BarResult
 {
-    QString figure;
+    QString metric;
     double value = 0;
     double atLeast = 0, atMost = 0;
     QString where; ///< the scene that gave the value, where it is the worst one's

@@ -18,12 +18,12 @@ namespace odo::test {
 namespace {
 
 AccuracyScene withRobot(SeededDraw &draw, const Corners &corners, double durationS,
-                        const SimulatedRobot &robot, bool sizeTold = true)
+                        const SimulatedRobot &robot, bool hasGivenSize = true)
 {
     AccuracyScene scene;
     scene.scene = drawnTestbed(draw, corners);
     scene.scene.durationS = durationS;
-    addRobot(scene, draw, robot, sizeTold);
+    addRobot(scene, draw, robot, hasGivenSize);
     return scene;
 }
 
@@ -99,13 +99,13 @@ AccuracyScene oneCamera(SeededDraw &draw)
     return scene;
 }
 
-AccuracyScene notTold(SeededDraw &draw)
+AccuracyScene notGiven(SeededDraw &draw)
 {
     return withRobot(draw, nearSide, 8, boxRobot("red", red, drawnFigureEight(draw, draw.between(1.0, 1.4))),
                      false);
 }
 
-AccuracyScene notToldTall(SeededDraw &draw)
+AccuracyScene notGivenTall(SeededDraw &draw)
 {
     SimulatedRobot robot = boxRobot("green", green, drawnWander(draw, 9, 0.9));
     robot.lengthM = 0.2;
@@ -180,8 +180,8 @@ const std::vector<std::pair<std::string, Maker>> &plainScenes()
                                                                    {"tall", tall},
                                                                    {"three-cameras", threeCameras},
                                                                    {"one-camera", oneCamera},
-                                                                   {"not-told", notTold},
-                                                                   {"not-told-tall", notToldTall},
+                                                                   {"not-told", notGiven},
+                                                                   {"not-told-tall", notGivenTall},
                                                                    {"light", light},
                                                                    {"centre-chroma", centreChroma},
                                                                    {"irregular-frames", irregularFrames},

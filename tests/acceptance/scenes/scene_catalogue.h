@@ -10,7 +10,7 @@
 namespace odo::test {
 
 /// What the program is told of a robot; empty where it is not.
-struct ToldRobot
+struct GivenRobot
 {
     std::string name, colour, height, size;
 };
@@ -26,13 +26,13 @@ struct AccuracyScene
     unsigned seed = 1;
     SceneKind kind = SceneKind::Plain;
     SimulatedScene scene;
-    std::vector<ToldRobot> told;  ///< as scene.robots
-    bool findsOffset = false;     ///< the clips' offset is to be found, not told
-    bool oneView = false;         ///< seen by one camera: counted for coverage only
-    std::vector<double> impactsS; ///< collisions: no curve is smooth there
+    std::vector<GivenRobot> given; ///< as scene.robots
+    bool findsOffset = false;      ///< the clips' offset is to be found, not told
+    bool oneView = false;          ///< seen by one camera: counted for coverage only
+    std::vector<double> impactsS;  ///< collisions: no curve is smooth there
     VideoWriterOptions recording;
 
-    bool sizeTold() const { return !told.front().size.empty(); }
+    bool hasGivenSize() const { return !given.front().size.empty(); }
 };
 
 /// Those of a kind, in the order in which they are measured.

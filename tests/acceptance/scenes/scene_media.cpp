@@ -4,7 +4,7 @@
 #include "core/exchange/labelled_points.h"
 #include "core/files/output_file.h"
 #include "core/simulation/renderer.h"
-#include "core/video/picture.h"
+#include "core/video/image.h"
 #include "tests/acceptance/scenes/scene_recipe.h"
 
 #include <fstream>
@@ -34,11 +34,11 @@ Result<void> writeBoards(const AccuracyScene &scene, const SceneMedia &media, st
     SimulatedBoard board;
     const std::uint32_t seed = scene.scene.seed + static_cast<std::uint32_t>(camera);
     int number = 0;
-    for (const RigidTransform &pose : heldBoardPoses(cam.view.camera(), board, boardPictures, seed)) {
+    for (const RigidTransform &pose : heldBoardPoses(cam.view.camera(), board, boardImages, seed)) {
         board.cameraFromBoard = pose;
-        const Frame picture =
+        const Frame image =
             renderBoard(cam.view.camera(), board, boardNoise, seed + 1000u * std::uint32_t(number));
-        if (auto written = writePicture(picture, media.board(cam, number)); !written)
+        if (auto written = writeImage(image, media.board(cam, number)); !written)
             return written;
         ++number;
     }

@@ -27,7 +27,7 @@ struct SceneMedia
     }
 };
 
-constexpr int boardPictures = 14;
+constexpr int boardImages = 14;
 
 /// Renders the videos of all cameras, 14 pictures of a board for each, and writes the layout and where each
 /// marker is seen, with a Gaussian error of 0.3 px. What an earlier run rendered from the same recipe is

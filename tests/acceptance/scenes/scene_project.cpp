@@ -84,7 +84,7 @@ private:
         QByteArray text = "label,u,v\n";
         for (const Marker &marker : scene().floor.markers.markers) {
             const Eigen::Vector3d place(marker.pointInWorld.x(), marker.pointInWorld.y(), 0);
-            if (!isInPicture(camera.view, place, 3))
+            if (!isInImage(camera.view, place, 3))
                 continue;
             const Eigen::Vector2d pixel = *camera.view.pixelFromWorld(place);
             const double du = draw.gaussian(1), dv = draw.gaussian(1);
@@ -107,7 +107,7 @@ private:
         for (const SimulatedCamera &camera : scene().cameras) {
             const QString name = q(camera.name);
             QStringList calibrate{s("calibrate"), m_project, name};
-            for (int i = 0; i < boardPictures; ++i)
+            for (int i = 0; i < boardImages; ++i)
                 calibrate << q(m_media.board(camera, i));
             calibrate << s("--board") << s("9x6") << s("--square") << s("25mm") << s("--json");
             const bool done = writePixels(camera) && call({s("camera"), s("add"), m_project, name}) &&
@@ -123,7 +123,7 @@ private:
 
     bool addRobots()
     {
-        for (const ToldRobot &robot : m_out.scene.told) {
+        for (const GivenRobot &robot : m_out.scene.given) {
             QStringList arguments{s("robot"), s("add"), m_project, q(robot.name)};
             if (!robot.colour.empty())
                 arguments << s("--colour") << q(robot.colour);
@@ -142,7 +142,7 @@ private:
         QStringList arguments{s("import"), m_project, s("--trial"), s("run")};
         for (const SimulatedCamera &camera : scene().cameras)
             arguments << s("--video") << q(camera.name) + s("=") + q(m_media.video(camera));
-        for (const ToldRobot &robot : m_out.scene.told)
+        for (const GivenRobot &robot : m_out.scene.given)
             arguments << s("--robot") << q(robot.name);
         const bool several = scene().cameras.size() > 1;
         const auto offsetS = [&](std::size_t camera) {
@@ -169,7 +169,7 @@ private:
     /// fit best.
     std::optional<AccuracySums> comparedWith(const QByteArray &csv, std::size_t robot) const
     {
-        if (!m_out.scene.told[robot].colour.empty())
+        if (!m_out.scene.given[robot].colour.empty())
             return compareWithTruth(csv, m_out.scene, robot);
         std::optional<AccuracySums> best;
         for (std::size_t other = 0; other < scene().robots.size(); ++other) {

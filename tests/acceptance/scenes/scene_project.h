@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "tests/acceptance/scenes/scene_figures.h"
 #include "tests/acceptance/scenes/scene_media.h"
+#include "tests/acceptance/scenes/scene_metrics.h"
 
 #include <QJsonObject>
 #include <QString>

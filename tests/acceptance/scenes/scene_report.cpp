@@ -40,7 +40,7 @@ QJsonObject sceneJson(const MeasuredScene &measured)
     return {{QStringLiteral("scene"), QString::fromStdString(measured.scene.name)},
             {QStringLiteral("seed"), int(measured.scene.seed)},
             {QStringLiteral("hard"), measured.scene.kind == SceneKind::Hard},
-            {QStringLiteral("size_told"), measured.scene.sizeTold()},
+            {QStringLiteral("size_told"), measured.scene.hasGivenSize()},
             {QStringLiteral("frames"), qint64(sums.frames)},
             {QStringLiteral("with_position"), qint64(sums.withPosition)},
             {QStringLiteral("position_rms_mm"), sums.positionRmsMm()},
@@ -106,7 +106,7 @@ QString barsTable(const std::vector<BarResult> &bars)
     QString text;
     for (const BarResult &bar : bars)
         text += QStringLiteral("%1 %2  %3 %4 %5\n")
-                    .arg(bar.figure, -40)
+                    .arg(bar.metric, -40)
                     .arg(bar.value, 9, 'f', 3)
                     .arg(demandText(bar), -14)
                     .arg(bar.isMet() ? QStringLiteral("met   ") : QStringLiteral("MISSED"), bar.where);
@@ -119,7 +119,7 @@ QJsonObject reportJson(const std::vector<MeasuredScene> &scenes, const std::vect
     for (const MeasuredScene &scene : scenes)
         sceneList.append(sceneJson(scene));
     for (const BarResult &bar : bars)
-        barList.append(QJsonObject{{QStringLiteral("figure"), bar.figure},
+        barList.append(QJsonObject{{QStringLiteral("figure"), bar.metric},
                                    {QStringLiteral("value"), bar.value},
                                    {QStringLiteral("at_least"), bar.atLeast},
                                    {QStringLiteral("at_most"), bar.atMost},

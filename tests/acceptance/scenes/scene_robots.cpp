@@ -32,18 +32,18 @@ SimulatedRobot boxRobot(const std::string &name, RgbColour colour, std::shared_p
     return robot;
 }
 
-void addRobot(AccuracyScene &scene, SeededDraw &draw, const SimulatedRobot &robot, bool sizeTold)
+void addRobot(AccuracyScene &scene, SeededDraw &draw, const SimulatedRobot &robot, bool hasGivenSize)
 {
     const RgbColour &shown = robot.colour;
     const RgbColour picked{pickedChannel(shown.red, draw), pickedChannel(shown.green, draw),
                            pickedChannel(shown.blue, draw)};
-    ToldRobot told{robot.name, picked.toString(), {}, {}};
-    if (sizeTold) {
-        told.height = millimetresText(robot.heightM) + "mm";
-        told.size = millimetresText(robot.lengthM) + "x" + millimetresText(robot.widthM);
+    GivenRobot given{robot.name, picked.toString(), {}, {}};
+    if (hasGivenSize) {
+        given.height = millimetresText(robot.heightM) + "mm";
+        given.size = millimetresText(robot.lengthM) + "x" + millimetresText(robot.widthM);
     }
     scene.scene.robots.push_back(robot);
-    scene.told.push_back(told);
+    scene.given.push_back(given);
 }
 
 } // namespace odo::test

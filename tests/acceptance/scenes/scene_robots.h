@@ -16,6 +16,6 @@ SimulatedRobot boxRobot(const std::string &name, RgbColour colour, std::shared_p
 
 /// Puts a robot into the scene and what is told of it: its colour a bit off, as one picks it, and its height
 /// and size where they are told.
-void addRobot(AccuracyScene &scene, SeededDraw &draw, const SimulatedRobot &robot, bool sizeTold = true);
+void addRobot(AccuracyScene &scene, SeededDraw &draw, const SimulatedRobot &robot, bool hasGivenSize = true);
 
 } // namespace odo::test

@@ -77,7 +77,7 @@ double hiddenShare(const SimulatedScene &scene, int camera, std::size_t robot, d
         bodyPoints(scene.robots[robot], scene.robots[robot].motion->at(timeS));
     std::size_t hidden = 0;
     for (const Eigen::Vector3d &point : points) {
-        bool isHidden = !isInPicture(view, point, 0);
+        bool isHidden = !isInImage(view, point, 0);
         for (const Occluder &board : scene.occluders)
             isHidden = isHidden || (isShown(board.startS, board.durationS, timeS, 0) &&
                                     boardHides(board, point, view.cameraInWorld()));

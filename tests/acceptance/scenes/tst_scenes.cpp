@@ -62,9 +62,9 @@ class TestScenes : public QObject
         constexpr double leastInside = 84;
         // One seed has some fourteen samples flagged: of so many one may be wrong.
         constexpr double leastPrecision = 0.9;
-        if (bar.figure.startsWith(QStringLiteral("truth in")))
+        if (bar.metric.startsWith(QStringLiteral("truth in")))
             return bar.value >= leastInside;
-        if (bar.figure == QLatin1String("spikes: precision"))
+        if (bar.metric == QLatin1String("spikes: precision"))
             return bar.value >= leastPrecision;
         return bar.isMet();
     }
@@ -99,7 +99,7 @@ private Q_SLOTS:
     {
         QTest::addColumn<bool>("isMet");
         for (const BarResult &bar : m_bars)
-            QTest::newRow(qPrintable(bar.figure))
+            QTest::newRow(qPrintable(bar.metric))
                 << (seeds().size() == 1 ? isMetByOneSeed(bar) : bar.isMet());
     }
     void theBarIsMet()

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // How fast Review's charts of an hour are repainted at every zoom, on the raster.
 #include "tests/benchmark/cpu_clock.h"
-#include "tests/benchmark/figures.h"
+#include "tests/benchmark/metrics.h"
 #include "tests/ui/support/example_scene.h"
 #include "ui/models/timeline.h"
 #include "ui/views/charts/chart_span.h"
@@ -64,7 +64,7 @@ double longestTurnMs(ProfileChart &speed, ProfileChart &acceleration, const Tria
 }
 
 /// Charts of so many robots, with so many samples each.
-void measure(const TrialScenePtr &scene, int robots, std::vector<Figure> &figures)
+void measure(const TrialScenePtr &scene, int robots, std::vector<Measurement> &metrics)
 {
     Timeline timeline;
     ChartSpan span(timeline);
@@ -79,7 +79,7 @@ void measure(const TrialScenePtr &scene, int robots, std::vector<Figure> &figure
     const double shownMs = longestTurnMs(speed, acceleration, scene);
     constexpr double frameMs = 1000.0 / 30;
     const QString whose = robots == 1 ? QStringLiteral("one robot") : QStringLiteral("%1 robots").arg(robots);
-    figures.push_back({QStringLiteral("%1: an hour shown, longest work on the window's thread").arg(whose),
+    metrics.push_back({QStringLiteral("%1: an hour shown, longest work on the window's thread").arg(whose),
                        shownMs,
                        std::nullopt,
                        50.0,
@@ -87,7 +87,7 @@ void measure(const TrialScenePtr &scene, int robots, std::vector<Figure> &figure
                        {}});
     for (const double share : {1.0, 0.5, 0.2, 0.05, 0.02, 0.01, 0.005, 0.001}) {
         const double ms = panMs(span, speed, acceleration, share);
-        figures.push_back({QStringLiteral("%1: two charts, %2 of an hour visible").arg(whose).arg(share), ms,
+        metrics.push_back({QStringLiteral("%1: two charts, %2 of an hour visible").arg(whose).arg(share), ms,
                            std::nullopt, frameMs, QStringLiteral("ms"),
                            QStringLiteral("%1 frames/s").arg(1000 / ms, 0, 'f', 0)});
     }
@@ -101,11 +101,12 @@ int main(int argc, char **argv)
     QApplication application(argc, argv);
     QApplication::setStyle(QStringLiteral("Fusion"));
     QApplication::setPalette(lightPalette());
-    std::vector<Figure> figures;
+    std::vector<Measurement> metrics;
     for (const int robots : {1, 2})
-        measure(exampleScene({.frames = samples, .robots = robots}), robots, figures);
-    QTextStream(stdout) << figuresTable(figures);
-    return std::all_of(figures.begin(), figures.end(), [](const Figure &figure) { return figure.isMet(); })
+        measure(exampleScene({.frames = samples, .robots = robots}), robots, metrics);
+    QTextStream(stdout) << metricsTable(metrics);
+    return std::all_of(metrics.begin(), metrics.end(),
+                       [](const Measurement &metric) { return metric.isMet(); })
                ? 0
                : 1;
 }

@@ -2,7 +2,7 @@
 // Opens a project of ten thousand trials in the window, searches it and looks at trials, and tells how long a
 // person waits.
 #include "core/project/project.h"
-#include "tests/benchmark/figures.h"
+#include "tests/benchmark/metrics.h"
 #include "tests/ui/support/busy_watch.h"
 #include "tests/ui/support/year_project.h"
 #include "ui/history/history_page.h"
@@ -119,7 +119,7 @@ Result<std::filesystem::path> yearProject(const std::filesystem::path &folder, i
     return makeYearProject(folder, trials);
 }
 
-test::Figure figure(const QString &name, const std::vector<double> &times, double atMost)
+test::Measurement metric(const QString &name, const std::vector<double> &times, double atMost)
 {
     return {name,
             *std::max_element(times.begin(), times.end()),
@@ -129,9 +129,9 @@ test::Figure figure(const QString &name, const std::vector<double> &times, doubl
             QStringLiteral("longest of %1, median %2 ms").arg(times.size()).arg(median(times), 0, 'f', 1)};
 }
 
-std::vector<test::Figure> measure(const std::filesystem::path &file, int trials)
+std::vector<test::Measurement> measure(const std::filesystem::path &file, int trials)
 {
-    std::vector<test::Figure> figures;
+    std::vector<test::Measurement> metrics;
     QElapsedTimer timer;
     timer.start();
     MainWindow window;
@@ -150,20 +150,20 @@ std::vector<test::Figure> measure(const std::filesystem::path &file, int trials)
     if (!isOpened(window, file))
         return {};
     settle(window);
-    figures.push_back(
-        figure(QStringLiteral("open, the newest trial on screen"), {elapsedMs(timer)}, mostOpenMs));
+    metrics.push_back(
+        metric(QStringLiteral("open, the newest trial on screen"), {elapsedMs(timer)}, mostOpenMs));
     endPhase(QStringLiteral("opening"));
     timer.start();
     window.showMode(MainWindow::Mode::History);
     settle(window);
-    figures.push_back(figure(QStringLiteral("all trials in History"), {elapsedMs(timer)}, mostOpenMs));
+    metrics.push_back(metric(QStringLiteral("all trials in History"), {elapsedMs(timer)}, mostOpenMs));
     endPhase(QStringLiteral("History"));
-    figures.push_back(figure(QStringLiteral("search, each letter typed"), searchMs(window), mostSearchMs));
+    metrics.push_back(metric(QStringLiteral("search, each letter typed"), searchMs(window), mostSearchMs));
     endPhase(QStringLiteral("search"));
     const std::vector<double> shown = trialMs(window, trials);
     if (shown.empty())
         return {};
-    figures.push_back(figure(QStringLiteral("a trial on screen, with its frames"), shown, mostTrialMs));
+    metrics.push_back(metric(QStringLiteral("a trial on screen, with its frames"), shown, mostTrialMs));
     endPhase(QStringLiteral("trials"));
     for (const auto &[mode, name] : {std::pair(MainWindow::Mode::Testbed, QStringLiteral("Testbed")),
                                      std::pair(MainWindow::Mode::Compare, QStringLiteral("Compare")),
@@ -172,9 +172,9 @@ std::vector<test::Figure> measure(const std::filesystem::path &file, int trials)
         settle(window);
         endPhase(name);
     }
-    figures.push_back({QStringLiteral("longest that the window's thread was busy (CPU)"), longest,
+    metrics.push_back({QStringLiteral("longest that the window's thread was busy (CPU)"), longest,
                        std::nullopt, mostBusyMs, QStringLiteral(" ms"), phases.join(QStringLiteral(", "))});
-    return figures;
+    return metrics;
 }
 
 } // namespace
@@ -207,17 +207,17 @@ int main(int argc, char **argv)
         print(QString::fromStdString(file.error().message()));
         return 1;
     }
-    const std::vector<test::Figure> figures = measure(*file, trials);
-    print(figuresTable(figures));
+    const std::vector<test::Measurement> metrics = measure(*file, trials);
+    print(metricsTable(metrics));
     if (parser.isSet(QStringLiteral("json"))) {
         QFile json(parser.value(QStringLiteral("json")));
         const QJsonObject all{{QStringLiteral("trials"), trials},
-                              {QStringLiteral("figures"), figuresJson(figures)}};
+                              {QStringLiteral("figures"), metricsJson(metrics)}};
         if (!json.open(QIODevice::WriteOnly) || json.write(QJsonDocument(all).toJson()) < 0)
             return 1;
     }
-    return !figures.empty() && std::all_of(figures.begin(), figures.end(),
-                                           [](const test::Figure &each) { return each.isMet(); })
+    return !metrics.empty() && std::all_of(metrics.begin(), metrics.end(),
+                                           [](const test::Measurement &each) { return each.isMet(); })
                ? 0
                : 1;
 }

@@ -88,17 +88,17 @@ Result<LiveMeasurement> measureWebcams(LiveWindow window, LiveRobot robot, doubl
                                        const QString &folder)
 {
     const LiveScene live = liveScene(hdWidthPx, webcamRate, robot);
-    std::map<std::string, JpegPictures> pictures;
+    std::map<std::string, JpegFrames> frames;
     Setup setup;
     setup.uris = {"webcam A", "webcam B"};
     for (std::size_t i = 0; i < setup.uris.size(); ++i) {
-        auto coded = codePictures(live.scene, static_cast<int>(i), live.firstFrame);
+        auto coded = codeFrames(live.scene, static_cast<int>(i), live.firstFrame);
         if (!coded)
             return tl::unexpected(coded.error());
-        pictures[setup.uris[i]] = std::move(*coded);
+        frames[setup.uris[i]] = std::move(*coded);
     }
-    setup.open = [&pictures](const std::string &uri) -> Result<std::unique_ptr<CameraSource>> {
-        return openJpegCamera(uri, pictures.at(uri), webcamRate);
+    setup.open = [&frames](const std::string &uri) -> Result<std::unique_ptr<CameraSource>> {
+        return openJpegCamera(uri, frames.at(uri), webcamRate);
     };
     setup.seconds = seconds;
     setup.window = window;
@@ -113,16 +113,17 @@ struct Demands
     std::optional<double> cores;
 };
 
-std::vector<Figure> figuresOf(const QString &name, const LiveMeasurement &measured, const Demands &demands)
+std::vector<Measurement> metricsOf(const QString &name, const LiveMeasurement &measured,
+                                   const Demands &demands)
 {
-    std::vector<Figure> figures;
+    std::vector<Measurement> metrics;
     const auto add = [&](const QString &what, double value, const QString &unit, const QString &detail) {
-        figures.push_back({name + QStringLiteral(": ") + what, value, {}, {}, unit, detail});
-        return &figures.back();
+        metrics.push_back({name + QStringLiteral(": ") + what, value, {}, {}, unit, detail});
+        return &metrics.back();
     };
     std::uint64_t recorded = 0, byUs = 0, uncounted = 0;
     QStringList wire;
-    for (const LiveViewFigures &view : measured.views) {
+    for (const LiveViewStatistics &view : measured.views) {
         recorded += view.recorded;
         byUs += view.lostByUs + (view.recorded - std::min(view.recorded, view.played));
         const auto apart = static_cast<std::int64_t>(view.spanned) -
@@ -130,18 +131,18 @@ std::vector<Figure> figuresOf(const QString &name, const LiveMeasurement &measur
         uncounted += static_cast<std::uint64_t>(std::abs(apart));
         wire << QStringLiteral("%1 of %2 made to be lost").arg(view.lostOnWire).arg(view.skipped);
     }
-    Figure *figure = add(QStringLiteral("frames lost by us"), double(byUs), {},
-                         QStringLiteral("%1 recorded in %2 s, %3 MB")
-                             .arg(recorded)
-                             .arg(measured.seconds, 0, 'f', 0)
-                             .arg(double(measured.bytes) / 1e6, 0, 'f', 0));
+    Measurement *metric = add(QStringLiteral("frames lost by us"), double(byUs), {},
+                              QStringLiteral("%1 recorded in %2 s, %3 MB")
+                                  .arg(recorded)
+                                  .arg(measured.seconds, 0, 'f', 0)
+                                  .arg(double(measured.bytes) / 1e6, 0, 'f', 0));
     if (demands.complete)
-        figure->atMost = 0;
-    figure = add(QStringLiteral("frames lost and not counted"), double(uncounted), {},
+        metric->atMost = 0;
+    metric = add(QStringLiteral("frames lost and not counted"), double(uncounted), {},
                  QStringLiteral("on the wire ") + wire.join(QStringLiteral(", ")));
     if (demands.complete)
-        figure->atMost = 0;
-    figure = add(QStringLiteral("exposure to map, 99 %"), percentile(measured.latenciesMs, 99),
+        metric->atMost = 0;
+    metric = add(QStringLiteral("exposure to map, 99 %"), percentile(measured.latenciesMs, 99),
                  QStringLiteral(" ms"),
                  QStringLiteral("median %1 ms, longest %2 ms, %3 positions, %4 pictures not tracked")
                      .arg(percentile(measured.latenciesMs, 50), 0, 'f', 1)
@@ -149,21 +150,21 @@ std::vector<Figure> figuresOf(const QString &name, const LiveMeasurement &measur
                      .arg(measured.positions)
                      .arg(measured.notTracked));
     if (demands.latency)
-        figure->atMost = mostLatencyMs;
-    figure =
+        metric->atMost = mostLatencyMs;
+    metric =
         add(QStringLiteral("processor"), measured.cores, QStringLiteral(" cores"),
             QStringLiteral("longest in the window's thread %1 ms").arg(measured.longestBusyMs, 0, 'f', 1));
-    figure->atMost = demands.cores;
+    metric->atMost = demands.cores;
     if (measured.memoryPerMinuteMb() != 0) {
-        figure = add(QStringLiteral("memory grows in a minute"), measured.memoryPerMinuteMb(),
+        metric = add(QStringLiteral("memory grows in a minute"), measured.memoryPerMinuteMb(),
                      QStringLiteral(" MB"),
                      QStringLiteral("%1 MB at first, %2 MB at last")
                          .arg(measured.memory.front().second, 0, 'f', 0)
                          .arg(measured.memory.back().second, 0, 'f', 0));
         if (demands.memory)
-            figure->atMost = mostGrowthMbPerMinute;
+            metric->atMost = mostGrowthMbPerMinute;
     }
-    return figures;
+    return metrics;
 }
 
 struct Order
@@ -194,7 +195,7 @@ Order orderFrom(const QApplication &app)
 }
 
 /// The parts in their order; printed as they come. False where one could not be measured.
-bool measureAll(const Order &order, std::vector<Figure> &figures)
+bool measureAll(const Order &order, std::vector<Measurement> &metrics)
 {
     const auto take = [&](const QString &name, const Result<LiveMeasurement> &measured,
                           const Demands &demands) {
@@ -202,9 +203,9 @@ bool measureAll(const Order &order, std::vector<Figure> &figures)
             std::fprintf(stderr, "odograph_live_benchmark: %s\n", measured.error().message().c_str());
             return false;
         }
-        const std::vector<Figure> own = figuresOf(name, *measured, demands);
-        print(figuresTable(own));
-        figures.insert(figures.end(), own.begin(), own.end());
+        const std::vector<Measurement> own = metricsOf(name, *measured, demands);
+        print(metricsTable(own));
+        metrics.insert(metrics.end(), own.begin(), own.end());
         return true;
     };
     if (order.parts.contains(QStringLiteral("gige")) &&
@@ -241,17 +242,17 @@ int main(int argc, char *argv[])
     qputenv("QT_QPA_PLATFORM", "offscreen"); // the raster paints the same, with a display or without
     const WatchedApplication app(argc, argv);
     const Order order = orderFrom(app);
-    std::vector<Figure> figures;
-    if (!measureAll(order, figures))
+    std::vector<Measurement> metrics;
+    if (!measureAll(order, metrics))
         return 1;
     if (!order.json.isEmpty()) {
         QFile file(order.json);
-        const QJsonObject json{{QStringLiteral("figures"), figuresJson(figures)}};
+        const QJsonObject json{{QStringLiteral("figures"), metricsJson(metrics)}};
         if (!file.open(QIODevice::WriteOnly) || file.write(QJsonDocument(json).toJson()) < 0) {
             std::fprintf(stderr, "odograph_live_benchmark: %s: %s\n", qPrintable(order.json),
                          qPrintable(file.errorString()));
             return 1;
         }
     }
-    return std::ranges::all_of(figures, &Figure::isMet) ? 0 : 1;
+    return std::ranges::all_of(metrics, &Measurement::isMet) ? 0 : 1;
 }

@@ -7,7 +7,7 @@ namespace odo::test {
 
 bool LiveMeasurement::nothingLost() const
 {
-    return std::ranges::all_of(views, [](const LiveViewFigures &view) {
+    return std::ranges::all_of(views, [](const LiveViewStatistics &view) {
         return view.recorded > 0 && view.played == view.recorded && view.lostByUs == 0 &&
                view.lostOnWire == view.skipped && view.spanned == view.recorded + view.lostOnWire;
     });

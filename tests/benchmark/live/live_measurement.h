@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "tests/benchmark/figures.h"
+#include "tests/benchmark/metrics.h"
 
 #include <array>
 #include <cstdint>
@@ -9,7 +9,7 @@
 namespace odo::test {
 
 /// What became of one view.
-struct LiveViewFigures
+struct LiveViewStatistics
 {
     std::uint64_t recorded = 0;   ///< pictures in the project with their times
     std::uint64_t played = 0;     ///< pictures that the file has
@@ -22,7 +22,7 @@ struct LiveViewFigures
 /// What a live recording cost and gave.
 struct LiveMeasurement
 {
-    std::array<LiveViewFigures, 2> views;
+    std::array<LiveViewStatistics, 2> views;
     double seconds = 0; ///< that was recorded
     double cores = 0;   ///< processor time of this process by time
     std::vector<double>

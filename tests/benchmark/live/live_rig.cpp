@@ -81,7 +81,7 @@ LiveRig::LiveRig(Project &project, RunningCameras::Open open, const std::array<s
     connect(&m_recorder, &RunRecorder::gaveUp, this,
             [this](const QString &, const Error &error) { m_failure = error; });
     connect(&m_recorder, &RunRecorder::failed, this, [this](const Error &error) { m_failure = error; });
-    connect(&m_cameras, &RunningCameras::pictureReady, &m_board, &LiveBoard::setPicture);
+    connect(&m_cameras, &RunningCameras::frameReady, &m_board, &LiveBoard::setImage);
     if (window == LiveWindow::Shown)
         connect(&m_board, &LiveBoard::shownSizeChanged, this,
                 [this](std::size_t view, const QSize &pixels) { m_cameras.setShownSize(view, pixels); });
@@ -89,7 +89,7 @@ LiveRig::LiveRig(Project &project, RunningCameras::Open open, const std::array<s
     connect(&m_health, &QTimer::timeout, this, [this] {
         if (m_cameras.session())
             m_board.setHealth(m_cameras.session()->health(), m_cameras.cameras(),
-                              m_cameras.tracker()->figures(), {});
+                              m_cameras.tracker()->statistics(), {});
     });
     m_board.findChild<LiveMap *>()->installEventFilter(this);
     const auto wanted = wantedCameras(project, {{"A", uris[0]}, {"B", uris[1]}});
@@ -163,7 +163,7 @@ Result<LiveMeasurement> LiveRig::record(double seconds, const std::function<void
     run.trial = "live";
     run.robots = {m_project.robots().all()->front().name};
     const CaptureHealth before = m_cameras.session()->health();
-    const LiveFigures trackedBefore = m_cameras.tracker()->figures();
+    const LiveStatistics trackedBefore = m_cameras.tracker()->statistics();
     const Nanoseconds begin = steadyNow();
     m_recorder.begin(run, {"A", "B"}, m_cameras.session(), begin);
     m_cameras.tracker()->beginRun(begin);
@@ -184,7 +184,7 @@ Result<LiveMeasurement> LiveRig::record(double seconds, const std::function<void
     m_measured.seconds = toSeconds(steadyNow() - begin);
     m_measured.cores = (processCpuS() - cpuS) / m_measured.seconds;
     m_measured.longestBusyMs = static_cast<WatchedApplication *>(qApp)->takeLongestMs();
-    const LiveFigures tracked = m_cameras.tracker()->figures();
+    const LiveStatistics tracked = m_cameras.tracker()->statistics();
     const CaptureHealth after = m_cameras.session()->health();
     m_measured.positions = m_measured.latenciesMs.size();
     m_measured.notTracked = tracked.dropped - trackedBefore.dropped;
@@ -209,7 +209,7 @@ Result<void> LiveRig::readRecordings(const std::string &trial, LiveMeasurement &
     if (!recordings)
         return tl::unexpected(recordings.error());
     for (std::size_t v = 0; v < recordings->size() && v < measured.views.size(); ++v) {
-        LiveViewFigures &view = measured.views[v];
+        LiveViewStatistics &view = measured.views[v];
         const auto raw = m_project.trials().rawTimes((*recordings)[v].id);
         if (!raw)
             return tl::unexpected(raw.error());
@@ -217,10 +217,10 @@ Result<void> LiveRig::readRecordings(const std::string &trial, LiveMeasurement &
         const auto reader = VideoReader::open(file);
         if (!reader)
             return tl::unexpected(reader.error());
-        view.recorded = raw->pictures.size();
+        view.recorded = raw->frames.size();
         view.played = (*reader)->info().frameTimes.size();
-        if (!raw->pictures.empty())
-            view.spanned = raw->pictures.back().sequence - raw->pictures.front().sequence + 1;
+        if (!raw->frames.empty())
+            view.spanned = raw->frames.back().sequence - raw->frames.front().sequence + 1;
         measured.bytes += std::filesystem::file_size(file);
     }
     return {};

@@ -30,7 +30,7 @@ public:
     {
         std::uint64_t sequence;
         Nanoseconds time, hostTime;
-        PictureCode code;
+        FrameCode code;
         std::optional<ClockReading> clock;
         std::uint64_t lostHere;
     };

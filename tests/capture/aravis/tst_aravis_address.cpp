@@ -18,14 +18,14 @@ private Q_SLOTS:
     {
         const auto plain = parseAravisAddress("aravis:192.168.1.20");
         QVERIFY(plain);
-        QCOMPARE(plain->place, std::string("192.168.1.20"));
+        QCOMPARE(plain->location, std::string("192.168.1.20"));
         QVERIFY(!plain->framesPerSecond && !plain->sizePx && !plain->format &&
                 plain->trigger == AravisAddress::Trigger::None);
         const auto full = parseAravisAddress(
             "aravis:SN-17?rate=29.5&exposure_ms=5&gain=-2&format=BayerRG8&size=640x480&trigger=software"
             "&packet_size=9000&packet_delay_us=12.5");
         QVERIFY2(full, full ? "" : full.error().message().c_str());
-        QCOMPARE(full->place, std::string("SN-17"));
+        QCOMPARE(full->location, std::string("SN-17"));
         QCOMPARE(full->framesPerSecond, 29.5);
         QCOMPARE(*full->exposure, Nanoseconds(5ms));
         QCOMPARE(full->gain, -2.0);
@@ -65,9 +65,9 @@ private Q_SLOTS:
     void timeBeginsAtTheFirstPictureAndGoesOn()
     {
         CameraTimeScale scale;
-        QCOMPARE(scale.place(1000s, 50s, {}), Nanoseconds(0));
-        QCOMPARE(scale.place(1000s + 33ms, 50s + 40ms, {}), Nanoseconds(33ms));
-        QCOMPARE(scale.place(1000s + 66ms, 50s + 700ms, {}), Nanoseconds(66ms)); // however late it arrives
+        QCOMPARE(scale.location(1000s, 50s, {}), Nanoseconds(0));
+        QCOMPARE(scale.location(1000s + 33ms, 50s + 40ms, {}), Nanoseconds(33ms));
+        QCOMPARE(scale.location(1000s + 66ms, 50s + 700ms, {}), Nanoseconds(66ms)); // however late it arrives
         QCOMPARE(scale.onScale(999s), Nanoseconds(-1s));
     }
 
@@ -76,29 +76,30 @@ private Q_SLOTS:
     void aClockThatBeginsAnewIsJoined()
     {
         CameraTimeScale byArrival;
-        byArrival.place(1000s, 50s, {});
+        byArrival.location(1000s, 50s, {});
         byArrival.interrupt();
-        QCOMPARE(byArrival.place(3s, 57s, {}), Nanoseconds(7s));
-        QCOMPARE(byArrival.place(3s + 33ms, 57s + 33ms, {}), Nanoseconds(7s + 33ms));
+        QCOMPARE(byArrival.location(3s, 57s, {}), Nanoseconds(7s));
+        QCOMPARE(byArrival.location(3s + 33ms, 57s + 33ms, {}), Nanoseconds(7s + 33ms));
 
         const auto reading = [](Nanoseconds device, Nanoseconds host) {
             return ClockReading{device, host - 50us, host + 50us};
         };
         CameraTimeScale byReading;
-        byReading.place(1000s, 50s + 8ms, reading(999s, 49s)); // taken at 50 s
+        byReading.location(1000s, 50s + 8ms, reading(999s, 49s)); // taken at 50 s
         byReading.interrupt();
-        QCOMPARE(byReading.place(3s, 57s + 30ms, reading(2900ms, 56900ms)), Nanoseconds(7s)); // taken at 57 s
+        QCOMPARE(byReading.location(3s, 57s + 30ms, reading(2900ms, 56900ms)),
+                 Nanoseconds(7s)); // taken at 57 s
     }
 
     void aClockThatGoesOnIsLeftAlone()
     {
         CameraTimeScale scale;
-        scale.place(1000s, 50s, {});
+        scale.location(1000s, 50s, {});
         scale.interrupt();
-        QCOMPARE(scale.place(1007s + 1ms, 57s + 9ms, {}), Nanoseconds(7s + 1ms));
+        QCOMPARE(scale.location(1007s + 1ms, 57s + 9ms, {}), Nanoseconds(7s + 1ms));
         scale.interrupt(); // and the first picture comes late
-        QCOMPARE(scale.place(1009s, 59s + 800ms, {}), Nanoseconds(9s));
-        QCOMPARE(scale.place(1009s + 33ms, 59s + 801ms, {}), Nanoseconds(9s + 33ms));
+        QCOMPARE(scale.location(1009s, 59s + 800ms, {}), Nanoseconds(9s));
+        QCOMPARE(scale.location(1009s + 33ms, 59s + 801ms, {}), Nanoseconds(9s + 33ms));
     }
 
     /// A clock that is set while pictures come; the last reading is then of the clock before.
@@ -106,12 +107,12 @@ private Q_SLOTS:
     {
         CameraTimeScale scale;
         const ClockReading old{1000s, 50s, 50s};
-        scale.place(1000s, 50s, old);
+        scale.location(1000s, 50s, old);
         QVERIFY(scale.goesOn(1000s + 33ms, 50s + 40ms));
         QVERIFY(!scale.goesOn(5ms, 50s + 33ms));
-        QCOMPARE(scale.place(5ms, 50s + 33ms, old), Nanoseconds(33ms));
-        QCOMPARE(scale.place(38ms, 50s + 66ms, old), Nanoseconds(66ms));
-        QCOMPARE(scale.place(500s, 50s + 99ms, {}), Nanoseconds(99ms)); // and forward
+        QCOMPARE(scale.location(5ms, 50s + 33ms, old), Nanoseconds(33ms));
+        QCOMPARE(scale.location(38ms, 50s + 66ms, old), Nanoseconds(66ms));
+        QCOMPARE(scale.location(500s, 50s + 99ms, {}), Nanoseconds(99ms)); // and forward
     }
 
     /// Of a program, or a machine, that was held up: the clock has gone on all the time.
@@ -130,7 +131,7 @@ private Q_SLOTS:
                 const Nanoseconds arrival = taken + late;
                 const auto reading = isRead ? std::optional(readAt(arrival - 300ms)) : std::nullopt;
                 QVERIFY(scale.goesOn(950s + taken, arrival));
-                QCOMPARE(scale.place(950s + taken, arrival, reading), Nanoseconds(i * 33ms));
+                QCOMPARE(scale.location(950s + taken, arrival, reading), Nanoseconds(i * 33ms));
                 if (i >= 50)
                     late = std::max<Nanoseconds>(8ms, late - 32ms);
             }
@@ -141,16 +142,16 @@ private Q_SLOTS:
     void aLatePictureOfAClockThatBeginsAnewIsPlaced()
     {
         CameraTimeScale scale;
-        scale.place(1000s, 50s, ClockReading{1000s, 50s, 50s});
+        scale.location(1000s, 50s, ClockReading{1000s, 50s, 50s});
         const ClockReading anew{1933ms, 51s + 933ms, 51s + 933ms}; // since 50 s
         QVERIFY(!scale.goesOn(33ms, 51s + 900ms));
-        QCOMPARE(scale.place(33ms, 51s + 900ms, anew), Nanoseconds(33ms));
-        QCOMPARE(scale.place(66ms, 51s + 901ms, anew), Nanoseconds(66ms));
+        QCOMPARE(scale.location(33ms, 51s + 900ms, anew), Nanoseconds(33ms));
+        QCOMPARE(scale.location(66ms, 51s + 901ms, anew), Nanoseconds(66ms));
     }
 
     void numbersWrapAndGapsStay()
     {
-        PictureNumbering numbering;
+        FrameNumbering numbering;
         QCOMPARE(numbering.number(65534), 0u);
         QCOMPARE(numbering.number(65535), 1u);
         QCOMPARE(numbering.number(1), 2u); // 0 is left out
@@ -159,7 +160,7 @@ private Q_SLOTS:
         QCOMPARE(numbering.number(1), 17u);
         QCOMPARE(numbering.number(2), 18u);
         QCOMPARE(numbering.number(1), 19u); // begins anew without a word
-        PictureNumbering wide;
+        FrameNumbering wide;
         QCOMPARE(wide.number(0x1'0000'0000), 0u);
         QCOMPARE(wide.number(0x1'0000'0003), 3u);
     }

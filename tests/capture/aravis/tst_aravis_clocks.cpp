@@ -41,7 +41,7 @@ struct TakenTimes
     {
         RecordedTimes times;
         for (const auto &frame : frames) {
-            times.pictures.push_back({frame.sequence, frame.time, frame.hostTime});
+            times.frames.push_back({frame.sequence, frame.time, frame.hostTime});
             if (frame.clock)
                 times.readings.push_back(*frame.clock);
         }
@@ -132,8 +132,8 @@ void TestAravisClocks::timesAreThoseOfTheTruth()
     // Late by half an exposure and the transfer, which is the same for both.
     QVERIFY2(late > 1.9 && late < 6, qPrintable(QString::number(late)));
 
-    const PairFigures wide = pairFigures({a.derived.taken, b.derived.taken}, 15ms),
-                      narrow = pairFigures({a.derived.taken, b.derived.taken}, 5ms);
+    const PairStatistics wide = pairStatistics({a.derived.taken, b.derived.taken}, 15ms),
+                         narrow = pairStatistics({a.derived.taken, b.derived.taken}, 5ms);
     QVERIFY(wide.pairs > takenBeside(b, a) * 9 / 10); // cameras begin one after the other
     QVERIFY(wide.pairs > enough / 3);
     QCOMPARE(narrow.pairs, 0u);

@@ -237,7 +237,7 @@ void TestAravisFaults::fewerPicturesThanAskedForAreTold()
     };
     QTRY_VERIFY(slowWords().ends_with("it delivers only 12 frames per second instead of the requested 30; "
                                       "give it more light or a shorter exposure, or ask for a lower rate"));
-    QTRY_VERIFY(!views()[0].trouble && !views()[1].trouble);
+    QTRY_VERIFY(!views()[0].warning && !views()[1].warning);
     QVERIFY(slowness > 1 || !views()[1].slow);
     QTRY_VERIFY(views()[0].state == ViewHealth::State::Delivering);
     QVERIFY(camera.set("ExposureTime", 5000));

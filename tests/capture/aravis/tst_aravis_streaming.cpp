@@ -80,12 +80,12 @@ void TestAravisStreaming::picturesAreWhatTheCameraSaw()
     // On a machine that stalls a picture may be lost, which is told; what comes is right.
     QVERIFY(gapsIn(frames) <= 6 * slowness);
     QCOMPARE(source->counts().reconnections, 0u);
-    const PictureCode first = readCode(frames.front().frame);
+    const FrameCode first = readCode(frames.front().frame);
     for (const CapturedFrame &captured : frames) {
         const Frame &frame = captured.frame;
         QCOMPARE(frame.format.width, 640);
         QCOMPARE(frame.format.height, 480);
-        const PictureCode code = readCode(frame);
+        const FrameCode code = readCode(frame);
         QCOMPARE(std::uint64_t(code.id - first.id), captured.sequence - frames.front().sequence);
         QCOMPARE(frame.index, std::int64_t(captured.sequence));
         // Ticks of 8 ns, of both pictures.

@@ -99,7 +99,7 @@ std::string limits(double least, double most, int step = 0)
     return words.str();
 }
 
-void describePicture(Description &description)
+void describeFrame(Description &description)
 {
     description.integer("WidthMax", reg::SensorWidth, {}, "RO");
     description.integer("HeightMax", reg::SensorHeight, {}, "RO");
@@ -160,7 +160,7 @@ void describeTransport(Description &description, bool timestampLatch)
 std::string genicamDescription(const GenicamAbilities &abilities)
 {
     Description description;
-    describePicture(description);
+    describeFrame(description);
     describeAcquisition(description, abilities.automatics);
     describeTransport(description, abilities.timestampLatch);
     return description.finish();

@@ -13,8 +13,7 @@ namespace {
 using namespace std::chrono_literals;
 
 constexpr std::size_t keptForResending = 8;
-constexpr int mostPicturesBehind =
-    30; // of a thread that this machine has let wait; after more it begins anew
+constexpr int mostFramesBehind = 30; // of a thread that this machine has let wait; after more it begins anew
 constexpr Nanoseconds longestBurst = 500us;
 constexpr double bytesPerSecond = 400e6;
 
@@ -49,7 +48,7 @@ std::optional<Nanoseconds> SimulatedGigeCamera::waitForExposure(Lock &lock)
         std::max(1 / std::max(0.1, double{m_registers.getFloat(reg::FrameRate)}), exposureS));
     const Nanoseconds now = steadyNow();
     m_next += interval;
-    if (m_next < now - mostPicturesBehind * interval || m_next > now + interval) {
+    if (m_next < now - mostFramesBehind * interval || m_next > now + interval) {
         const auto passed =
             static_cast<std::int64_t>(std::floor(toSeconds(now - m_settings.grid) / toSeconds(interval)));
         m_next = m_settings.grid + (passed + 1) * interval;
@@ -64,7 +63,7 @@ void SimulatedGigeCamera::wanderAutomatics()
     const auto wander = [this](std::uint32_t automatic, std::uint32_t value, double least, double most) {
         if (m_registers.get(automatic) == 0)
             return;
-        const double share = 0.5 + 0.5 * std::sin(0.3 * static_cast<double>(pictures));
+        const double share = 0.5 + 0.5 * std::sin(0.3 * static_cast<double>(frames));
         m_registers.setFloat(value, static_cast<float>(least + share * (most - least)));
     };
     wander(reg::ExposureAuto, reg::ExposureTime, 2000, 8000);
@@ -86,11 +85,11 @@ void SimulatedGigeCamera::stream()
             m_sent.clear();
         }
         if (const auto begin = waitForExposure(lock))
-            takePicture(lock, *begin);
+            takeFrame(lock, *begin);
     }
 }
 
-void SimulatedGigeCamera::takePicture(Lock &lock, Nanoseconds begin)
+void SimulatedGigeCamera::takeFrame(Lock &lock, Nanoseconds begin)
 {
     wanderAutomatics();
     const unsigned acquisition = m_acquisition;
@@ -126,7 +125,7 @@ void SimulatedGigeCamera::takePicture(Lock &lock, Nanoseconds begin)
     const sockaddr_in to = destination();
     lock.unlock();
     send(packets, to, delayS);
-    ++pictures;
+    ++frames;
     lock.lock();
 }
 

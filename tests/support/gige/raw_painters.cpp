@@ -97,10 +97,10 @@ SimulatedGigeCamera::Painter codedPainter(RgbColour below)
     };
 }
 
-PictureCode readCode(const Frame &frame)
+FrameCode readCode(const Frame &frame)
 {
     const auto isSet = [&](int bit) { return frame.y.at(bit * cell + cell / 2, cell / 2) > 127; };
-    PictureCode code;
+    FrameCode code;
     std::uint64_t time = 0;
     for (int bit = 0; bit < idBits; ++bit)
         code.id = static_cast<std::uint16_t>(code.id | isSet(bit) << bit);
@@ -114,13 +114,13 @@ SimulatedGigeCamera::Painter scenePainter(const SimulatedScene &scene, int camer
                                           std::uint32_t pixelFormat, Nanoseconds beginning)
 {
     SceneRenderer renderer(scene, camera);
-    auto pictures = std::make_shared<std::vector<std::vector<std::uint8_t>>>();
+    auto frames = std::make_shared<std::vector<std::vector<std::uint8_t>>>();
     for (std::int64_t i = firstFrame; i < renderer.frameCount(); ++i) {
         const Frame frame = renderer.render(i);
         const Exposure exposure{0, {}, {}, pixelFormat, frame.format.width, frame.format.height};
         const int bytesPerPixel = static_cast<int>(pixelFormat >> 16 & 0xff) / 8;
-        std::vector<std::uint8_t> &raw = pictures->emplace_back(
-            static_cast<std::size_t>(exposure.width * exposure.height * bytesPerPixel));
+        std::vector<std::uint8_t> &raw =
+            frames->emplace_back(static_cast<std::size_t>(exposure.width * exposure.height * bytesPerPixel));
         Canvas canvas(exposure, raw);
         for (int y = 0; y < exposure.height; ++y) {
             for (int x = 0; x < exposure.width; ++x)
@@ -128,14 +128,14 @@ SimulatedGigeCamera::Painter scenePainter(const SimulatedScene &scene, int camer
         }
     }
     const double framesPerSecond = scene.cameras[static_cast<std::size_t>(camera)].framesPerSecond;
-    return [pictures, framesPerSecond, beginning](const Exposure &exposure, std::span<std::uint8_t> pixels) {
+    return [frames, framesPerSecond, beginning](const Exposure &exposure, std::span<std::uint8_t> pixels) {
         const double since = toSeconds(exposure.begin + exposure.length / 2 - beginning);
         const auto number = static_cast<std::int64_t>(std::floor(since * framesPerSecond + 0.5)),
-                   count = static_cast<std::int64_t>(pictures->size());
-        const std::vector<std::uint8_t> &picture =
-            (*pictures)[static_cast<std::size_t>(((number % count) + count) % count)];
-        if (picture.size() == pixels.size())
-            std::ranges::copy(picture, pixels.begin());
+                   count = static_cast<std::int64_t>(frames->size());
+        const std::vector<std::uint8_t> &image =
+            (*frames)[static_cast<std::size_t>(((number % count) + count) % count)];
+        if (image.size() == pixels.size())
+            std::ranges::copy(image, pixels.begin());
     };
 }
 

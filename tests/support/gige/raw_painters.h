@@ -16,12 +16,12 @@ constexpr std::uint32_t mono8 = 0x01080001, bayerGr8 = 0x01080008, bayerRg8 = 0x
 SimulatedGigeCamera::Painter codedPainter(RgbColour below = {90, 90, 90});
 
 /// What a coded picture says.
-struct PictureCode
+struct FrameCode
 {
     std::uint16_t id = 0;
     Nanoseconds begin{0}; ///< of the exposure, by this machine's steady clock
 };
-PictureCode readCode(const Frame &frame);
+FrameCode readCode(const Frame &frame);
 
 /// A painter that shows, over and over, what a camera of a scene sees from one of its frames to the last.
 /// That frame is shown at that steady time; the pace is the scene's. All of it is painted in advance, so that

@@ -69,7 +69,7 @@ public:
     std::atomic<int> cutRows = 0;          ///< sends so many rows less than it promised
 
     // What happened; any thread.
-    std::atomic<std::uint64_t> pictures = 0, resent = 0, refused = 0, triggered = 0;
+    std::atomic<std::uint64_t> frames = 0, resent = 0, refused = 0, triggered = 0;
 
     /// Its clock begins anew, as after a loss of power that nobody noticed.
     void resetClock();
@@ -97,7 +97,7 @@ private:
     std::optional<Nanoseconds> waitForExposure(Lock &lock);
     bool sleepUntil(Lock &lock, Nanoseconds time);
     void wanderAutomatics();
-    void takePicture(Lock &lock, Nanoseconds begin);
+    void takeFrame(Lock &lock, Nanoseconds begin);
     void send(const std::vector<Packet> &packets, const sockaddr_in &to, double delayS);
 
     const Settings m_settings;

@@ -257,7 +257,7 @@ private Q_SLOTS:
 
         const ReferencePath &path = shown.page->scene()->compared.comparison.path;
         const QPoint to = map.fromWorld(pointAt(path, stationM + 0.15).position).toPoint();
-        QTest::mousePress(&map, Qt::LeftButton, {}, map.gatePlace(0).toPoint());
+        QTest::mousePress(&map, Qt::LeftButton, {}, map.gatePosition(0).toPoint());
         QTest::mouseMove(&map, to);
         QMouseEvent drag(QEvent::MouseMove, to, map.mapToGlobal(to), Qt::NoButton, Qt::LeftButton,
                          Qt::NoModifier);
@@ -317,7 +317,7 @@ private Q_SLOTS:
         QVERIFY2(sector.startsWith(QStringLiteral("Sector begin to ")) &&
                      sector.contains(QStringLiteral("first arrival")),
                  qPrintable(sector));
-        auto *end = shown.page->findChild<FigureGrid *>();
+        auto *end = shown.page->findChild<MetricGrid *>();
         QTest::keyClick(end, Qt::Key_Return);
         const QString atEnd = explanation();
         QVERIFY2(atEnd.startsWith(QStringLiteral("Δt of ")) &&

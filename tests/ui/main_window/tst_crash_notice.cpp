@@ -52,7 +52,7 @@ private Q_SLOTS:
         leaveReport(m_project.string());
         MainWindow window;
         window.show();
-        tellCrashes(window, state(), {});
+        reportCrashes(window, state(), {});
         auto *notice = window.findChild<CrashNotice *>();
         QVERIFY(notice && notice->isVisible());
         QCOMPARE(notice->findChild<ElidedLabel *>(QStringLiteral("project"))->fullText(),
@@ -63,7 +63,7 @@ private Q_SLOTS:
         openButton(*notice)->click();
         QTRY_COMPARE(opened.count(), 1);
         QTRY_VERIFY(!window.findChild<CrashNotice *>());
-        tellCrashes(window, state(), {}); // told once
+        reportCrashes(window, state(), {}); // told once
         QVERIFY(!window.findChild<CrashNotice *>());
     }
     void offersNothingThatIsGoneOrOpenedAnyway_data()
@@ -81,7 +81,7 @@ private Q_SLOTS:
         leaveReport(project.toStdString());
         MainWindow window;
         window.show();
-        tellCrashes(window, state(), isOpening ? std::optional(m_project) : std::nullopt);
+        reportCrashes(window, state(), isOpening ? std::optional(m_project) : std::nullopt);
         auto *notice = window.findChild<CrashNotice *>();
         QVERIFY(notice && notice->isVisible());
         QVERIFY(!notice->findChild<ElidedLabel *>(QStringLiteral("project")));
@@ -90,8 +90,8 @@ private Q_SLOTS:
     void isSilentWithoutACrash()
     {
         MainWindow window;
-        tellCrashes(window, state(), {});
-        tellCrashes(window, state() / "no such folder", {});
+        reportCrashes(window, state(), {});
+        reportCrashes(window, state() / "no such folder", {});
         QVERIFY(!window.findChild<CrashNotice *>());
     }
     void aLongNameKeepsTheDialogInShape()

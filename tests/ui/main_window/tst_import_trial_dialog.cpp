@@ -115,7 +115,7 @@ void TestImportTrialDialog::asksOneStepForEachFurtherView()
     laterThird->setValue(-0.1375);
     const ImportSettings told = m_dialog->settings();
     QVERIFY(told.steps[0].how == Sync::None);
-    QVERIFY(told.steps[1].how == Sync::Told);
+    QVERIFY(told.steps[1].how == Sync::Given);
     QCOMPARE(told.steps[1].offsetS, -0.1375);
     // The rows are called as the cameras are.
     QStringList labels;
@@ -148,13 +148,13 @@ void TestImportTrialDialog::aViewWithoutAVideoNeedsNoStep()
     QCOMPARE(gap.videos.size(), std::size_t(2));
     QCOMPARE(gap.videos[1].first, std::string("Wall"));
     QCOMPARE(gap.steps.size(), std::size_t(1));
-    QVERIFY(gap.steps[0].how == Sync::Told);
+    QVERIFY(gap.steps[0].how == Sync::Given);
     files.at(1)->setPath(QStringLiteral("b.mp4"));
     files.at(0)->setPath({}); // the second is the first one now
     const ImportSettings later = m_dialog->settings();
     QCOMPARE(later.videos[0].first, std::string("Window"));
     QCOMPARE(later.steps.size(), std::size_t(1));
-    QVERIFY(later.steps[0].how == Sync::Told);
+    QVERIFY(later.steps[0].how == Sync::Given);
 }
 
 void TestImportTrialDialog::isReachedByTheTabKey()
@@ -212,16 +212,16 @@ void TestImportTrialDialog::paintsThePicture()
     field<QComboBox>("How to synchronise view 3 with the first")->setCurrentIndex(2);
     field<QDoubleSpinBox>("Time offset of view 3")->setValue(0.4137);
     m_dialog->adjustSize();
-    const QPixmap picture = m_dialog->grab();
+    const QPixmap image = m_dialog->grab();
     // Nothing is cut off.
     for (const auto *box : m_dialog->findChild<ViewSteps *>()->findChildren<QComboBox *>())
         QVERIFY(box->width() >= box->minimumSizeHint().width());
     QVERIFY(m_dialog->width() <= 900);
     const QString folder = qEnvironmentVariable("ODOGRAPH_KEEP_PICTURES");
     if (!folder.isEmpty())
-        QVERIFY(picture.save(QStringLiteral("%1/import_%2_%3.png")
-                                 .arg(folder, QString::fromLatin1(QTest::currentDataTag()))
-                                 .arg(m_dialog->devicePixelRatio())));
+        QVERIFY(image.save(QStringLiteral("%1/import_%2_%3.png")
+                               .arg(folder, QString::fromLatin1(QTest::currentDataTag()))
+                               .arg(m_dialog->devicePixelRatio())));
 }
 
 ODOGRAPH_TEST(TestImportTrialDialog, QApplication)

@@ -41,7 +41,7 @@ private:
 
 namespace {
 
-QString placeOf(const QWidget &widget)
+QString positionOf(const QWidget &widget)
 {
     return QStringLiteral("%1 %2 %3 in %4")
         .arg(QString::fromLatin1(widget.metaObject()->className()), widget.objectName(),
@@ -110,11 +110,11 @@ QStringList complaintsOf(QWidget &window)
             continue;
         QAccessibleInterface *speech = QAccessible::queryAccessibleInterface(widget);
         if (speech && speech->text(QAccessible::Name).isEmpty())
-            complaints << QStringLiteral("has no name: ") + placeOf(*widget);
+            complaints << QStringLiteral("has no name: ") + positionOf(*widget);
         const auto *button = qobject_cast<const QAbstractButton *>(widget);
         const bool isChosenByArrows = button && (button->group() || button->autoExclusive());
         if (!reached.contains(widget) && !isCommand(*widget) && !isChosenByArrows)
-            complaints << QStringLiteral("is not reached by Tab: ") + placeOf(*widget);
+            complaints << QStringLiteral("is not reached by Tab: ") + positionOf(*widget);
     }
     complaints.removeDuplicates();
     return complaints;

@@ -3,7 +3,7 @@
 #include "ui/history/history_page.h"
 #include "ui/history/internal/teams_panel.h"
 #include "ui/main_window/language.h"
-#include "ui/models/figure_text.h"
+#include "ui/models/number_text.h"
 
 #include <QApplication>
 #include <QDirIterator>

@@ -301,12 +301,12 @@ void TestMainWindow::paintsThePicture()
     MainWindow window;
     QVERIFY(window.openProject(m_project));
     window.showMode(static_cast<MainWindow::Mode>(mode));
-    const QImage picture = paintWindow(window, {1366, 768});
-    QCOMPARE(picture.size(), QSize(1366, 768) * window.devicePixelRatio());
+    const QImage image = paintWindow(window, {1366, 768});
+    QCOMPARE(image.size(), QSize(1366, 768) * window.devicePixelRatio());
     QVERIFY(window.isSettled());
     const QString folder = qEnvironmentVariable("ODOGRAPH_KEEP_PICTURES");
     if (!folder.isEmpty())
-        picture.save(QStringLiteral("%1/%2.png").arg(folder, QString::fromLatin1(QTest::currentDataTag())));
+        image.save(QStringLiteral("%1/%2.png").arg(folder, QString::fromLatin1(QTest::currentDataTag())));
 }
 
 void TestMainWindow::remembersAndResetsTheDocks()

@@ -36,7 +36,7 @@ class TestPickColourDialog : public QObject
             words << label->text();
         return words.join(u'|');
     }
-    static void showWithPicture(PickColourDialog &dialog)
+    static void showWithImage(PickColourDialog &dialog)
     {
         dialog.resize(900, 700);
         dialog.show();
@@ -48,8 +48,8 @@ class TestPickColourDialog : public QObject
         auto *canvas = dialog.findChild<BoxCanvas *>();
         QSignalSpy drawn(canvas, &BoxCanvas::boxChanged);
         const auto place = [&](const QPointF &px) {
-            const QRectF picture = canvas->pictureRect();
-            return (picture.topLeft() + px * picture.width() / canvas->sourceSize().width()).toPoint();
+            const QRectF image = canvas->imageRect();
+            return (image.topLeft() + px * image.width() / canvas->sourceSize().width()).toPoint();
         };
         QTRY_VERIFY_WITH_TIMEOUT(
             ([&] {
@@ -83,7 +83,7 @@ private Q_SLOTS:
     void aBoxRoundTheRobotGivesItsColour()
     {
         PickColourDialog dialog({m_video});
-        showWithPicture(dialog);
+        showWithImage(dialog);
         QVERIFY(!okOf(dialog)->isEnabled() && !dialog.colour());
         QVERIFY(wordsOf(dialog).contains(QStringLiteral("Draw a tight box round the robot")));
         draw(dialog, m_robotPx, 45);
@@ -108,7 +108,7 @@ private Q_SLOTS:
     void keysAloneDrawABox()
     {
         PickColourDialog dialog({m_video});
-        showWithPicture(dialog);
+        showWithImage(dialog);
         auto *canvas = dialog.findChild<BoxCanvas *>();
         const auto pressed = [canvas] { // until the picture has come
             if (canvas->box().isEmpty())
@@ -134,7 +134,7 @@ private Q_SLOTS:
         PickableVideo gone = m_video;
         gone.file = m_folder.filePath(QStringLiteral("gone.mkv")).toStdString();
         PickColourDialog dialog({gone});
-        showWithPicture(dialog);
+        showWithImage(dialog);
         QTRY_VERIFY_WITH_TIMEOUT(wordsOf(dialog).contains(QStringLiteral("gone.mkv")), 20000);
         QVERIFY(!okOf(dialog)->isEnabled());
     }
@@ -142,7 +142,7 @@ private Q_SLOTS:
     void withoutARecordingItAsksForAVideo()
     {
         PickColourDialog dialog({});
-        showWithPicture(dialog);
+        showWithImage(dialog);
         QVERIFY(!dialog.findChild<QSlider *>()->isEnabled());
         QVERIFY(!dialog.findChild<QComboBox *>()->isEnabled());
         QTest::keyClick(dialog.findChild<BoxCanvas *>(), Qt::Key_Up); // nothing to draw on

@@ -97,9 +97,9 @@ private Q_SLOTS:
     {
         m_pages->show(ProjectPages::Mode::History);
         setBinned(true);
-        QSignalSpy told(m_pages.get(), &ProjectPages::told);
+        QSignalSpy messageReady(m_pages.get(), &ProjectPages::messageReady);
         Q_EMIT m_pages->history().trialsChanged(QStringLiteral("One trial is gone."));
-        QCOMPARE(told.count(), 1);
+        QCOMPARE(messageReady.count(), 1);
         QCOMPARE(rowsIn("Trials", m_pages->history()), 3);
         setBinned(false);
     }

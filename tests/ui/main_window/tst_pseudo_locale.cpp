@@ -87,7 +87,7 @@ QStringList cutOffAtLast(const QWidget &window)
 void waitForCameras(const MainWindow &window)
 {
     const auto isFound = [&window] {
-        return std::ranges::none_of(window.findChildren<LiveCameras *>(), &LiveCameras::isLooking);
+        return std::ranges::none_of(window.findChildren<LiveCameras *>(), &LiveCameras::isSearching);
     };
     QVERIFY(QTest::qWaitFor(isFound, 30'000));
 }

@@ -30,7 +30,7 @@ using namespace odo;
 namespace {
 
 constexpr int startMs = 60'000, measuredMs = 300'000; // longest waits, on a busy machine
-constexpr double pictureMb = 2.5; // one picture of the two cameras may still be held, or not
+constexpr double imageMb = 2.5; // one picture of the two cameras may still be held, or not
 
 /// What this process holds.
 struct Held
@@ -175,7 +175,7 @@ void TestRecordSoak::whatIsHeldStaysAsItIs()
     QCOMPARE_LE(least(last, &Held::files), least(middle, &Held::files) + 1);
     // OpenCV's pool starts a worker for each further core when it first needs one, at some trial or other.
     QCOMPARE_LE(least(last, &Held::threads), least(middle, &Held::threads) + QThread::idealThreadCount() - 1);
-    QCOMPARE_LE(least(last, &Held::usedMb), least(middle, &Held::usedMb) + pictureMb);
+    QCOMPARE_LE(least(last, &Held::usedMb), least(middle, &Held::usedMb) + imageMb);
     // What lies between the blocks in use comes to rest after some ten trials only: 5 % is what is asked of a
     // long session.
     if (trials >= 30)

@@ -71,12 +71,12 @@ void TestStopRequests::record()
     QTRY_VERIFY_WITH_TIMEOUT(button->isEnabled(), 60'000);
     button->click();
     QTRY_VERIFY_WITH_TIMEOUT(page->isRecording(), 60'000);
-    const auto pictures = [&] {
+    const auto images = [&] {
         const QDir media(m_folder->filePath(QStringLiteral("lesson.media")));
         const QFileInfoList videos = media.entryInfoList({QStringLiteral("*.mkv")}, QDir::Files);
         return std::ranges::any_of(videos, [](const QFileInfo &video) { return video.size() > 50'000; });
     };
-    QTRY_VERIFY_WITH_TIMEOUT(pictures(), 60'000);
+    QTRY_VERIFY_WITH_TIMEOUT(images(), 60'000);
 }
 
 TrialRecord TestStopRequests::onlyTrial() const

@@ -3,7 +3,7 @@
 #include "core/project/repositories.h"
 #include "core/simulation/demo_testbed.h"
 #include "core/simulation/renderer.h"
-#include "core/video/picture.h"
+#include "core/video/image.h"
 #include "core/workflow/calibrate/cameras.h"
 #include "tests/support/registered_test.h"
 #include "tests/ui/support/driven_window.h"
@@ -112,7 +112,7 @@ void TestWindowFlows::renderMaterial() const
     for (const RigidTransform &pose : heldBoardPoses(lens, board, 6, 7)) {
         board.cameraFromBoard = pose;
         const QString name = QStringLiteral("board%1.png").arg(++number);
-        QVERIFY(writePicture(renderBoard(lens, board, 1.5, 100), path(name).toStdString()));
+        QVERIFY(writeImage(renderBoard(lens, board, 1.5, 100), path(name).toStdString()));
     }
 }
 

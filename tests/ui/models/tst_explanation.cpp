@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/ui/support/example_scene.h"
 #include "ui/models/explanation.h"
-#include "ui/models/figure_text.h"
-#include "ui/models/scene_doubts.h"
+#include "ui/models/number_text.h"
+#include "ui/models/scene_uncertainty.h"
 
 #include "core/analysis/gate_passages.h"
 #include "core/analysis/metrics.h"
@@ -115,7 +115,7 @@ private Q_SLOTS:
         auto untracked = std::make_shared<TrialScene>(*m_scene);
         untracked->robots[0].analysis.reset();
         const auto none = disagreementsOf(*untracked);
-        QVERIFY(none[0].places.empty());
+        QVERIFY(none[0].positions.empty());
         QVERIFY(disagreementWords(none[0]).contains(QStringLiteral("nothing to compare")));
         QVERIFY(disagreementWords({{}, 0.003, 0.002, 0.01, 0.001})
                     .contains(QStringLiteral("nothing to compare")));

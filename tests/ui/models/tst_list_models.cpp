@@ -5,7 +5,7 @@
 #include "ui/models/internal/row_table_model.h"
 #include "ui/models/project_changes.h"
 #include "ui/models/results.h"
-#include "ui/models/scene_doubts.h"
+#include "ui/models/scene_uncertainty.h"
 #include "ui/models/shown_names.h"
 #include "ui/models/trial_model.h"
 
@@ -128,7 +128,7 @@ private Q_SLOTS:
         SpikeModel model;
         QAbstractItemModelTester tester(&model, strict);
         auto scene = std::make_shared<TrialScene>(*exampleScene({.frames = 300}));
-        scene->robots[0].analysis->doubtfulNames = {{3405ms, 4200ms, {7}, {"Blue 1"}}};
+        scene->robots[0].analysis->ambiguousNames = {{3405ms, 4200ms, {7}, {"Blue 1"}}};
         model.setScene(scene);
         QCOMPARE(model.rowCount(), 4);
         QCOMPARE(model.summary(), QStringLiteral("2 flagged · 1 restored · 1 doubtful"));
@@ -266,8 +266,10 @@ private Q_SLOTS:
             return shownNames(model);
         };
         QCOMPARE(shown([](TrialFilter &) {}), QStringLiteral("ab"));
-        QCOMPARE(shown([](TrialFilter &f) { f.place = TrialFilter::Place::Archived; }), QStringLiteral("c"));
-        QCOMPARE(shown([](TrialFilter &f) { f.place = TrialFilter::Place::Bin; }), QStringLiteral("d"));
+        QCOMPARE(shown([](TrialFilter &f) { f.listSection = TrialFilter::ListSection::Archived; }),
+                 QStringLiteral("c"));
+        QCOMPARE(shown([](TrialFilter &f) { f.listSection = TrialFilter::ListSection::Bin; }),
+                 QStringLiteral("d"));
         QCOMPARE(shown([](TrialFilter &f) { f.starred = true; }), QStringLiteral("b"));
         QCOMPARE(shown([](TrialFilter &f) { f.className = "9B"; }), QStringLiteral("ab"));
         QCOMPARE(shown([](TrialFilter &f) { f.task = "Slalom"; }), QStringLiteral("b"));
@@ -358,7 +360,7 @@ private Q_SLOTS:
     void standingsAreTold()
     {
         std::vector<TrialRecord> trials;
-        std::vector<TrialFigure> figures;
+        std::vector<TrialMetric> trialMetrics;
         for (const double seconds : {12.0, 11.1, 9.9, 9.0}) {
             TrialRecord trial;
             trial.id = static_cast<RecordId>(trials.size()) + 1;
@@ -367,7 +369,7 @@ private Q_SLOTS:
             trial.teamPseudonym = "Team 4";
             trial.task = "Slalom";
             trial.date = Instant(std::chrono::hours(24 * trial.id));
-            figures.push_back({trial.id, 1, {"gate_time", "s", seconds, 0.01}});
+            trialMetrics.push_back({trial.id, 1, {"gate_time", "s", seconds, 0.01}});
             trials.push_back(trial);
         }
         std::vector<const TrialRecord *> pointers;
@@ -376,7 +378,7 @@ private Q_SLOTS:
         StandingsModel model;
         QAbstractItemModelTester tester(&model, strict);
         showPseudonyms(true);
-        model.setStandings(standingsOf(pointers, figures, {"", "Slalom", "gate_time"}));
+        model.setStandings(standingsOf(pointers, trialMetrics, {"", "Slalom", "gate_time"}));
         QCOMPARE(model.rowCount(), 1);
         const auto cell = [&](int column) { return model.index(0, column).data().toString(); };
         QCOMPARE(cell(StandingsModel::TeamColumn), QStringLiteral("Team 4"));
@@ -386,7 +388,7 @@ private Q_SLOTS:
                 cell(StandingsModel::ProgressColumn).startsWith(QString::fromUtf8("better: −3.0")));
         showPseudonyms(false);
         // the same figures, where more is better
-        model.setStandings(standingsOf(pointers, figures, {"", "Slalom", "max_speed"}));
+        model.setStandings(standingsOf(pointers, trialMetrics, {"", "Slalom", "max_speed"}));
         QCOMPARE(cell(StandingsModel::TeamColumn), QStringLiteral("Falcon"));
         QVERIFY(cell(StandingsModel::ProgressColumn).startsWith(QLatin1String("worse: ")));
     }

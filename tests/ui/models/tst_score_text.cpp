@@ -22,7 +22,7 @@ private Q_SLOTS:
         const Score score = scoreOf(
             rubric, {{"gate_time", "s", 7, 0.2}, {"path_completed", "1", 0.75, {}}, {"spikes", "1", 3, {}}});
         QCOMPARE(scoreText(score), QString::fromUtf8("17.0 ±1.0 of 45"));
-        QCOMPARE(scoreFigure(score).smallPrint(), QString::fromUtf8("of 45 ±1.0"));
+        QCOMPARE(scoreNumber(score).smallPrint(), QString::fromUtf8("of 45 ±1.0"));
         const QStringList lines = scoreLines(score);
         QCOMPARE(lines.size(), 4);
         QCOMPARE(lines[0],

@@ -69,7 +69,7 @@ void TestRecordDialogs::devicesAreChosenByKeys()
     auto *b = named<QComboBox>(dialog, "Device for camera B");
     QTRY_COMPARE(a->count(), 3);
     QPushButton *use = button(dialog, "Use these");
-    QTRY_VERIFY(!connected.isLooking());
+    QTRY_VERIFY(!connected.isSearching());
     QVERIFY(!use->isEnabled()); // none is used
     QVERIFY(walkTo(dialog, a));
     QTest::keyClick(a, Qt::Key_Down);
@@ -95,14 +95,14 @@ void TestRecordDialogs::oneDeviceIsNotTwoCameras()
 
 void TestRecordDialogs::settingsGoIntoTheAddress()
 {
-    CameraWishesDialog usb(webcam, webcam.uri);
+    CameraSettingsDialog usb(webcam, webcam.uri);
     QCOMPARE(usb.uri(), webcam.uri); // nothing is wanted
-    auto *picture = named<QComboBox>(usb, "Format");
-    picture->setCurrentIndex(2);
+    auto *live = named<QComboBox>(usb, "Format");
+    live->setCurrentIndex(2);
     named<QDoubleSpinBox>(usb, "Rate")->setValue(15);
     QCOMPARE(usb.uri(), std::string("v4l2:/dev/video0?format=YUYV&size=640x480&rate=15"));
 
-    CameraWishesDialog gige(industrial, industrial.uri);
+    CameraSettingsDialog gige(industrial, industrial.uri);
     show(gige);
     auto *rate = named<QDoubleSpinBox>(gige, "Rate");
     auto *exposure = named<QDoubleSpinBox>(gige, "Exposure");
@@ -124,7 +124,7 @@ void TestRecordDialogs::settingsOfAnAddressAreShownAndKept()
 {
     const std::string uri =
         "aravis:S1?format=BayerGB8&rate=60&exposure_ms=4&trigger=software&size=640x480&packet_delay_us=12";
-    CameraWishesDialog dialog(industrial, uri);
+    CameraSettingsDialog dialog(industrial, uri);
     QCOMPARE(named<QComboBox>(dialog, "Format")->currentText(), QStringLiteral("BayerGB8"));
     QCOMPARE(dialog.uri(), uri);
     named<QDoubleSpinBox>(dialog, "Exposure")->setValue(0);
@@ -132,7 +132,7 @@ void TestRecordDialogs::settingsOfAnAddressAreShownAndKept()
     QCOMPARE(dialog.uri(), std::string("aravis:S1?format=BayerGB8&rate=60&size=640x480&packet_delay_us=12"));
     // A picture that the camera is not known to have stays as it was asked for.
     const std::string other = "v4l2:/dev/video0?format=MJPG&size=800x600";
-    QCOMPARE(CameraWishesDialog(webcam, other).uri(), other);
+    QCOMPARE(CameraSettingsDialog(webcam, other).uri(), other);
 }
 
 void TestRecordDialogs::settingsAreAskedForFromTheChoice()
@@ -140,7 +140,7 @@ void TestRecordDialogs::settingsAreAskedForFromTheChoice()
     LiveCameras connected([] { return std::vector<CameraDescription>{webcam}; });
     CameraChoiceDialog dialog({{"A", "v4l2:/dev/video0"}, {"B", ""}}, connected);
     show(dialog);
-    QTRY_VERIFY(!connected.isLooking());
+    QTRY_VERIFY(!connected.isSearching());
     auto *settings = named<QPushButton>(dialog, "Settings of camera A");
     QVERIFY(settings->isEnabled());
     QVERIFY(!named<QPushButton>(dialog, "Settings of camera B")->isEnabled());

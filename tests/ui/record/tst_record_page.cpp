@@ -10,7 +10,7 @@
 #include "tests/ui/support/person.h"
 #include "ui/record/internal/health_watch.h"
 #include "ui/record/internal/live_board.h"
-#include "ui/record/internal/live_picture_area.h"
+#include "ui/record/internal/live_image_area.h"
 #include "ui/record/internal/run_card.h"
 #include "ui/record/internal/run_results.h"
 #include "ui/record/record_page.h"
@@ -80,7 +80,7 @@ private:
         return m_page->findChild<Widget *>();
     }
     QPushButton *button() const { return m_page->findChild<QPushButton *>(QStringLiteral("recordButton")); }
-    QString trouble() const { return part<TroubleBar>()->words(); }
+    QString warning() const { return part<WarningBar>()->words(); }
     std::vector<TrialRecord> trials() const { return *m_project->trials().all(); }
     void chooseStart(const QVariant &data);
 
@@ -121,7 +121,7 @@ void TestRecordPage::show(bool readOnly, CameraAccess access)
 
 void TestRecordPage::waitForTheRobot()
 {
-    QTRY_VERIFY_WITH_TIMEOUT(part<LiveMap>()->place(0).has_value(), startMs);
+    QTRY_VERIFY_WITH_TIMEOUT(part<LiveMap>()->latestPosition(0).has_value(), startMs);
 }
 
 void TestRecordPage::chooseStart(const QVariant &data)
@@ -135,17 +135,17 @@ void TestRecordPage::chooseStart(const QVariant &data)
 void TestRecordPage::recordsByKeyAndTheNextTeamIsUp()
 {
     show();
-    QVERIFY(trouble().isEmpty());
+    QVERIFY(warning().isEmpty());
     BusyWatch busy;
     waitForTheRobot();
-    const auto pictures = m_page->findChildren<LivePictureArea *>();
-    QCOMPARE(pictures.size(), 2);
-    for (const LivePictureArea *picture : pictures)
-        QTRY_VERIFY_WITH_TIMEOUT(picture->hasPicture(), startMs);
+    const auto images = m_page->findChildren<LiveImageArea *>();
+    QCOMPARE(images.size(), 2);
+    for (const LiveImageArea *live : images)
+        QTRY_VERIFY_WITH_TIMEOUT(live->hasFrame(), startMs);
     // The robot's centre is known to some millimetres; what the filter is off in a curve adds some.
-    QTRY_VERIFY_WITH_TIMEOUT(
-        std::abs((*part<LiveMap>()->place(0) - test::circleMiddle).norm() - test::circleRadiusM) < 0.02,
-        startMs);
+    QTRY_VERIFY_WITH_TIMEOUT(std::abs((*part<LiveMap>()->latestPosition(0) - test::circleMiddle).norm() -
+                                      test::circleRadiusM) < 0.02,
+                             startMs);
 
     const NextRun up = part<RunCard>()->run();
     QCOMPARE(up.team, std::string("Falcon"));
@@ -218,7 +218,7 @@ void TestRecordPage::theRobotOfTheTeamThatIsUpDrives_data()
     RobotRecord red, rover;
     red.name = "Red";
     red.colour = RgbColour{0xd7, 0x23, 0x28};
-    red.heightMode = RobotRecord::Height::Told;
+    red.heightMode = RobotRecord::Height::Given;
     red.heightM = 0.12;
     rover.name = "Rover"; // of any look
     QTest::newRow("of another colour, taller") << red;
@@ -239,7 +239,7 @@ void TestRecordPage::theRobotOfTheTeamThatIsUpDrives()
     part<RunCard>()->setRun(part<RunCard>()->lineUp().run("9A", "Heron"));
     QCOMPARE(part<RunCard>()->robots().size(), std::size_t(1));
     const auto circles = [this] {
-        const auto at = part<LiveMap>()->place(0);
+        const auto at = part<LiveMap>()->latestPosition(0);
         return at && std::abs((*at - test::circleMiddle).norm() - test::circleRadiusM) < 0.03;
     };
     QTRY_VERIFY_WITH_TIMEOUT(circles(), startMs);
@@ -329,7 +329,7 @@ void TestRecordPage::withoutCamerasItSaysSo()
     QVERIFY(!m_page->isRecording());
 
     show(true);
-    QTRY_VERIFY_WITH_TIMEOUT(trouble().contains(QStringLiteral("is read-only")), startMs);
+    QTRY_VERIFY_WITH_TIMEOUT(warning().contains(QStringLiteral("is read-only")), startMs);
     QVERIFY(!button()->isEnabled());
 }
 
@@ -345,17 +345,17 @@ void TestRecordPage::theOthersRunWithoutACameraThatCannotBeOpened()
     };
     show(false, access);
     QTRY_COMPARE_WITH_TIMEOUT(
-        trouble(), QStringLiteral("Camera A: camera sim:A: another program uses it; close that program."),
+        warning(), QStringLiteral("Camera A: camera sim:A: another program uses it; close that program."),
         startMs);
     waitForTheRobot(); // the other one sees it
     QTRY_VERIFY_WITH_TIMEOUT(button()->isEnabled(), startMs);
     button()->click();
     QTRY_VERIFY_WITH_TIMEOUT(trials().size() == 1 && trials().front().durationS > 1, runMs);
     *isThere = true;
-    QTRY_VERIFY_WITH_TIMEOUT(trouble().isEmpty(), startMs);
-    const auto pictures = m_page->findChildren<LivePictureArea *>();
-    for (const LivePictureArea *picture : pictures)
-        QTRY_VERIFY_WITH_TIMEOUT(picture->hasPicture(), startMs);
+    QTRY_VERIFY_WITH_TIMEOUT(warning().isEmpty(), startMs);
+    const auto images = m_page->findChildren<LiveImageArea *>();
+    for (const LiveImageArea *live : images)
+        QTRY_VERIFY_WITH_TIMEOUT(live->hasFrame(), startMs);
     button()->click();
     QTRY_VERIFY_WITH_TIMEOUT(!trials().front().unfinished, runMs);
     const auto recordings = m_project->trials().recordings(trials().front().id);
@@ -374,7 +374,7 @@ void TestRecordPage::withoutAnyPictureNothingIsRecorded()
     show(false, access);
     QTRY_COMPARE_WITH_TIMEOUT(part<StartCard>()->words(), QStringLiteral("No camera sends frames"), startMs);
     QVERIFY(!button()->isEnabled());
-    QTRY_VERIFY_WITH_TIMEOUT(trouble().startsWith(QStringLiteral("Camera A: camera sim:A: it was unplugged")),
+    QTRY_VERIFY_WITH_TIMEOUT(warning().startsWith(QStringLiteral("Camera A: camera sim:A: it was unplugged")),
                              startMs);
 }
 
@@ -392,7 +392,7 @@ void TestRecordPage::aChoiceIsKeptInTheProject()
     QVERIFY(person.isDone());
     QCOMPARE(m_project->cameras().find("A")->deviceUri, std::string("sim:B"));
     QCOMPARE(m_project->cameras().find("B")->deviceUri, std::string());
-    QTRY_COMPARE_WITH_TIMEOUT(m_page->findChildren<LivePictureArea *>().size(), 1, startMs);
+    QTRY_COMPARE_WITH_TIMEOUT(m_page->findChildren<LiveImageArea *>().size(), 1, startMs);
 }
 
 /// Another program records into the project just now.
@@ -430,8 +430,8 @@ void TestRecordPage::theWindowDoesNotWaitForTheProject()
     held.get_future().wait();
     button()->click(); // would hang here, as long as the disk does
     QVERIFY(m_page->isRecording());
-    const auto pictures = m_page->findChildren<LivePictureArea *>();
-    QTRY_VERIFY_WITH_TIMEOUT(pictures.front()->hasPicture(), startMs);
+    const auto images = m_page->findChildren<LiveImageArea *>();
+    QTRY_VERIFY_WITH_TIMEOUT(images.front()->hasFrame(), startMs);
     button()->click();
     QVERIFY(part<StartCard>()->words().startsWith(QStringLiteral("Writing the last frames")));
     go.set_value();
@@ -444,13 +444,13 @@ void TestRecordPage::anUnregisteredCameraLeadsToTestbed()
     m_project =
         std::move(*Project::create(m_folder->filePath(QStringLiteral("bare.odo")).toStdString(), "Bare"));
     show();
-    QTRY_VERIFY_WITH_TIMEOUT(trouble().startsWith(QStringLiteral("Camera A is not registered to the floor")),
+    QTRY_VERIFY_WITH_TIMEOUT(warning().startsWith(QStringLiteral("Camera A is not registered to the floor")),
                              startMs);
     QSignalSpy asked(m_page.get(), &RecordPage::testbedRequested);
-    part<TroubleBar>()->findChild<QPushButton *>()->click();
+    part<WarningBar>()->findChild<QPushButton *>()->click();
     QCOMPARE(asked.size(), 1);
     QTRY_VERIFY_WITH_TIMEOUT(button()->isEnabled(), startMs); // it can be recorded all the same
-    QVERIFY(!part<LiveMap>()->place(0));
+    QVERIFY(!part<LiveMap>()->latestPosition(0));
 }
 
 ODOGRAPH_TEST(TestRecordPage, QApplication)

@@ -114,26 +114,26 @@ void TestRecordWords::tellsTheWorstTrouble()
     health.views = {delivering(), delivering()};
     const std::vector<WantedCamera> cameras{{"A", "sim:A", std::nullopt, {}},
                                             {"B", "sim:B", std::nullopt, {}}};
-    QCOMPARE(troubleWords(health, cameras), QString());
+    QCOMPARE(warningWords(health, cameras), QString());
     health.pairs.pairs = 30;
     health.pairs.p95S = 0.03;
-    QVERIFY(troubleWords(health, cameras).contains(QStringLiteral("not synchronised")));
-    health.views[0].slow = Trouble{slowCameraError("v4l2:/dev/video2", 12.4, 30), {}};
-    QCOMPARE(troubleWords(health, cameras),
+    QVERIFY(warningWords(health, cameras).contains(QStringLiteral("not synchronised")));
+    health.views[0].slow = RecordingWarning{slowCameraError("v4l2:/dev/video2", 12.4, 30), {}};
+    QCOMPARE(warningWords(health, cameras),
              QStringLiteral(
                  "Camera A: camera v4l2:/dev/video2: it delivers only 12 frames per second instead of the "
                  "requested 30; give it more light or a shorter exposure, or ask for a lower rate."));
-    health.sleep = Trouble{machineSleptError(std::chrono::minutes(3)), {}};
-    QCOMPARE(troubleWords(health, cameras),
+    health.sleep = RecordingWarning{machineSleptError(std::chrono::minutes(3)), {}};
+    QCOMPARE(warningWords(health, cameras),
              QStringLiteral("this computer: it slept for 3 min and recorded nothing meanwhile; the recording "
                             "up to then is kept; keep it awake while it records."));
-    health.views[1].trouble = Trouble{gone, {}};
-    QCOMPARE(troubleWords(health, cameras),
+    health.views[1].warning = RecordingWarning{gone, {}};
+    QCOMPARE(warningWords(health, cameras),
              QStringLiteral("Camera B: camera v4l2:/dev/video0: it was unplugged; plug it in again."));
-    health.disk.trouble = Trouble{{ErrorCode::Io, foreignWords("recording"), foreignWords("the disk is full"),
-                                   foreignWords("make room")},
-                                  {}};
-    QCOMPARE(troubleWords(health, cameras),
+    health.disk.warning = RecordingWarning{{ErrorCode::Io, foreignWords("recording"),
+                                            foreignWords("the disk is full"), foreignWords("make room")},
+                                           {}};
+    QCOMPARE(warningWords(health, cameras),
              QStringLiteral("Recording: recording: the disk is full; make room."));
 }
 

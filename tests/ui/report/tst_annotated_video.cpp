@@ -8,7 +8,7 @@
 #include "tests/ui/support/example_scene.h"
 #include "tests/ui/support/stored_example.h"
 #include "ui/report/annotated_video.h"
-#include "ui/report/internal/annotated_picture.h"
+#include "ui/report/internal/annotated_frame.h"
 #include "ui/views/widgets/theme.h"
 
 #include <QApplication>
@@ -60,13 +60,13 @@ int largestDifference(const QImage &a, const QImage &b)
     return largest;
 }
 
-AnnotatedLook look(QSize size = {1280, 720})
+AnnotationStyle look(QSize size = {1280, 720})
 {
     return {size, lightPalette(), QGuiApplication::font(), 1};
 }
 
 /// All views grey, at the frame of a time.
-std::vector<ViewMoment> greyViews(const AnnotatedPicture &painter, const TrialScene &scene, Nanoseconds time)
+std::vector<ViewMoment> greyViews(const AnnotatedFrame &painter, const TrialScene &scene, Nanoseconds time)
 {
     std::vector<ViewMoment> moments;
     for (std::size_t view = 0; view < scene.views.size(); ++view) {
@@ -77,9 +77,9 @@ std::vector<ViewMoment> greyViews(const AnnotatedPicture &painter, const TrialSc
     return moments;
 }
 
-QImage painted(const TrialScene &scene, Nanoseconds time, AnnotatedLook shown = look())
+QImage painted(const TrialScene &scene, Nanoseconds time, AnnotationStyle shown = look())
 {
-    AnnotatedPicture painter(std::make_shared<TrialScene>(scene), std::move(shown));
+    AnnotatedFrame painter(std::make_shared<TrialScene>(scene), std::move(shown));
     return painter.paint(time, greyViews(painter, scene, time));
 }
 
@@ -140,7 +140,7 @@ private Q_SLOTS:
             job, *m_project, {{}, [&](double fraction, const Message &) { reported.push_back(fraction); }});
         QVERIFY2(made, made ? "" : made.error().message().c_str());
         QCOMPARE(left(), QStringList{QStringLiteral("run.mp4")});
-        QCOMPARE(job.pictureCount(), 30);
+        QCOMPARE(job.frameCount(), 30);
         QVERIFY(std::ranges::is_sorted(reported));
         QCOMPARE(reported.back(), 1.0);
         auto reader = VideoReader::open(file());
@@ -189,21 +189,21 @@ private Q_SLOTS:
         const TrialScenePtr scene = exampleScene({.frames = 60});
         const Nanoseconds now = scene->frameTimes()[40];
         for (const QSize size : {QSize(1280, 720), QSize(1920, 1080), QSize(720, 1280)}) {
-            AnnotatedPicture painter(scene, look(size));
+            AnnotatedFrame painter(scene, look(size));
             const QImage image = painter.paint(now, greyViews(painter, *scene, now));
             QCOMPARE(image.size(), size);
             const ProfilePoint &point = scene->robots[0].analysis->profile.points[40];
             for (std::size_t view = 0; view < 2; ++view) {
                 const Ellipse &seen = scene->observationAt(view, 0, 40)->ellipse;
                 const double scale =
-                    painter.fromPicture(view, {1, 0}).x() - painter.fromPicture(view, {0, 0}).x();
-                const QPointF centre = painter.fromPicture(view, {seen.centrePx.x(), seen.centrePx.y()});
+                    painter.fromImagePixels(view, {1, 0}).x() - painter.fromImagePixels(view, {0, 0}).x();
+                const QPointF centre = painter.fromImagePixels(view, {seen.centrePx.x(), seen.centrePx.y()});
                 const QPointF end =
                     centre + QPointF(std::cos(0.1), std::sin(0.1)) * (seen.semiMajorPx * scale);
                 QVERIFY(hasColourNear(image, end, QColor(0x56, 0xb4, 0xe9))); // the outline
                 const Eigen::Vector2d later = scene->robots[0].analysis->profile.points[55].position;
                 const auto trail = scene->views[view].floorView->pixelFromWorld({later.x(), later.y(), 0.06});
-                QVERIFY(hasColourNear(image, painter.fromPicture(view, {trail->x(), trail->y()}),
+                QVERIFY(hasColourNear(image, painter.fromImagePixels(view, {trail->x(), trail->y()}),
                                       QColor(0x56, 0xb4, 0xe9)));
             }
             QVERIFY(hasColourNear(image, painter.fromWorld(point.position),
@@ -222,20 +222,20 @@ private Q_SLOTS:
         const TrialScenePtr whole = exampleScene({.frames = 10});
         TrialScene untracked = *whole;
         untracked.robots[0].analysis.reset();
-        const AnnotatedPicture withMap(std::make_shared<TrialScene>(untracked), look());
+        const AnnotatedFrame withMap(std::make_shared<TrialScene>(untracked), look());
         QVERIFY(withMap.hasMap() && !withMap.hasChart());
         for (SceneView &view : untracked.views)
             view.floorView.reset();
-        const AnnotatedPicture bare(std::make_shared<TrialScene>(untracked), look());
+        const AnnotatedFrame bare(std::make_shared<TrialScene>(untracked), look());
         QVERIFY(!bare.hasMap() && !bare.hasChart());
         QCOMPARE(bare.floorSidePx(), 0);
-        const AnnotatedPicture all(whole, look());
+        const AnnotatedFrame all(whole, look());
         QVERIFY(bare.viewSizePx(0).width() > all.viewSizePx(0).width() ||
                 bare.viewSizePx(0) == all.viewSizePx(0));
         TrialScene alone = *whole;
         alone.views.resize(1);
         alone.robots[0].observations.resize(1);
-        const AnnotatedPicture one(std::make_shared<TrialScene>(alone), look());
+        const AnnotatedFrame one(std::make_shared<TrialScene>(alone), look());
         QVERIFY(one.hasMap() && one.hasChart());
         QVERIFY(one.viewSizePx(0).width() > all.viewSizePx(0).width());
         QVERIFY(!painted(alone, Nanoseconds(0)).isNull());
@@ -247,7 +247,7 @@ private Q_SLOTS:
     void aViewThatWasNotRecordingSaysSo()
     {
         const TrialScenePtr scene = exampleScene({.frames = 10});
-        AnnotatedPicture painter(scene, look());
+        AnnotatedFrame painter(scene, look());
         std::vector<ViewMoment> moments = greyViews(painter, *scene, Nanoseconds(0));
         const QImage both = painter.paint(Nanoseconds(0), moments);
         moments[1] = {};
@@ -277,7 +277,7 @@ private Q_SLOTS:
     void aThemeIsChosen()
     {
         const TrialScenePtr scene = exampleScene({.frames = 10});
-        AnnotatedLook dark = look();
+        AnnotationStyle dark = look();
         dark.palette = darkPalette();
         QVERIFY(painted(*scene, Nanoseconds(0)).pixelColor(3, 360).lightness() > 200);
         QVERIFY(painted(*scene, Nanoseconds(0), dark).pixelColor(3, 360).lightness() < 60);

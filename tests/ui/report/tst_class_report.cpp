@@ -23,7 +23,7 @@ ClassContentPtr contentOf(int teams, bool withTeams, const std::string &name = "
     std::mt19937 random(3);
     std::normal_distribution<double> noise(0, 0.2);
     std::vector<TrialRecord> trials;
-    std::vector<TrialFigure> figures;
+    std::vector<TrialMetric> metrics;
     for (int team = 1; team <= teams; ++team)
         for (int run = 0; run < 10; ++run) {
             TrialRecord trial;
@@ -35,7 +35,7 @@ ClassContentPtr contentOf(int teams, bool withTeams, const std::string &name = "
             trial.className = "9B";
             trial.task = "Line";
             trial.date = Instant(std::chrono::hours(24 * (20000 + run)));
-            figures.push_back({trial.id, 1, {"duration", "s", 4 + 0.05 * team + noise(random), 0.01}});
+            metrics.push_back({trial.id, 1, {"duration", "s", 4 + 0.05 * team + noise(random), 0.01}});
             trials.push_back(trial);
         }
     std::vector<const TrialRecord *> all;
@@ -44,7 +44,7 @@ ClassContentPtr contentOf(int teams, bool withTeams, const std::string &name = "
     auto content = std::make_shared<ClassContent>();
     content->settings = {"9B", "Line", "duration", withTeams};
     content->trials = int(trials.size());
-    content->standings = standingsOf(all, figures, {"9B", "Line", "duration"});
+    content->standings = standingsOf(all, metrics, {"9B", "Line", "duration"});
     return content;
 }
 

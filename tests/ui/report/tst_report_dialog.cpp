@@ -50,7 +50,7 @@ class TestReportDialog : public QObject
         awaitPages();
     }
     void awaitPages() { QTRY_VERIFY_WITH_TIMEOUT(m_dialog->preview().isSettled(), longestMs); }
-    int pages() const { return int(m_dialog->preview().pictures().size()); }
+    int pages() const { return int(m_dialog->preview().images().size()); }
     static ReportSubject trial(const char *name)
     {
         return {QStringLiteral("The trial"), QStringLiteral("run"), {name}, {}, false};
@@ -90,7 +90,7 @@ private Q_SLOTS:
         QCOMPARE(pages(), 4);
         choose("Paper", 1);
         awaitPages();
-        const QImage letter = m_dialog->preview().pictures().front();
+        const QImage letter = m_dialog->preview().images().front();
         QVERIFY(qAbs(double(letter.height()) / letter.width() - 11 / 8.5) < 0.01);
         open({trial("Trial 2")}); // another time
         QCOMPARE(pages(), 4);
@@ -134,13 +134,13 @@ private Q_SLOTS:
     void theSchoolIsOnThePages()
     {
         open({trial("Trial 1")});
-        const QImage before = m_dialog->preview().pictures().front();
+        const QImage before = m_dialog->preview().images().front();
         ReportSettings settings = storedReportSettings();
         settings.school = QStringLiteral("Lindenschule");
         storeReportSettings(settings);
         m_dialog->refresh();
         awaitPages();
-        QVERIFY(m_dialog->preview().pictures().front() != before);
+        QVERIFY(m_dialog->preview().images().front() != before);
     }
     /// Not before: a large picture would keep the window waiting.
     void theLogoIsReadWithThePages()
@@ -157,7 +157,7 @@ private Q_SLOTS:
         QImage page;
         const auto made = maker(*m_project, {}, [&page](const ReportPage &each) -> Result<void> {
             if (page.isNull())
-                page = pagePicture(each, 600);
+                page = pageImage(each, 600);
             return {};
         });
         QVERIFY2(made.has_value(), made ? "" : made.error().message().c_str());

@@ -2,7 +2,7 @@
 #include "core/project/project.h"
 #include "core/project/repositories.h"
 #include "core/video/video_reader.h"
-#include "core/workflow/compare/trial_figures.h"
+#include "core/workflow/compare/trial_metrics.h"
 #include "tests/support/registered_test.h"
 #include "tests/ui/support/printed_text.h"
 #include "tests/ui/support/stored_example.h"
@@ -67,7 +67,7 @@ private Q_SLOTS:
         QCOMPARE(top->stillTime, tellingMoment(*top->scene));
         QVERIFY(key->stillTime <= top->stillTime);
         for (const Still &still : key->stills)
-            QVERIFY(!still.picture.isNull());
+            QVERIFY(!still.image.isNull());
         const auto reader = VideoReader::open(key->scene->views.front().file);
         QCOMPARE((*reader)->keyFrameBefore(key->stills.front().frame), key->stills.front().frame);
     }
@@ -130,12 +130,12 @@ private Q_SLOTS:
         QVERIFY(m_project->trials()
                     .setBinned(m_project->trials().find("Run at 70.000000")->id, true)
                     .has_value());
-        const auto figures = classFigures(*m_project, "9B", "Line", {"max_speed", "no_such"});
-        QVERIFY2(figures.has_value(), figures ? "" : figures.error().message().c_str());
-        QCOMPARE(figures->count("no_such"), std::size_t(0));
-        QCOMPARE(figures->at("max_speed").runs, 3);
-        QCOMPARE(figures->at("max_speed").median, 2.0);
-        QVERIFY(classFigures(*m_project, "7C", "Line", {"max_speed"}).value().empty());
+        const auto metrics = classMedians(*m_project, "9B", "Line", {"max_speed", "no_such"});
+        QVERIFY2(metrics.has_value(), metrics ? "" : metrics.error().message().c_str());
+        QCOMPARE(metrics->count("no_such"), std::size_t(0));
+        QCOMPARE(metrics->at("max_speed").runs, 3);
+        QCOMPARE(metrics->at("max_speed").median, 2.0);
+        QVERIFY(classMedians(*m_project, "7C", "Line", {"max_speed"}).value().empty());
     }
     void aLogoIsAPicture()
     {

@@ -2,7 +2,7 @@
 #include "tests/support/registered_test.h"
 #include "tests/ui/support/example_scene.h"
 #include "tests/ui/support/printed_text.h"
-#include "ui/models/figure_text.h"
+#include "ui/models/number_text.h"
 #include "ui/report/internal/report_painting.h"
 #include "ui/report/trial_report.h"
 
@@ -21,7 +21,7 @@ std::shared_ptr<TrialContent> contentOf(const std::shared_ptr<TrialScene> &scene
 {
     auto content = std::make_shared<TrialContent>();
     content->scene = scene;
-    content->lensRmsPx.resize(scene->views.size());
+    content->calibrationRmsPx.resize(scene->views.size());
     content->stillTime = tellingMoment(*scene);
     content->stills = takeStills(*scene, content->stillTime, 200);
     return content;
@@ -70,8 +70,8 @@ private Q_SLOTS:
     void aPageTellsTheRun()
     {
         auto content = contentOf(exampleCopy({.frames = 90, .videoFolder = m_folder.path().toStdString()}));
-        content->classFigures["max_speed"] = {1.71, 12};
-        content->lensRmsPx[0] = 0.213;
+        content->classMedians["max_speed"] = {1.71, 12};
+        content->calibrationRmsPx[0] = 0.213;
         ReportOptions options;
         options.letterhead = {QStringLiteral("Lindenschule"), QStringLiteral("Room 12"), {}};
         const QString file = printed(trialPages(content, options));
@@ -118,8 +118,8 @@ private Q_SLOTS:
     void remarksSayWhenTheRobotIsDoubtful()
     {
         const auto scene = exampleCopy();
-        scene->robots.front().analysis->doubtfulNames = {{1200ms, 1500ms, {7}, {"Blue 1"}},
-                                                         {2s, 2500ms, {8}, {"Blue 2"}}};
+        scene->robots.front().analysis->ambiguousNames = {{1200ms, 1500ms, {7}, {"Blue 1"}},
+                                                          {2s, 2500ms, {8}, {"Blue 2"}}};
         for (const char *notes : {"", "Slipped on the line"}) {
             scene->trial.notes = notes;
             const QString text = printedText(printed(trialPages(contentOf(scene), {}))).simplified();
@@ -127,7 +127,7 @@ private Q_SLOTS:
                 "from 1.20 s to 1.50 s (the first of 2 times) this may be Red 2, Blue 1 or Blue 2.");
             QVERIFY2(text.contains(doubt) && text.contains(QString::fromUtf8(notes)), qPrintable(text));
         }
-        scene->robots.front().analysis->doubtfulNames.clear();
+        scene->robots.front().analysis->ambiguousNames.clear();
         QVERIFY(!printedText(printed(trialPages(contentOf(scene), {}))).contains(QStringLiteral("doubtful")));
     }
     void remarksSayWhenTheRobotWasHidden()
@@ -291,11 +291,11 @@ private Q_SLOTS:
     void theSamePageIsAPictureToo()
     {
         const auto pages = trialPages(contentOf(exampleCopy()), {});
-        const QImage picture = pagePicture(pages.front(), 800);
-        QCOMPARE(picture.size(), QSize(800, 1131));
+        const QImage image = pageImage(pages.front(), 800);
+        QCOMPARE(image.size(), QSize(800, 1131));
         int inked = 0;
         for (int x = 0; x < 800; ++x)
-            inked += picture.pixelColor(x, 150).lightness() < 250 ? 1 : 0;
+            inked += image.pixelColor(x, 150).lightness() < 250 ? 1 : 0;
         QVERIFY(inked > 10 && inked < 700);
     }
 };

@@ -4,7 +4,7 @@
 #include "tests/ui/support/example_scene.h"
 #include "ui/models/timeline.h"
 #include "ui/review/corrections.h"
-#include "ui/views/picture/picture_painting.h"
+#include "ui/views/image/image_painting.h"
 
 #include <QAction>
 #include <QApplication>
@@ -38,10 +38,11 @@ private Q_SLOTS:
 
         RobotPointer told;
         QString trial;
-        connect(&pointing, &RobotPointing::said, this, [&](const QString &name, const RobotPointer &pointer) {
-            trial = name;
-            told = pointer;
-        });
+        connect(&pointing, &RobotPointing::requested, this,
+                [&](const QString &name, const RobotPointer &pointer) {
+                    trial = name;
+                    told = pointer;
+                });
         QMenu menu;
         pointing.fill(menu, 1, {123, 45});
         // with a line, and what takes the first one's back
@@ -85,8 +86,8 @@ private Q_SLOTS:
     void aPixelIsFoundAgain()
     {
         const QRectF fitted = fittedRect({1280, 720}, {400, 300}, 1);
-        const QPointF pixel(321.5, 12.25), there = fromPicturePixel(pixel, {1280, 720}, fitted);
-        const QPointF back = toPicturePixel(there, {1280, 720}, fitted);
+        const QPointF pixel(321.5, 12.25), there = fromImagePixel(pixel, {1280, 720}, fitted);
+        const QPointF back = toImagePixel(there, {1280, 720}, fitted);
         QVERIFY(qAbs(back.x() - pixel.x()) < 1e-9 && qAbs(back.y() - pixel.y()) < 1e-9);
     }
 };

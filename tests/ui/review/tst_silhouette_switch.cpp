@@ -7,7 +7,7 @@
 #include "ui/review/review_desk.h"
 #include "ui/review/review_page.h"
 #include "ui/views/charts/series_colours.h"
-#include "ui/views/picture/camera_view.h"
+#include "ui/views/image/camera_view.h"
 
 #include <QAction>
 #include <QApplication>
@@ -83,8 +83,8 @@ private:
     /// Pixels of the first view that have the first robot's colour: its outline, name and trail.
     int drawn() const
     {
-        const QImage image = m_page->findChild<CameraView *>()->pictureArea()->grab().toImage();
-        const QColor colour = colourOnPicture(0);
+        const QImage image = m_page->findChild<CameraView *>()->imageArea()->grab().toImage();
+        const QColor colour = colourOnImage(0);
         int count = 0;
         for (int y = 0; y < image.height(); ++y)
             for (int x = 0; x < image.width(); ++x)

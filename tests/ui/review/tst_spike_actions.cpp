@@ -12,7 +12,7 @@
 
 using namespace odo;
 
-Q_DECLARE_METATYPE(odo::OverruleRequest)
+Q_DECLARE_METATYPE(odo::OverrideRequest)
 
 class TestSpikeActions : public QObject
 {
@@ -51,13 +51,13 @@ void TestSpikeActions::offersWhatTheSampleAllows()
     timeline.setCurrentFrame(sample.frame);
     for (int i = 0; i < 3; ++i)
         QCOMPARE(actions.actions().at(i)->isEnabled(), enabled.at(i));
-    QSignalSpy said(&actions, &SpikeActions::said);
+    QSignalSpy requested(&actions, &SpikeActions::requested);
     actions.actions().at(enabled.at(0) ? 0 : 1)->trigger();
-    QCOMPARE(said.size(), 1);
-    const auto request = said.front().front().value<OverruleRequest>();
+    QCOMPARE(requested.size(), 1);
+    const auto request = requested.front().front().value<OverrideRequest>();
     QCOMPARE(request.frame, std::optional(sample.frame));
     QCOMPARE(request.trial, scene->trial.name);
-    QVERIFY(request.word == (enabled.at(0) ? OverruleRequest::Word::Valid : OverruleRequest::Word::Spike));
+    QVERIFY(request.word == (enabled.at(0) ? OverrideRequest::Word::Valid : OverrideRequest::Word::Spike));
 }
 
 void TestSpikeActions::nothingWithoutAMeasurement()
@@ -93,13 +93,13 @@ void TestSpikeActions::asksForTheRobotThatIsMeant()
     SpikeActions actions(timeline);
     actions.setScene(scene);
     timeline.setCurrentFrame(scene->robots[0].analysis->profile.samples[5].frame);
-    QSignalSpy said(&actions, &SpikeActions::said);
+    QSignalSpy requested(&actions, &SpikeActions::requested);
     actions.setRobot(scene->robots.size() - 1);
     actions.actions().at(1)->trigger();
-    QCOMPARE(said.front().front().value<OverruleRequest>().robot, std::string("Second"));
+    QCOMPARE(requested.front().front().value<OverrideRequest>().robot, std::string("Second"));
     actions.setRobot(99); // of a list that is not up to date: nobody is asked
     actions.actions().at(1)->trigger();
-    QCOMPARE(said.size(), 1);
+    QCOMPARE(requested.size(), 1);
 }
 
 ODOGRAPH_TEST(TestSpikeActions, QApplication)

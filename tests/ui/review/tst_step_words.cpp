@@ -3,7 +3,7 @@
 #include "tests/ui/support/example_scene.h"
 #include "ui/models/timeline.h"
 #include "ui/review/internal/trial_facts.h"
-#include "ui/views/picture/camera_view.h"
+#include "ui/views/image/camera_view.h"
 
 #include <QApplication>
 #include <QLabel>

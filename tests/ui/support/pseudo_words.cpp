@@ -23,7 +23,7 @@ namespace {
 
 const QChar opening(0x27e6), closing(0x27e7);
 
-QString placeOf(const QWidget &widget)
+QString positionOf(const QWidget &widget)
 {
     QString place = QString::fromLatin1(widget.metaObject()->className());
     if (!widget.accessibleName().isEmpty())
@@ -145,7 +145,7 @@ QStringList untranslatedIn(const QWidget &window, const QStringList &known)
             const QString plain =
                 Qt::mightBeRichText(text) ? QTextDocumentFragment::fromHtml(text).toPlainText() : text;
             if (!isKnown(plain, known))
-                found << placeOf(*widget) + QStringLiteral(": ") + plain;
+                found << positionOf(*widget) + QStringLiteral(": ") + plain;
         }
     found.removeDuplicates();
     return found;
@@ -157,7 +157,7 @@ QStringList cutOffIn(const QWidget &window)
     const auto note = [&found](const QWidget &widget, const QString &text, int wanted, int room) {
         if (wanted > room)
             found << QStringLiteral("%1 has %2 of %3 pixels: %4")
-                         .arg(placeOf(widget))
+                         .arg(positionOf(widget))
                          .arg(room)
                          .arg(wanted)
                          .arg(text);

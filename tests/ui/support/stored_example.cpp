@@ -49,9 +49,9 @@ void storeTestbed(Stored &stored, const TrialScene &scene)
         intrinsics.calibration.intrinsics = view.floorView->camera().intrinsics();
         intrinsics.calibration.rmsPx = 0.21;
         for (int i = 1; i <= 3; ++i) {
-            intrinsics.calibration.pictures.emplace_back();
-            intrinsics.calibration.pictures.back().view.source = "board_" + std::to_string(i) + ".png";
-            intrinsics.calibration.pictures.back().rmsPx = 0.19 + 0.01 * i;
+            intrinsics.calibration.images.emplace_back();
+            intrinsics.calibration.images.back().view.source = "board_" + std::to_string(i) + ".png";
+            intrinsics.calibration.images.back().rmsPx = 0.19 + 0.01 * i;
         }
         intrinsics.calibration.verdict = fromOldSentence(
             OldSentences::Calibrations, "Good: 3 pictures fit to 0.21 px, focal length 480.0 px ± 0.20 %. "

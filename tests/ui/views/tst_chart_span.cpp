@@ -44,7 +44,7 @@ struct Charts
     ChartArea &area() { return *speed.chartArea(); }
     QPoint at(double second, double value = 0.5)
     {
-        return area().plot().at(span.cursorPlace(fromSeconds(second)), value).toPoint();
+        return area().plot().at(span.cursorPosition(fromSeconds(second)), value).toPoint();
     }
     void drag(double from, double to)
     {
@@ -56,8 +56,8 @@ struct Charts
     }
     void turnWheel(int notches, Qt::KeyboardModifiers modifiers, double about)
     {
-        const QPointF place = at(about);
-        QWheelEvent event(place, area().mapToGlobal(place), {}, QPoint(0, 120 * notches), Qt::NoButton,
+        const QPointF position = at(about);
+        QWheelEvent event(position, area().mapToGlobal(position), {}, QPoint(0, 120 * notches), Qt::NoButton,
                           modifiers, Qt::NoScrollPhase, false);
         QApplication::sendEvent(area().viewport(), &event);
     }
@@ -83,7 +83,7 @@ private Q_SLOTS:
         QVERIFY(charts.span.showsAll());
         QCOMPARE(charts.span.low(), 0.0);
         QVERIFY(std::abs(charts.span.high() - 299 / 30.0) < 1e-6);
-        QCOMPARE(charts.span.placeOf(0, fromSeconds(4)), 4.0);
+        QCOMPARE(charts.span.positionOf(0, fromSeconds(4)), 4.0);
         QCOMPARE(charts.span.timeAt(4), fromSeconds(4));
     }
     void zoomsAndPansWithinTheWhole()
@@ -124,13 +124,13 @@ private Q_SLOTS:
         Charts charts(m_scene);
         charts.span.setAgainst(ChartSpan::Against::Distance);
         const Profile &profile = m_scene->robots[0].analysis->profile;
-        const std::vector<double> ways = drivenWay(profile.samples, profile.points);
-        QCOMPARE(charts.span.places()->at(0), ways);
-        QCOMPARE(charts.span.wholeHigh(), ways.back());
-        QCOMPARE(charts.span.placeOf(0, profile.samples[100].time), ways[100]);
+        const std::vector<double> distances = distanceTravelled(profile.samples, profile.points);
+        QCOMPARE(charts.span.positions()->at(0), distances);
+        QCOMPARE(charts.span.wholeHigh(), distances.back());
+        QCOMPARE(charts.span.positionOf(0, profile.samples[100].time), distances[100]);
         const Nanoseconds between = (profile.samples[100].time + profile.samples[101].time) / 2;
-        QVERIFY(std::abs(charts.span.placeOf(0, between) - (ways[100] + ways[101]) / 2) < 1e-9);
-        QCOMPARE(charts.span.timeAt(ways[100]), profile.samples[100].time);
+        QVERIFY(std::abs(charts.span.positionOf(0, between) - (distances[100] + distances[101]) / 2) < 1e-9);
+        QCOMPARE(charts.span.timeAt(distances[100]), profile.samples[100].time);
         QVERIFY(charts.area().accessibleName().contains(QStringLiteral("over distance")));
         for (QAction *action : charts.span.actions()) // by its key
             if (action->objectName() == QStringLiteral("againstDistance"))
@@ -142,7 +142,7 @@ private Q_SLOTS:
     {
         Charts charts(nullptr);
         charts.span.setAgainst(ChartSpan::Against::Distance);
-        QCOMPARE(charts.span.cursorPlace(fromSeconds(3)), 0.0);
+        QCOMPARE(charts.span.cursorPosition(fromSeconds(3)), 0.0);
         charts.show(m_scene);
         charts.show(nullptr);
         auto untracked = std::make_shared<TrialScene>(*m_scene);

@@ -5,7 +5,7 @@
 #include "tests/support/registered_test.h"
 #include "tests/ui/support/example_scene.h"
 #include "ui/models/timeline.h"
-#include "ui/views/charts/chart_picture.h"
+#include "ui/views/charts/chart_image.h"
 #include "ui/views/charts/chart_span.h"
 #include "ui/views/charts/profile_chart.h"
 #include "ui/views/charts/series_colours.h"
@@ -212,8 +212,8 @@ private Q_SLOTS:
     {
         Charts charts(m_scene);
         const ChartPlot before = charts.area().plot();
-        const QPointF place(before.rect.left() - 20, before.rect.center().y());
-        QWheelEvent event(place, charts.area().viewport()->mapToGlobal(place), {}, QPoint(0, 120),
+        const QPointF position(before.rect.left() - 20, before.rect.center().y());
+        QWheelEvent event(position, charts.area().viewport()->mapToGlobal(position), {}, QPoint(0, 120),
                           Qt::NoButton, {}, Qt::NoScrollPhase, false);
         QApplication::sendEvent(charts.area().viewport(), &event);
         const ChartPlot after = charts.area().plot();
@@ -224,9 +224,10 @@ private Q_SLOTS:
     void aPinchZooms()
     {
         Charts charts(m_scene);
-        const QPointF place = charts.area().plot().at(5, 1);
-        QNativeGestureEvent event(Qt::ZoomNativeGesture, QPointingDevice::primaryPointingDevice(), 2, place,
-                                  place, charts.area().viewport()->mapToGlobal(place), 0.5, {});
+        const QPointF position = charts.area().plot().at(5, 1);
+        QNativeGestureEvent event(Qt::ZoomNativeGesture, QPointingDevice::primaryPointingDevice(), 2,
+                                  position, position, charts.area().viewport()->mapToGlobal(position), 0.5,
+                                  {});
         QApplication::sendEvent(charts.area().viewport(), &event);
         QVERIFY(std::abs((charts.span.high() - charts.span.low()) * 1.5 - 299 / 30.0) < 1e-6);
     }

@@ -93,8 +93,8 @@ private Q_SLOTS:
     {
         Profile profile = exampleScene({.frames = 60})->robots[0].analysis->profile;
         profile.points[20].valid = profile.points[21].valid = false;
-        const std::vector<double> places = sampleTimes(profile);
-        const auto runs = curveRuns(curveValues(profile, Quantity::Speed), places);
+        const std::vector<double> positions = sampleTimes(profile);
+        const auto runs = curveRuns(curveValues(profile, Quantity::Speed), positions);
         QCOMPARE(runs.size(), std::size_t(2));
         QCOMPARE(runs[0].points.size(), std::size_t(20));
         QCOMPARE(runs[1].points.size(), std::size_t(38));
@@ -106,16 +106,16 @@ private Q_SLOTS:
     void measuredPointsLeaveSpikesOut()
     {
         const Profile profile = exampleScene({.frames = 300})->robots[0].analysis->profile;
-        const std::vector<double> places = sampleTimes(profile);
+        const std::vector<double> positions = sampleTimes(profile);
         const auto spike = static_cast<std::size_t>(profile.spikes[1].sampleIndex); // a jump
         QVERIFY(measuredSpeed(profile, spike).has_value());
-        for (const BandPoint &point : measuredPoints(profile, Quantity::Speed, places).points) {
+        for (const BandPoint &point : measuredPoints(profile, Quantity::Speed, positions).points) {
             // Neighbours too would be wrong: central differences use the spike.
             for (const std::size_t index : {spike - 1, spike, spike + 1})
                 QVERIFY(std::abs(point.x - toSeconds(profile.samples[index].time)) > 1e-6);
         }
-        QVERIFY(measuredPoints(profile, Quantity::TurnRate, places).points.empty());
-        const CurveRun measured = measuredPoints(profile, Quantity::PositionX, places);
+        QVERIFY(measuredPoints(profile, Quantity::TurnRate, positions).points.empty());
+        const CurveRun measured = measuredPoints(profile, Quantity::PositionX, positions);
         // mm, in single precision
         QVERIFY(std::abs(double(measured.points[0].value) - profile.samples[0].position->x() * 1e3) < 1e-3);
         QVERIFY(!measuredSpeed(profile, 0));

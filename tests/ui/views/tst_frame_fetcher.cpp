@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/registered_test.h"
 #include "tests/ui/support/example_scene.h"
-#include "ui/views/picture/frame_fetcher.h"
+#include "ui/views/image/frame_fetcher.h"
 
 #include <QApplication>
 #include <QElapsedTimer>
@@ -48,11 +48,11 @@ private Q_SLOTS:
         fetcher.setFile(file());
         QHash<qint64, QImage> forwards;
         for (qint64 frame = 0; frame < 40; ++frame)
-            forwards[frame] = pictureOf(fetcher, frame);
+            forwards[frame] = imageOf(fetcher, frame);
         FrameFetcher other;
         other.setFile(file());
         for (qint64 frame = 39; frame >= 0; --frame)
-            QCOMPARE(pictureOf(other, frame), forwards[frame]);
+            QCOMPARE(imageOf(other, frame), forwards[frame]);
         QVERIFY(forwards[5] != forwards[35]);
     }
     void aMissingFileIsTold()
@@ -90,7 +90,7 @@ private Q_SLOTS:
     }
 
 private:
-    static QImage pictureOf(FrameFetcher &fetcher, qint64 frame)
+    static QImage imageOf(FrameFetcher &fetcher, qint64 frame)
     {
         QImage picture;
         const auto link = QObject::connect(

@@ -20,8 +20,8 @@ private Q_SLOTS:
         LiveCameras cameras([&] { return found.get_future().get(); });
         LiveCameraBox box(cameras);
         QCOMPARE(box.currentText(), QStringLiteral("No camera is connected"));
-        cameras.look();
-        QVERIFY(cameras.isLooking());
+        cameras.poll();
+        QVERIFY(cameras.isSearching());
         QCOMPARE(box.currentText(), QStringLiteral("Searching for cameras…"));
         QVERIFY(box.uri().isEmpty());
         QSignalSpy chosen(&box, &QComboBox::currentIndexChanged);
@@ -43,15 +43,15 @@ private Q_SLOTS:
             {.uri = "sim:B", .kind = "simulated", .name = foreignWords("Two")}};
         LiveCameras cameras([&] { return there; });
         LiveCameraBox box(cameras);
-        cameras.look();
+        cameras.poll();
         QTRY_COMPARE(box.count(), 2);
         box.setCurrentIndex(1);
         there.insert(there.begin(), {.uri = "sim:C", .kind = "simulated", .name = foreignWords("Three")});
-        cameras.look();
+        cameras.poll();
         QTRY_COMPARE(box.count(), 3);
         QCOMPARE(box.uri(), QStringLiteral("sim:B"));
         there.pop_back();
-        cameras.look();
+        cameras.poll();
         QTRY_COMPARE(box.count(), 2);
         QCOMPARE(box.uri(), QStringLiteral("sim:C"));
     }

@@ -2,7 +2,7 @@
 #include "ui/views/widgets/form_fields.h"
 
 #include "tests/support/registered_test.h"
-#include "ui/models/figure_text.h"
+#include "ui/models/number_text.h"
 
 #include <QApplication>
 #include <QTest>

@@ -4,8 +4,8 @@
 #include "tests/ui/support/example_scene.h"
 #include "ui/models/timeline.h"
 #include "ui/views/charts/series_colours.h"
-#include "ui/views/picture/camera_view.h"
-#include "ui/views/picture/picture_overlay.h"
+#include "ui/views/image/camera_view.h"
+#include "ui/views/image/image_overlay.h"
 
 #include <QApplication>
 #include <QElapsedTimer>
@@ -164,15 +164,15 @@ private Q_SLOTS:
                 view.setRobotColour(*all);
             const QImage image = view.grab().toImage();
             std::array<int, 3> counts{};
-            for (int place = 0; place < 3; ++place) {
-                const QRgb wanted = colourOnPicture(place).rgb();
+            for (int position = 0; position < 3; ++position) {
+                const QRgb wanted = colourOnImage(position).rgb();
                 for (int y = 0; y < image.height(); ++y)
                     for (int x = 0; x < image.width(); ++x)
-                        counts.at(std::size_t(place)) += image.pixel(x, y) == wanted;
+                        counts.at(std::size_t(position)) += image.pixel(x, y) == wanted;
             }
             return counts;
         };
-        const auto own = views({}, true), all = views(colourOnPicture(2), true), none = views({}, false);
+        const auto own = views({}, true), all = views(colourOnImage(2), true), none = views({}, false);
         QVERIFY(own[0] > 20 && own[1] > 20 && own[2] == 0);
         QVERIFY(all[0] == 0 && all[1] == 0 && all[2] > 40);
         QVERIFY(none[0] < own[0] / 3 && none[1] < own[1] / 3); // the names

@@ -19,26 +19,26 @@ private Q_SLOTS:
     void chosenOnesAreKept_data()
     {
         using Colours = std::vector<DrawingColour>;
-        using Places = std::vector<int>;
+        using Positions = std::vector<int>;
         QTest::addColumn<Colours>("chosen");
-        QTest::addColumn<Places>("places");
-        QTest::newRow("none") << Colours{} << Places{};
-        QTest::newRow("by themselves") << Colours{Automatic, Automatic, Automatic} << Places{0, 1, 2};
+        QTest::addColumn<Positions>("places");
+        QTest::newRow("none") << Colours{} << Positions{};
+        QTest::newRow("by themselves") << Colours{Automatic, Automatic, Automatic} << Positions{0, 1, 2};
         QTest::newRow("the others get what nobody chose")
-            << Colours{Automatic, Blue, Automatic} << Places{1, 0, 2};
-        QTest::newRow("the same twice") << Colours{Green, Green, Automatic} << Places{2, 2, 0};
+            << Colours{Automatic, Blue, Automatic} << Positions{1, 0, 2};
+        QTest::newRow("the same twice") << Colours{Green, Green, Automatic} << Positions{2, 2, 0};
         QTest::newRow("more than there are")
             << Colours{Automatic, Automatic, Automatic, Automatic, Automatic, Automatic, Automatic}
-            << Places{0, 1, 2, 3, 4, 5, 0};
+            << Positions{0, 1, 2, 3, 4, 5, 0};
         QTest::newRow("all chosen and one more")
             << Colours{Blue, Vermilion, Green, Purple, Orange, SkyBlue, Automatic}
-            << Places{0, 1, 2, 3, 4, 5, 0};
+            << Positions{0, 1, 2, 3, 4, 5, 0};
     }
     void chosenOnesAreKept()
     {
         QFETCH(std::vector<DrawingColour>, chosen);
-        QFETCH(std::vector<int>, places);
-        QCOMPARE(colourPlaces(chosen), places);
+        QFETCH(std::vector<int>, positions);
+        QCOMPARE(paletteIndices(chosen), positions);
     }
 
     void aChosenOneOverridesThePlainOne()
@@ -52,9 +52,9 @@ private Q_SLOTS:
     {
         TrialScene scene = *exampleScene({.frames = 20});
         scene.robots.resize(1);
-        QCOMPARE(colourPlaces(scene), std::vector<int>{0});
+        QCOMPARE(paletteIndices(scene), std::vector<int>{0});
         scene.robots[0].robot.drawingColour = Orange;
-        QCOMPARE(colourPlaces(scene), std::vector<int>{4});
+        QCOMPARE(paletteIndices(scene), std::vector<int>{4});
     }
 
     void everyColourHasAName()

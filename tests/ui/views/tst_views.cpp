@@ -4,8 +4,8 @@
 #include "ui/models/timeline.h"
 #include "ui/views/charts/profile_chart.h"
 #include "ui/views/charts/timeline_bar.h"
+#include "ui/views/image/camera_view.h"
 #include "ui/views/map/floor_map.h"
-#include "ui/views/picture/camera_view.h"
 #include "ui/views/widgets/fact_list.h"
 #include "ui/views/widgets/spike_list.h"
 #include "ui/views/widgets/theme.h"
@@ -92,14 +92,14 @@ QImage shot(QWidget *widget)
 }
 
 /// True when a pixel like this is within some logical pixels of a place.
-bool hasColourNear(const QImage &image, const QPointF &place, const QColor &colour, int within = 3,
+bool hasColourNear(const QImage &image, const QPointF &position, const QColor &colour, int within = 3,
                    int tolerance = 60)
 {
     const double ratio = image.devicePixelRatio();
     const int reach = int(within * ratio);
     for (int dy = -reach; dy <= reach; ++dy) {
         for (int dx = -reach; dx <= reach; ++dx) {
-            const QPoint at = (place * ratio).toPoint() + QPoint(dx, dy);
+            const QPoint at = (position * ratio).toPoint() + QPoint(dx, dy);
             if (!image.rect().contains(at))
                 continue;
             const QColor got = image.pixelColor(at);
@@ -127,10 +127,10 @@ private Q_SLOTS:
         QVERIFY(m_folder.isValid());
         QApplication::setStyle(QStringLiteral("Fusion"));
         QApplication::setPalette(lightPalette());
-        const bool pictures = !qEnvironmentVariableIsEmpty("ODOGRAPH_PICTURES");
-        m_scene = exampleScene({.frames = pictures ? 300 : 60,
-                                .widthPx = pictures ? 1280 : 640,
-                                .heightPx = pictures ? 720 : 360,
+        const bool images = !qEnvironmentVariableIsEmpty("ODOGRAPH_PICTURES");
+        m_scene = exampleScene({.frames = images ? 300 : 60,
+                                .widthPx = images ? 1280 : 640,
+                                .heightPx = images ? 720 : 360,
                                 .videoFolder = m_folder.path().toStdString()});
     }
     void cleanup() { QApplication::setPalette(lightPalette()); }
@@ -140,12 +140,12 @@ private Q_SLOTS:
         Desk desk(m_scene);
         desk.timeline.setCurrentFrame(40);
         QTRY_VERIFY(desk.isSettled());
-        const QImage image = shot(desk.a.pictureArea());
+        const QImage image = shot(desk.a.imageArea());
         const Observation &seen = *m_scene->observationAt(0, 0, 40);
-        const QPointF centre = desk.a.fromPicture({seen.ellipse.centrePx.x(), seen.ellipse.centrePx.y()});
+        const QPointF centre = desk.a.fromImagePixels({seen.ellipse.centrePx.x(), seen.ellipse.centrePx.y()});
         QVERIFY(hasColourNear(image, centre, QColor(0xd7, 0x23, 0x28), 2, 90)); // the box itself
-        const double reach =
-            desk.a.fromPicture({seen.ellipse.semiMajorPx, 0}).x() - desk.a.fromPicture({0, 0}).x() + 2;
+        const double reach = desk.a.fromImagePixels({seen.ellipse.semiMajorPx, 0}).x() -
+                             desk.a.fromImagePixels({0, 0}).x() + 2;
         const QPointF end = centre + QPointF(std::cos(0.1), std::sin(0.1)) * reach;
         QVERIFY(hasColourNear(image, end, QColor(0x56, 0xb4, 0xe9)));
     }
@@ -153,16 +153,16 @@ private Q_SLOTS:
     {
         Desk desk(m_scene);
         QTRY_VERIFY(desk.isSettled());
-        const QImage image = shot(desk.b.pictureArea());
+        const QImage image = shot(desk.b.imageArea());
         const FloorView &view = *m_scene->views[1].floorView;
-        const auto place = [&](double x, double y, double z) {
+        const auto position = [&](double x, double y, double z) {
             const Eigen::Vector2d pixel = *view.pixelFromWorld({x, y, z});
-            return desk.b.fromPicture({pixel.x(), pixel.y()});
+            return desk.b.fromImagePixels({pixel.x(), pixel.y()});
         };
         const Eigen::Vector2d late = m_scene->robots[0].analysis->profile.points[45].position;
-        QVERIFY(hasColourNear(image, place(late.x(), late.y(), 0.06), QColor(0x56, 0xb4, 0xe9)));
-        QVERIFY(hasColourNear(image, place(2.0, 0, 0), Qt::white, 2));
-        QVERIFY(hasColourNear(image, place(0, 1.5, 0), Qt::white, 2));
+        QVERIFY(hasColourNear(image, position(late.x(), late.y(), 0.06), QColor(0x56, 0xb4, 0xe9)));
+        QVERIFY(hasColourNear(image, position(2.0, 0, 0), Qt::white, 2));
+        QVERIFY(hasColourNear(image, position(0, 1.5, 0), Qt::white, 2));
     }
     void theTimeLineSaysWhenARobotIsDoubtful()
     {
@@ -184,7 +184,7 @@ private Q_SLOTS:
         };
         const QImage without = picture(scene);
         QCOMPARE(m_said, QString());
-        scene->robots[0].analysis->doubtfulNames = {{700ms, 1100ms, {7, 8}, {"Blue 1", "<b>Blue</b> 2"}}};
+        scene->robots[0].analysis->ambiguousNames = {{700ms, 1100ms, {7, 8}, {"Blue 1", "<b>Blue</b> 2"}}};
         const QImage with = picture(scene);
         QVERIFY(with != without);
         QVERIFY2(m_said.contains(QStringLiteral("from 0.70 s to 1.10 s this may be Red 2, "
@@ -195,7 +195,7 @@ private Q_SLOTS:
     {
         using namespace std::chrono_literals;
         auto scene = std::make_shared<TrialScene>(*m_scene);
-        const auto pictures = [&](const TrialScenePtr &shown) {
+        const auto images = [&](const TrialScenePtr &shown) {
             Timeline timeline;
             timeline.setFrameTimes(shown->frameTimes());
             ProfileChart chart(timeline, Quantity::Speed);
@@ -216,10 +216,10 @@ private Q_SLOTS:
             QToolTip::hideText();
             return std::pair(shot(area), shot(map.mapArea()));
         };
-        const auto without = pictures(scene);
+        const auto without = images(scene);
         QCOMPARE(m_said, QString());
         scene->robots[0].occlusions = {{{700ms, 1100ms}, OcclusionCause::HiddenBehind, "A", "<b>Blue</b> 1"}};
-        const auto with = pictures(scene);
+        const auto with = images(scene);
         QVERIFY(with.first != without.first && with.second != without.second);
         QVERIFY2(
             m_said.contains(QStringLiteral(
@@ -234,7 +234,7 @@ private Q_SLOTS:
         scene->views[1].registration.reset();
         Desk desk(scene);
         QTRY_VERIFY(desk.isSettled());
-        QVERIFY(!shot(desk.a.pictureArea()).isNull());
+        QVERIFY(!shot(desk.a.imageArea()).isNull());
         bool told = false;
         for (const QLabel *label : desk.b.findChildren<QLabel *>())
             told = told || label->text() == QStringLiteral("not registered");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/views/charts/chart_picture.h"
+#include "ui/views/charts/chart_image.h"
 
 #include "core/base/job_control.h"
 #include "tests/support/registered_test.h"

@@ -56,15 +56,15 @@ protected:
 };
 
 /// A time difference of the second run in words; "later" or "earlier" only if it is significant.
-NamedFigure timeFigure(const std::optional<CurveValue> &value, const QString &later, const QString &earlier,
+NamedMetric timeNumber(const std::optional<CurveValue> &value, const QString &later, const QString &earlier,
                        const QString &neither)
 {
     const QString unit = QStringLiteral("s");
     if (!value)
         return {neither, {QStringLiteral("–"), {}, {}}};
     if (!Difference{value->value, value->sigma}.isSignificant())
-        return {neither, figureText(value->value, value->sigma, unit)};
-    return {value->value > 0 ? later : earlier, figureText(std::abs(value->value), value->sigma, unit)};
+        return {neither, numberText(value->value, value->sigma, unit)};
+    return {value->value > 0 ? later : earlier, numberText(std::abs(value->value), value->sigma, unit)};
 }
 
 QTableView *tableOf(DifferenceModel *model, const QString &name)
@@ -109,7 +109,7 @@ void explainBy(QTableView &table, const std::function<void(int)> &explain)
 CompareColumn::CompareColumn(Timeline &timeline, QWidget *chooser, QWidget *parent)
     : QWidget(parent), m_timeline(timeline), m_result(new Card(tr("Time difference"))),
       m_sectorCard(new Card(tr("Sectors"))), m_metricCard(new Card(tr("Metrics"))),
-      m_others(new QComboBox(this)), m_figures(new FigureGrid), m_sectors(new DifferenceModel(this)),
+      m_others(new QComboBox(this)), m_metricGrid(new MetricGrid), m_sectors(new DifferenceModel(this)),
       m_metrics(new DifferenceModel(this))
 {
     m_others->setAccessibleName(tr("Run compared with the first one"));
@@ -122,7 +122,7 @@ CompareColumn::CompareColumn(Timeline &timeline, QWidget *chooser, QWidget *pare
     auto *runs = new Card(tr("Runs"));
     runs->setContent(chooser);
     runs->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Maximum);
-    m_result->setContent(m_figures);
+    m_result->setContent(m_metricGrid);
     m_result->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Maximum);
     QTableView *sectors = tableOf(m_sectors, tr("Times from gate to gate")),
                *metrics = tableOf(m_metrics, tr("Metrics of both runs"));
@@ -140,9 +140,9 @@ CompareColumn::CompareColumn(Timeline &timeline, QWidget *chooser, QWidget *pare
     layout->addWidget(m_sectorCard, 2);
     layout->addWidget(m_metricCard, 4);
     setFixedWidth(columnWidth);
-    m_figures->setChoosable(howComputedWords());
-    connect(m_figures, &FigureGrid::chosen, this, &CompareColumn::explainFigure);
-    connect(&m_timeline, &Timeline::currentChanged, this, &CompareColumn::showFigures);
+    m_metricGrid->setChoosable(howComputedWords());
+    connect(m_metricGrid, &MetricGrid::chosen, this, &CompareColumn::explainMetric);
+    connect(&m_timeline, &Timeline::currentChanged, this, &CompareColumn::showMetrics);
 }
 
 void CompareColumn::setScene(ComparisonScenePtr scene)
@@ -183,12 +183,12 @@ void CompareColumn::showRun()
     m_result->setRemark(m_scene->runCount() > 2 ? tr("of") : tr("of %1").arg(other));
     const RunComparison &comparison = m_scene->compared.comparison;
     m_end.reset();
-    for (std::size_t station = comparison.waysM.size(); station-- > 0 && !m_end;) {
+    for (std::size_t station = comparison.distancesM.size(); station-- > 0 && !m_end;) {
         m_endM = comparison.distanceM(station);
         m_end = differenceAt(*m_scene, m_other, m_endM);
     }
     setGates(m_gates);
-    showFigures();
+    showMetrics();
 }
 
 void CompareColumn::setGates(const std::vector<PathGate> &gates)
@@ -198,15 +198,15 @@ void CompareColumn::setGates(const std::vector<PathGate> &gates)
     m_sectors->setSectors(m_sectorTimes, m_other);
 }
 
-void CompareColumn::showFigures()
+void CompareColumn::showMetrics()
 {
     if (!m_scene || !isVisible())
         return;
     m_hereM = m_scene->distanceAt(0, m_timeline.currentTime());
     m_here = differenceAt(*m_scene, m_other, m_hereM);
-    m_figures->setFigures(
-        {timeFigure(m_end, tr("Behind at finish"), tr("Ahead at finish"), tr("Gap at finish")),
-         timeFigure(m_here, tr("Behind at cursor"), tr("Ahead at cursor"), tr("Gap at cursor"))});
+    m_metricGrid->setMetrics(
+        {timeNumber(m_end, tr("Behind at finish"), tr("Ahead at finish"), tr("Gap at finish")),
+         timeNumber(m_here, tr("Behind at cursor"), tr("Ahead at cursor"), tr("Gap at cursor"))});
 }
 
 void CompareColumn::explainMetricAt(int row)
@@ -222,11 +222,11 @@ void CompareColumn::explainSectorAt(int row)
                     explainSector(*m_scene, m_other, m_sectorTimes.at(static_cast<std::size_t>(row))));
 }
 
-void CompareColumn::explainFigure(std::size_t figure)
+void CompareColumn::explainMetric(std::size_t index)
 {
-    const std::optional<CurveValue> &value = figure == 0 ? m_end : m_here;
+    const std::optional<CurveValue> &value = index == 0 ? m_end : m_here;
     if (m_scene && value)
-        showExplanation(window(), explainTimeDifference(*m_scene, m_other, figure == 0 ? m_endM : m_hereM,
+        showExplanation(window(), explainTimeDifference(*m_scene, m_other, index == 0 ? m_endM : m_hereM,
                                                         {value->value, value->sigma}));
 }
 
@@ -279,8 +279,8 @@ RunChooser::RunChooser(QWidget *parent)
       m_align(runList(tr("How to align the runs"))),
       m_swap(flatButton(QStringLiteral("swap"), tr("Swap the two runs"))),
       m_more(flatButton(QStringLiteral("add"), tr("Add more runs"))), m_menu(new QMenu(this)),
-      m_shiftName(new QLabel(tr("&Shift"))), m_placeName(new QLabel(tr("Distan&ce"))), m_shift(new NumberBox),
-      m_place(new NumberBox)
+      m_shiftName(new QLabel(tr("&Shift"))), m_positionName(new QLabel(tr("Distan&ce"))),
+      m_shift(new NumberBox), m_position(new NumberBox)
 {
     m_more->setPopupMode(QToolButton::InstantPopup);
     m_more->setMenu(m_menu);
@@ -298,15 +298,15 @@ RunChooser::RunChooser(QWidget *parent)
     m_shift->setAccessibleName(tr("Time shift of the second run; positive: later"));
     m_shift->setToolTip(m_shift->accessibleName());
     m_shiftName->setBuddy(m_shift);
-    m_place->setRange(0, 10000);
-    m_place->setDecimals(2);
-    m_place->setSingleStep(0.1);
-    m_place->setSuffix(tr(" m"));
-    m_place->setSpecialValueText(tr("first common point"));
-    m_place->setKeyboardTracking(false);
-    m_place->setAccessibleName(tr("Distance along the path at which the runs are aligned"));
-    m_place->setToolTip(m_place->accessibleName());
-    m_placeName->setBuddy(m_place);
+    m_position->setRange(0, 10000);
+    m_position->setDecimals(2);
+    m_position->setSingleStep(0.1);
+    m_position->setSuffix(tr(" m"));
+    m_position->setSpecialValueText(tr("first common point"));
+    m_position->setKeyboardTracking(false);
+    m_position->setAccessibleName(tr("Distance along the path at which the runs are aligned"));
+    m_position->setToolTip(m_position->accessibleName());
+    m_positionName->setBuddy(m_position);
     const auto named = [](const QString &text, QWidget *buddy) {
         auto *label = new QLabel(text);
         label->setBuddy(buddy);
@@ -327,8 +327,8 @@ RunChooser::RunChooser(QWidget *parent)
     grid->addWidget(m_align, 2, 1, 1, 2);
     grid->addWidget(m_shiftName, 3, 0);
     grid->addWidget(m_shift, 3, 1, 1, 2);
-    grid->addWidget(m_placeName, 4, 0);
-    grid->addWidget(m_place, 4, 1, 1, 2);
+    grid->addWidget(m_positionName, 4, 0);
+    grid->addWidget(m_position, 4, 1, 1, 2);
     showShift();
 
     for (QComboBox *list : {m_first, m_second})
@@ -339,7 +339,7 @@ RunChooser::RunChooser(QWidget *parent)
         showShift();
         Q_EMIT alignmentChanged();
     });
-    for (QDoubleSpinBox *number : {m_shift, m_place})
+    for (QDoubleSpinBox *number : {m_shift, m_position})
         connect(number, &QDoubleSpinBox::valueChanged, this, &RunChooser::alignmentChanged);
 }
 
@@ -360,7 +360,7 @@ void RunChooser::setChoices(QList<RunChoice> choices)
 
 void RunChooser::setRuns(const std::vector<CompareSettings::Run> &wanted)
 {
-    QList<int> indices = placesOf(m_choices, wanted);
+    QList<int> indices = paletteIndicesOf(m_choices, wanted);
     m_first->setCurrentIndex(indices.isEmpty() ? -1 : indices.takeFirst());
     m_second->setCurrentIndex(indices.isEmpty() ? -1 : indices.takeFirst());
     m_further = indices;
@@ -389,17 +389,17 @@ double RunChooser::shiftS() const
     return m_shift->value();
 }
 
-std::optional<double> RunChooser::placeM() const
+std::optional<double> RunChooser::stationM() const
 {
-    return m_place->value() > 0 ? std::optional(m_place->value()) : std::nullopt;
+    return m_position->value() > 0 ? std::optional(m_position->value()) : std::nullopt;
 }
 
 void RunChooser::alignAutomatically()
 {
-    const QSignalBlocker quiet(m_shift), alsoQuiet(m_place);
+    const QSignalBlocker quiet(m_shift), alsoQuiet(m_position);
     m_align->setCurrentIndex(0);
     m_shift->setValue(0);
-    m_place->setValue(0);
+    m_position->setValue(0);
     showShift();
 }
 
@@ -447,9 +447,9 @@ void RunChooser::showShift()
     const bool byHand = alignBy() == AlignBy::ByHand;
     m_shift->setVisible(byHand);
     m_shiftName->setVisible(byHand);
-    const bool byPlace = alignBy() == AlignBy::Distance;
-    m_place->setVisible(byPlace);
-    m_placeName->setVisible(byPlace);
+    const bool byPosition = alignBy() == AlignBy::Distance;
+    m_position->setVisible(byPosition);
+    m_positionName->setVisible(byPosition);
 }
 
 } // namespace odo

@@ -19,7 +19,7 @@ namespace odo {
 
 class Card;
 class DifferenceModel;
-class FigureGrid;
+class MetricGrid;
 class Timeline;
 
 /// The right column of Compare: which runs, the time gap at finish and at the cursor, the times from gate to
@@ -36,10 +36,10 @@ public:
 
 private:
     void showRun();
-    void showFigures();
+    void showMetrics();
     void explainMetricAt(int row);
     void explainSectorAt(int row);
-    void explainFigure(std::size_t figure);
+    void explainMetric(std::size_t index);
 
     Timeline &m_timeline;
     ComparisonScenePtr m_scene;
@@ -47,7 +47,7 @@ private:
     QComboBox *m_others;     ///< shown for more than two runs
     std::size_t m_other = 1; ///< the run that is shown against the first
     std::vector<PathGate> m_gates;
-    FigureGrid *m_figures;
+    MetricGrid *m_metricGrid;
     DifferenceModel *m_sectors, *m_metrics;
     std::vector<SectorTimes> m_sectorTimes; ///< that are shown
     double m_endM = 0, m_hereM = 0;         ///< distances of the two gaps
@@ -70,7 +70,7 @@ public:
     std::optional<AlignBy> alignBy() const;
     double shiftS() const;
     /// By distance: how far from the beginning of what is compared, metres; nullopt: the first common point.
-    std::optional<double> placeM() const;
+    std::optional<double> stationM() const;
     /// Back to what the runs themselves give. Emits nothing.
     void alignAutomatically();
     /// What the automatic choice came to.
@@ -91,8 +91,8 @@ private:
     QComboBox *m_first, *m_second, *m_align;
     QToolButton *m_swap, *m_more;
     QMenu *m_menu;
-    QLabel *m_shiftName, *m_placeName;
-    QDoubleSpinBox *m_shift, *m_place;
+    QLabel *m_shiftName, *m_positionName;
+    QDoubleSpinBox *m_shift, *m_position;
 };
 
 /// The alignment in words: "start gate".

@@ -30,8 +30,8 @@ CompareMap::CompareMap(Timeline &timeline, QWidget *parent) : MapCanvas(parent),
     setFocusPolicy(Qt::StrongFocus);
     setMouseTracking(true);
     connect(&m_timeline, &Timeline::currentChanged, this, qOverload<>(&QWidget::update));
-    connect(&m_maker, &FloorPictureMaker::ready, this, [this](const FloorPicture &picture) {
-        m_floor = picture;
+    connect(&m_maker, &FloorImageMaker::ready, this, [this](const FloorImage &image) {
+        m_floor = image;
         forgetStill();
         Q_EMIT settled();
     });
@@ -81,7 +81,7 @@ void CompareMap::paintStill(QPainter &painter) const
             palette());
     std::vector<std::size_t> runs(m_scene->runCount());
     std::iota(runs.begin(), runs.end(), std::size_t(0));
-    drawWays(painter, shown, *m_scene, runs, palette());
+    drawPaths(painter, shown, *m_scene, runs, palette());
 }
 
 QLineF CompareMap::gateLine(std::size_t gate) const
@@ -89,7 +89,7 @@ QLineF CompareMap::gateLine(std::size_t gate) const
     return pathGateLine(plan(), path(), m_gates[gate]);
 }
 
-QPointF CompareMap::gatePlace(std::size_t gate) const
+QPointF CompareMap::gatePosition(std::size_t gate) const
 {
     return gateLine(gate).center();
 }
@@ -126,15 +126,15 @@ void CompareMap::paintEvent(QPaintEvent *)
     drawChartFocus(painter, *this);
 }
 
-std::optional<std::size_t> CompareMap::gateAt(const QPointF &place) const
+std::optional<std::size_t> CompareMap::gateAt(const QPointF &position) const
 {
     std::optional<std::size_t> nearest;
     double leastPx = grabPx;
     for (std::size_t gate = 0; m_scene && gate < m_gates.size(); ++gate) {
         const QLineF line = gateLine(gate);
-        const QPointF along = line.unitVector().p2() - line.p1(), apart = place - line.p1();
+        const QPointF along = line.unitVector().p2() - line.p1(), apart = position - line.p1();
         const double part = std::clamp(QPointF::dotProduct(apart, along), 0.0, line.length());
-        const double px = QLineF(place, line.p1() + part * along).length();
+        const double px = QLineF(position, line.p1() + part * along).length();
         if (px <= leastPx) {
             leastPx = px;
             nearest = gate;
@@ -143,11 +143,11 @@ std::optional<std::size_t> CompareMap::gateAt(const QPointF &place) const
     return nearest;
 }
 
-double CompareMap::nearestStation(const QPointF &place, double aroundM) const
+double CompareMap::nearestStation(const QPointF &position, double aroundM) const
 {
     // Where the path crosses itself a gate stays on the branch that it is on.
     constexpr double faithfulness = 0.15;
-    const Eigen::Vector2d wanted = plan().toWorld(place);
+    const Eigen::Vector2d wanted = plan().toWorld(position);
     const std::vector<Eigen::Vector2d> &points = path().points;
     const double lengthM = lengthOf(path());
     double bestM = aroundM, least = std::numeric_limits<double>::infinity(), stationM = 0;
@@ -180,7 +180,7 @@ void CompareMap::moveGate(std::size_t gate, double stationM)
     Q_EMIT gatesMoved(m_gates);
 }
 
-void CompareMap::goToNearest(const QPointF &place)
+void CompareMap::goToNearest(const QPointF &position)
 {
     const MapPlan shown = plan();
     double least = clickPx;
@@ -189,7 +189,7 @@ void CompareMap::goToNearest(const QPointF &place)
         const Profile &profile = m_scene->profile(run);
         for (std::size_t i = 0; i < profile.points.size(); ++i) {
             const double px = profile.points[i].valid
-                                  ? QLineF(shown.fromWorld(profile.points[i].position), place).length()
+                                  ? QLineF(shown.fromWorld(profile.points[i].position), position).length()
                                   : clickPx;
             if (px < least) {
                 least = px;

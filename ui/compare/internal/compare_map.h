@@ -2,7 +2,7 @@
 #pragma once
 
 #include "ui/models/comparison_scene.h"
-#include "ui/views/map/floor_picture.h"
+#include "ui/views/map/floor_image.h"
 #include "ui/views/map/map_painting.h"
 
 #include <optional>
@@ -26,7 +26,7 @@ public:
     bool isSettled() const { return !m_maker.isRunning(); }
     QPointF fromWorld(const Eigen::Vector2d &point) const { return plan().fromWorld(point); }
     /// The middle of a gate.
-    QPointF gatePlace(std::size_t gate) const;
+    QPointF gatePosition(std::size_t gate) const;
 
     QSize sizeHint() const override { return {340, 300}; }
     QSize minimumSizeHint() const override { return {160, 140}; }
@@ -51,18 +51,18 @@ private:
     void paintStill(QPainter &painter) const override;
     void paintRobots(QPainter &painter) const;
     QLineF gateLine(std::size_t gate) const;
-    std::optional<std::size_t> gateAt(const QPointF &place) const;
+    std::optional<std::size_t> gateAt(const QPointF &position) const;
     void moveGate(std::size_t gate, double stationM);
-    double nearestStation(const QPointF &place, double aroundM) const;
-    void goToNearest(const QPointF &place);
+    double nearestStation(const QPointF &position, double aroundM) const;
+    void goToNearest(const QPointF &position);
     bool wants(const QKeyEvent &event) const;
 
     Timeline &m_timeline;
-    FloorPictureMaker m_maker;
+    FloorImageMaker m_maker;
     ComparisonScenePtr m_scene;
     Eigen::AlignedBox2d m_bounds{Eigen::Vector2d(0, 0),
                                  Eigen::Vector2d(1, 1)}; ///< of the floor that must be seen
-    FloorPicture m_floor;
+    FloorImage m_floor;
     std::vector<PathGate> m_gates;
     std::optional<std::size_t> m_chosen; ///< gate
     bool m_isDragged = false;

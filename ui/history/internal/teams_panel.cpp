@@ -4,13 +4,13 @@
 #include "core/project/class_repository.h"
 #include "core/project/project.h"
 #include "core/project/repositories.h"
-#include "core/workflow/compare/trial_figures.h"
+#include "core/workflow/compare/trial_metrics.h"
 #include "ui/history/internal/trial_list.h"
 #include "ui/models/background_task.h"
-#include "ui/models/figure_text.h"
+#include "ui/models/number_text.h"
 #include "ui/models/results.h"
 #include "ui/views/charts/chart_axis.h"
-#include "ui/views/charts/chart_picture.h"
+#include "ui/views/charts/chart_image.h"
 #include "ui/views/curves/comparison_curves.h"
 #include "ui/views/widgets/card.h"
 #include "ui/views/widgets/table_list.h"
@@ -33,7 +33,7 @@ struct TeamsPanel::Reading
     std::vector<TaskRecord> tasks;
     bool isAnyScored = false;
     std::vector<std::string> metrics;
-    std::vector<TrialFigure> figures;
+    std::vector<TrialMetric> trialMetrics;
     std::vector<OtherwiseMeasured> otherwise;
 };
 
@@ -78,21 +78,21 @@ StandingsChoice TeamsPanel::choice() const
 }
 
 /// On the reader's thread.
-Result<TeamsPanel::Reading> TeamsPanel::readFigures(Project &project, const StandingsChoice &choice)
+Result<TeamsPanel::Reading> TeamsPanel::readMetrics(Project &project, const StandingsChoice &choice)
 {
     auto classes = project.classes().all();
     auto tasks = project.tasks().current();
     auto metrics = project.analyses().metricNames();
     auto otherwise = project.analyses().trialsMeasuredOtherwise();
     const auto scorings = project.tasks().scorings();
-    auto figures = figuresOf(project, choice.metric);
+    auto trialMetrics = metricsOf(project, choice.metric);
     for (const auto &[isRead, error] :
          {std::pair{classes.has_value(), classes ? Error{} : classes.error()},
           std::pair{tasks.has_value(), tasks ? Error{} : tasks.error()},
           std::pair{metrics.has_value(), metrics ? Error{} : metrics.error()},
           std::pair{otherwise.has_value(), otherwise ? Error{} : otherwise.error()},
           std::pair{scorings.has_value(), scorings ? Error{} : scorings.error()},
-          std::pair{figures.has_value(), figures ? Error{} : figures.error()}})
+          std::pair{trialMetrics.has_value(), trialMetrics ? Error{} : trialMetrics.error()}})
         if (!isRead)
             return tl::unexpected(error);
     return Reading{choice,
@@ -100,13 +100,13 @@ Result<TeamsPanel::Reading> TeamsPanel::readFigures(Project &project, const Stan
                    std::move(*tasks),
                    !scorings->empty(),
                    std::move(*metrics),
-                   std::move(*figures),
+                   std::move(*trialMetrics),
                    std::move(*otherwise)};
 }
 
 void TeamsPanel::refresh()
 {
-    m_reader->read<Reading>([wanted = choice()](Project &project) { return readFigures(project, wanted); },
+    m_reader->read<Reading>([wanted = choice()](Project &project) { return readMetrics(project, wanted); },
                             [this](Result<Reading> reading) { take(std::move(reading)); });
 }
 
@@ -149,7 +149,7 @@ void TeamsPanel::offer()
         metrics << QString::fromLatin1(scoreMetric);
         metricNames << metricName(scoreMetric);
     }
-    for (const std::string &name : tellingNames(m_read->metrics)) {
+    for (const std::string &name : informativeMetricNames(m_read->metrics)) {
         metrics << QString::fromStdString(name);
         metricNames << metricName(name);
     }
@@ -174,7 +174,7 @@ void TeamsPanel::showTrials(std::span<const TrialRecord *const> trials)
         std::erase_if(present,
                       [this](const TrialRecord *trial) { return m_archived.contains(trial->className); });
     const CountedTrials counted = countedTrials(present, choice.className, choice.task, m_read->otherwise);
-    m_model->setStandings(standingsOf(counted.trials, m_read->figures, choice));
+    m_model->setStandings(standingsOf(counted.trials, m_read->trialMetrics, choice));
     m_table->resizeColumnsToContents();
     const auto &teams = m_model->standings().teams;
     const auto same = std::ranges::find(teams, selected, &TeamStanding::team);
@@ -212,7 +212,7 @@ TrendChart::TrendChart(QWidget *parent) : ChartView(*new AxisSpan, {}, parent)
 {
     span().setParent(this);
     setAccessibleName(tr("Progress of the team"));
-    new ChartPicture(*this, [this] { return PictureHeading{accessibleName(), {m_name}, {}}; });
+    new ChartImage(*this, [this] { return ImageHeading{accessibleName(), {m_name}, {}}; });
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
 }
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/base/error.h"
-#include "core/workflow/compare/trial_figures.h"
+#include "core/workflow/compare/trial_metrics.h"
 #include "ui/views/charts/chart_view.h"
 
 #include <QWidget>
@@ -43,7 +43,7 @@ Q_SIGNALS:
 
 private:
     struct Reading;
-    static Result<Reading> readFigures(Project &project, const StandingsChoice &choice);
+    static Result<Reading> readMetrics(Project &project, const StandingsChoice &choice);
     StandingsChoice choice() const;
     void take(Result<Reading> reading);
     QComboBox *addChoice(const QString &name);

@@ -3,8 +3,8 @@
 
 #include "core/project/project.h"
 #include "core/project/repositories.h"
-#include "core/workflow/compare/trial_figures.h"
-#include "ui/models/figure_text.h"
+#include "core/workflow/compare/trial_metrics.h"
+#include "ui/models/number_text.h"
 #include "ui/models/results.h"
 #include "ui/models/shown_names.h"
 #include "ui/views/widgets/card.h"
@@ -50,7 +50,7 @@ QList<Fact> factsOf(const TrialRecord &trial, const std::vector<AnalysisRecord> 
             add(TrialDetail::tr("Robot"), QString::fromStdString(analysis.robotName));
         for (const Metric &metric : analysis.profile.metrics)
             facts.append({metricName(metric.name),
-                          metricFigure(metric).text(),
+                          metricNumber(metric).text(),
                           {},
                           explainMetric(metric, analysisInputs(trial, analysis))});
     }

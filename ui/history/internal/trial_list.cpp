@@ -45,15 +45,15 @@ TrialFilterBar::TrialFilterBar(QWidget *parent)
     m_dates->setMinimumContentsLength(12);
     m_dates->addItems(
         {tr("Today"), tr("Last 7 days"), tr("Last 30 days"), tr("Last 12 months"), tr("Between…")});
-    m_place = addChoice(*lower, tr("Where"), tr("Trials"));
-    m_place->addItems({tr("Archive"), tr("Bin")});
+    m_listSection = addChoice(*lower, tr("Where"), tr("Trials"));
+    m_listSection->addItems({tr("Archive"), tr("Bin")});
     m_from->setAccessibleName(tr("From"));
     m_to->setAccessibleName(tr("To"));
     for (QDateEdit *edit : {m_from, m_to}) {
         edit->setCalendarPopup(true);
         edit->setDate(QDate::currentDate());
         edit->hide();
-        lower->insertWidget(lower->indexOf(m_place), edit);
+        lower->insertWidget(lower->indexOf(m_listSection), edit);
         connect(edit, &QDateEdit::dateChanged, this, &TrialFilterBar::changed);
     }
     m_starred->setText(tr("Starred"));
@@ -107,7 +107,7 @@ TrialFilter TrialFilterBar::filter() const
     filter.task = chosenWord(*m_task);
     filter.robot = chosenWord(*m_robot);
     filter.starred = m_starred->isChecked();
-    filter.place = static_cast<TrialFilter::Place>(m_place->currentIndex());
+    filter.listSection = static_cast<TrialFilter::ListSection>(m_listSection->currentIndex());
     const QDate today = QDate::currentDate();
     switch (m_dates->currentIndex()) {
     case Today:

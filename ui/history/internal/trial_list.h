@@ -77,7 +77,7 @@ private:
     QComboBox *addChoice(QLayout &row, const QString &name, const QString &any);
     void showDates();
 
-    QComboBox *m_class, *m_team, *m_task, *m_robot, *m_dates, *m_place;
+    QComboBox *m_class, *m_team, *m_task, *m_robot, *m_dates, *m_listSection;
     QDateEdit *m_from, *m_to;
     QToolButton *m_starred;
     QHBoxLayout *m_lower;

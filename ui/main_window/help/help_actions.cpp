@@ -130,9 +130,9 @@ void HelpActions::setPages(const ProjectPages *pages)
     }
     connect(pages, &ProjectPages::shown, this, &HelpActions::showPage);
     // the panel is now visible
-    connect(pages, &ProjectPages::shown, m_lesson, &Lesson::look, Qt::QueuedConnection);
-    connect(&pages->review(), &ReviewPage::trialShown, m_lesson, &Lesson::look);
-    connect(&pages->review().timeline(), &Timeline::currentChanged, m_lesson, &Lesson::look);
+    connect(pages, &ProjectPages::shown, m_lesson, &Lesson::poll, Qt::QueuedConnection);
+    connect(&pages->review(), &ReviewPage::trialShown, m_lesson, &Lesson::poll);
+    connect(&pages->review().timeline(), &Timeline::currentChanged, m_lesson, &Lesson::poll);
 }
 
 void HelpActions::showPage()
@@ -210,29 +210,29 @@ void Lesson::stop()
 {
     m_isDone = {};
     m_steps.clear();
-    m_place = 0;
+    m_position = 0;
     Q_EMIT changed();
 }
 
-void Lesson::begin(std::size_t place)
+void Lesson::begin(std::size_t position)
 {
-    m_place = place;
-    const auto &start = m_steps[place].begin;
+    m_position = position;
+    const auto &start = m_steps[position].begin;
     m_isDone = start ? start() : LessonStep::IsDone();
     m_done = !m_isDone;
 }
 
 void Lesson::next()
 {
-    if (m_place + 1 >= m_steps.size()) {
+    if (m_position + 1 >= m_steps.size()) {
         stop();
         return;
     }
-    begin(m_place + 1);
+    begin(m_position + 1);
     Q_EMIT changed();
 }
 
-void Lesson::look()
+void Lesson::poll()
 {
     if (!isRunning() || m_done || !m_isDone())
         return;
@@ -334,25 +334,25 @@ constexpr int tickSide = 20;
 }
 
 LessonBar::LessonBar(Lesson &lesson, QWidget *parent)
-    : QFrame(parent), m_lesson(lesson), m_place(new QLabel), m_tick(new QLabel), m_title(new QLabel),
+    : QFrame(parent), m_lesson(lesson), m_position(new QLabel), m_tick(new QLabel), m_title(new QLabel),
       m_words(new QLabel), m_next(new QPushButton(tr("Ne&xt"))),
       m_leave(new QPushButton(tr("&Leave the lesson")))
 {
     setObjectName(QStringLiteral("lessonBar"));
     setAccessibleName(tr("Lesson"));
-    m_place->setObjectName(QStringLiteral("quiet"));
+    m_position->setObjectName(QStringLiteral("quiet"));
     m_tick->setFixedWidth(tickSide);
     QFont bold = font();
     bold.setBold(true);
     m_title->setFont(bold);
-    for (QLabel *label : {m_place, m_title, m_words})
+    for (QLabel *label : {m_position, m_title, m_words})
         label->setTextFormat(Qt::PlainText);
     m_words->setWordWrap(true);
     auto *head = new QHBoxLayout;
     head->setSpacing(8);
     head->addWidget(m_title);
     head->addWidget(m_tick);
-    head->addWidget(m_place);
+    head->addWidget(m_position);
     head->addStretch(1);
     auto *texts = new QVBoxLayout;
     texts->setSpacing(2);
@@ -375,8 +375,8 @@ void LessonBar::follow()
     setVisible(m_lesson.isRunning());
     if (!m_lesson.isRunning())
         return;
-    const bool isLast = m_lesson.place() + 1 == m_lesson.count();
-    m_place->setText(tr("step %1 of %2").arg(m_lesson.place() + 1).arg(m_lesson.count()));
+    const bool isLast = m_lesson.position() + 1 == m_lesson.count();
+    m_position->setText(tr("step %1 of %2").arg(m_lesson.position() + 1).arg(m_lesson.count()));
     m_title->setText(m_lesson.step().title);
     m_words->setText(m_lesson.step().words);
     const bool wasDone = m_lesson.isDone() && m_lesson.step().begin;

@@ -94,22 +94,22 @@ public:
     void stop();
     bool isRunning() const { return !m_steps.empty(); }
     std::size_t count() const { return m_steps.size(); }
-    std::size_t place() const { return m_place; } ///< of the present step, from 0
-    const LessonStep &step() const { return m_steps[m_place]; }
+    std::size_t position() const { return m_position; } ///< of the present step, from 0
+    const LessonStep &step() const { return m_steps[m_position]; }
     bool isDone() const { return m_done; } ///< the present step
     /// To the step after; after the last one it ends.
     void next();
     /// Something happened: was it what the step asks for?
-    void look();
+    void poll();
 
 Q_SIGNALS:
     void changed(); ///< another step, its being done, or the end
 
 private:
-    void begin(std::size_t place);
+    void begin(std::size_t position);
 
     std::vector<LessonStep> m_steps;
-    std::size_t m_place = 0;
+    std::size_t m_position = 0;
     LessonStep::IsDone m_isDone;
     bool m_done = false;
 };
@@ -130,7 +130,7 @@ private:
     void follow();
 
     Lesson &m_lesson;
-    QLabel *m_place, *m_tick, *m_title, *m_words;
+    QLabel *m_position, *m_tick, *m_title, *m_words;
     QPushButton *m_next, *m_leave;
 };
 

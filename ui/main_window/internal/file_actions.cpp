@@ -130,12 +130,12 @@ void FileActions::fillRecent()
 
 void FileActions::beginOpening(const std::filesystem::path &file)
 {
-    tellFailure(m_workspace.beginOpening(file, [this, file] { m_recent.add(file); }));
+    showFailure(m_workspace.beginOpening(file, [this, file] { m_recent.add(file); }));
 }
 
 void FileActions::beginRestoring(const std::filesystem::path &file)
 {
-    tellFailure(m_workspace.beginRestoring(file, [this, file] { m_recent.add(file); }));
+    showFailure(m_workspace.beginRestoring(file, [this, file] { m_recent.add(file); }));
 }
 
 Result<void> FileActions::open(const std::filesystem::path &file)
@@ -185,7 +185,7 @@ void FileActions::askLike()
                        title = titleFromName(pathOf(file))](const JobControl &control) {
         return makeProjectLike(original, file, title, control);
     };
-    tellFailure(m_workspace.makeAndOpen(make, ODO_TEXT("ui.taking_over_setup", "Copying the set-up"),
+    showFailure(m_workspace.makeAndOpen(make, ODO_TEXT("ui.taking_over_setup", "Copying the set-up"),
                                         [this, file] { m_recent.add(pathOf(file)); }));
 }
 
@@ -198,7 +198,7 @@ void FileActions::askNew()
         m_workspace.create(pathOf(file), QString::fromStdString(titleFromName(pathOf(file))));
     if (made)
         m_recent.add(pathOf(file));
-    tellFailure(made);
+    showFailure(made);
 }
 
 void FileActions::askOpen()
@@ -219,7 +219,7 @@ void FileActions::askDemo()
     const auto make = [folder = pathOf(folder)](const JobControl &control) {
         return makeDemo(folder, control);
     };
-    tellFailure(m_workspace.makeAndOpen(make, ODO_TEXT("ui.making_demo", "Creating the demo lesson"),
+    showFailure(m_workspace.makeAndOpen(make, ODO_TEXT("ui.making_demo", "Creating the demo lesson"),
                                         [this] { Q_EMIT demoOpened(); }));
 }
 
@@ -230,14 +230,14 @@ void FileActions::askCopy()
     const QString file = askFile(tr("Save a copy"), offered);
     if (file.isEmpty())
         return;
-    tellFailure(m_workspace.start(
+    showFailure(m_workspace.start(
         std::make_shared<CopyJob>(pathOf(file)), ODO_TEXT("ui.saving_copy", "Saving a copy"), [this, file] {
             Q_EMIT done(
                 tr("Copy saved as %1. Its videos stay where they are.").arg(QDir::toNativeSeparators(file)));
         }));
 }
 
-void FileActions::tellFailure(const Result<void> &result)
+void FileActions::showFailure(const Result<void> &result)
 {
     if (!result)
         Q_EMIT failed(result.error());

@@ -62,7 +62,7 @@ private:
     void askDemo();
     void askCopy();
     void fillRecent();
-    void tellFailure(const Result<void> &result);
+    void showFailure(const Result<void> &result);
 
     Workspace &m_workspace;
     RecentProjects &m_recent;

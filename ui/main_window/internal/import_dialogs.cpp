@@ -29,7 +29,7 @@ ImportTrialDialog::ImportTrialDialog(const Offer &offer, QWidget *parent)
       m_name(new QLineEdit(offer.name)), m_team(new QComboBox), m_task(new QComboBox),
       m_robots(new CheckList(tr("Robots in the trial"))), m_videoGrid(new QGridLayout),
       m_addView(new QPushButton(tr("Add &view"))), m_steps(new ViewSteps),
-      m_rateTold(new QCheckBox(tr("Camera's real &rate"))), m_rate(new NumberBox),
+      m_givenRate(new QCheckBox(tr("Camera's real &rate"))), m_rate(new NumberBox),
       m_buttons(new QDialogButtonBox(QDialogButtonBox::Cancel))
 {
     setWindowTitle(tr("Import trial from videos"));
@@ -51,7 +51,7 @@ ImportTrialDialog::ImportTrialDialog(const Offer &offer, QWidget *parent)
     auto *step = new QLabel(tr("&Synchronise"));
     step->setBuddy(m_steps->fields().constFirst());
     form->addRow(step, m_steps);
-    form->addRow(m_rateTold, makeRate());
+    form->addRow(m_givenRate, makeRate());
     QPushButton *accept = m_buttons->addButton(tr("Import"), QDialogButtonBox::AcceptRole);
     auto *layout = new QVBoxLayout(this);
     layout->addLayout(form);
@@ -105,8 +105,8 @@ QWidget *ImportTrialDialog::makeRate()
     m_rate->setSuffix(tr(" frames/s"));
     m_rate->setAccessibleName(tr("Camera's real rate"));
     m_rate->setEnabled(false);
-    m_rateTold->setToolTip(tr("For slow motion: the file plays slower than the camera recorded it"));
-    connect(m_rateTold, &QCheckBox::toggled, m_rate, &QWidget::setEnabled);
+    m_givenRate->setToolTip(tr("For slow motion: the file plays slower than the camera recorded it"));
+    connect(m_givenRate, &QCheckBox::toggled, m_rate, &QWidget::setEnabled);
     return m_rate;
 }
 
@@ -116,7 +116,7 @@ void ImportTrialDialog::orderTabs()
     QList<QWidget *> chain{m_robots};
     for (const VideoRow &row : m_videos)
         chain << row.camera << row.file;
-    chain << m_addView << m_steps->fields() << m_rateTold << m_rate;
+    chain << m_addView << m_steps->fields() << m_givenRate << m_rate;
     for (int i = 1; i < chain.size(); ++i)
         setTabOrder(chain.at(i - 1), chain.at(i));
 }
@@ -193,7 +193,7 @@ ImportSettings ImportTrialDialog::settings() const
             settings.steps.push_back(m_steps->step(view));
         settings.videos.emplace_back(camera, row.file->path());
     }
-    if (m_rateTold->isChecked())
+    if (m_givenRate->isChecked())
         settings.rate = m_rate->value();
     return settings;
 }
@@ -219,7 +219,7 @@ void ViewSteps::addView()
     Row row{new ElidedLabel, new QComboBox, new NumberBox};
     row.how->addItem(tr("From the motion or a flash"), static_cast<int>(Sync::Automatic));
     row.how->addItem(tr("Same start time"), static_cast<int>(Sync::None));
-    row.how->addItem(tr("By hand: time offset"), static_cast<int>(Sync::Told));
+    row.how->addItem(tr("By hand: time offset"), static_cast<int>(Sync::Given));
     row.how->setAccessibleName(tr("How to synchronise view %1 with the first").arg(number));
     row.how->setToolTip(tr("A flash: switch the room lights on and off once while all cameras record"));
     row.later->setRange(-highestOffsetS, highestOffsetS);
@@ -229,8 +229,9 @@ void ViewSteps::addView()
     row.later->setAccessibleName(tr("Time offset of view %1").arg(number));
     row.later->setToolTip(tr("Negative: it started before the first view"));
     row.later->setEnabled(false);
-    connect(row.how, &QComboBox::currentIndexChanged, row.later,
-            [row] { row.later->setEnabled(row.how->currentData().toInt() == static_cast<int>(Sync::Told)); });
+    connect(row.how, &QComboBox::currentIndexChanged, row.later, [row] {
+        row.later->setEnabled(row.how->currentData().toInt() == static_cast<int>(Sync::Given));
+    });
     const int place = static_cast<int>(m_rows.size());
     m_grid->addWidget(row.camera, place, 0);
     m_grid->addWidget(row.how, place, 1);

@@ -3,7 +3,7 @@
 
 #include "core/workflow/import/import_tracks_job.h"
 #include "core/workflow/import/import_trial_job.h"
-#include "ui/models/figure_text.h"
+#include "ui/models/number_text.h"
 
 #include <QDialog>
 #include <QWidget>
@@ -74,7 +74,7 @@ private:
     std::vector<VideoRow> m_videos;
     QPushButton *m_addView;
     ViewSteps *m_steps;
-    QCheckBox *m_rateTold;
+    QCheckBox *m_givenRate;
     QDoubleSpinBox *m_rate;
     QDialogButtonBox *m_buttons;
 };

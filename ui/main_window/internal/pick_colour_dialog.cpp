@@ -4,7 +4,7 @@
 #include "core/project/project.h"
 #include "core/project/repositories.h"
 #include "core/video/video_reader.h"
-#include "core/workflow/calibrate/calibration_pictures.h"
+#include "core/workflow/calibrate/calibration_images.h"
 #include "ui/models/shown_message.h"
 #include "ui/views/widgets/form_fields.h"
 #include "ui/views/widgets/theme.h"
@@ -73,12 +73,12 @@ PickColourDialog::PickColourDialog(QList<PickableVideo> videos, QWidget *parent)
     connect(m_choice, &QComboBox::currentIndexChanged, this, &PickColourDialog::showVideo);
     connect(m_frame, &QSlider::valueChanged, this, [this] {
         showFrame();
-        look();
+        search();
     });
-    connect(m_canvas, &BoxCanvas::boxChanged, this, &PickColourDialog::look);
+    connect(m_canvas, &BoxCanvas::boxChanged, this, &PickColourDialog::search);
     connect(m_canvas, &BoxCanvas::resized, this, &PickColourDialog::showFrame);
     connect(&m_fetcher, &FrameFetcher::frameReady, this,
-            [this](qint64, const QImage &picture) { m_canvas->setPicture(picture); });
+            [this](qint64, const QImage &image) { m_canvas->setImage(image); });
     connect(&m_fetcher, &FrameFetcher::failed, this,
             [this](qint64, const QString &message) { m_words->setText(message); });
     connect(m_buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
@@ -136,7 +136,7 @@ void PickColourDialog::showVideo(int index)
     m_frame->setRange(0, static_cast<int>(std::max<qint64>(video.frames, 1) - 1));
     m_frame->setValue(0);
     showFrame();
-    look();
+    search();
 }
 
 void PickColourDialog::showFrame()
@@ -146,10 +146,10 @@ void PickColourDialog::showFrame()
     m_frameText->setText(
         tr("%1 of %2")
             .arg(QLocale().toString(m_frame->value() + 1), QLocale().toString(m_frame->maximum() + 1)));
-    m_fetcher.request(m_frame->value(), (m_canvas->pictureRect().size() * devicePixelRatioF()).toSize());
+    m_fetcher.request(m_frame->value(), (m_canvas->imageRect().size() * devicePixelRatioF()).toSize());
 }
 
-void PickColourDialog::look()
+void PickColourDialog::search()
 {
     const QRect box = m_canvas->box();
     if (box.isEmpty() || m_choice->currentIndex() < 0) {
@@ -158,24 +158,23 @@ void PickColourDialog::look()
     }
     const auto found = std::make_shared<std::optional<Result<PickedColour>>>();
     const bool started =
-        m_looking.start([found, box, frame = m_frame->value(),
-                         file = m_videos[m_choice->currentIndex()].file](const JobControl &) {
-            const auto picture = pictureOf(file, frame);
-            *found = picture
-                         ? pickColour(*picture, {box.left(), box.top(), box.right() + 1, box.bottom() + 1})
-                         : Result<PickedColour>(tl::unexpected(picture.error()));
+        m_searching.start([found, box, frame = m_frame->value(),
+                           file = m_videos[m_choice->currentIndex()].file](const JobControl &) {
+            const auto image = imageOf(file, frame);
+            *found = image ? pickColour(*image, {box.left(), box.top(), box.right() + 1, box.bottom() + 1})
+                           : Result<PickedColour>(tl::unexpected(image.error()));
             return Result<void>();
         });
-    m_lookAgain = !started;
+    m_searchAgain = !started;
     m_colour.reset();
     m_buttons->button(QDialogButtonBox::Ok)->setEnabled(false);
     if (!started)
         return;
     connect(
-        &m_looking, &BackgroundTask::finished, this,
+        &m_searching, &BackgroundTask::finished, this,
         [this, found] {
-            if (std::exchange(m_lookAgain, false))
-                look();
+            if (std::exchange(m_searchAgain, false))
+                search();
             else if (*found)
                 present(**found);
         },
@@ -249,14 +248,14 @@ void BoxCanvas::setSourceSize(QSize size)
     if (size == m_size)
         return;
     m_size = size;
-    m_picture = {};
+    m_image = {};
     m_box = {};
     update();
 }
 
-void BoxCanvas::setPicture(const QImage &picture)
+void BoxCanvas::setImage(const QImage &image)
 {
-    m_picture = picture;
+    m_image = image;
     update();
 }
 
@@ -266,27 +265,27 @@ void BoxCanvas::setEmptyText(const QString &text)
     update();
 }
 
-QRectF BoxCanvas::pictureRect() const
+QRectF BoxCanvas::imageRect() const
 {
     const QSizeF room = QSizeF(m_size).scaled(size(), Qt::KeepAspectRatio);
     return {QPointF(0.5 * (width() - room.width()), 0.5 * (height() - room.height())), room};
 }
 
-QPoint BoxCanvas::toPixel(const QPointF &place) const
+QPoint BoxCanvas::toPixel(const QPointF &position) const
 {
-    const QRectF picture = pictureRect();
+    const QRectF image = imageRect();
     const auto inside = [](double part, int size) {
         return std::clamp(static_cast<int>(part * size), 0, size - 1);
     };
-    return {inside((place.x() - picture.x()) / picture.width(), m_size.width()),
-            inside((place.y() - picture.y()) / picture.height(), m_size.height())};
+    return {inside((position.x() - image.x()) / image.width(), m_size.width()),
+            inside((position.y() - image.y()) / image.height(), m_size.height())};
 }
 
-QRectF BoxCanvas::placeOf(const QRect &box) const
+QRectF BoxCanvas::positionOf(const QRect &box) const
 {
-    const QRectF picture = pictureRect();
-    const double scale = picture.width() / m_size.width();
-    return {picture.topLeft() + QPointF(box.topLeft()) * scale, QSizeF(box.size()) * scale};
+    const QRectF image = imageRect();
+    const double scale = image.width() / m_size.width();
+    return {image.topLeft() + QPointF(box.topLeft()) * scale, QSizeF(box.size()) * scale};
 }
 
 void BoxCanvas::paintEvent(QPaintEvent *)
@@ -294,18 +293,18 @@ void BoxCanvas::paintEvent(QPaintEvent *)
     QPainter painter(this);
     painter.setRenderHint(QPainter::SmoothPixmapTransform);
     const ThemeColours colours = ThemeColours::of(palette());
-    painter.fillRect(rect(), colours.pictureGround);
-    if (m_picture.isNull()) {
+    painter.fillRect(rect(), colours.imageBackground);
+    if (m_image.isNull()) {
         painter.setPen(colours.muted);
         painter.drawText(rect().adjusted(24, 24, -24, -24), Qt::AlignCenter | Qt::TextWordWrap, m_emptyText);
     } else {
-        painter.drawImage(pictureRect(), m_picture);
+        painter.drawImage(imageRect(), m_image);
     }
-    if (!m_box.isEmpty() && !m_picture.isNull()) {
+    if (!m_box.isEmpty() && !m_image.isNull()) {
         for (const auto &[colour, width] :
              {std::pair(QColor(0, 0, 0, 180), 4.0), std::pair(boxColour, 2.0)}) {
             painter.setPen(QPen(colour, width, Qt::SolidLine, Qt::SquareCap, Qt::MiterJoin));
-            painter.drawRect(placeOf(m_box));
+            painter.drawRect(positionOf(m_box));
         }
     }
     if (hasFocus()) {
@@ -321,7 +320,7 @@ void BoxCanvas::resizeEvent(QResizeEvent *)
 
 void BoxCanvas::mousePressEvent(QMouseEvent *event)
 {
-    if (event->button() != Qt::LeftButton || m_picture.isNull())
+    if (event->button() != Qt::LeftButton || m_image.isNull())
         return;
     m_drawing = true;
     m_boxBefore = m_box;
@@ -372,18 +371,17 @@ void BoxCanvas::keyPressEvent(QKeyEvent *event)
         QWidget::keyPressEvent(event);
         return;
     }
-    if (m_picture.isNull())
+    if (m_image.isNull())
         return;
-    const QRect picture(QPoint(0, 0), m_size);
+    const QRect image(QPoint(0, 0), m_size);
     if (m_box.isEmpty()) {
         const QSize side(m_size.width() / boxesAcross, m_size.height() / boxesAcross);
-        m_box = QRect(picture.center() - QPoint(side.width() / 2, side.height() / 2), side);
+        m_box = QRect(image.center() - QPoint(side.width() / 2, side.height() / 2), side);
     } else if (event->modifiers() & Qt::ShiftModifier) {
         const QPoint least = m_box.topLeft() + QPoint(leastSidePx, leastSidePx),
                      wanted = m_box.bottomRight() + by;
-        m_box.setBottomRight(
-            {std::clamp(wanted.x(), std::min(least.x(), picture.right()), picture.right()),
-             std::clamp(wanted.y(), std::min(least.y(), picture.bottom()), picture.bottom())});
+        m_box.setBottomRight({std::clamp(wanted.x(), std::min(least.x(), image.right()), image.right()),
+                              std::clamp(wanted.y(), std::min(least.y(), image.bottom()), image.bottom())});
     } else {
         m_box.moveTo(std::clamp(m_box.x() + by.x(), 0, std::max(0, m_size.width() - m_box.width())),
                      std::clamp(m_box.y() + by.y(), 0, std::max(0, m_size.height() - m_box.height())));

@@ -3,7 +3,7 @@
 
 #include "core/tracking/chroma.h"
 #include "ui/models/background_task.h"
-#include "ui/views/picture/frame_fetcher.h"
+#include "ui/views/image/frame_fetcher.h"
 
 #include <QDialog>
 #include <QImage>
@@ -50,7 +50,7 @@ private:
     void addFile(const std::filesystem::path &file);
     void showVideo(int index);
     void showFrame();
-    void look();
+    void search();
     void present(const Result<PickedColour> &picked);
     void sayNothingYet();
 
@@ -61,8 +61,8 @@ private:
     QLabel *m_frameText, *m_swatch, *m_words;
     QDialogButtonBox *m_buttons;
     FrameFetcher m_fetcher;
-    BackgroundTask m_looking, m_opening;
-    bool m_lookAgain = false; ///< the box changed during the analysis
+    BackgroundTask m_searching, m_opening;
+    bool m_searchAgain = false; ///< the box changed during the analysis
     std::optional<RgbColour> m_colour;
 };
 
@@ -76,12 +76,12 @@ public:
     /// size: of the image in whose pixels the box is given. Another size clears the box.
     void setSourceSize(QSize size);
     QSize sourceSize() const { return m_size; }
-    void setPicture(const QImage &picture);
+    void setImage(const QImage &image);
     void setEmptyText(const QString &text);
     /// In image pixels; empty: none yet.
     QRect box() const { return m_box; }
     /// Where the image is shown, in the widget.
-    QRectF pictureRect() const;
+    QRectF imageRect() const;
 
     QSize sizeHint() const override { return {800, 450}; }
     QSize minimumSizeHint() const override { return {320, 180}; }
@@ -99,10 +99,10 @@ protected:
     void keyPressEvent(QKeyEvent *event) override;
 
 private:
-    QPoint toPixel(const QPointF &place) const;
-    QRectF placeOf(const QRect &box) const;
+    QPoint toPixel(const QPointF &position) const;
+    QRectF positionOf(const QRect &box) const;
 
-    QImage m_picture;
+    QImage m_image;
     QSize m_size;
     QRect m_box, m_boxBefore;
     QPoint m_corner; ///< where the drawing began

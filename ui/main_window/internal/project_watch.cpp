@@ -12,7 +12,7 @@ namespace odo {
 namespace {
 
 using std::chrono::milliseconds;
-constexpr milliseconds lookEach{500}, quietTime{1000}, longestUnwritten{5000};
+constexpr milliseconds checkInterval{500}, quietTime{1000}, longestUnwritten{5000};
 
 } // namespace
 
@@ -26,17 +26,17 @@ ProjectWatch::ProjectWatch(Project &project, Access access, QObject *parent)
         m_savedState = m_state;
     m_quiet.start();
     m_written.start();
-    connect(&m_timer, &QTimer::timeout, this, &ProjectWatch::look);
+    connect(&m_timer, &QTimer::timeout, this, &ProjectWatch::poll);
     connect(qGuiApp, &QGuiApplication::applicationStateChanged, this, [this](Qt::ApplicationState active) {
         if (active != Qt::ApplicationActive)
             writeBack();
     });
-    m_timer.start(lookEach);
+    m_timer.start(checkInterval);
 }
 
 ProjectWatch::~ProjectWatch() = default;
 
-void ProjectWatch::look()
+void ProjectWatch::poll()
 {
     if (!m_project.isInPlace()) {
         Q_EMIT lost();

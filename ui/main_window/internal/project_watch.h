@@ -37,7 +37,7 @@ Q_SIGNALS:
     void overwritten();
 
 private:
-    void look();
+    void poll();
     void noteState();
     void writeBack();
 

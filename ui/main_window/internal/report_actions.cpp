@@ -4,7 +4,7 @@
 #include "core/project/class_repository.h"
 #include "core/project/project.h"
 #include "core/project/repositories.h"
-#include "core/workflow/compare/trial_figures.h"
+#include "core/workflow/compare/trial_metrics.h"
 #include "core/workflow/export_job.h"
 #include "ui/compare/compare_page.h"
 #include "ui/main_window/project_pages.h"
@@ -87,10 +87,10 @@ ReportChoices ReportActions::choices() const
     for (const TaskRecord &task : project.tasks().current().value_or(std::vector<TaskRecord>()))
         choices.tasks << QString::fromStdString(task.name);
     if (const auto scorings = project.tasks().scorings(); scorings && !scorings->empty())
-        choices.figures.emplace_back(scoreMetric);
+        choices.metricNames.emplace_back(scoreMetric);
     for (std::string &name :
-         tellingNames(project.analyses().metricNames().value_or(std::vector<std::string>())))
-        choices.figures.push_back(std::move(name));
+         informativeMetricNames(project.analyses().metricNames().value_or(std::vector<std::string>())))
+        choices.metricNames.push_back(std::move(name));
     return choices;
 }
 

@@ -5,7 +5,7 @@
 #include "core/project/project.h"
 #include "core/project/repositories.h"
 #include "ui/main_window/internal/pick_colour_dialog.h"
-#include "ui/models/figure_text.h"
+#include "ui/models/number_text.h"
 #include "ui/models/shown_message.h"
 #include "ui/views/charts/series_colours.h"
 #include "ui/views/map/map_painting.h"
@@ -37,7 +37,7 @@ constexpr int listSwatchSide = 14;
 QString heightText(const RobotRecord &robot)
 {
     switch (robot.heightMode) {
-    case RobotRecord::Height::Told:
+    case RobotRecord::Height::Given:
         return lengthText(robot.heightM.value_or(0));
     case RobotRecord::Height::Automatic:
         return RobotsDialog::tr("estimated from the views");
@@ -107,7 +107,7 @@ RobotsDialog::RobotsDialog(Project &project, bool readOnly, QWidget *parent)
     connect(m_edit, &QPushButton::clicked, this, &RobotsDialog::change);
     connect(m_remove, &QPushButton::clicked, this, &RobotsDialog::remove);
     connect(m_table, &QTableWidget::cellDoubleClicked, this, &RobotsDialog::change);
-    addUndoKeys(*this, m_changes, [this](const Result<QString> &outcome) { tell(outcome, {}); });
+    addUndoKeys(*this, m_changes, [this](const Result<QString> &outcome) { showOutcome(outcome, {}); });
     refresh({});
 }
 
@@ -182,10 +182,10 @@ void RobotsDialog::remove()
 void RobotsDialog::apply(const Message &words, const std::string &choose,
                          const std::function<Result<void>()> &work)
 {
-    tell(m_changes.make(words, work), choose);
+    showOutcome(m_changes.make(words, work), choose);
 }
 
-void RobotsDialog::tell(const Result<QString> &outcome, const std::string &choose)
+void RobotsDialog::showOutcome(const Result<QString> &outcome, const std::string &choose)
 {
     m_message->setText(outcome ? *outcome : errorLine(outcome.error()));
     refresh(choose);
@@ -208,7 +208,7 @@ RobotDialog::RobotDialog(QList<PickableVideo> videos, QWidget *parent)
 {
     setWindowTitle(tr("Add robot"));
     m_heightMode->addItem(tr("Estimated from the views"), static_cast<int>(RobotRecord::Height::Automatic));
-    m_heightMode->addItem(tr("Measured"), static_cast<int>(RobotRecord::Height::Told));
+    m_heightMode->addItem(tr("Measured"), static_cast<int>(RobotRecord::Height::Given));
     m_heightMode->addItem(tr("Changes while it runs (ramp)"), static_cast<int>(RobotRecord::Height::Free));
     m_height->setRange(0, 2000);
     m_height->setSuffix(tr(" mm"));
@@ -306,7 +306,7 @@ void RobotDialog::updateButtons()
 {
     m_colourButton->setEnabled(m_look->currentData().toBool());
     m_pickButton->setEnabled(m_look->currentData().toBool());
-    m_height->setEnabled(m_heightMode->currentData().toInt() == static_cast<int>(RobotRecord::Height::Told));
+    m_height->setEnabled(m_heightMode->currentData().toInt() == static_cast<int>(RobotRecord::Height::Given));
     const bool hasHeading =
         m_heightMode->currentData().toInt() != static_cast<int>(RobotRecord::Height::Free);
     m_forward->setEnabled(hasHeading);
@@ -340,7 +340,7 @@ RobotRecord RobotDialog::robot() const
     robot.colour = m_look->currentData().toBool() ? std::optional(m_colour) : std::nullopt;
     robot.drawingColour = static_cast<DrawingColour>(m_drawing->currentData().toInt());
     robot.heightMode = static_cast<RobotRecord::Height>(m_heightMode->currentData().toInt());
-    if (robot.heightMode == RobotRecord::Height::Told)
+    if (robot.heightMode == RobotRecord::Height::Given)
         robot.heightM = fromMillimetres(m_height->value());
     const bool hasHeading = robot.heightMode != RobotRecord::Height::Free;
     robot.referenceM =

@@ -40,7 +40,7 @@ private:
     void change();
     void remove();
     void apply(const Message &words, const std::string &choose, const std::function<Result<void>()> &work);
-    void tell(const Result<QString> &outcome, const std::string &choose);
+    void showOutcome(const Result<QString> &outcome, const std::string &choose);
 
     Project &m_project;
     OwnChanges m_changes;

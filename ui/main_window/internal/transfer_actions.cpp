@@ -49,7 +49,7 @@ void TransferActions::fillMenu(QMenu &menu)
     menu.addAction(m_strays);
 }
 
-void TransferActions::tellFailure(const Result<void> &result)
+void TransferActions::showFailure(const Result<void> &result)
 {
     if (!result)
         Q_EMIT failed(result.error());
@@ -69,7 +69,7 @@ void TransferActions::askPack()
 void TransferActions::pack(const ChosenOutput &archive)
 {
     const auto job = std::make_shared<PackJob>(archive.target);
-    tellFailure(m_workspace.start(
+    showFailure(m_workspace.start(
         job, ODO_TEXT("ui.packing", "Packing the project"), [this, job, archive = archive.file] {
             QStringList sentences{tr("Project packed into %1. To use it on another computer, choose \"Unpack "
                                      "a packed project\" there.")
@@ -100,7 +100,7 @@ void TransferActions::askUnpack(const std::filesystem::path &archive)
     const auto unpack = [archive, folder](const JobControl &control) {
         return unpackArchive(archive, folder, control);
     };
-    tellFailure(m_workspace.makeAndOpen(unpack, ODO_TEXT("ui.unpacking", "Unpacking the project"),
+    showFailure(m_workspace.makeAndOpen(unpack, ODO_TEXT("ui.unpacking", "Unpacking the project"),
                                         [this] { Q_EMIT unpacked(m_workspace.project()->file()); }));
 }
 
@@ -111,7 +111,7 @@ void TransferActions::askLostVideos()
     if (folder.isEmpty())
         return;
     const auto job = std::make_shared<RelinkJob>(pathOf(folder));
-    tellFailure(
+    showFailure(
         m_workspace.start(job, ODO_TEXT("ui.looking_for_lost", "Searching for lost videos"), [this, job] {
             Q_EMIT done(tr("Found %1 of %2 lost videos by their content.")
                             .arg(job->foundCount())
@@ -122,7 +122,7 @@ void TransferActions::askLostVideos()
 void TransferActions::findStrays()
 {
     const auto job = std::make_shared<FindStraysJob>();
-    tellFailure(
+    showFailure(
         m_workspace.start(job, ODO_TEXT("ui.looking_for_strays", "Searching for stray files"), [this, job] {
             if (job->strays().empty() && job->others().empty())
                 Q_EMIT done(
@@ -167,7 +167,7 @@ void TransferActions::askStrays(const FindStraysJob &found)
 void TransferActions::adopt(const std::vector<std::filesystem::path> &videos)
 {
     const auto job = std::make_shared<AdoptStraysJob>(videos);
-    tellFailure(
+    showFailure(
         m_workspace.start(job, ODO_TEXT("ui.adding_strays", "Adding stray videos as trials"), [this, job] {
             if (!job->trials().empty() || job->failures().empty())
                 Q_EMIT done(tr("%n trial(s) added. Their names begin with \"recovered\".", nullptr,
@@ -180,7 +180,7 @@ void TransferActions::adopt(const std::vector<std::filesystem::path> &videos)
 void TransferActions::removeStrays(const std::vector<std::filesystem::path> &files)
 {
     const auto job = std::make_shared<RemoveStraysJob>(files);
-    tellFailure(m_workspace.start(job, ODO_TEXT("ui.removing_strays", "Removing stray files"), [this, job] {
+    showFailure(m_workspace.start(job, ODO_TEXT("ui.removing_strays", "Removing stray files"), [this, job] {
         Q_EMIT done(tr("%n stray file(s) removed.", nullptr, static_cast<int>(job->removed().size())));
     }));
 }

@@ -47,7 +47,7 @@ private:
     void adopt(const std::vector<std::filesystem::path> &videos);
     void removeStrays(const std::vector<std::filesystem::path> &files);
     void pack(const ChosenOutput &archive);
-    void tellFailure(const Result<void> &result);
+    void showFailure(const Result<void> &result);
 
     Workspace &m_workspace;
     QWidget &m_window;

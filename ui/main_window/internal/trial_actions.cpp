@@ -14,7 +14,7 @@
 #include "ui/main_window/internal/trial_export.h"
 #include "ui/main_window/workspace.h"
 #include "ui/models/camera_lists.h"
-#include "ui/models/figure_text.h"
+#include "ui/models/number_text.h"
 #include "ui/models/shown_message.h"
 #include "ui/models/shown_names.h"
 #include "ui/views/widgets/command_keys.h"
@@ -229,7 +229,7 @@ void TrialActions::updateActions()
     m_track->setEnabled(writable && !m_workspace.isBusy() && !m_trial.isEmpty());
 }
 
-void TrialActions::tellFailure(const Result<void> &result)
+void TrialActions::showFailure(const Result<void> &result)
 {
     if (!result)
         Q_EMIT failed(result.error());
@@ -238,7 +238,7 @@ void TrialActions::tellFailure(const Result<void> &result)
 template <class ImportJob>
 void TrialActions::startImport(const std::shared_ptr<ImportJob> &job, const std::string &trial)
 {
-    tellFailure(m_workspace.start(job, importing(trial), [this, job] {
+    showFailure(m_workspace.start(job, importing(trial), [this, job] {
         Q_EMIT trialImported(QString::fromStdString(job->trial().name));
         Q_EMIT done(importedWords(*job));
     }));
@@ -314,7 +314,7 @@ void TrialActions::askTrack(const QString &trial)
 void TrialActions::startTracking(const QString &trial, TrackSettings settings)
 {
     const auto job = std::make_shared<TrackJob>(trial.toStdString(), std::move(settings));
-    tellFailure(m_workspace.start(
+    showFailure(m_workspace.start(
         job, ODO_TEXT("ui.tracking", "Tracking %1")(Named::trial(trial.toStdString())), [this, job] {
             Q_EMIT trialTracked(QString::fromStdString(job->outcome().trial));
             Q_EMIT done(trackedWords(job->outcome()));
@@ -340,13 +340,13 @@ bool TrialActions::mayChange(const Message &what)
     return !m_workspace.isReadOnly();
 }
 
-void TrialActions::overrule(const OverruleRequest &word)
+void TrialActions::manualOverride(const OverrideRequest &word)
 {
     if (!mayChange(ODO_TEXT("ui.the_sample", "the sample")))
         return;
-    const auto job = std::make_shared<OverruleJob>(word);
+    const auto job = std::make_shared<OverrideJob>(word);
     const QString trial = QString::fromStdString(word.trial);
-    tellFailure(m_workspace.start(
+    showFailure(m_workspace.start(
         job, ODO_TEXT("ui.measuring_again", "Reanalysing %1")(Named::trial(word.trial)), [this, job, trial] {
             const QString time = secondsText(job->outcome().time);
             Q_EMIT done(
@@ -379,7 +379,7 @@ void TrialActions::askVideo()
     AnnotatedVideoSettings settings = dialog.settings();
     settings.target = chosen->target;
     const auto job = std::make_shared<AnnotatedVideoJob>(m_trial.toStdString(), settings);
-    tellFailure(m_workspace.start(
+    showFailure(m_workspace.start(
         job, ODO_TEXT("ui.making_video", "Creating the video of %1")(Named::trial(m_trial.toStdString())),
         [this, file = chosen->file, trial = m_trial] {
             Q_EMIT done(tr("Video of %1 saved as %2").arg(trial, QDir::toNativeSeparators(file)));

@@ -32,7 +32,7 @@ public:
     void askImportTracks(const QStringList &files = {});
     void askTrack(const QString &trial);
     /// Stores a manual override of a sample and reanalyses the trial.
-    void overrule(const OverruleRequest &word);
+    void manualOverride(const OverrideRequest &word);
     /// Stores where a person says that a robot is, and tracks the trial again.
     void pointOut(const QString &trial, const RobotPointer &pointer);
 
@@ -47,7 +47,7 @@ private:
     void askVideo();
     bool askRobot();
     void updateActions();
-    void tellFailure(const Result<void> &result);
+    void showFailure(const Result<void> &result);
     bool mayChange(const Message &what);
     void startTracking(const QString &trial, TrackSettings settings);
     /// Of either way of importing.

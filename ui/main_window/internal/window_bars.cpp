@@ -4,7 +4,7 @@
 #include "core/project/names.h"
 #include "core/project/project.h"
 #include "ui/main_window/workspace.h"
-#include "ui/models/figure_text.h"
+#include "ui/models/number_text.h"
 #include "ui/models/shown_message.h"
 #include "ui/models/shown_names.h"
 #include "ui/views/widgets/command_keys.h"

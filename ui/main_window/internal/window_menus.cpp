@@ -192,7 +192,7 @@ void UndoActions::fillMenu(QMenu &menu)
 
 void UndoActions::showWords()
 {
-    Q_EMIT aboutToLook();
+    Q_EMIT aboutToSearch();
     const Project *project = m_workspace.project();
     const QString undoWords = project ? shownWords(project->undoWords()) : QString();
     const QString redoWords = project ? shownWords(project->redoWords()) : QString();
@@ -204,7 +204,7 @@ void UndoActions::showWords()
 
 void UndoActions::apply(Result<Message> (Project::*what)(), const QString &sentence)
 {
-    Q_EMIT aboutToLook();
+    Q_EMIT aboutToSearch();
     Project *project = m_workspace.project();
     if (!project)
         return;

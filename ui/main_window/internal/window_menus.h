@@ -81,7 +81,7 @@ public:
 
 Q_SIGNALS:
     /// What is still being written (notes) must be stored now, for it is the last change.
-    void aboutToLook();
+    void aboutToSearch();
     /// The project is another one now; words: what was done, as a sentence.
     void changed(const QString &words);
     void failed(const odo::Error &error);

@@ -3,7 +3,7 @@
 
 #include "ui/main_window/language.h"
 #include "ui/main_window/preferences/command_keys.h"
-#include "ui/models/figure_text.h"
+#include "ui/models/number_text.h"
 #include "ui/models/shown_message.h"
 #include "ui/record/sent_positions.h"
 #include "ui/report/report_maker.h"
@@ -44,7 +44,7 @@ PreferencesDialog::PreferencesDialog(CommandKeys &keys, Theme theme, QWidget *pa
     layout->addWidget(buttons);
     resize(560, 520);
     connect(general, &GeneralPage::themeChosen, this, &PreferencesDialog::themeChosen);
-    connect(general, &GeneralPage::lookChanged, this, &PreferencesDialog::lookChanged);
+    connect(general, &GeneralPage::styleChanged, this, &PreferencesDialog::styleChanged);
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
 }
 
@@ -110,7 +110,7 @@ QComboBox *GeneralPage::makeUnits()
     connect(box, &QComboBox::activated, this, [this](int system) {
         setShownUnitSystem(static_cast<UnitSystem>(system));
         QSettings().setValue(unitsKey, unitSystemWord(shownUnitSystem()));
-        Q_EMIT lookChanged();
+        Q_EMIT styleChanged();
     });
     return box;
 }
@@ -153,7 +153,7 @@ QComboBox *GeneralPage::makeScales()
     connect(box, &QComboBox::activated, this, [this](int scale) {
         setShownColourScale(static_cast<ColourScale>(scale));
         QSettings().setValue(scaleKey, colourScaleWord(shownColourScale()));
-        Q_EMIT lookChanged();
+        Q_EMIT styleChanged();
     });
     return box;
 }
@@ -237,7 +237,7 @@ void NetworkPage::tell()
 }
 
 ReportsPage::ReportsPage(QWidget *parent)
-    : QWidget(parent), m_settings(storedReportSettings()), m_picture(new QLabel)
+    : QWidget(parent), m_settings(storedReportSettings()), m_image(new QLabel)
 {
     auto *form = new QFormLayout(this);
     m_school = addLine(*form, tr("&School"), m_settings.school);
@@ -248,10 +248,10 @@ ReportsPage::ReportsPage(QWidget *parent)
     auto *label = new QLabel(tr("&Logo"));
     label->setBuddy(m_logo);
     form->addRow(label, m_logo);
-    m_picture->setWordWrap(true);
-    m_picture->setTextFormat(Qt::PlainText);
-    m_picture->setAccessibleName(tr("Preview of the logo"));
-    form->addRow(QString(), m_picture);
+    m_image->setWordWrap(true);
+    m_image->setTextFormat(Qt::PlainText);
+    m_image->setAccessibleName(tr("Preview of the logo"));
+    form->addRow(QString(), m_image);
     m_remark = addLine(*form, tr("&At the bottom"), m_settings.remark);
     m_remark->setPlaceholderText(tr("for example: whom to ask"));
     connect(&m_reading, &BackgroundTask::finished, this, &ReportsPage::takeLogo);
@@ -284,13 +284,13 @@ void ReportsPage::showLogo()
     m_isOther = m_reading.isRunning();
     if (m_isOther)
         return;
-    const auto picture = std::make_shared<QImage>();
-    m_read = picture;
-    m_reading.start([file = m_settings.logoFile, picture](const JobControl &) -> Result<void> {
+    const auto image = std::make_shared<QImage>();
+    m_read = image;
+    m_reading.start([file = m_settings.logoFile, image](const JobControl &) -> Result<void> {
         if (file.isEmpty())
             return {};
         const auto logo = ODO_TRY(readLogo(file.toStdString()));
-        *picture = logo.scaled(most, Qt::KeepAspectRatio, Qt::SmoothTransformation);
+        *image = logo.scaled(most, Qt::KeepAspectRatio, Qt::SmoothTransformation);
         return {};
     });
 }
@@ -299,9 +299,9 @@ void ReportsPage::takeLogo(const std::optional<Error> &error)
 {
     if (m_isOther)
         return showLogo();
-    m_picture->setPixmap(QPixmap::fromImage(*m_read));
+    m_image->setPixmap(QPixmap::fromImage(*m_read));
     if (error)
-        m_picture->setText(errorLine(*error));
+        m_image->setText(errorLine(*error));
 }
 
 } // namespace odo

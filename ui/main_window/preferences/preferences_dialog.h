@@ -34,7 +34,7 @@ public:
 
 Q_SIGNALS:
     void themeChosen(odo::Theme theme);
-    void lookChanged(); ///< the pages must be rebuilt
+    void styleChanged(); ///< the pages must be rebuilt
 
 private:
     QTabWidget *m_tabs;
@@ -53,7 +53,7 @@ public:
 
 Q_SIGNALS:
     void themeChosen(odo::Theme theme);
-    void lookChanged(); ///< the pages must be rebuilt
+    void styleChanged(); ///< the pages must be rebuilt
 
 private:
     QComboBox *makeLanguages();
@@ -102,7 +102,7 @@ private:
     ReportSettings m_settings;
     QLineEdit *m_school, *m_remark;
     PathField *m_logo;
-    QLabel *m_picture;
+    QLabel *m_image;
     BackgroundTask m_reading;       ///< of the logo: a large one takes a while
     std::shared_ptr<QImage> m_read; ///< by it
     bool m_isOther = false;         ///< another logo was chosen meanwhile

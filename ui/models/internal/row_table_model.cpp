@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/models/internal/row_table_model.h"
 
-#include "ui/models/figure_text.h"
+#include "ui/models/number_text.h"
 
 namespace odo {
 
@@ -36,7 +36,7 @@ QVariant MetricModel::cell(int index, int column, int role) const
     const Metric &metric = m_metrics[static_cast<std::size_t>(index)];
     switch (role) {
     case Qt::DisplayRole:
-        return column == NameColumn ? metricName(metric.name) : metricFigure(metric).text();
+        return column == NameColumn ? metricName(metric.name) : metricNumber(metric).text();
     case Qt::TextAlignmentRole:
         return aligned(Qt::AlignLeft);
     case IdRole:
@@ -44,9 +44,9 @@ QVariant MetricModel::cell(int index, int column, int role) const
     case NumberRole:
         return metric.value;
     case ValueTextRole:
-        return metricFigure(metric).value;
+        return metricNumber(metric).value;
     case SmallPrintRole:
-        return metricFigure(metric).smallPrint();
+        return metricNumber(metric).smallPrint();
     default:
         return {};
     }

@@ -51,7 +51,7 @@ std::vector<ChosenCamera> proposeCameras(const std::vector<CameraRecord> &camera
         anyReal = anyReal || device.kind != "simulated";
     }
     const auto give = [&](ChosenCamera &camera, const std::string &uri) {
-        if (camera.second.empty() && free.erase(withoutWishes(uri)) > 0)
+        if (camera.second.empty() && free.erase(withoutSettings(uri)) > 0)
             camera.second = uri;
     };
     for (std::size_t i = 0; i < cameras.size(); ++i)
@@ -107,7 +107,7 @@ CameraChoiceDialog::CameraChoiceDialog(std::vector<ChosenCamera> cameras, LiveCa
         auto *settings = plainButton(tr("Settings…"));
         settings->setAccessibleName(tr("Settings of camera %1").arg(QString::fromStdString(name)));
         const std::size_t camera = m_boxes.size();
-        connect(settings, &QPushButton::clicked, this, [this, camera] { askWishes(camera); });
+        connect(settings, &QPushButton::clicked, this, [this, camera] { askSettings(camera); });
         auto *row = new QHBoxLayout;
         row->addWidget(box, 1);
         row->addWidget(settings);
@@ -116,24 +116,24 @@ CameraChoiceDialog::CameraChoiceDialog(std::vector<ChosenCamera> cameras, LiveCa
         form->addRow(label, row);
         m_boxes.push_back(box);
         m_settings.push_back(settings);
-        m_wanted[withoutWishes(uri)] = uri;
+        m_wanted[withoutSettings(uri)] = uri;
     }
     m_words->setWordWrap(true);
     m_words->setTextFormat(Qt::PlainText);
     m_words->setObjectName(QStringLiteral("quiet"));
-    QPushButton *look = m_buttons->addButton(tr("&Search again"), QDialogButtonBox::ActionRole);
+    QPushButton *searchButton = m_buttons->addButton(tr("&Search again"), QDialogButtonBox::ActionRole);
     QPushButton *use = m_buttons->addButton(tr("Use these"), QDialogButtonBox::AcceptRole);
     auto *layout = new QVBoxLayout(this);
     layout->addLayout(form);
     layout->addWidget(m_words);
     layout->addWidget(m_buttons);
     use->setDefault(true);
-    connect(look, &QPushButton::clicked, &m_connected, &LiveCameras::look);
+    connect(searchButton, &QPushButton::clicked, &m_connected, &LiveCameras::poll);
     connect(&m_connected, &LiveCameras::changed, this, &CameraChoiceDialog::fill);
     connect(m_buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
     connect(m_buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
     fill();
-    m_connected.look();
+    m_connected.poll();
 }
 
 void CameraChoiceDialog::fill()
@@ -142,7 +142,7 @@ void CameraChoiceDialog::fill()
         QComboBox &box = *m_boxes[i];
         const QSignalBlocker quiet(box);
         const QString now = box.count() > 0 ? box.currentData().toString()
-                                            : QString::fromStdString(withoutWishes(m_cameras[i].second));
+                                            : QString::fromStdString(withoutSettings(m_cameras[i].second));
         box.clear();
         box.addItem(tr("not used"), QString());
         for (const CameraDescription &device : m_connected.cameras()) {
@@ -171,9 +171,9 @@ void CameraChoiceDialog::check()
             uris.insert(uri);
     }
     for (std::size_t i = 0; i < m_boxes.size(); ++i)
-        m_settings[i]->setEnabled(takesWishes(m_boxes[i]->currentData().toString().toStdString()));
+        m_settings[i]->setEnabled(acceptsSettings(m_boxes[i]->currentData().toString().toStdString()));
     QString words;
-    if (m_connected.isLooking())
+    if (m_connected.isSearching())
         words = tr("Searching for cameras…");
     else if (used == 0)
         words = tr("Choose at least one camera. Two cameras locate a robot more accurately, and if one "
@@ -195,15 +195,16 @@ std::string CameraChoiceDialog::uriOf(std::size_t camera) const
     return wanted == m_wanted.end() ? uri : wanted->second;
 }
 
-void CameraChoiceDialog::askWishes(std::size_t camera)
+void CameraChoiceDialog::askSettings(std::size_t camera)
 {
     const std::string uri = uriOf(camera);
-    const auto device = std::ranges::find(m_connected.cameras(), withoutWishes(uri), &CameraDescription::uri);
+    const auto device =
+        std::ranges::find(m_connected.cameras(), withoutSettings(uri), &CameraDescription::uri);
     const CameraDescription known{
         .uri = uri, .kind = {}, .name = nameAlone(uri)}; // one that is not connected now
-    CameraWishesDialog dialog(device == m_connected.cameras().end() ? known : *device, uri, this);
+    CameraSettingsDialog dialog(device == m_connected.cameras().end() ? known : *device, uri, this);
     if (dialog.exec() == QDialog::Accepted)
-        m_wanted[withoutWishes(uri)] = dialog.uri();
+        m_wanted[withoutSettings(uri)] = dialog.uri();
 }
 
 std::vector<ChosenCamera> CameraChoiceDialog::cameras() const
@@ -220,7 +221,7 @@ constexpr const char *network = "aravis:";
 constexpr double mostFramesPerSecond = 1000, mostExposureMs = 1000;
 
 /// "format=MJPG&size=1280x720"
-QString pictureOf(const CameraFormat &format)
+QString frameFormatOf(const CameraFormat &format)
 {
     return QStringLiteral("format=%1&size=%2x%3")
         .arg(QString::fromStdString(format.coding))
@@ -233,11 +234,11 @@ QDoubleSpinBox *freeNumber(double most, const QString &unit)
     auto *box = new NumberBox;
     box->setRange(0, most);
     box->setSuffix(QStringLiteral(" ") + unit);
-    box->setSpecialValueText(CameraWishesDialog::tr("set by the camera"));
+    box->setSpecialValueText(CameraSettingsDialog::tr("set by the camera"));
     return box;
 }
 
-CameraWish wish(const std::string &name, const std::string &value)
+CameraSetting setting(const std::string &name, const std::string &value)
 {
     return {name + "=" + value, name, value};
 }
@@ -249,22 +250,22 @@ std::string text(double value)
 
 } // namespace
 
-CameraWishesDialog::CameraWishesDialog(const CameraDescription &device, const std::string &uri,
-                                       QWidget *parent)
-    : QDialog(parent), m_uri(uri), m_onNetwork(uri.starts_with(network)), m_picture(new QComboBox),
+CameraSettingsDialog::CameraSettingsDialog(const CameraDescription &device, const std::string &uri,
+                                           QWidget *parent)
+    : QDialog(parent), m_uri(uri), m_onNetwork(uri.starts_with(network)), m_frameFormat(new QComboBox),
       m_rate(freeNumber(mostFramesPerSecond, tr("frames/s"))),
       m_exposure(freeNumber(mostExposureMs, tr("ms"))),
       m_trigger(new QCheckBox(
           tr("Trigger each frame by software, at the same time for all cameras with this setting")))
 {
     setWindowTitle(tr("Settings of %1").arg(shownWords(device.name)));
-    addPicture(device);
-    m_picture->setAccessibleName(tr("Format"));
+    addFrameFormat(device);
+    m_frameFormat->setAccessibleName(tr("Format"));
     m_rate->setAccessibleName(tr("Rate"));
     m_exposure->setAccessibleName(tr("Exposure"));
     m_trigger->setAccessibleName(tr("Software trigger"));
     auto *form = new QFormLayout;
-    form->addRow(tr("&Format"), m_picture);
+    form->addRow(tr("&Format"), m_frameFormat);
     form->addRow(tr("&Rate"), m_rate);
     form->addRow(tr("&Exposure"), m_exposure);
     form->addRow(tr("&Trigger"), m_trigger);
@@ -283,59 +284,59 @@ CameraWishesDialog::CameraWishesDialog(const CameraDescription &device, const st
     use->setDefault(true); // now that it belongs to the dialog
     connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
-    showWishes(splitCameraUri(uri, m_onNetwork ? network : "v4l2:").wishes);
+    showSettings(splitCameraUri(uri, m_onNetwork ? network : "v4l2:").cameraSettings);
 }
 
-void CameraWishesDialog::addPicture(const CameraDescription &device)
+void CameraSettingsDialog::addFrameFormat(const CameraDescription &device)
 {
-    m_picture->addItem(tr("best for tracking"), QString());
+    m_frameFormat->addItem(tr("best for tracking"), QString());
     if (m_onNetwork) {
         for (const char *format : {"BayerRG8", "BayerGR8", "BayerGB8", "BayerBG8", "RGB8", "BGR8", "Mono8"})
-            m_picture->addItem(QString::fromLatin1(format),
-                               QStringLiteral("format=%1").arg(QLatin1String(format)));
+            m_frameFormat->addItem(QString::fromLatin1(format),
+                                   QStringLiteral("format=%1").arg(QLatin1String(format)));
         return;
     }
     for (const CameraFormat &format : device.formats)
         if (!format.coding.empty())
-            m_picture->addItem(shownWords(format.words), pictureOf(format));
+            m_frameFormat->addItem(shownWords(format.words), frameFormatOf(format));
 }
 
-void CameraWishesDialog::showWishes(std::vector<CameraWish> wishes)
+void CameraSettingsDialog::showSettings(std::vector<CameraSetting> cameraSettings)
 {
-    QStringList picture;
-    for (CameraWish &wish : wishes) {
-        const double number = QString::fromStdString(wish.value).toDouble();
-        if (wish.name == "rate")
+    QStringList frameFormat;
+    for (CameraSetting &setting : cameraSettings) {
+        const double number = QString::fromStdString(setting.value).toDouble();
+        if (setting.name == "rate")
             m_rate->setValue(number);
-        else if (wish.name == "exposure_ms" && m_onNetwork)
+        else if (setting.name == "exposure_ms" && m_onNetwork)
             m_exposure->setValue(number);
-        else if (wish.name == "trigger" && m_onNetwork)
-            m_trigger->setChecked(wish.value == "software");
-        else if (wish.name == "format" || (wish.name == "size" && !m_onNetwork))
-            picture << QString::fromStdString(wish.text);
+        else if (setting.name == "trigger" && m_onNetwork)
+            m_trigger->setChecked(setting.value == "software");
+        else if (setting.name == "format" || (setting.name == "size" && !m_onNetwork))
+            frameFormat << QString::fromStdString(setting.text);
         else
-            m_others.push_back(std::move(wish));
+            m_others.push_back(std::move(setting));
     }
-    picture.sort(); // format, then size
-    const QString wanted = picture.join(u'&');
-    if (m_picture->findData(wanted) < 0)
-        m_picture->addItem(picture.join(QStringLiteral(", ")), wanted);
-    m_picture->setCurrentIndex(m_picture->findData(wanted));
+    frameFormat.sort(); // format, then size
+    const QString wanted = frameFormat.join(u'&');
+    if (m_frameFormat->findData(wanted) < 0)
+        m_frameFormat->addItem(frameFormat.join(QStringLiteral(", ")), wanted);
+    m_frameFormat->setCurrentIndex(m_frameFormat->findData(wanted));
 }
 
-std::string CameraWishesDialog::uri() const
+std::string CameraSettingsDialog::uri() const
 {
-    std::vector<CameraWish> wishes;
-    if (const QString picture = m_picture->currentData().toString(); !picture.isEmpty())
-        wishes = splitCameraUri("x:?" + picture.toStdString(), "x:").wishes;
+    std::vector<CameraSetting> cameraSettings;
+    if (const QString frameFormat = m_frameFormat->currentData().toString(); !frameFormat.isEmpty())
+        cameraSettings = splitCameraUri("x:?" + frameFormat.toStdString(), "x:").cameraSettings;
     if (m_rate->value() > 0)
-        wishes.push_back(wish("rate", text(m_rate->value())));
+        cameraSettings.push_back(setting("rate", text(m_rate->value())));
     if (m_exposure->value() > 0)
-        wishes.push_back(wish("exposure_ms", text(m_exposure->value())));
+        cameraSettings.push_back(setting("exposure_ms", text(m_exposure->value())));
     if (m_trigger->isChecked())
-        wishes.push_back(wish("trigger", "software"));
-    wishes.insert(wishes.end(), m_others.begin(), m_others.end());
-    return withWishes(m_uri, wishes);
+        cameraSettings.push_back(setting("trigger", "software"));
+    cameraSettings.insert(cameraSettings.end(), m_others.begin(), m_others.end());
+    return withSettings(m_uri, cameraSettings);
 }
 
 } // namespace odo

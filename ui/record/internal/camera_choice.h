@@ -50,7 +50,7 @@ public:
 private:
     void fill();
     void check();
-    void askWishes(std::size_t camera);
+    void askSettings(std::size_t camera);
     std::string uriOf(std::size_t camera) const;
 
     LiveCameras &m_connected;
@@ -64,23 +64,23 @@ private:
 
 /// The settings of a USB or network camera: what follows the '?' in its address, see docs/cameras.md.
 /// Settings of the address that the dialog does not show stay.
-class CameraWishesDialog : public QDialog
+class CameraSettingsDialog : public QDialog
 {
     Q_OBJECT
 public:
     /// uri: the camera's address with its present settings. Only for addresses that accept settings.
-    CameraWishesDialog(const CameraDescription &device, const std::string &uri, QWidget *parent = nullptr);
+    CameraSettingsDialog(const CameraDescription &device, const std::string &uri, QWidget *parent = nullptr);
     /// With the current settings.
     std::string uri() const;
 
 private:
-    void addPicture(const CameraDescription &device);
-    void showWishes(std::vector<CameraWish> wishes);
+    void addFrameFormat(const CameraDescription &device);
+    void showSettings(std::vector<CameraSetting> cameraSettings);
 
     const std::string m_uri;
     const bool m_onNetwork;
-    std::vector<CameraWish> m_others; ///< that are not asked for here
-    QComboBox *m_picture;
+    std::vector<CameraSetting> m_others; ///< that are not asked for here
+    QComboBox *m_frameFormat;
     QDoubleSpinBox *m_rate, *m_exposure;
     QCheckBox *m_trigger;
 };

@@ -2,7 +2,7 @@
 #include "ui/record/internal/health_watch.h"
 
 #include "core/project/project.h"
-#include "ui/models/figure_text.h"
+#include "ui/models/number_text.h"
 #include "ui/models/shown_message.h"
 #include "ui/record/internal/live_board.h"
 #include "ui/record/internal/running_cameras.h"
@@ -32,27 +32,27 @@ class HealthWatchWords
 } // namespace
 
 HealthWatch::HealthWatch(const Project &project, bool readOnly, ChosenCameras &cameras, LiveBoard &board,
-                         TroubleBar &trouble)
-    : m_project(project), m_readOnly(readOnly), m_cameras(cameras), m_board(board), m_trouble(trouble)
+                         WarningBar &warning)
+    : m_project(project), m_readOnly(readOnly), m_cameras(cameras), m_board(board), m_warning(warning)
 {
 }
 
-void HealthWatch::look()
+void HealthWatch::poll()
 {
     if (!m_cameras.session())
         return;
     CaptureHealth health = m_cameras.session()->health();
     if (!health.disk.recording)
-        health.disk.secondsLeft = m_cameras.session()->secondsOfRoom(m_project.file().parent_path());
-    const LiveFigures live = m_cameras.tracker() ? m_cameras.tracker()->figures() : LiveFigures{};
+        health.disk.secondsLeft = m_cameras.session()->remainingSeconds(m_project.file().parent_path());
+    const LiveStatistics live = m_cameras.tracker() ? m_cameras.tracker()->statistics() : LiveStatistics{};
     m_board.setHealth(health, m_cameras.cameras(), live, m_before);
-    m_room = shownWords(roomWords(health.disk));
+    m_remainingTime = shownWords(remainingTimeText(health.disk));
     m_anyDelivers = std::ranges::any_of(
         health.views, [](const ViewHealth &view) { return view.state == ViewHealth::State::Delivering; });
     const bool allEnded = std::ranges::all_of(
         health.views, [](const ViewHealth &view) { return view.state == ViewHealth::State::Ended; });
     m_hasEnded = health.disk.ended || allEnded;
-    showTrouble(health);
+    showWarning(health);
 }
 
 void HealthWatch::countFromNow()
@@ -70,20 +70,20 @@ QString HealthWatch::blocked() const
     return m_anyDelivers ? QString() : HealthWatchWords::tr("No camera sends frames");
 }
 
-void HealthWatch::showTrouble(const CaptureHealth &health)
+void HealthWatch::showWarning(const CaptureHealth &health)
 {
     const auto &cameras = m_cameras.cameras();
-    QString words = troubleWords(health, cameras);
+    QString words = warningWords(health, cameras);
     if (m_readOnly)
         words = HealthWatchWords::tr("This project is read-only: you cannot record into it.");
     const QString unregistered = m_cameras.session() ? unregisteredWords(cameras) : QString();
     if (words.isEmpty() && !unregistered.isEmpty())
-        m_trouble.setWords(unregistered, HealthWatchWords::tr("Register &it in Testbed"));
+        m_warning.setWords(unregistered, HealthWatchWords::tr("Register &it in Testbed"));
     else
-        m_trouble.setWords(words);
+        m_warning.setWords(words);
 }
 
-TroubleBar::TroubleBar(QWidget *parent) : QFrame(parent), m_words(new QLabel), m_button(new QPushButton)
+WarningBar::WarningBar(QWidget *parent) : QFrame(parent), m_words(new QLabel), m_button(new QPushButton)
 {
     setObjectName(QStringLiteral("messageBar"));
     setProperty("kind", QStringLiteral("bad"));
@@ -95,11 +95,11 @@ TroubleBar::TroubleBar(QWidget *parent) : QFrame(parent), m_words(new QLabel), m
     layout->addWidget(m_words, 1);
     layout->addWidget(m_button);
     m_button->setAccessibleName(tr("Fix"));
-    connect(m_button, &QPushButton::clicked, this, &TroubleBar::clicked);
+    connect(m_button, &QPushButton::clicked, this, &WarningBar::clicked);
     hide();
 }
 
-void TroubleBar::setWords(const QString &words, const QString &button)
+void WarningBar::setWords(const QString &words, const QString &button)
 {
     if (words != m_words->text())
         m_words->setText(words);
@@ -108,7 +108,7 @@ void TroubleBar::setWords(const QString &words, const QString &button)
     setVisible(!words.isEmpty());
 }
 
-QString TroubleBar::words() const
+QString WarningBar::words() const
 {
     return isHidden() ? QString() : m_words->text();
 }
@@ -213,11 +213,11 @@ class RecordHealthWords
 };
 
 constexpr double goodStepS = 0.005, badStepS = 0.017; // half an interval of 30 frames/s
-constexpr double slowMapS = 0.2, littleRoomS = 300;
+constexpr double slowMapS = 0.2, littleTimeS = 300;
 
 Badge viewBadge(const ViewHealth &view)
 {
-    if (view.state == ViewHealth::State::Waiting || view.state == ViewHealth::State::Ended || view.trouble)
+    if (view.state == ViewHealth::State::Waiting || view.state == ViewHealth::State::Ended || view.warning)
         return {RecordHealthWords::tr("problem"), BadgeState::Bad};
     if (view.slow)
         return {RecordHealthWords::tr("slow"), BadgeState::Warning};
@@ -273,7 +273,7 @@ Fact stepFact(const PairHealth &pairs)
     const Badge badge = pairs.p95S <= goodStepS  ? Badge{RecordHealthWords::tr("good"), BadgeState::Good}
                         : pairs.p95S <= badStepS ? Badge{RecordHealthWords::tr("fair"), BadgeState::Neutral}
                                                  : Badge{RecordHealthWords::tr("poor"), BadgeState::Warning};
-    return {RecordHealthWords::tr("Synchronisation"), shownWords(inStepWords(pairs.p95S)), badge};
+    return {RecordHealthWords::tr("Synchronisation"), shownWords(synchronisationWords(pairs.p95S)), badge};
 }
 
 QString sentence(QString words)
@@ -291,7 +291,7 @@ QString errorSentence(const Error &error)
 } // namespace
 
 QList<Fact> healthFacts(const CaptureHealth &health, const std::vector<WantedCamera> &cameras,
-                        const LiveFigures &live, const std::vector<SeenRobot> &robots,
+                        const LiveStatistics &live, const std::vector<SeenRobot> &robots,
                         const CaptureHealth &before)
 {
     QList<Fact> facts;
@@ -306,9 +306,9 @@ QList<Fact> healthFacts(const CaptureHealth &health, const std::vector<WantedCam
     if (health.disk.recording) {
         QStringList words{RecordHealthWords::tr("%1 MB written")
                               .arg(QLocale().toString(double(health.disk.bytes) / 1e6, 'f', 0))};
-        if (const Message room = roomWords(health.disk); !room.isEmpty())
-            words << shownWords(room);
-        const bool bad = health.disk.trouble || health.disk.waiting >= 1;
+        if (const Message remainingTime = remainingTimeText(health.disk); !remainingTime.isEmpty())
+            words << shownWords(remainingTime);
+        const bool bad = health.disk.warning || health.disk.waiting >= 1;
         facts.append({RecordHealthWords::tr("Disk"), words.join(QStringLiteral(", ")),
                       bad ? Badge{RecordHealthWords::tr("problem"), BadgeState::Bad}
                           : Badge{RecordHealthWords::tr("good"), BadgeState::Good}});
@@ -336,19 +336,19 @@ QString unregisteredWords(const std::vector<WantedCamera> &cameras)
     return {};
 }
 
-QString troubleWords(const CaptureHealth &health, const std::vector<WantedCamera> &cameras)
+QString warningWords(const CaptureHealth &health, const std::vector<WantedCamera> &cameras)
 {
-    if (health.disk.trouble)
-        return RecordHealthWords::tr("Recording: %1").arg(errorSentence(health.disk.trouble->error));
-    const auto firstOf = [&](std::optional<Trouble> ViewHealth::*kind) {
+    if (health.disk.warning)
+        return RecordHealthWords::tr("Recording: %1").arg(errorSentence(health.disk.warning->error));
+    const auto firstOf = [&](std::optional<RecordingWarning> ViewHealth::*kind) {
         for (std::size_t v = 0; v < std::min(cameras.size(), health.views.size()); ++v) {
-            if (const auto &trouble = health.views[v].*kind)
+            if (const auto &warning = health.views[v].*kind)
                 return RecordHealthWords::tr("Camera %1: %2")
-                    .arg(QString::fromStdString(cameras[v].name), errorSentence(trouble->error));
+                    .arg(QString::fromStdString(cameras[v].name), errorSentence(warning->error));
         }
         return QString();
     };
-    if (QString words = firstOf(&ViewHealth::trouble); !words.isEmpty())
+    if (QString words = firstOf(&ViewHealth::warning); !words.isEmpty())
         return words;
     if (health.sleep)
         return errorSentence(health.sleep->error);
@@ -357,9 +357,9 @@ QString troubleWords(const CaptureHealth &health, const std::vector<WantedCamera
     if (health.disk.recording && health.disk.waiting >= 0.5)
         return RecordHealthWords::tr(
             "The disk is barely fast enough: record to a faster one, or with fewer cameras.");
-    if (health.disk.secondsLeft && *health.disk.secondsLeft < littleRoomS)
-        return sentence(
-            RecordHealthWords::tr("The disk is nearly full: %1").arg(shownWords(roomWords(health.disk))));
+    if (health.disk.secondsLeft && *health.disk.secondsLeft < littleTimeS)
+        return sentence(RecordHealthWords::tr("The disk is nearly full: %1")
+                            .arg(shownWords(remainingTimeText(health.disk))));
     if (health.pairs.pairs > 0 && health.pairs.p95S > badStepS)
         return RecordHealthWords::tr("The cameras are not synchronised: set both to the same frame rate.");
     return {};

@@ -26,7 +26,7 @@ namespace odo {
 class ChosenCameras;
 class LiveBoard;
 class Project;
-class TroubleBar;
+class WarningBar;
 
 /// Checks the cameras and the disk, shows their health on the board and problems in the bar, and knows
 /// whether a run can be recorded. All must outlive it. GUI thread.
@@ -34,12 +34,12 @@ class HealthWatch
 {
 public:
     HealthWatch(const Project &project, bool readOnly, ChosenCameras &cameras, LiveBoard &board,
-                TroubleBar &trouble);
+                WarningBar &warning);
 
     /// Once more; nothing while no camera runs.
-    void look();
+    void poll();
     /// Before anything is known of the cameras.
-    void lookAtNone() { showTrouble({}); }
+    void watchNone() { showWarning({}); }
     /// Losses are counted from now on, as a run begins: the cameras run.
     void countFromNow();
     /// Losses are counted from their opening, as cameras are opened.
@@ -47,30 +47,30 @@ public:
     /// What keeps a run from being recorded, in words; empty: nothing.
     QString blocked() const;
     /// The remaining recording time, in words.
-    const QString &room() const { return m_room; }
+    const QString &remainingTime() const { return m_remainingTime; }
     /// By the last look nothing more can be recorded: the disk has ended, or every camera.
     bool hasEnded() const { return m_hasEnded; }
 
 private:
-    void showTrouble(const CaptureHealth &health);
+    void showWarning(const CaptureHealth &health);
 
     const Project &m_project;
     const bool m_readOnly;
     ChosenCameras &m_cameras;
     LiveBoard &m_board;
-    TroubleBar &m_trouble;
-    QString m_room;
+    WarningBar &m_warning;
+    QString m_remainingTime;
     CaptureHealth m_before; ///< losses are counted since then
     bool m_anyDelivers = false, m_hasEnded = false;
 };
 
 /// A sentence across the page while a problem lasts, with a button that leads to its fix. Hidden without
 /// words.
-class TroubleBar : public QFrame
+class WarningBar : public QFrame
 {
     Q_OBJECT
 public:
-    explicit TroubleBar(QWidget *parent = nullptr);
+    explicit WarningBar(QWidget *parent = nullptr);
     /// button: its words; empty: none.
     void setWords(const QString &words, const QString &button = {});
     QString words() const;
@@ -115,11 +115,11 @@ struct SeenRobot
 /// How cameras, step, map and disk do, and where the robots are, a line each. Losses are those since
 /// `before`.
 QList<Fact> healthFacts(const CaptureHealth &health, const std::vector<WantedCamera> &cameras,
-                        const LiveFigures &live, const std::vector<SeenRobot> &robots = {},
+                        const LiveStatistics &live, const std::vector<SeenRobot> &robots = {},
                         const CaptureHealth &before = {});
 
 /// What a person must know now, in a sentence; the worst first; empty: all is well.
-QString troubleWords(const CaptureHealth &health, const std::vector<WantedCamera> &cameras);
+QString warningWords(const CaptureHealth &health, const std::vector<WantedCamera> &cameras);
 /// That a camera cannot locate robots; empty if all can.
 QString unregisteredWords(const std::vector<WantedCamera> &cameras);
 

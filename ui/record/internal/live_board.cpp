@@ -3,7 +3,7 @@
 
 #include "core/base/steady_now.h"
 #include "ui/record/internal/health_watch.h"
-#include "ui/record/internal/live_picture_area.h"
+#include "ui/record/internal/live_image_area.h"
 #include "ui/views/charts/series_colours.h"
 #include "ui/views/map/map_painting.h"
 #include "ui/views/widgets/card.h"
@@ -23,7 +23,7 @@
 namespace odo {
 
 LiveBoard::LiveBoard(const QList<QAction *> &tools, QWidget *parent)
-    : QWidget(parent), m_pictures(new QSplitter), m_mapCard(new Card(tr("Top-down map"))), m_map(new LiveMap),
+    : QWidget(parent), m_images(new QSplitter), m_mapCard(new Card(tr("Top-down map"))), m_map(new LiveMap),
       m_health(new FactList)
 {
     setTarget({});
@@ -39,10 +39,10 @@ LiveBoard::LiveBoard(const QList<QAction *> &tools, QWidget *parent)
     below->addWidget(healthCard);
     below->setSizes({500, 420});
     auto *all = new QSplitter(Qt::Vertical);
-    all->addWidget(m_pictures);
+    all->addWidget(m_images);
     all->addWidget(below);
     all->setSizes({330, 390});
-    for (QSplitter *each : {m_pictures, below, all}) {
+    for (QSplitter *each : {m_images, below, all}) {
         each->setHandleWidth(8);
         each->setChildrenCollapsible(false);
     }
@@ -60,12 +60,12 @@ void LiveBoard::setCameras(const RunningCameras &running)
         m_areas.pop_back();
     }
     while (m_areas.size() < cameras.size()) {
-        auto *area = new LivePictureArea;
+        auto *area = new LiveImageArea;
         auto *card = new Card({});
         card->setContent(area);
-        m_pictures->addWidget(card);
+        m_images->addWidget(card);
         connect(
-            area, &LivePictureArea::shownSizeChanged, this,
+            area, &LiveImageArea::shownSizeChanged, this,
             [this, view = m_areas.size()](const QSize &pixels) { Q_EMIT shownSizeChanged(view, pixels); });
         m_areas.push_back(area);
         m_cards.push_back(card);
@@ -100,14 +100,14 @@ void LiveBoard::setFloor(const TrialScenePtr &floor)
 void LiveBoard::setRobots(const std::vector<RobotRecord> &robots)
 {
     m_map->setRobots(robots);
-    for (LivePictureArea *area : m_areas)
+    for (LiveImageArea *area : m_areas)
         area->setRobots(robots);
 }
 
-void LiveBoard::setPicture(const LivePicture &picture)
+void LiveBoard::setImage(const LiveFrame &live)
 {
-    if (picture.view < m_areas.size())
-        m_areas[picture.view]->setPicture(picture);
+    if (live.view < m_areas.size())
+        m_areas[live.view]->setImage(live);
 }
 
 void LiveBoard::addMoment(const LiveMoment &moment)
@@ -115,19 +115,19 @@ void LiveBoard::addMoment(const LiveMoment &moment)
     m_map->addPosition(moment.robot, moment.position);
     if (!moment.position.point.valid)
         return;
-    for (LivePictureArea *area : m_areas)
-        area->addPlace(moment.robot, moment.position.point.position);
+    for (LiveImageArea *area : m_areas)
+        area->addPosition(moment.robot, moment.position.point.position);
 }
 
-void LiveBoard::forgetWays()
+void LiveBoard::forgetPaths()
 {
-    m_map->forgetWays();
-    for (LivePictureArea *area : m_areas)
-        area->forgetWays();
+    m_map->forgetPaths();
+    for (LiveImageArea *area : m_areas)
+        area->forgetPaths();
 }
 
 void LiveBoard::setHealth(const CaptureHealth &health, const std::vector<WantedCamera> &cameras,
-                          const LiveFigures &live, const CaptureHealth &before)
+                          const LiveStatistics &live, const CaptureHealth &before)
 {
     m_health->setFacts(healthFacts(health, cameras, live, m_map->robots(), before));
     for (std::size_t v = 0; v < std::min(m_areas.size(), health.views.size()); ++v) {
@@ -145,7 +145,7 @@ namespace {
 
 constexpr double standingMps = 0.05;
 constexpr Nanoseconds longestSilence = std::chrono::seconds(1);
-constexpr std::size_t longestWay = 30 * 60 * 10; // ten minutes: a longer way is a thicket
+constexpr std::size_t longestPath = 30 * 60 * 10; // ten minutes: a longer way is a thicket
 
 } // namespace
 
@@ -162,21 +162,21 @@ void LiveMap::setFloor(TrialScenePtr floor)
 
 void LiveMap::setRobots(std::vector<RobotRecord> robots)
 {
-    m_places = colourPlaces(robots);
+    m_positions = paletteIndices(robots);
     m_robots.clear();
     for (RobotRecord &robot : robots)
         m_robots.push_back({std::move(robot), {}, {}, {}});
     forgetStill();
 }
 
-void LiveMap::forgetWays()
+void LiveMap::forgetPaths()
 {
     for (Driven &driven : m_robots)
-        driven.way.clear();
+        driven.path.clear();
     forgetStill();
 }
 
-std::optional<Eigen::Vector2d> LiveMap::place(std::size_t robot) const
+std::optional<Eigen::Vector2d> LiveMap::latestPosition(std::size_t robot) const
 {
     if (robot >= m_robots.size() || !m_robots[robot].now || !m_robots[robot].now->point.valid)
         return std::nullopt;
@@ -199,7 +199,7 @@ QColor LiveMap::colourOf(std::size_t robot) const
 {
     return m_robots.size() == 1 ? drawnColour(m_robots.front().robot.drawingColour,
                                               ThemeColours::of(palette()).spike, palette())
-                                : seriesColour(m_places[robot], palette());
+                                : seriesColour(m_positions[robot], palette());
 }
 
 void LiveMap::addPosition(std::size_t robot, const LivePosition &position)
@@ -211,12 +211,12 @@ void LiveMap::addPosition(std::size_t robot, const LivePosition &position)
     const ProfilePoint &point = position.point;
     if (point.valid && point.speedMps > std::max(standingMps, 2 * point.sigmaSpeedMps))
         driven.headingRad = std::atan2(point.velocity.y(), point.velocity.x());
-    if (driven.way.size() >= longestWay) {
-        driven.way.erase(driven.way.begin(), driven.way.begin() + longestWay / 2);
+    if (driven.path.size() >= longestPath) {
+        driven.path.erase(driven.path.begin(), driven.path.begin() + longestPath / 2);
         forgetStill();
     }
-    driven.way.push_back(point.valid ? std::optional(point.position) : std::nullopt);
-    addToStill([&](QPainter &painter) { drawStep(painter, robot, driven.way.size() - 1); });
+    driven.path.push_back(point.valid ? std::optional(point.position) : std::nullopt);
+    addToStill([&](QPainter &painter) { drawStep(painter, robot, driven.path.size() - 1); });
     update();
 }
 
@@ -229,12 +229,12 @@ MapPlan LiveMap::plan() const
 
 void LiveMap::drawStep(QPainter &painter, std::size_t robot, std::size_t to) const
 {
-    const auto &way = m_robots[robot].way;
-    if (to == 0 || !way[to] || !way[to - 1])
+    const auto &path = m_robots[robot].path;
+    if (to == 0 || !path[to] || !path[to - 1])
         return;
     const MapPlan map = plan();
     painter.setPen(QPen(colourOf(robot), 2.4, Qt::SolidLine, Qt::RoundCap));
-    painter.drawLine(map.fromWorld(*way[to - 1]), map.fromWorld(*way[to]));
+    painter.drawLine(map.fromWorld(*path[to - 1]), map.fromWorld(*path[to]));
 }
 
 void LiveMap::paintStill(QPainter &painter) const
@@ -250,7 +250,7 @@ void LiveMap::paintStill(QPainter &painter) const
         drawGates(painter, m_floor->task->gates, toScreen, palette());
     }
     for (std::size_t robot = 0; robot < m_robots.size(); ++robot) {
-        for (std::size_t i = 1; i < m_robots[robot].way.size(); ++i)
+        for (std::size_t i = 1; i < m_robots[robot].path.size(); ++i)
             drawStep(painter, robot, i);
     }
 }
@@ -269,7 +269,7 @@ void LiveMap::paintEvent(QPaintEvent *)
     drawStill(painter);
     painter.setRenderHint(QPainter::Antialiasing);
     for (std::size_t i = 0; i < m_robots.size(); ++i) {
-        if (!place(i))
+        if (!latestPosition(i))
             continue;
         const Driven &driven = m_robots[i];
         const ProfilePoint &point = driven.now->point;

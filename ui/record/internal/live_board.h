@@ -19,7 +19,7 @@ namespace odo {
 class Card;
 class FactList;
 class LiveMap;
-class LivePictureArea;
+class LiveImageArea;
 
 /// The live state: a frame per camera, the map, and the health of cameras, map and disk.
 class LiveBoard : public QWidget
@@ -35,24 +35,24 @@ public:
     void setRobots(const std::vector<RobotRecord> &robots);
     /// Where the robots' positions are sent; nullopt: nowhere.
     void setTarget(const std::optional<BroadcastTarget> &target);
-    void setPicture(const LivePicture &picture);
+    void setImage(const LiveFrame &live);
     void addMoment(const LiveMoment &moment);
-    void forgetWays();
+    void forgetPaths();
     /// before: losses are counted from there.
     void setHealth(const CaptureHealth &health, const std::vector<WantedCamera> &cameras,
-                   const LiveFigures &live, const CaptureHealth &before);
+                   const LiveStatistics &live, const CaptureHealth &before);
 
     const LiveMap &map() const { return *m_map; }
-    const std::vector<LivePictureArea *> &pictures() const { return m_areas; }
+    const std::vector<LiveImageArea *> &imageAreas() const { return m_areas; }
 
 Q_SIGNALS:
     void shownSizeChanged(std::size_t view, const QSize &devicePixels);
 
 private:
-    QSplitter *m_pictures;
+    QSplitter *m_images;
     Card *m_mapCard;
     std::vector<Card *> m_cards;
-    std::vector<LivePictureArea *> m_areas;
+    std::vector<LiveImageArea *> m_areas;
     LiveMap *m_map;
     FactList *m_health;
 };
@@ -69,10 +69,10 @@ public:
     void setFloor(TrialScenePtr floor);
     void setRobots(std::vector<RobotRecord> robots);
     void addPosition(std::size_t robot, const LivePosition &position);
-    void forgetWays();
+    void forgetPaths();
 
     /// The newest position of a robot; nullopt: not seen just now.
-    std::optional<Eigen::Vector2d> place(std::size_t robot) const;
+    std::optional<Eigen::Vector2d> latestPosition(std::size_t robot) const;
 
     /// Where each robot is; those that have not been heard of for a while are not seen.
     std::vector<SeenRobot> robots() const;
@@ -87,7 +87,7 @@ private:
     struct Driven
     {
         RobotRecord robot;
-        std::vector<std::optional<Eigen::Vector2d>> way; ///< an empty element: not detected
+        std::vector<std::optional<Eigen::Vector2d>> path; ///< an empty element: not detected
         std::optional<LivePosition> now;
         std::optional<double> headingRad;
     };
@@ -98,7 +98,7 @@ private:
 
     TrialScenePtr m_floor;
     std::vector<Driven> m_robots;
-    std::vector<int> m_places; ///< of their colours in the palette
+    std::vector<int> m_positions; ///< of their colours in the palette
 };
 
 } // namespace odo

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/record/internal/run_card.h"
 
-#include "ui/models/figure_text.h"
+#include "ui/models/number_text.h"
 #include "ui/models/shown_names.h"
 #include "ui/views/widgets/command_keys.h"
 #include "ui/views/widgets/form_fields.h"
@@ -251,10 +251,10 @@ void StartCard::setState(const State &state)
     bool able = state.blocked.isEmpty() && !state.ending;
     switch (state.phase) {
     case RunPhase::Ready:
-        words = state.ending               ? tr("Writing the last frames…")
-                : !state.blocked.isEmpty() ? state.blocked
-                : state.room.isEmpty()     ? tr("F9 records, F9 stops")
-                                           : tr("F9 records, F9 stops; %1").arg(state.room);
+        words = state.ending                    ? tr("Writing the last frames…")
+                : !state.blocked.isEmpty()      ? state.blocked
+                : state.remainingTime.isEmpty() ? tr("F9 records, F9 stops")
+                                                : tr("F9 records, F9 stops; %1").arg(state.remainingTime);
         break;
     case RunPhase::CountingDown:
         text = tr("Cancel");
@@ -273,7 +273,7 @@ void StartCard::setState(const State &state)
     case RunPhase::Recording:
         text = tr("Stop");
         sign = QStringLiteral("stop");
-        words = state.room;
+        words = state.remainingTime;
         able = true;
         break;
     }

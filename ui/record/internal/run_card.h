@@ -65,9 +65,9 @@ public:
         RunPhase phase = RunPhase::Ready;
         bool ending = false; ///< the last frames are being written
         Nanoseconds countdownLeft{0}, elapsed{0};
-        QString room;    ///< remaining recording time
-        QString blocked; ///< why nothing can be recorded now; empty: it can
-        QString gate;    ///< waiting for this one
+        QString remainingTime; ///< remaining recording time
+        QString blocked;       ///< why nothing can be recorded now; empty: it can
+        QString gate;          ///< waiting for this one
     };
     void setState(const State &state);
 

@@ -85,7 +85,7 @@ void RunRecorder::end()
     m_wake.notify_all();
 }
 
-void RunRecorder::tell(const Error &error)
+void RunRecorder::report(const Error &error)
 {
     callLater(this, [this, error] { Q_EMIT failed(error); });
 }
@@ -130,7 +130,7 @@ Result<QStringList> RunRecorder::record(const Order &order, Project &project)
                                                std::max(Nanoseconds{0}, steadyNow() - order.from)));
     while (!isEndWanted()) {
         if (const Result<void> stored = live->append(project); !stored)
-            tell(stored.error());
+            report(stored.error());
     }
     ODO_TRY(runToEnd(*live, project, {}));
     return wordsOf(live->warnings());
@@ -141,7 +141,7 @@ void RunRecorder::makeHashes(Project &project)
     HashJob hashes;
     if (const Result<void> done = runToEnd(hashes, project, {m_stopHashing, {}});
         !done && done.error().code != ErrorCode::Cancelled)
-        tell(done.error());
+        report(done.error());
 }
 
 } // namespace odo

@@ -63,7 +63,7 @@ private:
     void makeHashes(Project &project);
     void awaitThread();
     void tellEnd(const QString &trial, const Result<QStringList> &warnings);
-    void tell(const Error &error);
+    void report(const Error &error);
 
     const std::filesystem::path m_project;
     State m_state = State::Idle;

@@ -2,7 +2,7 @@
 #include "ui/record/internal/run_results.h"
 
 #include "core/workflow/track/track_job.h"
-#include "ui/models/figure_text.h"
+#include "ui/models/number_text.h"
 #include "ui/models/results.h"
 #include "ui/models/shown_message.h"
 #include "ui/views/widgets/fact_list.h"
@@ -20,7 +20,7 @@ namespace {
 /// Time (of the task, or else of the run), top speed, and the most informative others.
 std::vector<Metric> shownMetrics(const std::vector<Metric> &all, std::size_t count)
 {
-    std::vector<Metric> chosen = tellingMetrics(all, count);
+    std::vector<Metric> chosen = informativeMetrics(all, count);
     const auto top = std::ranges::find(all, std::string("max_speed"), &Metric::name);
     if (top != all.end() && std::ranges::find(chosen, top->name, &Metric::name) == chosen.end() &&
         !chosen.empty())
@@ -31,7 +31,7 @@ std::vector<Metric> shownMetrics(const std::vector<Metric> &all, std::size_t cou
 } // namespace
 
 RunResultCard::RunResultCard(QWidget *parent)
-    : Card(tr("Result"), parent), m_grid(new FigureGrid), m_words(new QLabel),
+    : Card(tr("Result"), parent), m_grid(new MetricGrid), m_words(new QLabel),
       m_open(new QPushButton(tr("&Open in Review")))
 {
     auto *content = new QWidget;
@@ -71,18 +71,18 @@ void RunResultCard::setResults(const QString &trial, const std::vector<Result> &
 {
     m_trial = trial;
     setRemark(results.size() == 1 ? trial + QStringLiteral(" · ") + results.front().robot : trial);
-    std::vector<NamedFigure> figures;
+    std::vector<NamedMetric> metrics;
     const std::size_t each = results.size() > 1 ? 2 : 5;
     for (const Result &result : results) {
         for (const Metric &metric : shownMetrics(result.metrics, each)) {
             const QString name = metricName(metric.name);
-            figures.push_back(
-                {results.size() > 1 ? joinedWords(result.robot, name) : name, metricFigure(metric)});
+            metrics.push_back(
+                {results.size() > 1 ? joinedWords(result.robot, name) : name, metricNumber(metric)});
         }
         if (results.size() == 1)
-            figures.push_back({tr("Spikes flagged"), figureText(double(result.spikes), std::nullopt, {})});
+            metrics.push_back({tr("Spikes flagged"), numberText(double(result.spikes), std::nullopt, {})});
     }
-    m_grid->setFigures(std::move(figures));
+    m_grid->setMetrics(std::move(metrics));
     m_grid->show();
     m_words->setText(from == From::Live
                          ? tr("From live tracking. The final results follow shortly, from the recording.")

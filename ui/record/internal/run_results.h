@@ -18,7 +18,7 @@ class QPushButton;
 
 namespace odo {
 
-class FigureGrid;
+class MetricGrid;
 class Project;
 class TrackJob;
 
@@ -50,7 +50,7 @@ Q_SIGNALS:
 
 private:
     QString m_trial;
-    FigureGrid *m_grid;
+    MetricGrid *m_grid;
     QLabel *m_words;
     QPushButton *m_open;
 };

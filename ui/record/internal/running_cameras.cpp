@@ -5,12 +5,12 @@
 #include "core/capture/camera_source.h"
 #include "core/project/project.h"
 #include "core/project/repositories.h"
-#include "core/video/picture.h"
+#include "core/video/image.h"
 #include "core/workflow/job_runner.h"
 #include "core/workflow/record/record_trial.h"
 #include "core/workflow/trial_sources.h"
 #include "ui/record/internal/camera_choice.h"
-#include "ui/views/picture/picture_painting.h"
+#include "ui/views/image/image_painting.h"
 
 #include <algorithm>
 
@@ -18,7 +18,7 @@ namespace odo {
 
 RunningCameras::RunningCameras(Open open, QObject *parent) : QObject(parent), m_open(std::move(open))
 {
-    if (auto painter = startThread({}, [this] { showPictures(); })) // else start() reports it
+    if (auto painter = startThread({}, [this] { showFrames(); })) // else start() reports it
         m_painter = std::move(*painter);
     m_worker.moveToThread(&m_thread);
     m_thread.start();
@@ -80,8 +80,8 @@ void RunningCameras::adopt(quint64 generation, const std::shared_ptr<Sources> &o
         const CameraDescription &is = (*opened)[v]->description();
         if (!m_cameras[v].floorView)
             continue;
-        const Intrinsics &lens = m_cameras[v].floorView->camera().intrinsics();
-        if (is.widthPx > 0 && (is.widthPx != lens.widthPx || is.heightPx != lens.heightPx))
+        const Intrinsics &intrinsics = m_cameras[v].floorView->camera().intrinsics();
+        if (is.widthPx > 0 && (is.widthPx != intrinsics.widthPx || is.heightPx != intrinsics.heightPx))
             m_cameras[v].floorView.reset();
     }
     m_session = std::make_shared<CaptureSession>(std::move(*opened));
@@ -119,7 +119,7 @@ Result<void> RunningCameras::follow(std::vector<RobotRecord> robots)
     };
     const LiveTracker::Listener listener{
         [this](const LiveSight &sight) {
-            if (m_pace[sight.view].takes(sight.picture.taken) && !m_onItsWay[sight.view].exchange(true))
+            if (m_pace[sight.view].takes(sight.timedFrame.taken) && !m_isPending[sight.view].exchange(true))
                 m_toShow.pushOrDrop(sight);
         },
         [this, generation = m_generation, broadcast = m_broadcast.get()](const LiveMoment &moment) {
@@ -135,8 +135,9 @@ Result<void> RunningCameras::follow(std::vector<RobotRecord> robots)
         m_tracker = std::move(*tracker);
         return sending;
     }
-    if (auto pictures = LiveTracker::create(views, {}, subscribe(), listener)) // they are shown all the same
-        m_tracker = std::move(*pictures);
+    if (auto imageAreas =
+            LiveTracker::create(views, {}, subscribe(), listener)) // they are shown all the same
+        m_tracker = std::move(*imageAreas);
     return tl::unexpected(tracker.error());
 }
 
@@ -159,28 +160,28 @@ void RunningCameras::setShownSize(std::size_t view, const QSize &pixels)
 }
 
 /// The painter's thread.
-void RunningCameras::showPictures()
+void RunningCameras::showFrames()
 {
     while (const auto sight = m_toShow.pop()) {
-        const Frame &frame = sight->picture.captured.frame;
+        const Frame &frame = sight->timedFrame.captured.frame;
         const qint64 shown = m_shownSize[sight->view];
         const QSize taken(frame.format.width, frame.format.height);
         const QSize size = taken.scaled(int(shown >> 32), int(shown & 0xffffffff), Qt::KeepAspectRatio);
         if (size.isEmpty()) { // nobody looks
-            m_onItsWay[sight->view] = false;
+            m_isPending[sight->view] = false;
             continue;
         }
-        LivePicture picture{sight->view, toImage(toScreen(frame, size.width(), size.height())), taken,
-                            sight->observations};
-        callLater(this, [this, picture] { deliver(picture); });
+        LiveFrame live{sight->view, toImage(toScreen(frame, size.width(), size.height())), taken,
+                       sight->observations};
+        callLater(this, [this, live] { deliver(live); });
     }
 }
 
-void RunningCameras::deliver(const LivePicture &picture)
+void RunningCameras::deliver(const LiveFrame &live)
 {
-    m_onItsWay[picture.view] = false;
-    if (m_session && picture.view < m_cameras.size())
-        Q_EMIT pictureReady(picture);
+    m_isPending[live.view] = false;
+    if (m_session && live.view < m_cameras.size())
+        Q_EMIT frameReady(live);
 }
 
 ChosenCameras::ChosenCameras(Project &project, CameraAccess access, QObject *parent)
@@ -197,7 +198,7 @@ void ChosenCameras::want()
 {
     m_wanted = true;
     if (!session() && !m_running.isOpening())
-        m_connected.look();
+        m_connected.poll();
 }
 
 void ChosenCameras::stop()
@@ -285,8 +286,8 @@ Result<std::vector<WantedCamera>> wantedCameras(Project &project, const std::vec
         const auto registration = ODO_TRY(registrationOf(project, name));
         if (registration) {
             auto view = ODO_TRY(floorViewOf(project, *registration));
-            const Intrinsics &lens = view.camera().intrinsics();
-            camera.registeredPx = {lens.widthPx, lens.heightPx};
+            const Intrinsics &intrinsics = view.camera().intrinsics();
+            camera.registeredPx = {intrinsics.widthPx, intrinsics.heightPx};
             camera.floorView = std::move(view);
         }
         wanted.push_back(std::move(camera));

@@ -50,7 +50,7 @@ struct WantedCamera
 };
 
 /// A view's frame at the size it is shown in, with what was seen in it.
-struct LivePicture
+struct LiveFrame
 {
     std::size_t view = 0;
     QImage image;
@@ -82,9 +82,9 @@ public:
     /// Where the positions of the robots followed next are sent; nullopt: nowhere.
     void setTarget(std::optional<BroadcastTarget> target) { m_target = std::move(target); }
     /// How sending goes; nullopt: nothing is sent.
-    std::optional<LiveBroadcast::Figures> sentFigures() const
+    std::optional<LiveBroadcast::BroadcastStatistics> sentStatistics() const
     {
-        return m_broadcast ? std::optional(m_broadcast->figures()) : std::nullopt;
+        return m_broadcast ? std::optional(m_broadcast->statistics()) : std::nullopt;
     }
     void stop();
 
@@ -99,7 +99,7 @@ public:
 Q_SIGNALS:
     void started();
     void failed(const odo::Error &error); ///< of follow()
-    void pictureReady(const odo::LivePicture &picture);
+    void frameReady(const odo::LiveFrame &live);
     void moved(const odo::LiveMoment &moment);
 
 private:
@@ -107,8 +107,8 @@ private:
     Sources openAll(const std::vector<WantedCamera> &cameras) const;
     void adopt(quint64 generation, const std::shared_ptr<Sources> &opened);
     void onWorker(std::function<void()> work);
-    void showPictures();
-    void deliver(const LivePicture &picture);
+    void showFrames();
+    void deliver(const LiveFrame &live);
 
     const Open m_open;
     QThread m_thread;
@@ -125,7 +125,7 @@ private:
     BoundedQueue<LiveSight> m_toShow{mostViews};
     std::array<ScreenPace, mostViews> m_pace; ///< of the tracker's threads, one at a time
     std::array<std::atomic<bool>, mostViews>
-        m_onItsWay{}; ///< a frame of the view that the screen has not got yet
+        m_isPending{}; ///< a frame of the view that the screen has not got yet
     std::array<std::atomic<qint64>, mostViews> m_shownSize{}; ///< width << 32 | height
     std::thread m_painter;
 };
@@ -152,12 +152,12 @@ public:
     const std::shared_ptr<CaptureSession> &session() const { return m_running.session(); }
     LiveTracker *tracker() const { return m_running.tracker(); }
     /// A search for them, or their opening, goes on.
-    bool isPreparing() const { return m_running.isOpening() || m_connected.isLooking(); }
+    bool isPreparing() const { return m_running.isOpening() || m_connected.isSearching(); }
 
     /// Lets them run from now on: searches for connected ones unless they run already.
     void want();
     /// Searches again for connected cameras.
-    void look() { m_connected.look(); }
+    void poll() { m_connected.poll(); }
     /// Others may have them.
     void stop();
     /// Reopens them: a registration may have changed.

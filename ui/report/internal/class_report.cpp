@@ -6,13 +6,13 @@
 #include "core/project/class_repository.h"
 #include "core/project/project.h"
 #include "core/project/repositories.h"
-#include "core/workflow/compare/trial_figures.h"
+#include "core/workflow/compare/trial_metrics.h"
 #include "core/workflow/shared_words.h"
 #include "ui/models/results.h"
 #include "ui/models/shown_names.h"
 #include "ui/report/internal/report_painting.h"
 #include "ui/views/charts/chart_axis.h"
-#include "ui/views/charts/chart_picture.h"
+#include "ui/views/charts/chart_image.h"
 #include "ui/views/curves/comparison_curves.h"
 #include "ui/views/widgets/theme.h"
 
@@ -63,7 +63,7 @@ Result<std::string> usualMetric(Project &project, const std::string &task)
             return std::string(scoreMetric);
     }
     const auto names = ODO_TRY(project.analyses().metricNames());
-    const std::vector<std::string> telling = tellingNames(names);
+    const std::vector<std::string> telling = informativeMetricNames(names);
     return telling.empty() ? std::string() : telling.front();
 }
 
@@ -84,12 +84,13 @@ Result<ClassContentPtr> readClassContent(Project &project, const ClassReportSett
         auto metric = ODO_TRY(usualMetric(project, chosen.task));
         chosen.metric = std::move(metric);
     }
-    const auto figures = ODO_TRY(figuresOf(project, chosen.metric));
+    const auto trialMetrics = ODO_TRY(metricsOf(project, chosen.metric));
     const auto otherwise = ODO_TRY(project.analyses().trialsMeasuredOtherwise());
     const CountedTrials counted = countedTrials(all, chosen.className, chosen.task, otherwise);
     content->trials = int(counted.trials.size()) + counted.leftOut;
     content->leftOut = counted.leftOut;
-    content->standings = standingsOf(counted.trials, figures, {chosen.className, chosen.task, chosen.metric});
+    content->standings =
+        standingsOf(counted.trials, trialMetrics, {chosen.className, chosen.task, chosen.metric});
     if (content->standings.teams.empty())
         return fail(
             ErrorCode::NotFound,
@@ -106,7 +107,7 @@ Result<ClassContentPtr> readClassContent(Project &project, const ClassReportSett
 
 namespace {
 
-constexpr double figuresHeight = 66, partTitleHeight = 21, scaleHeight = 16, partGap = 10, footHeight = 30;
+constexpr double metricsHeight = 66, partTitleHeight = 21, scaleHeight = 16, partGap = 10, footHeight = 30;
 constexpr double leastRow = 17, mostRow = 25;
 
 class ClassReportWords
@@ -119,25 +120,26 @@ QString teamName(const TeamStanding &team)
     return literalName(shownTeam(team.team, team.pseudonym));
 }
 
-FigureText figureOf(const Standings &standings, double value, std::optional<double> sigma = std::nullopt)
+NumberText metricOf(const Standings &standings, double value, std::optional<double> sigma = std::nullopt)
 {
     Metric metric = standings.teams.front().runs.front().metric; // its name and unit
     metric.value = value;
     metric.sigma = sigma;
-    return metricFigure(metric);
+    return metricNumber(metric);
 }
 
 QString medianText(const TeamStanding &team, const Standings &standings)
 {
-    const double sigma = team.figures.sigma;
-    return figureOf(standings, team.figures.median, sigma > 0 ? std::optional(sigma) : std::nullopt).text();
+    const double sigma = team.statistics.sigma;
+    return metricOf(standings, team.statistics.median, sigma > 0 ? std::optional(sigma) : std::nullopt)
+        .text();
 }
 
 std::vector<double> allValues(const Standings &standings)
 {
     std::vector<double> values;
     for (const TeamStanding &team : standings.teams)
-        values.insert(values.end(), team.figures.values.begin(), team.figures.values.end());
+        values.insert(values.end(), team.statistics.values.begin(), team.statistics.values.end());
     return values;
 }
 
@@ -176,7 +178,7 @@ public:
 private:
     QRectF paintFrame(const QRectF &sheet, const QString &title, const QStringList &facts, int page,
                       int pages);
-    void paintClassFigures(const QRectF &rect);
+    void paintClassMedians(const QRectF &rect);
     void paintStrip(const QRectF &rect, const RankingPart &part);
     void paintRow(const QRectF &row, const TeamStanding &team);
     void paintRuns(const QRectF &rect, const TeamStanding &team);
@@ -224,31 +226,32 @@ QStringList ClassPage::classFacts() const
     return facts;
 }
 
-void ClassPage::paintClassFigures(const QRectF &rect)
+void ClassPage::paintClassMedians(const QRectF &rect)
 {
     std::vector<double> values = allValues(m_standings);
-    const auto number = [](int count) { return FigureText{QLocale().toString(count), {}, {}}; };
-    QList<ReportFigure> figures;
-    figures << ReportFigure{ClassReportWords::tr("Teams"), number(int(m_standings.teams.size())), {}}
-            << ReportFigure{ClassReportWords::tr("Trials"), number(int(values.size())),
-                            m_content.trials > int(values.size())
-                                ? ClassReportWords::tr("of %1").arg(m_content.trials)
-                                : QString()}
-            << ReportFigure{ClassReportWords::tr("Best"), figureOf(m_standings, bestOf(m_standings)), {}}
-            << ReportFigure{
-                   ClassReportWords::tr("Median of all runs"), figureOf(m_standings, median(values)), {}};
+    const auto number = [](int count) { return NumberText{QLocale().toString(count), {}, {}}; };
+    QList<ReportMetric> trialMetrics;
+    trialMetrics << ReportMetric{ClassReportWords::tr("Teams"), number(int(m_standings.teams.size())), {}}
+                 << ReportMetric{ClassReportWords::tr("Trials"), number(int(values.size())),
+                                 m_content.trials > int(values.size())
+                                     ? ClassReportWords::tr("of %1").arg(m_content.trials)
+                                     : QString()}
+                 << ReportMetric{ClassReportWords::tr("Best"), metricOf(m_standings, bestOf(m_standings)), {}}
+                 << ReportMetric{ClassReportWords::tr("Median of all runs"),
+                                 metricOf(m_standings, median(values)),
+                                 {}};
     constexpr std::size_t leastForQuartiles = 4;
     std::ranges::sort(values);
     const auto quartile = [&](double part) {
         return values[std::size_t(std::lround(part * double(values.size() - 1)))];
     };
     if (values.size() >= leastForQuartiles)
-        figures << ReportFigure{ClassReportWords::tr("Middle half of the runs"),
-                                figureOf(m_standings, quartile(0.75) - quartile(0.25)),
-                                ClassReportWords::tr("%1 to %2")
-                                    .arg(figureOf(m_standings, quartile(0.25)).value,
-                                         figureOf(m_standings, quartile(0.75)).text())};
-    drawFigures(m_painter, rect, figures);
+        trialMetrics << ReportMetric{ClassReportWords::tr("Middle half of the runs"),
+                                     metricOf(m_standings, quartile(0.75) - quartile(0.25)),
+                                     ClassReportWords::tr("%1 to %2")
+                                         .arg(metricOf(m_standings, quartile(0.25)).value,
+                                              metricOf(m_standings, quartile(0.75)).text())};
+    drawMetrics(m_painter, rect, trialMetrics);
 }
 
 /// Every run of the teams of a page as a dot on the scale of the class, the median of each as a line.
@@ -272,9 +275,9 @@ void ClassPage::paintStrip(const QRectF &rect, const RankingPart &part)
     CurveRun points;
     for (std::size_t team = part.from; team < part.to; ++team) {
         const double row = double(part.to - team) - 0.5; // from below
-        for (const double value : m_standings.teams[team].figures.values)
+        for (const double value : m_standings.teams[team].statistics.values)
             points.points.emplace_back(factor * value, CurveValue{row, 0});
-        const double median = factor * m_standings.teams[team].figures.median;
+        const double median = factor * m_standings.teams[team].statistics.median;
         medians.runs.push_back(
             {0, {BandPoint(median, {row - halfLine, 0}), BandPoint(median, {row + halfLine, 0})}});
     }
@@ -301,11 +304,11 @@ void ClassPage::paintRow(const QRectF &row, const TeamStanding &team)
         left += width;
     };
     cell(columnWidths.rank,
-         m_standings.isRanked() ? QLocale().toString(team.figures.rank) : QStringLiteral("–"), Qt::AlignRight,
-         QFont::DemiBold);
+         m_standings.isRanked() ? QLocale().toString(team.statistics.rank) : QStringLiteral("–"),
+         Qt::AlignRight, QFont::DemiBold);
     cell(columnWidths.team, teamName(team), Qt::AlignLeft);
     cell(columnWidths.runs, QLocale().toString(int(team.runs.size())), Qt::AlignRight);
-    cell(columnWidths.best, figureOf(m_standings, team.progress.best).text(), Qt::AlignRight);
+    cell(columnWidths.best, metricOf(m_standings, team.progress.best).text(), Qt::AlignRight);
     cell(columnWidths.median, medianText(team, m_standings), Qt::AlignRight);
     left += columnWidths.strip;
     drawLine(m_painter, QRectF(left + 8, row.top(), row.right() - left - 8, row.height()),
@@ -314,22 +317,22 @@ void ClassPage::paintRow(const QRectF &row, const TeamStanding &team)
 
 void ClassPage::paintRanking(const QRectF &sheet, const RankingPart &part)
 {
-    QRectF room =
+    QRectF area =
         paintFrame(sheet, literalName(m_standings.choice.className), classFacts(), part.page, part.pages);
     if (part.page == 1) {
-        paintClassFigures(QRectF(room.left(), room.top(), room.width(), figuresHeight));
-        room.setTop(room.top() + figuresHeight + partGap);
+        paintClassMedians(QRectF(area.left(), area.top(), area.width(), metricsHeight));
+        area.setTop(area.top() + metricsHeight + partGap);
     }
-    room = drawPartTitle(m_painter, room, ClassReportWords::tr("The teams"),
+    area = drawPartTitle(m_painter, area, ClassReportWords::tr("The teams"),
                          ClassReportWords::tr("each run is a dot; the line is the median of the team"));
     const Columns &w = columnWidths;
     constexpr double stripGap = 14; // so that the scale keeps off the word before it
-    const double stripLeft = room.left() + stripGap + w.rank + w.team + w.runs + w.best + w.median;
+    const double stripLeft = area.left() + stripGap + w.rank + w.team + w.runs + w.best + w.median;
     const double rows = part.rowHeight * double(part.to - part.from);
-    paintStrip(QRectF(stripLeft, room.top(), w.strip - stripGap, scaleHeight + rows), part);
-    double left = room.left();
+    paintStrip(QRectF(stripLeft, area.top(), w.strip - stripGap, scaleHeight + rows), part);
+    double left = area.left();
     const auto head = [&](double width, const QString &text, Qt::Alignment side) {
-        drawLine(m_painter, QRectF(left + 2, room.top(), width - 8, scaleHeight), text, reportFont(smallSize),
+        drawLine(m_painter, QRectF(left + 2, area.top(), width - 8, scaleHeight), text, reportFont(smallSize),
                  m_colours.muted, side | Qt::AlignVCenter);
         left += width;
     };
@@ -339,12 +342,12 @@ void ClassPage::paintRanking(const QRectF &sheet, const RankingPart &part)
     head(w.best, ClassReportWords::tr("Best"), Qt::AlignRight);
     head(w.median, ClassReportWords::tr("Median"), Qt::AlignRight);
     left += w.strip + 6;
-    head(room.right() - left, ClassReportWords::tr("Over the term"), Qt::AlignLeft);
-    double top = room.top() + scaleHeight;
+    head(area.right() - left, ClassReportWords::tr("Over the term"), Qt::AlignLeft);
+    double top = area.top() + scaleHeight;
     for (std::size_t team = part.from; team < part.to; ++team) {
         m_painter.setPen(QPen(m_colours.grid, 0.7));
-        m_painter.drawLine(QPointF(room.left(), top), QPointF(room.right(), top));
-        paintRow(QRectF(room.left(), top, room.width(), part.rowHeight), m_standings.teams[team]);
+        m_painter.drawLine(QPointF(area.left(), top), QPointF(area.right(), top));
+        paintRow(QRectF(area.left(), top, area.width(), part.rowHeight), m_standings.teams[team]);
         top += part.rowHeight;
     }
 }
@@ -352,25 +355,25 @@ void ClassPage::paintRanking(const QRectF &sheet, const RankingPart &part)
 /// Every run of a team, the newest below; in two columns where they are many.
 void ClassPage::paintRuns(const QRectF &rect, const TeamStanding &team)
 {
-    QRectF room = drawPartTitle(m_painter, rect, ClassReportWords::tr("Its trials"));
+    QRectF area = drawPartTitle(m_painter, rect, ClassReportWords::tr("Its trials"));
     ReportTable table;
     table.weights = {0.3, 0.42, 0.28};
     table.alignments = {Qt::AlignLeft, Qt::AlignLeft, Qt::AlignRight};
     table.header = {ClassReportWords::tr("Date"), ClassReportWords::tr("Trial"),
                     metricName(m_standings.choice.metric)};
-    const auto perColumn = std::size_t(std::max(1.0, room.height() / table.rowHeight - 1));
+    const auto perColumn = std::size_t(std::max(1.0, area.height() / table.rowHeight - 1));
     const bool isWide = team.runs.size() > perColumn;
-    const double width = isWide ? (room.width() - 20) / 2 : room.width() * 0.7;
+    const double width = isWide ? (area.width() - 20) / 2 : area.width() * 0.7;
     for (std::size_t column = 0; column < (isWide ? 2 : 1); ++column) {
         table.rows.clear();
         const std::size_t end = column == 1 || !isWide ? team.runs.size() : perColumn;
         for (std::size_t i = column * perColumn; i < end; ++i)
             table.rows << ReportTable::Row{{reportDate(team.runs[i].date), literalName(team.runs[i].trial),
-                                            metricFigure(team.runs[i].metric).text()},
+                                            metricNumber(team.runs[i].metric).text()},
                                            false,
                                            team.runs[i].metric.value == team.progress.best};
         drawTable(m_painter,
-                  QRectF(room.left() + double(column) * (width + 20), room.top(), width, room.height()),
+                  QRectF(area.left() + double(column) * (width + 20), area.top(), width, area.height()),
                   table);
     }
 }
@@ -380,30 +383,31 @@ void ClassPage::paintTeam(const QRectF &sheet, std::size_t index)
     constexpr double trendHeight = 260;
     const TeamStanding &team = m_standings.teams[index];
     QStringList facts(ClassReportWords::tr("Class: %1").arg(literalName(m_standings.choice.className)));
-    QRectF room = paintFrame(sheet, teamName(team), facts + classFacts(), 1, 1);
-    QList<ReportFigure> figures;
+    QRectF area = paintFrame(sheet, teamName(team), facts + classFacts(), 1, 1);
+    QList<ReportMetric> trialMetrics;
     if (m_standings.isRanked())
-        figures << ReportFigure{ClassReportWords::tr("Rank"),
-                                {QLocale().toString(team.figures.rank), {}, {}},
-                                ClassReportWords::tr("of %n team(s)", "", int(m_standings.teams.size()))};
-    figures << ReportFigure{ClassReportWords::tr("Best"), figureOf(m_standings, team.progress.best), {}};
-    const double sigma = team.figures.sigma;
-    figures << ReportFigure{
+        trialMetrics << ReportMetric{
+            ClassReportWords::tr("Rank"),
+            {QLocale().toString(team.statistics.rank), {}, {}},
+            ClassReportWords::tr("of %n team(s)", "", int(m_standings.teams.size()))};
+    trialMetrics << ReportMetric{ClassReportWords::tr("Best"), metricOf(m_standings, team.progress.best), {}};
+    const double sigma = team.statistics.sigma;
+    trialMetrics << ReportMetric{
         ClassReportWords::tr("Median"),
-        figureOf(m_standings, team.figures.median, sigma > 0 ? std::optional(sigma) : std::nullopt),
+        metricOf(m_standings, team.statistics.median, sigma > 0 ? std::optional(sigma) : std::nullopt),
         ClassReportWords::tr("class median %1")
-            .arg(figureOf(m_standings, median(allValues(m_standings))).text())};
+            .arg(metricOf(m_standings, median(allValues(m_standings))).text())};
     if (team.progress.spread)
-        figures << ReportFigure{
-            ClassReportWords::tr("Spread of one run"), figureOf(m_standings, *team.progress.spread), {}};
-    drawFigures(m_painter, QRectF(room.left(), room.top(), room.width(), figuresHeight), figures);
-    room.setTop(room.top() + figuresHeight + partGap);
+        trialMetrics << ReportMetric{
+            ClassReportWords::tr("Spread of one run"), metricOf(m_standings, *team.progress.spread), {}};
+    drawMetrics(m_painter, QRectF(area.left(), area.top(), area.width(), metricsHeight), trialMetrics);
+    area.setTop(area.top() + metricsHeight + partGap);
     const QRectF trend =
-        drawPartTitle(m_painter, QRectF(room.left(), room.top(), room.width(), trendHeight),
+        drawPartTitle(m_painter, QRectF(area.left(), area.top(), area.width(), trendHeight),
                       ClassReportWords::tr("Over the term"), progressText(team, m_standings));
     drawChart(m_painter, trend, trendDrawing(team), reportPalette(), reportFont(smallSize));
-    room.setTop(room.top() + trendHeight + partGap);
-    paintRuns(room, team);
+    area.setTop(area.top() + trendHeight + partGap);
+    paintRuns(area, team);
 }
 
 /// As many rows as fit on a page at a height between the least and the most.
@@ -411,9 +415,9 @@ std::vector<RankingPart> partsOf(std::size_t teams, const PageFormat &format, co
 {
     const double head = 70, foot = 12.0 * (letterhead.remark.isEmpty() ? 3 : 4) + 10;
     const double later = format.content().height() - head - foot - partTitleHeight - scaleHeight,
-                 first = later - figuresHeight - partGap;
+                 first = later - metricsHeight - partGap;
     const double wanted = std::clamp(first / double(teams), leastRow, mostRow);
-    const auto fits = [wanted](double room) { return std::size_t(room / wanted + 1e-6); };
+    const auto fits = [wanted](double area) { return std::size_t(area / wanted + 1e-6); };
     std::vector<RankingPart> parts;
     for (std::size_t from = 0; from < teams;) {
         const std::size_t to = std::min(teams, from + fits(parts.empty() ? first : later));

@@ -43,17 +43,17 @@ QRectF PageFormat::content() const
     return QRectF(QPointF(0, 0), size()).adjusted(margin, margin, -margin, -margin);
 }
 
-QImage pagePicture(const ReportPage &page, int widthPx)
+QImage pageImage(const ReportPage &page, int widthPx)
 {
     const QSizeF size = page.format.size();
     const double scale = widthPx / size.width();
-    QImage picture(widthPx, int(std::lround(size.height() * scale)), QImage::Format_RGB32);
-    picture.fill(Qt::white);
-    QPainter painter(&picture);
+    QImage image(widthPx, int(std::lround(size.height() * scale)), QImage::Format_RGB32);
+    image.fill(Qt::white);
+    QPainter painter(&image);
     painter.setRenderHints(QPainter::Antialiasing | QPainter::SmoothPixmapTransform);
     painter.scale(scale, scale);
     page.paint(painter);
-    return picture;
+    return image;
 }
 
 namespace {
@@ -179,14 +179,14 @@ QRectF drawPartTitle(QPainter &painter, const QRectF &rect, const QString &title
     return rect.adjusted(0, height + 3, 0, 0);
 }
 
-void drawFigures(QPainter &painter, const QRectF &rect, const QList<ReportFigure> &figures)
+void drawMetrics(QPainter &painter, const QRectF &rect, const QList<ReportMetric> &reportMetrics)
 {
     constexpr double apart = 5;
-    if (figures.isEmpty())
+    if (reportMetrics.isEmpty())
         return;
-    const double width = rect.width() / double(figures.size());
+    const double width = rect.width() / double(reportMetrics.size());
     double left = rect.left();
-    for (const ReportFigure &each : figures) {
+    for (const ReportMetric &each : reportMetrics) {
         const QRectF cell =
             QRectF(left, rect.top(), width, rect.height()).adjusted(left > rect.left() ? 10 : 0, 0, -6, 0);
         if (left > rect.left()) {
@@ -197,16 +197,16 @@ void drawFigures(QPainter &painter, const QRectF &rect, const QList<ReportFigure
                  reportFont(smallSize + 1), colours().muted);
         const double baseline = cell.top() + 39;
         const QFont small = reportFont(smallSize + 1);
-        const double smallWidth = QFontMetricsF(small).horizontalAdvance(each.figure.smallPrint());
-        const QFont large = fittingFont(each.figure.value, cell.width() - smallWidth - apart);
-        const double advance = QFontMetricsF(large).horizontalAdvance(each.figure.value);
+        const double smallWidth = QFontMetricsF(small).horizontalAdvance(each.number.smallPrint());
+        const QFont large = fittingFont(each.number.value, cell.width() - smallWidth - apart);
+        const double advance = QFontMetricsF(large).horizontalAdvance(each.number.value);
         painter.setFont(large);
         painter.setPen(colours().text);
-        painter.drawText(QPointF(cell.left(), baseline), each.figure.value);
+        painter.drawText(QPointF(cell.left(), baseline), each.number.value);
         painter.setFont(small);
         painter.setPen(colours().muted);
         painter.drawText(QPointF(cell.left() + advance + apart, baseline),
-                         QFontMetricsF(small).elidedText(each.figure.smallPrint(), Qt::ElideRight,
+                         QFontMetricsF(small).elidedText(each.number.smallPrint(), Qt::ElideRight,
                                                          cell.width() - advance - apart + 1));
         drawLine(painter, QRectF(cell.left(), cell.top() + 45, cell.width(), 14), each.remark,
                  reportFont(smallSize), colours().muted);
@@ -218,17 +218,17 @@ QRectF drawHead(QPainter &painter, const QRectF &rect, const Letterhead &letterh
                 const QStringList &facts)
 {
     constexpr double logoHeight = 40, height = 62;
-    QRectF room = rect;
+    QRectF area = rect;
     if (!letterhead.logo.isNull()) {
         const QSizeF size =
             QSizeF(letterhead.logo.size()).scaled(QSizeF(140, logoHeight), Qt::KeepAspectRatio);
         painter.drawImage(QRectF(QPointF(rect.right() - size.width(), rect.top()), size), letterhead.logo);
-        room.setRight(rect.right() - size.width() - 16);
+        area.setRight(rect.right() - size.width() - 16);
     }
-    drawLine(painter, QRectF(room.left(), room.top(), room.width(), 14),
+    drawLine(painter, QRectF(area.left(), area.top(), area.width(), 14),
              letterhead.school.isEmpty() ? ReportWords::tr("Odograph") : literalName(letterhead.school),
              reportFont(smallSize + 1), colours().muted);
-    drawLine(painter, QRectF(room.left(), room.top() + 14, room.width(), 26), title,
+    drawLine(painter, QRectF(area.left(), area.top() + 14, area.width(), 26), title,
              reportFont(19, QFont::DemiBold), colours().text);
     drawLine(painter, QRectF(rect.left(), rect.top() + 42, rect.width(), 15),
              facts.join(QStringLiteral("   ·   ")), reportFont(bodySize), colours().text);
@@ -347,7 +347,7 @@ public:
         : m_table(table), m_widths(widths), m_font(font)
     {
         for (qsizetype column = 0; column < std::min(cells.size(), widths.size()); ++column)
-            m_cells << linesOf(cells.at(column), font, roomOf(column), table.mostLines);
+            m_cells << linesOf(cells.at(column), font, areaOf(column), table.mostLines);
     }
     double height() const
     {
@@ -363,7 +363,7 @@ public:
                 m_table.alignments.isEmpty() ? Qt::AlignLeft : m_table.alignments.at(column);
             double top = at.y();
             for (const QString &line : m_cells.at(column)) {
-                drawLine(painter, QRectF(at.x() + cellLeft, top, roomOf(column), m_table.rowHeight), line,
+                drawLine(painter, QRectF(at.x() + cellLeft, top, areaOf(column), m_table.rowHeight), line,
                          m_font, colour, side | Qt::AlignVCenter);
                 top += lineHeight();
             }
@@ -372,7 +372,7 @@ public:
     }
 
 private:
-    double roomOf(qsizetype column) const { return m_widths.at(column) - cellLeft - cellRight; }
+    double areaOf(qsizetype column) const { return m_widths.at(column) - cellLeft - cellRight; }
     double lineHeight() const { return QFontMetricsF(m_font).height(); }
 
     const ReportTable &m_table;
@@ -382,16 +382,16 @@ private:
 };
 
 /// How many of the rows fit; the last one is for what is left out.
-qsizetype shownRows(const std::vector<TableRow> &rows, double room, double lastHeight)
+qsizetype shownRows(const std::vector<TableRow> &rows, double area, double lastHeight)
 {
     double used = 0;
     qsizetype shown = 0, withLast = 0;
     for (const TableRow &row : rows) {
         used += row.height();
-        if (used > room + 0.5)
+        if (used > area + 0.5)
             return withLast;
         ++shown;
-        if (used + lastHeight <= room + 0.5)
+        if (used + lastHeight <= area + 0.5)
             withLast = shown;
     }
     return shown;

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/project/records.h"
-#include "ui/models/figure_text.h"
+#include "ui/models/number_text.h"
 
 #include <QFont>
 #include <QImage>
@@ -57,7 +57,7 @@ struct ReportPage
 using ReportPages = std::vector<ReportPage>;
 
 /// A page as an image, so many pixels wide.
-QImage pagePicture(const ReportPage &page, int widthPx);
+QImage pageImage(const ReportPage &page, int widthPx);
 
 /// What the parts of all reports are painted with. Any thread.
 
@@ -88,14 +88,14 @@ double drawParagraph(QPainter &painter, const QRectF &rect, const QString &text,
 QRectF drawPartTitle(QPainter &painter, const QRectF &rect, const QString &title, const QString &remark = {});
 
 /// A large metric: name above, value large, unit and ± small beside it, a remark below.
-struct ReportFigure
+struct ReportMetric
 {
     QString name;
-    FigureText figure;
+    NumberText number;
     QString remark; ///< "class median 5.31 s"; may be empty
 };
 /// Side by side, divided by thin lines, over the whole rectangle.
-void drawFigures(QPainter &painter, const QRectF &rect, const QList<ReportFigure> &figures);
+void drawMetrics(QPainter &painter, const QRectF &rect, const QList<ReportMetric> &reportMetrics);
 
 /// The head of a page: school and logo, the title, a line of facts, a rule below. Gives what is left.
 QRectF drawHead(QPainter &painter, const QRectF &rect, const Letterhead &letterhead, const QString &title,

@@ -2,11 +2,11 @@
 #include "ui/report/internal/run_painting.h"
 
 #include "core/analysis/motion_stretches.h"
-#include "ui/models/figure_text.h"
+#include "ui/models/number_text.h"
 #include "ui/models/shown_message.h"
 #include "ui/models/trial_scene.h"
 #include "ui/report/internal/report_painting.h"
-#include "ui/views/charts/chart_picture.h"
+#include "ui/views/charts/chart_image.h"
 #include "ui/views/charts/trial_curves.h"
 #include "ui/views/map/map_painting.h"
 #include "ui/views/map/trial_map.h"
@@ -36,7 +36,7 @@ struct Weighed
 };
 constexpr int motionWeight = 30000, gateWeight = 20000, mostSpikeWeight = 10000;
 
-std::optional<Eigen::Vector2d> placeAt(const Profile &profile, Nanoseconds time)
+std::optional<Eigen::Vector2d> positionAt(const Profile &profile, Nanoseconds time)
 {
     const std::ptrdiff_t index = pointIndexAt(profile, time);
     if (index < 0)
@@ -81,9 +81,9 @@ void addTopSpeed(const Profile &profile, std::vector<Weighed> &events)
 void addGates(const Profile &profile, std::vector<Weighed> &events)
 {
     for (const GatePassage &passage : profile.passages) {
-        const auto place = placeAt(profile, passage.time);
-        if (place)
-            events.push_back({{RunEvent::Kind::Gate, 0, passage.time, passage.time, *place,
+        const auto position = positionAt(profile, passage.time);
+        if (position)
+            events.push_back({{RunEvent::Kind::Gate, 0, passage.time, passage.time, *position,
                                RunEventsWords::tr("Passes %1").arg(QString::fromStdString(passage.gate))},
                               gateWeight});
     }
@@ -100,13 +100,13 @@ void addSpikes(const Profile &profile, std::vector<Weighed> &events)
         const Spike &spike = profile.spikes[first];
         const auto count = int(end - first);
         const auto &sample = profile.samples[std::size_t(spike.sampleIndex)];
-        const auto place = sample.position ? sample.position : placeAt(profile, spike.time);
-        if (place) {
+        const auto position = sample.position ? sample.position : positionAt(profile, spike.time);
+        if (position) {
             QString words = RunEventsWords::tr("Spike: %1").arg(shownWords(spike.reason));
             if (count > 1)
                 words += QStringLiteral(" ") + RunEventsWords::tr("(%n samples)", "", count);
             events.push_back(
-                {{RunEvent::Kind::Spike, 0, spike.time, profile.spikes[end - 1].time, *place, words},
+                {{RunEvent::Kind::Spike, 0, spike.time, profile.spikes[end - 1].time, *position, words},
                  std::min(count, mostSpikeWeight)});
         }
         first = end;
@@ -202,15 +202,15 @@ void drawRunChart(QPainter &painter, const QRectF &rect, const Profile &profile,
 {
     const QPalette &palette = reportPalette();
     const ThemeColours colours = ThemeColours::of(palette);
-    const QRectF room =
+    const QRectF area =
         drawPartTitle(painter, rect, titleOf(quantity),
                       ReportChartWords::tr("smoothed, with its ±95 % band; dots: as measured"));
-    constexpr double numberRoom = 6; // for the events above
+    constexpr double numberWidth = 6; // for the events above
     const std::vector<double> times = sampleTimes(profile);
     ProfileCurves curves = profileCurves(profile, quantity, times);
     std::erase_if(curves.line.runs, [](const CurveRun &run) { return !run.isLine(); });
     if (curves.line.runs.empty()) {
-        drawLine(painter, room, ReportChartWords::tr("No curve: the robot was not detected"),
+        drawLine(painter, area, ReportChartWords::tr("No curve: the robot was not detected"),
                  reportFont(bodySize), colours.muted, Qt::AlignCenter);
         return;
     }
@@ -222,7 +222,7 @@ void drawRunChart(QPainter &painter, const QRectF &rect, const Profile &profile,
     drawing.low = times.front();
     drawing.high = std::max(times.back(), times.front() + 1e-3);
     const ChartPlot plot =
-        drawChart(painter, room.adjusted(0, numberRoom, 0, 0), drawing, palette, reportFont(smallSize));
+        drawChart(painter, area.adjusted(0, numberWidth, 0, 0), drawing, palette, reportFont(smallSize));
     painter.save();
     painter.setRenderHint(QPainter::Antialiasing);
     for (const RunEvent &event : events)
@@ -352,7 +352,7 @@ void drawComparedMap(QPainter &painter, const QRectF &rect, const ComparisonScen
             drawReferencePath(
                 painter, path, [&plan](const Eigen::Vector2d &point) { return plan.fromWorld(point); },
                 palette);
-        drawWays(painter, plan, scene, runs, palette);
+        drawPaths(painter, plan, scene, runs, palette);
         for (const PathGate &gate : scene.compared.gates)
             drawPathGate(painter, pathGateLine(plan, path, gate), literalName(gate.name), false, palette);
     });

@@ -6,14 +6,14 @@
 #include "core/base/shortage.h"
 #include "core/project/project.h"
 #include "core/project/repositories.h"
-#include "core/video/picture.h"
+#include "core/video/image.h"
 #include "core/video/video_reader.h"
-#include "core/workflow/compare/trial_figures.h"
+#include "core/workflow/compare/trial_metrics.h"
 #include "ui/report/internal/report_painting.h"
 #include "ui/report/report_maker.h"
 #include "ui/views/charts/series_colours.h"
-#include "ui/views/picture/picture_overlay.h"
-#include "ui/views/picture/picture_painting.h"
+#include "ui/views/image/image_overlay.h"
+#include "ui/views/image/image_painting.h"
 #include "ui/views/widgets/theme.h"
 
 #include <QCoreApplication>
@@ -46,7 +46,7 @@ Readers openVideos(const TrialScene &scene, const CancelToken &cancel)
     return readers;
 }
 
-QImage pictureOf(const SceneView &view, VideoReader *reader, std::int64_t frame, int widthPx)
+QImage imageOf(const SceneView &view, VideoReader *reader, std::int64_t frame, int widthPx)
 {
     if (!reader || view.recording.widthPx <= 0)
         return {};
@@ -65,7 +65,7 @@ std::vector<Still> takeStills(const TrialScene &scene, const Readers &readers, N
         if (!frame)
             return;
         stills[view].frame = *frame;
-        stills[view].picture = pictureOf(scene.views[view], readers[view].get(), *frame, widthPx);
+        stills[view].image = imageOf(scene.views[view], readers[view].get(), *frame, widthPx);
     });
     return stills;
 }
@@ -103,7 +103,7 @@ Nanoseconds tellingMoment(const TrialScene &scene)
     return top || times.empty() ? time : times[times.size() / 2];
 }
 
-Result<std::map<std::string, ClassFigure>> TrialContentReader::classFiguresOf(const TrialScene &scene)
+Result<std::map<std::string, ClassMedian>> TrialContentReader::classMediansOf(const TrialScene &scene)
 {
     const std::pair key(scene.trial.className, scene.trial.task);
     if (key.first.empty() || key.second.empty())
@@ -113,13 +113,13 @@ Result<std::map<std::string, ClassFigure>> TrialContentReader::classFiguresOf(co
     auto names = ODO_TRY(m_project.analyses().metricNames());
     if (!scene.scoring.empty())
         names.push_back(scoreMetric);
-    auto figures = classFigures(m_project, key.first, key.second, names);
-    if (figures)
-        m_classes[key] = *figures;
-    return figures;
+    auto medians = classMedians(m_project, key.first, key.second, names);
+    if (medians)
+        m_classes[key] = *medians;
+    return medians;
 }
 
-Result<std::vector<std::optional<double>>> TrialContentReader::lensesOf(const TrialScene &scene)
+Result<std::vector<std::optional<double>>> TrialContentReader::calibrationsOf(const TrialScene &scene)
 {
     std::vector<std::optional<double>> lenses(scene.views.size());
     const auto analysed = std::ranges::find_if(
@@ -145,10 +145,10 @@ Result<TrialContentPtr> TrialContentReader::read(const std::string &trial, const
     const auto scene = ODO_TRY(loadTrialScene(m_project, trial));
     auto content = std::make_shared<TrialContent>();
     content->scene = scene;
-    auto figures = ODO_TRY(classFiguresOf(*scene));
-    content->classFigures = std::move(figures);
-    auto lenses = ODO_TRY(lensesOf(*scene));
-    content->lensRmsPx = std::move(lenses);
+    auto medians = ODO_TRY(classMediansOf(*scene));
+    content->classMedians = std::move(medians);
+    auto lenses = ODO_TRY(calibrationsOf(*scene));
+    content->calibrationRmsPx = std::move(lenses);
     content->stillTime = tellingMoment(*scene);
     content->isAtTopSpeed = m_moment == StillMoment::TopSpeed;
     const Readers readers = openVideos(*scene, cancel);
@@ -182,24 +182,24 @@ QRectF drawStill(QPainter &painter, const QRectF &rect, const TrialScene &scene,
     const QRectF box(rect.topLeft(), size);
     painter.save();
     painter.setClipRect(box);
-    if (still.picture.isNull()) {
-        painter.fillRect(box, colours.pictureGround);
+    if (still.image.isNull()) {
+        painter.fillRect(box, colours.imageBackground);
         const QString why = still.isVideoThere ? ReportStillsWords::tr("no image: the video cannot be read")
                                                : ReportStillsWords::tr("no image: the video is missing");
         drawLine(painter, box, why, reportFont(smallSize), colours.muted, Qt::AlignCenter);
     } else {
-        painter.drawImage(box, still.picture);
+        painter.drawImage(box, still.image);
         const double scale = box.width() / recording.widthPx;
-        const PictureMap map = [&](const QPointF &pixel) {
+        const ImageMap map = [&](const QPointF &pixel) {
             return box.topLeft() + (pixel + QPointF(0.5, 0.5)) * scale;
         };
         painter.setFont(reportFont(smallSize));
         painter.setRenderHint(QPainter::Antialiasing);
-        const std::vector<int> places = colourPlaces(scene);
+        const std::vector<int> positions = paletteIndices(scene);
         for (std::size_t robot = 0; robot < scene.robots.size(); ++robot) {
             if (scene.views[view].floorView)
                 paintTrail(painter, scene, robot, *scene.views[view].floorView, map,
-                           colourOnPicture(places[robot]));
+                           colourOnImage(positions[robot]));
             paintRobot(painter, scene, view, robot, still.frame, map);
         }
     }

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/base/job_control.h"
-#include "core/workflow/compare/trial_figures.h"
+#include "core/workflow/compare/trial_metrics.h"
 #include "ui/models/trial_scene.h"
 
 #include <QImage>
@@ -24,7 +24,7 @@ class Project;
 struct Still
 {
     std::int64_t frame = 0;
-    QImage picture;            ///< null: it cannot be had
+    QImage image;              ///< null: it cannot be had
     bool isVideoThere = false; ///< whatever of it can be read
 };
 
@@ -43,8 +43,8 @@ struct TrialContent
 {
     TrialScenePtr scene;
     /// of the class of the trial's team in its task; may be empty
-    std::map<std::string, ClassFigure> classFigures;
-    std::vector<std::optional<double>> lensRmsPx; ///< of each view's calibration; nullopt: it has none
+    std::map<std::string, ClassMedian> classMedians;
+    std::vector<std::optional<double>> calibrationRmsPx; ///< of each view's calibration; nullopt: it has none
     Nanoseconds stillTime{0};
     bool isAtTopSpeed = true;  ///< the time of the stills
     std::vector<Still> stills; ///< one a view
@@ -62,13 +62,13 @@ public:
     Result<TrialContentPtr> read(const std::string &trial, const CancelToken &cancel = {});
 
 private:
-    Result<std::map<std::string, ClassFigure>> classFiguresOf(const TrialScene &scene);
-    Result<std::vector<std::optional<double>>> lensesOf(const TrialScene &scene);
+    Result<std::map<std::string, ClassMedian>> classMediansOf(const TrialScene &scene);
+    Result<std::vector<std::optional<double>>> calibrationsOf(const TrialScene &scene);
 
     Project &m_project;
     StillMoment m_moment;
     /// by class and task
-    std::map<std::pair<std::string, std::string>, std::map<std::string, ClassFigure>> m_classes;
+    std::map<std::pair<std::string, std::string>, std::map<std::string, ClassMedian>> m_classes;
 };
 
 /// When a still says most of a run: at its top speed; at the middle of a run that was not tracked.

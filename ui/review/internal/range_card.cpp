@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/review/internal/range_card.h"
 
-#include "ui/models/figure_text.h"
+#include "ui/models/number_text.h"
 #include "ui/models/shown_message.h"
 #include "ui/models/timeline.h"
 #include "ui/views/charts/profile_chart.h"
@@ -217,7 +217,7 @@ QString unitOver(Quantity quantity, int power)
 QString valueText(Quantity quantity, const CurveValue &value, int power = 0)
 {
     const double factor = curveFactor(quantity);
-    return figureText(factor * value.value, factor * value.sigma, unitOver(quantity, power)).text();
+    return numberText(factor * value.value, factor * value.sigma, unitOver(quantity, power)).text();
 }
 
 QStringList inputsOf(const RangeReport &report)
@@ -339,7 +339,7 @@ QList<Fact> rangeFacts(const RangeReport &report)
     if (report.path) {
         const ShownUnit &unit = shownUnits().distance;
         const QString text =
-            figureText(unit.perSi * report.path->value, unit.perSi * report.path->sigma, unit.name).text();
+            numberText(unit.perSi * report.path->value, unit.perSi * report.path->sigma, unit.name).text();
         Explanation how = explainMetric(*report.request.scene, report.request.robot,
                                         {"path_length", "m", report.path->value, report.path->sigma});
         how.inputs = inputsOf(report);
@@ -375,7 +375,7 @@ QList<Fact> fitFacts(const RangeReport &report)
     lines.append(
         {RangeFactsWords::tr("residual"),
          RangeFactsWords::tr("%1 (RMS)")
-             .arg(figureText(curveFactor(quantity) * fit.rms, std::nullopt, curveUnit(quantity)).text()),
+             .arg(numberText(curveFactor(quantity) * fit.rms, std::nullopt, curveUnit(quantity)).text()),
          {}});
     QStringList words;
     for (const Fact &line : std::as_const(lines))

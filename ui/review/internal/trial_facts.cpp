@@ -5,7 +5,7 @@
 #include "core/base/file_system.h"
 #include "core/workflow/track/track_warnings.h"
 #include "ui/models/explanation.h"
-#include "ui/models/figure_text.h"
+#include "ui/models/number_text.h"
 #include "ui/models/results.h"
 #include "ui/models/shown_message.h"
 #include "ui/models/shown_names.h"
@@ -64,46 +64,47 @@ std::optional<StepWords> stepWords(const std::string &method)
 /// The times at which a robot passed the gates.
 Explanation explainPassages(const TrialScene &scene, std::size_t robot, const QString &value)
 {
-    Explanation told;
-    told.what = FactExplanationsWords::tr("Times at the gates");
-    told.value = value;
-    told.formula = FactExplanationsWords::tr(
+    Explanation explanation;
+    explanation.what = FactExplanationsWords::tr("Times at the gates");
+    explanation.value = value;
+    explanation.formula = FactExplanationsWords::tr(
         "When the robot's reference point crosses the gate's line between its ends, in the direction of the "
         "gate. Between two frames, the smoothed position is the cubic through both positions and velocities. "
         "A passage counts if the point was before the line by three σ of the track's own noise and then is "
         "past it by as much.");
-    told.uncertainty = FactExplanationsWords::tr(
+    explanation.uncertainty = FactExplanationsWords::tr(
         "σ of the position across the gate divided by the speed across it, including the calibration's part");
-    told.inputs = analysisInputs(scene, robot);
-    return told;
+    explanation.inputs = analysisInputs(scene, robot);
+    return explanation;
 }
 
 /// A whole lap, or run from start to finish.
 Explanation explainLap(const TrialScene &scene, std::size_t robot, const Lap &lap, const QString &what)
 {
-    Explanation told;
-    told.what = what;
-    told.value = figureText(lap.timeS, lap.sigmaS, QStringLiteral("s")).text();
-    told.formula = FactExplanationsWords::tr(
+    Explanation explanation;
+    explanation.what = what;
+    explanation.value = numberText(lap.timeS, lap.sigmaS, QStringLiteral("s")).text();
+    explanation.formula = FactExplanationsWords::tr(
         "From a passage of the start to one of the finish, or from one passage of a start-finish gate to the "
         "next. Of each split, the first passage counts.");
-    told.uncertainty = FactExplanationsWords::tr("from both passages; the calibration's uncertainty cancels "
-                                                 "for a gate passed twice at the same speed");
+    explanation.uncertainty =
+        FactExplanationsWords::tr("from both passages; the calibration's uncertainty cancels "
+                                  "for a gate passed twice at the same speed");
     for (const Sector &sector : lap.sectors)
-        told.inputs << FactExplanationsWords::tr("to %1: %2")
-                           .arg(QString::fromStdString(sector.gate),
-                                figureText(sector.timeS, sector.sigmaS, QStringLiteral("s")).text());
-    told.inputs += analysisInputs(scene, robot);
-    return told;
+        explanation.inputs << FactExplanationsWords::tr("to %1: %2")
+                                  .arg(QString::fromStdString(sector.gate),
+                                       numberText(sector.timeS, sector.sigmaS, QStringLiteral("s")).text());
+    explanation.inputs += analysisInputs(scene, robot);
+    return explanation;
 }
 
 /// Several metrics of one kind beneath one another: those whose names begin so ("cross_track", "zone_").
-Explanation explainFigures(const TrialScene &scene, std::size_t robot, const QString &what,
+Explanation explainMetrics(const TrialScene &scene, std::size_t robot, const QString &what,
                            const QString &value, const std::string &stem)
 {
-    Explanation told;
-    told.what = what;
-    told.value = value;
+    Explanation explanation;
+    explanation.what = what;
+    explanation.value = value;
     QStringList formulas, uncertainties;
     for (const Metric &metric : scene.robots.at(robot).analysis->profile.metrics) {
         if (!metric.name.starts_with(stem))
@@ -113,10 +114,10 @@ Explanation explainFigures(const TrialScene &scene, std::size_t robot, const QSt
         if (!one.uncertainty.isEmpty())
             uncertainties << QStringLiteral("%1: %2").arg(one.what, one.uncertainty);
     }
-    told.formula = formulas.join(u'\n');
-    told.uncertainty = uncertainties.join(u'\n');
-    told.inputs = analysisInputs(scene, robot);
-    return told;
+    explanation.formula = formulas.join(u'\n');
+    explanation.uncertainty = uncertainties.join(u'\n');
+    explanation.inputs = analysisInputs(scene, robot);
+    return explanation;
 }
 
 /// How a view was synchronised with the first; nullopt: the offset was entered, or the same start was
@@ -126,16 +127,16 @@ std::optional<Explanation> explainStep(const SceneView &view, const QString &val
     const auto words = stepWords(view.recording.syncMethod);
     if (!words)
         return std::nullopt;
-    Explanation told;
-    told.what = FactExplanationsWords::tr("Synchronisation of view %1 with the first")
-                    .arg(QString::fromStdString(view.camera));
-    told.value = value;
-    told.formula = words->formula;
-    told.uncertainty = words->uncertainty;
-    told.inputs << FactExplanationsWords::tr("video %1, %2 frames")
-                       .arg(QString::fromStdString(view.file.filename().string()))
-                       .arg(view.recording.frameTimes.size());
-    return told;
+    Explanation explanation;
+    explanation.what = FactExplanationsWords::tr("Synchronisation of view %1 with the first")
+                           .arg(QString::fromStdString(view.camera));
+    explanation.value = value;
+    explanation.formula = words->formula;
+    explanation.uncertainty = words->uncertainty;
+    explanation.inputs << FactExplanationsWords::tr("video %1, %2 frames")
+                              .arg(QString::fromStdString(view.file.filename().string()))
+                              .arg(view.recording.frameTimes.size());
+    return explanation;
 }
 
 /// The robot's height; nullopt: it was entered.
@@ -144,16 +145,16 @@ std::optional<Explanation> explainHeight(const TrialScene &scene, std::size_t ro
     const auto &analysis = scene.robots.at(robot).analysis;
     if (!analysis || !analysis->profile.heightEstimated)
         return std::nullopt;
-    Explanation told;
-    told.what = FactExplanationsWords::tr("Height of robot %1")
-                    .arg(QString::fromStdString(scene.robots[robot].robot.name));
-    told.value = lengthText(analysis->profile.heightM);
-    told.formula = FactExplanationsWords::tr(
+    Explanation explanation;
+    explanation.what = FactExplanationsWords::tr("Height of robot %1")
+                           .arg(QString::fromStdString(scene.robots[robot].robot.name));
+    explanation.value = lengthText(analysis->profile.heightM);
+    explanation.formula = FactExplanationsWords::tr(
         "The solid (box or cylinder, on the floor or a plate at the robot's top) whose silhouettes best "
         "match the outlines in all views, by weighted least squares at about forty times of the run. If no "
         "such solid explains them: the height at which all views give the same floor position.");
-    told.inputs = analysisInputs(scene, robot);
-    return told;
+    explanation.inputs = analysisInputs(scene, robot);
+    return explanation;
 }
 
 namespace {
@@ -219,7 +220,7 @@ QString importText(const ImportedTrack &source)
 
 QString timeText(double seconds, double sigmaS)
 {
-    return figureText(seconds, sigmaS, QStringLiteral("s")).text();
+    return numberText(seconds, sigmaS, QStringLiteral("s")).text();
 }
 
 /// When the robot passed each gate, and the laps with their sectors.
@@ -260,17 +261,17 @@ QString pathText(const Profile &profile)
 {
     QStringList lines;
     for (const Metric &metric : profile.metrics) {
-        const QString figure = metricFigure(metric).text();
+        const QString valueText = metricNumber(metric).text();
         if (metric.name == "cross_track_mean")
-            lines << TrialFactsWords::tr("off by %1 on average").arg(figure);
+            lines << TrialFactsWords::tr("off by %1 on average").arg(valueText);
         else if (metric.name == "cross_track_rms")
-            lines << TrialFactsWords::tr("%1 (RMS)").arg(figure);
+            lines << TrialFactsWords::tr("%1 (RMS)").arg(valueText);
         else if (metric.name == "cross_track_max")
-            lines << TrialFactsWords::tr("%1 at most").arg(figure);
+            lines << TrialFactsWords::tr("%1 at most").arg(valueText);
         else if (metric.name == "cross_track_bias")
-            lines << TrialFactsWords::tr("%1 to the left").arg(figure);
+            lines << TrialFactsWords::tr("%1 to the left").arg(valueText);
         else if (metric.name == "path_completed")
-            lines << TrialFactsWords::tr("%1 of it completed").arg(figure);
+            lines << TrialFactsWords::tr("%1 of it completed").arg(valueText);
     }
     return lines.join(u'\n');
 }
@@ -369,13 +370,13 @@ QList<Fact> trialFacts(const TrialScene &scene)
             facts.append({TrialFactsWords::tr("Path"),
                           path,
                           {},
-                          explainFigures(scene, 0, TrialFactsWords::tr("Distance from the path"), path,
+                          explainMetrics(scene, 0, TrialFactsWords::tr("Distance from the path"), path,
                                          "cross_track")});
         if (const QString zones = zonesText(scene); !zones.isEmpty())
             facts.append({TrialFactsWords::tr("Zones"),
                           zones,
                           {},
-                          explainFigures(scene, 0, TrialFactsWords::tr("Zones"), zones, "zone_")});
+                          explainMetrics(scene, 0, TrialFactsWords::tr("Zones"), zones, "zone_")});
         add(TrialFactsWords::tr("Smoother"), smootherText(analysis.options.smoother));
         add(TrialFactsWords::tr("Analysed"),
             TrialFactsWords::tr("%1, Odograph %2")

@@ -140,7 +140,7 @@ void PlannedCameraForm::read()
         const double angle = m_direction->value() * EIGEN_PI / 180;
         m_camera.aimM = foot + m_camera.distanceM * Eigen::Vector2d(std::cos(angle), std::sin(angle));
     }
-    m_camera.standAt(foot);
+    m_camera.moveCameraTo(foot);
     m_camera.heightM = fromMillimetres(m_height->value());
     m_camera.fieldOfViewDegrees = m_angle->value();
     const QSize size = m_size->currentData().toSize();
@@ -164,10 +164,10 @@ SketchedCamera sketched(const QString &name, const MappedCamera &camera)
         return {name, {foot.x(), foot.y(), planned->heightM}, planned->aimM, true};
     }
     const FloorView &view = std::get<FloorView>(camera);
-    const Intrinsics &lens = view.camera().intrinsics();
-    const Eigen::Vector3d place = view.cameraInWorld();
-    const auto aim = view.floorFromPixel({lens.widthPx / 2.0, lens.heightPx / 2.0}, 0);
-    return {name, place, aim.value_or(Eigen::Vector2d(place.head<2>())), false};
+    const Intrinsics &intrinsics = view.camera().intrinsics();
+    const Eigen::Vector3d position = view.cameraInWorld();
+    const auto aim = view.floorFromPixel({intrinsics.widthPx / 2.0, intrinsics.heightPx / 2.0}, 0);
+    return {name, position, aim.value_or(Eigen::Vector2d(position.head<2>())), false};
 }
 
 } // namespace
@@ -206,7 +206,7 @@ AccuracyDialog::AccuracyDialog(const MarkerLayout &layout, const std::vector<Che
     connect(close, &QPushButton::clicked, this, &QDialog::reject);
     connect(m_add, &QPushButton::clicked, this, &AccuracyDialog::addPlanned);
     connect(m_remove, &QPushButton::clicked, this, &AccuracyDialog::removePlanned);
-    connect(m_best, &QPushButton::clicked, this, &AccuracyDialog::findBestPlace);
+    connect(m_best, &QPushButton::clicked, this, &AccuracyDialog::findBestPosition);
     connect(m_list, &QListWidget::currentRowChanged, this, [this] {
         showChosen();
         recompute();
@@ -225,11 +225,11 @@ AccuracyDialog::AccuracyDialog(const MarkerLayout &layout, const std::vector<Che
     connect(m_sketch, &FloorSketch::picked, m_list,
             [this](int camera) { m_list->setCurrentRow(int(counted().at(std::size_t(camera)))); });
     connect(m_sketch, &FloorSketch::cameraDragged, this,
-            [this](int camera, const Eigen::Vector2d &place) { drag(camera, place, false); });
+            [this](int camera, const Eigen::Vector2d &position) { drag(camera, position, false); });
     connect(m_sketch, &FloorSketch::aimDragged, this,
-            [this](int camera, const Eigen::Vector2d &place) { drag(camera, place, true); });
+            [this](int camera, const Eigen::Vector2d &position) { drag(camera, position, true); });
     connect(&m_maker, &AccuracyMaker::ready, this, &AccuracyDialog::showAccuracy);
-    connect(&m_search, &BackgroundTask::finished, this, &AccuracyDialog::placeFound);
+    connect(&m_search, &BackgroundTask::finished, this, &AccuracyDialog::positionFound);
     showList();
     if (m_entries.empty())
         addPlanned();
@@ -359,7 +359,7 @@ void AccuracyDialog::addPlanned()
     camera.aimM = floor.center();
     double awayM = nearestPlannedM;
     do {
-        camera.standAt({floor.center().x(), floor.min().y() - awayM});
+        camera.moveCameraTo({floor.center().x(), floor.min().y() - awayM});
         awayM += 0.25;
     } while (!plannedView(camera, m_layout) && awayM < farthestPlannedM);
     m_entries.push_back({tr("Planned %1").arg(++m_plannedSoFar), camera, {}});
@@ -413,19 +413,19 @@ void AccuracyDialog::showAccuracy(const ExpectedAccuracy &accuracy)
     m_problem->setHidden(problems.isEmpty());
 }
 
-void AccuracyDialog::drag(int camera, const Eigen::Vector2d &place, bool aim)
+void AccuracyDialog::drag(int camera, const Eigen::Vector2d &position, bool aim)
 {
     auto *planned = std::get_if<PlannedCamera>(&m_entries.at(counted().at(std::size_t(camera))).camera);
     if (!planned)
         return;
-    const Eigen::Vector2d foot = aim ? planned->footM() : place;
-    planned->aimM = aim ? place : planned->aimM;
-    planned->standAt(foot);
+    const Eigen::Vector2d foot = aim ? planned->footM() : position;
+    planned->aimM = aim ? position : planned->aimM;
+    planned->moveCameraTo(foot);
     showChosen();
     recompute();
 }
 
-void AccuracyDialog::findBestPlace()
+void AccuracyDialog::findBestPosition()
 {
     const PlannedCamera *planned = currentPlanned();
     if (!planned)
@@ -441,10 +441,11 @@ void AccuracyDialog::findBestPlace()
                                     : Result<FloorView>(std::get<FloorView>(m_entries[row].camera)))
             others.push_back(*view);
     }
-    const PlaceSearch search{m_reach->value(), m_above->isChecked(), fromMillimetres(m_robotHeight->value())};
+    const CameraPositionSearch search{m_reach->value(), m_above->isChecked(),
+                                      fromMillimetres(m_robotHeight->value())};
     m_search.start([found = m_found, like = *planned, layout = m_layout, others = std::move(others),
                     search](const JobControl &control) -> Result<void> {
-        auto best = ODO_TRY(bestPlace(like, layout, others, search, control));
+        auto best = ODO_TRY(bestCameraPosition(like, layout, others, search, control));
         *found = std::move(best);
         return {};
     });
@@ -452,7 +453,7 @@ void AccuracyDialog::findBestPlace()
     showChosen();
 }
 
-void AccuracyDialog::placeFound(const std::optional<Error> &error)
+void AccuracyDialog::positionFound(const std::optional<Error> &error)
 {
     if (error) {
         showChosen();

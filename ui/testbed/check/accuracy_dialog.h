@@ -55,13 +55,13 @@ private:
     PlannedCamera *currentPlanned();
     void addPlanned();
     void removePlanned();
-    void findBestPlace();
-    void placeFound(const std::optional<Error> &error);
+    void findBestPosition();
+    void positionFound(const std::optional<Error> &error);
     void showList();
     void showChosen();
     void recompute();
     void showAccuracy(const ExpectedAccuracy &accuracy);
-    void drag(int camera, const Eigen::Vector2d &place, bool aim);
+    void drag(int camera, const Eigen::Vector2d &position, bool aim);
     std::vector<std::size_t> counted() const;
 
     const MarkerLayout m_layout;

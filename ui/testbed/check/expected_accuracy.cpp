@@ -2,7 +2,7 @@
 #include "ui/testbed/check/expected_accuracy.h"
 
 #include "core/base/units.h"
-#include "ui/views/picture/picture_painting.h"
+#include "ui/views/image/image_painting.h"
 #include "ui/views/widgets/theme.h"
 
 #include <QCoreApplication>
@@ -121,7 +121,7 @@ void drawLevel(QPainter &painter, const SketchedAccuracy &accuracy, double level
         drawHaloText(painter, toScreen(nearest->first) + QPointF(3, -4), levelText(levelM), Qt::white);
 }
 
-QRectF placeOf(const FloorGrid &grid, const ToScreen &toScreen)
+QRectF positionOf(const FloorGrid &grid, const ToScreen &toScreen)
 {
     const Eigen::Vector2d half = Eigen::Vector2d::Constant(0.5 * grid.stepM);
     return QRectF(toScreen(grid.at(0, grid.rows - 1) + Eigen::Vector2d(-half.x(), half.y())),
@@ -149,14 +149,14 @@ void drawAccuracy(QPainter &painter, const SketchedAccuracy &accuracy, const ToS
 {
     if (accuracy.sigmaM.empty())
         return;
-    const QRectF place = placeOf(accuracy.grid, toScreen);
-    painter.fillRect(place, QBrush(ThemeColours::of(palette).muted, Qt::BDiagPattern));
+    const QRectF position = positionOf(accuracy.grid, toScreen);
+    painter.fillRect(position, QBrush(ThemeColours::of(palette).muted, Qt::BDiagPattern));
     const auto range = rangeOf(accuracy);
     if (!range)
         return;
     painter.save();
     painter.setRenderHint(QPainter::SmoothPixmapTransform);
-    painter.drawImage(place, imageOf(accuracy, *range));
+    painter.drawImage(position, imageOf(accuracy, *range));
     for (const double level : accuracyLevelsM(accuracy))
         drawLevel(painter, accuracy, level, toScreen);
     painter.restore();

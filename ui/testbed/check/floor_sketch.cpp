@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/testbed/check/floor_sketch.h"
 
-#include "ui/models/figure_text.h"
+#include "ui/models/number_text.h"
 #include "ui/testbed/floor/floor_drawing.h"
-#include "ui/views/picture/picture_painting.h"
+#include "ui/views/image/image_painting.h"
 #include "ui/views/widgets/theme.h"
 
 #include <QLocale>
@@ -110,18 +110,18 @@ bool FloorSketch::paintGrid(QPainter &painter) const
 void FloorSketch::paintCamera(QPainter &painter, const SketchedCamera &camera, const QColor &colour) const
 {
     constexpr double halfAngle = 0.42, wedgePx = 46;
-    const QPointF place = fromWorld(footOf(camera)), aim = fromWorld(camera.lookAtInWorld);
-    const double angle = std::atan2(aim.y() - place.y(), aim.x() - place.x());
+    const QPointF position = fromWorld(footOf(camera)), aim = fromWorld(camera.lookAtInWorld);
+    const double angle = std::atan2(aim.y() - position.y(), aim.x() - position.x());
     const auto corner = [&](double by) {
-        return place + wedgePx * QPointF(std::cos(angle + by), std::sin(angle + by));
+        return position + wedgePx * QPointF(std::cos(angle + by), std::sin(angle + by));
     };
     QColor ground = colour;
     ground.setAlphaF(0.22f);
     painter.setPen(QPen(colour, 1, camera.isPlanned ? Qt::DashLine : Qt::SolidLine));
     painter.setBrush(ground);
-    painter.drawPolygon(QPolygonF{place, corner(-halfAngle), corner(halfAngle)});
+    painter.drawPolygon(QPolygonF{position, corner(-halfAngle), corner(halfAngle)});
     if (camera.isPlanned) {
-        painter.drawLine(place, aim);
+        painter.drawLine(position, aim);
         for (const auto &[pen, width] : {std::pair(QColor(Qt::white), 4.0), std::pair(colour, 2.0)}) {
             painter.setPen(QPen(pen, width));
             painter.drawLine(aim - QPointF(7, 0), aim + QPointF(7, 0));
@@ -130,12 +130,12 @@ void FloorSketch::paintCamera(QPainter &painter, const SketchedCamera &camera, c
     }
     painter.setPen(QPen(colour, 2));
     painter.setBrush(camera.isPlanned ? ThemeColours::of(palette()).card : colour);
-    painter.drawEllipse(place, 6, 6);
+    painter.drawEllipse(position, 6, 6);
     painter.setPen(ThemeColours::of(palette()).text);
     const QString text =
         tr("%1, %2 m high").arg(camera.name, QLocale().toString(camera.pointInWorld.z(), 'f', 2));
     QRectF box = painter.fontMetrics().boundingRect(text);
-    box.moveCenter(place + QPointF(0, 17));
+    box.moveCenter(position + QPointF(0, 17));
     box.moveLeft(std::clamp(box.left(), 4.0, std::max(4.0, width() - box.width() - 4)));
     painter.drawText(box, Qt::AlignCenter | Qt::TextDontClip, text);
 }
@@ -162,12 +162,12 @@ void FloorSketch::paintMarkers(QPainter &painter) const
     if (!m_layout)
         return;
     for (const Marker &marker : m_layout->markers) {
-        const QPointF place = fromWorld(marker.pointInWorld);
-        const QRectF square(place - QPointF(markerSidePx, markerSidePx) / 2,
+        const QPointF position = fromWorld(marker.pointInWorld);
+        const QRectF square(position - QPointF(markerSidePx, markerSidePx) / 2,
                             QSizeF(markerSidePx, markerSidePx));
         painter.fillRect(square.adjusted(-1, -1, 1, 1), onMap ? QColor(Qt::black) : ink);
         painter.fillRect(square, ink);
-        text(place + QPointF(8, 14), QString::fromStdString(marker.label));
+        text(position + QPointF(8, 14), QString::fromStdString(marker.label));
     }
 }
 
@@ -228,11 +228,11 @@ void FloorSketch::mouseMoveEvent(QMouseEvent *event)
     if (m_held == Held::Nothing)
         return;
     const QPointF from = (event->position() - m_origin) / m_pixelsPerMetre;
-    const Eigen::Vector2d place = onDragStep({from.x(), -from.y()});
+    const Eigen::Vector2d position = onDragStep({from.x(), -from.y()});
     if (m_held == Held::Camera)
-        Q_EMIT cameraDragged(m_heldCamera, place);
+        Q_EMIT cameraDragged(m_heldCamera, position);
     else
-        Q_EMIT aimDragged(m_heldCamera, place);
+        Q_EMIT aimDragged(m_heldCamera, position);
 }
 
 void FloorSketch::mouseReleaseEvent(QMouseEvent *)

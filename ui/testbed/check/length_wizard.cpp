@@ -3,10 +3,10 @@
 
 #include "core/base/units.h"
 #include "core/calibration/world_axes.h"
-#include "ui/models/figure_text.h"
+#include "ui/models/number_text.h"
 #include "ui/models/shown_message.h"
 #include "ui/testbed/floor/marker_canvas.h"
-#include "ui/testbed/floor/still_picture.h"
+#include "ui/testbed/floor/still_image.h"
 #include "ui/views/widgets/card.h"
 #include "ui/views/widgets/form_fields.h"
 #include "ui/views/widgets/labels.h"
@@ -36,18 +36,18 @@ LengthWizard::LengthWizard(std::vector<CheckCamera> cameras, const QString &curr
                            QWidget *parent)
     : StepDialog(tr("Check a known length"), tr("&Done"), parent), m_cameras(std::move(cameras)),
       m_camera(new QComboBox), m_badge(new BadgeLabel({})),
-      m_choice(new PictureChoice(live, tr("Image or video of the length"))), m_page(new LengthPage)
+      m_choice(new ImageChoice(live, tr("Image or video of the length"))), m_page(new LengthPage)
 {
     addStep(tr("The camera and its image"), makeSource(current));
     addStep(tr("Both ends of the length"), m_page);
     resize(1120, 680);
-    connect(m_choice, &PictureChoice::changed, this, &LengthWizard::updateButtons);
+    connect(m_choice, &ImageChoice::changed, this, &LengthWizard::updateButtons);
     connect(m_camera, &QComboBox::currentIndexChanged, this, &LengthWizard::showCamera);
     connect(&m_task, &BackgroundTask::finished, this, [this](const std::optional<Error> &error) {
         if (step() == EndsPage && error)
             m_page->showFailure(*error);
         else if (step() == EndsPage)
-            m_page->begin(m_picture, camera());
+            m_page->begin(m_image, camera());
         updateButtons();
     });
     turnTo(SourcePage);
@@ -103,7 +103,7 @@ void LengthWizard::next()
     if (step() == EndsPage)
         return accept();
     turnTo(EndsPage);
-    takePicture();
+    takeFrame();
 }
 
 void LengthWizard::back()
@@ -112,16 +112,17 @@ void LengthWizard::back()
     turnTo(SourcePage);
 }
 
-void LengthWizard::takePicture()
+void LengthWizard::takeFrame()
 {
     m_page->wait(tr("Loading the image…"));
-    m_picture = std::make_shared<StillPicture>();
-    m_task.start([picture = m_picture, origin = m_choice->origin(),
-                  lens = camera().view.camera().intrinsics()](const JobControl &control) -> Result<void> {
-        auto taken = ODO_TRY(takeStillPicture(origin, {}, lens, control));
-        *picture = std::move(taken);
-        return {};
-    });
+    m_image = std::make_shared<StillImage>();
+    m_task.start(
+        [image = m_image, origin = m_choice->origin(),
+         intrinsics = camera().view.camera().intrinsics()](const JobControl &control) -> Result<void> {
+            auto taken = ODO_TRY(takeStillImage(origin, {}, intrinsics, control));
+            *image = std::move(taken);
+            return {};
+        });
 }
 
 void LengthWizard::done(int result)
@@ -157,7 +158,7 @@ QString tenths(double metres)
 
 LengthPage::LengthPage(QWidget *parent)
     : QWidget(parent), m_canvas(new MarkerCanvas), m_table(new QTableWidget(2, LengthColumn::Count)),
-      m_told(new NumberBox), m_height(new NumberBox), m_unit(new QComboBox),
+      m_givenLength(new NumberBox), m_height(new NumberBox), m_unit(new QComboBox),
       m_snap(new QCheckBox(tr("S&nap to what is near a click"))), m_length(new QLabel), m_words(new QLabel),
       m_badge(new BadgeLabel({}))
 {
@@ -172,22 +173,22 @@ LengthPage::LengthPage(QWidget *parent)
     layout->addWidget(m_canvas, 1);
     layout->addWidget(makeSide());
     setFocusProxy(m_canvas);
-    connect(m_canvas, &MarkerCanvas::placed, this, &LengthPage::place);
+    connect(m_canvas, &MarkerCanvas::placed, this, &LengthPage::position);
     connect(m_canvas, &MarkerCanvas::picked, this,
             [this](const QString &label) { m_table->selectRow(label.toInt() - 1); });
     connect(m_table, &QTableWidget::currentCellChanged, this,
             [this] { m_canvas->setCurrent(labelOf(currentEnd())); });
     connect(m_unit, &QComboBox::currentIndexChanged, this, &LengthPage::evaluate);
-    for (QDoubleSpinBox *number : {m_told, m_height})
+    for (QDoubleSpinBox *number : {m_givenLength, m_height})
         connect(number, &QDoubleSpinBox::valueChanged, this, &LengthPage::evaluate);
 }
 
 QWidget *LengthPage::makeQuestions()
 {
-    m_told->setRange(0, 1e6);
-    m_told->setDecimals(1);
-    m_told->setSpecialValueText(tr("not known"));
-    m_told->setAccessibleName(tr("True length"));
+    m_givenLength->setRange(0, 1e6);
+    m_givenLength->setDecimals(1);
+    m_givenLength->setSpecialValueText(tr("not known"));
+    m_givenLength->setAccessibleName(tr("True length"));
     for (const char *unit : {"mm", "cm", "m", "inch"})
         m_unit->addItem(QString::fromLatin1(unit), lengthFactorFrom(unit).value_or(1));
     m_unit->setAccessibleName(tr("Unit of the true length"));
@@ -197,14 +198,14 @@ QWidget *LengthPage::makeQuestions()
     m_height->setSpecialValueText(tr("on the floor"));
     m_snap->setChecked(true);
     auto *told = new QHBoxLayout;
-    told->addWidget(m_told, 1);
+    told->addWidget(m_givenLength, 1);
     told->addWidget(m_unit);
-    auto *toldLabel = new QLabel(tr("&True length"));
-    toldLabel->setBuddy(m_told);
+    auto *givenLabel = new QLabel(tr("&True length"));
+    givenLabel->setBuddy(m_givenLength);
     auto *content = new QWidget;
     auto *form = new QFormLayout(content);
     form->setContentsMargins(12, 8, 12, 10);
-    form->addRow(toldLabel, told);
+    form->addRow(givenLabel, told);
     form->addRow(tr("H&eight"), m_height);
     form->addRow(m_snap);
     return content;
@@ -242,9 +243,9 @@ QWidget *LengthPage::makeSide()
 
 void LengthPage::wait(const QString &words)
 {
-    m_picture.reset();
+    m_image.reset();
     m_ends = {};
-    m_canvas->setPicture({}, {});
+    m_canvas->setImage({}, {});
     m_canvas->setEmptyText(words);
     m_canvas->setFloor(std::nullopt, {});
     evaluate();
@@ -257,11 +258,11 @@ void LengthPage::showFailure(const Error &error)
     m_words->setText(errorLine(error));
 }
 
-void LengthPage::begin(std::shared_ptr<const StillPicture> picture, const CheckCamera &camera)
+void LengthPage::begin(std::shared_ptr<const StillImage> image, const CheckCamera &camera)
 {
-    m_picture = std::move(picture);
+    m_image = std::move(image);
     m_camera = camera;
-    m_canvas->setPicture(m_picture->image, {m_picture->frame.format.width, m_picture->frame.format.height});
+    m_canvas->setImage(m_image->image, {m_image->frame.format.width, m_image->frame.format.height});
     m_canvas->setFloor(camera.view, camera.layout);
     m_table->selectRow(0);
     evaluate();
@@ -273,12 +274,12 @@ int LengthPage::currentEnd() const
     return std::max(0, m_table->currentRow());
 }
 
-void LengthPage::place(const QString &label, const Eigen::Vector2d &pixel, bool snap)
+void LengthPage::position(const QString &label, const Eigen::Vector2d &pixel, bool snap)
 {
     const int end = std::clamp(label.toInt() - 1, 0, 1);
     SnappedMarker seen{SnappedMarker::Kind::None, pixel, byHandPx};
     if (snap && m_snap->isChecked())
-        seen = snapToMarker(m_picture->frame, pixel);
+        seen = snapToMarker(m_image->frame, pixel);
     const bool snapped = seen.kind != SnappedMarker::Kind::None;
     m_ends[std::size_t(end)] = End{seen.pixel, snapped ? seen.sigmaPx : byHandPx, snappedWords(seen.kind)};
     evaluate();
@@ -286,11 +287,11 @@ void LengthPage::place(const QString &label, const Eigen::Vector2d &pixel, bool 
         m_table->selectRow(1 - end);
 }
 
-std::optional<double> LengthPage::toldM() const
+std::optional<double> LengthPage::givenM() const
 {
-    if (m_told->value() <= 0)
+    if (m_givenLength->value() <= 0)
         return std::nullopt;
-    return fromMillimetres(m_told->value() * m_unit->currentData().toDouble());
+    return fromMillimetres(m_givenLength->value() * m_unit->currentData().toDouble());
 }
 
 void LengthPage::evaluate()
@@ -300,7 +301,7 @@ void LengthPage::evaluate()
     m_length->hide();
     m_badge->setBadge({});
     showEnds();
-    if (!m_picture)
+    if (!m_image)
         return m_words->clear();
     if (!m_ends[0] || !m_ends[1])
         return m_words->setText(tr("Put an object of known length anywhere on the floor, such as a metre "
@@ -309,7 +310,7 @@ void LengthPage::evaluate()
     const std::string name = m_camera->name.toStdString();
     const SeenLength seen{&m_camera->view,   name, m_ends[0]->pixel, m_ends[1]->pixel, m_ends[0]->sigmaPx,
                           m_ends[1]->sigmaPx};
-    const auto check = checkLength({&seen, 1}, toldM(), fromMillimetres(m_height->value()));
+    const auto check = checkLength({&seen, 1}, givenM(), fromMillimetres(m_height->value()));
     if (!check)
         return m_words->setText(errorLine(check.error()));
     m_check = *check;
@@ -332,15 +333,15 @@ void LengthPage::showEnds()
     std::vector<MarkerPixel> shown;
     for (int end = 0; end < 2; ++end) {
         const auto &put = m_ends[std::size_t(end)];
-        QString place;
+        QString position;
         if (put) {
             shown.push_back({labelOf(end).toStdString(), put->pixel});
             if (const auto at = m_camera->view.floorFromPixel(put->pixel, heightM))
-                place = tr("%1, %2").arg(tenths(at->x()), tenths(at->y()));
+                position = tr("%1, %2").arg(tenths(at->x()), tenths(at->y()));
             else
-                place = tr("beyond the horizon");
+                position = tr("beyond the horizon");
         }
-        const QString texts[] = {labelOf(end), put ? put->seenAs : tr("not set yet"), place};
+        const QString texts[] = {labelOf(end), put ? put->seenAs : tr("not set yet"), position};
         for (int column = 0; column < LengthColumn::Count; ++column)
             m_table->setItem(end, column, new QTableWidgetItem(texts[column]));
     }

@@ -4,7 +4,7 @@
 #include "core/calibration/registration_checks.h"
 #include "ui/models/background_task.h"
 #include "ui/testbed/floor/floor_camera.h"
-#include "ui/testbed/floor/still_picture.h"
+#include "ui/testbed/floor/still_image.h"
 #include "ui/views/widgets/step_dialog.h"
 
 #include <QWidget>
@@ -24,7 +24,7 @@ namespace odo {
 class BadgeLabel;
 class LengthPage;
 class LiveCameras;
-class PictureChoice;
+class ImageChoice;
 
 /// Checks a registered camera by a known length: camera and image first, then both ends in the image. Stores
 /// nothing.
@@ -37,7 +37,7 @@ public:
                  QWidget *parent = nullptr);
     ~LengthWizard() override;
 
-    PictureChoice &picture() { return *m_choice; }
+    ImageChoice &image() { return *m_choice; }
     LengthPage &page() { return *m_page; }
 
     void done(int result) override;
@@ -51,14 +51,14 @@ private:
     QWidget *makeSource(const QString &current);
     const CheckCamera &camera() const;
     void showCamera();
-    void takePicture();
+    void takeFrame();
 
     const std::vector<CheckCamera> m_cameras;
     QComboBox *m_camera;
     BadgeLabel *m_badge;
-    PictureChoice *m_choice;
+    ImageChoice *m_choice;
     LengthPage *m_page;
-    std::shared_ptr<StillPicture> m_picture; ///< that is being got
+    std::shared_ptr<StillImage> m_image; ///< that is being got
     BackgroundTask m_task;
 };
 
@@ -75,7 +75,7 @@ public:
     /// While the image is loading.
     void wait(const QString &words);
     void showFailure(const Error &error);
-    void begin(std::shared_ptr<const StillPicture> picture, const CheckCamera &camera);
+    void begin(std::shared_ptr<const StillImage> image, const CheckCamera &camera);
 
     MarkerCanvas &canvas() { return *m_canvas; }
     /// What was measured; nullopt until both ends are put.
@@ -92,18 +92,18 @@ private:
     QWidget *makeSide();
     QWidget *makeQuestions();
     int currentEnd() const;
-    void place(const QString &label, const Eigen::Vector2d &pixel, bool snap);
+    void position(const QString &label, const Eigen::Vector2d &pixel, bool snap);
     void evaluate();
     void showEnds();
-    std::optional<double> toldM() const;
+    std::optional<double> givenM() const;
 
-    std::shared_ptr<const StillPicture> m_picture;
+    std::shared_ptr<const StillImage> m_image;
     std::optional<CheckCamera> m_camera;
     std::array<std::optional<End>, 2> m_ends;
     std::optional<LengthCheck> m_check;
     MarkerCanvas *m_canvas;
     QTableWidget *m_table;
-    QDoubleSpinBox *m_told, *m_height;
+    QDoubleSpinBox *m_givenLength, *m_height;
     QComboBox *m_unit;
     QCheckBox *m_snap;
     QLabel *m_length, *m_words;

@@ -3,15 +3,15 @@
 
 #include "core/project/project.h"
 #include "core/project/repositories.h"
-#include "core/video/picture.h"
-#include "core/video/picture_reader.h"
+#include "core/video/image.h"
+#include "core/video/image_reader.h"
 #include "core/workflow/calibrate/cameras.h"
 #include "core/workflow/calibrate/register_job.h"
 #include "ui/models/background_task.h"
-#include "ui/models/figure_text.h"
+#include "ui/models/number_text.h"
 #include "ui/models/shown_message.h"
 #include "ui/testbed/floor/marker_canvas.h"
-#include "ui/views/picture/picture_painting.h"
+#include "ui/views/image/image_painting.h"
 #include "ui/views/widgets/command_keys.h"
 #include "ui/views/widgets/labels.h"
 #include "ui/views/widgets/table_list.h"
@@ -33,11 +33,11 @@ namespace odo {
 
 /// The image that a calibration or registration was made from, with its markers; loaded on a thread of its
 /// own. Hidden if none was stored.
-class RevisionPicture : public MarkerCanvas
+class RevisionImage : public MarkerCanvas
 {
     Q_OBJECT
 public:
-    explicit RevisionPicture(QWidget *parent = nullptr);
+    explicit RevisionImage(QWidget *parent = nullptr);
     void setRevision(const Revision &revision);
 
     QSize sizeHint() const override;
@@ -56,49 +56,49 @@ private:
     BackgroundTask m_task;
 };
 
-RevisionPicture::RevisionPicture(QWidget *parent) : MarkerCanvas(parent)
+RevisionImage::RevisionImage(QWidget *parent) : MarkerCanvas(parent)
 {
     setAttribute(Qt::WA_TransparentForMouseEvents); // to look at
     setFocusPolicy(Qt::NoFocus);
     setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);
     setAccessibleName(tr("Source image"));
-    connect(&m_task, &BackgroundTask::finished, this, &RevisionPicture::show);
+    connect(&m_task, &BackgroundTask::finished, this, &RevisionImage::show);
 }
 
-QSize RevisionPicture::sizeHint() const
+QSize RevisionImage::sizeHint() const
 {
     return minimumSizeHint();
 }
 
-void RevisionPicture::setRevision(const Revision &revision)
+void RevisionImage::setRevision(const Revision &revision)
 {
     m_revision = revision;
-    setVisible(!revision.picture.empty());
+    setVisible(!revision.image.empty());
     setMarkers({});
-    setPicture({}, {});
+    setImage({}, {});
     setEmptyText(tr("Reading the image…"));
     read();
 }
 
-void RevisionPicture::read()
+void RevisionImage::read()
 {
-    if (m_revision.picture.empty() || m_task.isRunning())
+    if (m_revision.image.empty() || m_task.isRunning())
         return;
-    m_read = std::make_shared<Read>(Read{m_revision.picture, {}});
+    m_read = std::make_shared<Read>(Read{m_revision.image, {}});
     m_task.start([read = m_read](const JobControl &) -> Result<void> {
-        const auto picture = ODO_TRY(readPicture(read->file));
-        read->image = toImage(toScreen(picture, picture.format.width, picture.format.height));
+        const auto image = ODO_TRY(readImage(read->file));
+        read->image = toImage(toScreen(image, image.format.width, image.format.height));
         return {};
     });
 }
 
-void RevisionPicture::show(const std::optional<Error> &error)
+void RevisionImage::show(const std::optional<Error> &error)
 {
-    if (m_read->file != m_revision.picture) // another one was chosen meanwhile
+    if (m_read->file != m_revision.image) // another one was chosen meanwhile
         return read();
     if (error)
         return setEmptyText(tr("Cannot read the image."));
-    setPicture(m_read->image, m_read->image.size());
+    setImage(m_read->image, m_read->image.size());
     setMarkers(m_revision.markers);
 }
 
@@ -129,8 +129,8 @@ QString dateText(Instant instant)
 RevisionsDialog::RevisionsDialog(Project &project, const QStringList &cameras, const QString &current,
                                  QWidget *parent)
     : QDialog(parent), m_project(project), m_camera(new QComboBox),
-      m_table(new QTableWidget(0, RevisionColumn::Count)), m_words(new QLabel),
-      m_picture(new RevisionPicture), m_choose(plainButton(tr("&Use this one"))),
+      m_table(new QTableWidget(0, RevisionColumn::Count)), m_words(new QLabel), m_image(new RevisionImage),
+      m_choose(plainButton(tr("&Use this one"))),
       m_register(plainButton(tr("&Register with this calibration"))),
       m_reprocess(plainButton(tr("Reanalyse &trials…")))
 {
@@ -169,13 +169,13 @@ RevisionsDialog::RevisionsDialog(Project &project, const QStringList &cameras, c
     layout->addWidget(m_table, 1);
     auto *detail = new QHBoxLayout;
     detail->addWidget(m_words, 1);
-    detail->addWidget(m_picture);
+    detail->addWidget(m_image);
     layout->addLayout(detail);
     layout->addLayout(buttons);
     resize(1080, 560);
     connect(close, &QPushButton::clicked, this, &QDialog::reject);
     connect(m_choose, &QPushButton::clicked, this, &RevisionsDialog::choose);
-    connect(m_register, &QPushButton::clicked, this, &RevisionsDialog::registerAnew);
+    connect(m_register, &QPushButton::clicked, this, &RevisionsDialog::reregister);
     connect(m_reprocess, &QPushButton::clicked, this, &RevisionsDialog::reprocess);
     connect(m_camera, &QComboBox::currentIndexChanged, this, &RevisionsDialog::refresh);
     connect(m_table, &QTableWidget::currentCellChanged, this, &RevisionsDialog::showCurrent);
@@ -202,9 +202,9 @@ void RevisionsDialog::refresh()
     }
     showCurrent();
     if (!revisions)
-        tell(errorLine(revisions.error()));
+        showOutcome(errorLine(revisions.error()));
     else if (m_revisions.empty())
-        tell(tr("The camera is neither calibrated nor registered yet."));
+        showOutcome(tr("The camera is neither calibrated nor registered yet."));
 }
 
 void RevisionsDialog::showRow(int row)
@@ -235,15 +235,15 @@ void RevisionsDialog::showCurrent()
     m_register->setEnabled(isThere && m_revisions[std::size_t(row)].isCurrent &&
                            m_revisions[std::size_t(row)].kind == Revision::Kind::Calibration);
     m_reprocess->setEnabled(!m_project.trials().names().value_or(std::vector<TrialName>()).empty());
-    m_picture->setRevision(isThere ? m_revisions[std::size_t(row)] : Revision());
+    m_image->setRevision(isThere ? m_revisions[std::size_t(row)] : Revision());
     if (!isThere)
-        return tell({});
+        return showOutcome({});
     const Revision &revision = m_revisions[std::size_t(row)];
     QStringList sentences{shownWords(revision.verdict)};
     sentences << (revision.trials.empty() ? tr("No trial uses it.")
                                           : tr("Trials that use it: %1.").arg(namesText(revision.trials)));
     sentences.removeAll(QString());
-    tell(sentences.join(QLatin1Char(' ')));
+    showOutcome(sentences.join(QLatin1Char(' ')));
 }
 
 void RevisionsDialog::choose()
@@ -258,21 +258,23 @@ void RevisionsDialog::choose()
     refresh();
     const QString name = m_table->item(row, RevisionColumn::Kind)->text();
     if (!chosen)
-        tell(errorLine(chosen.error()));
+        showOutcome(errorLine(chosen.error()));
     else if (revision.kind == Revision::Kind::Calibration)
-        tell(tr("%1 is now current. The registrations keep the lens calibration that they were made with: "
-                "register the camera with this one.")
-                 .arg(name));
+        showOutcome(
+            tr("%1 is now current. The registrations keep the lens calibration that they were made with: "
+               "register the camera with this one.")
+                .arg(name));
     else
-        tell(tr("%1 is now current. Trials keep theirs until you reanalyse them.").arg(name));
+        showOutcome(tr("%1 is now current. Trials keep theirs until you reanalyse them.").arg(name));
 }
 
-void RevisionsDialog::registerAnew()
+void RevisionsDialog::reregister()
 {
-    const auto registered = registerWithLensInForce(m_project, m_camera->currentText().toStdString());
+    const auto registered = registerWithCurrentIntrinsics(m_project, m_camera->currentText().toStdString());
     m_hasChanged = m_hasChanged || registered.has_value();
     refresh();
-    tell(registered ? tr("Registration %1 is now current: the same markers, with this lens calibration. %2")
+    showOutcome(registered
+                    ? tr("Registration %1 is now current: the same markers, with this lens calibration. %2")
                           .arg(registered->id)
                           .arg(shownWords(registered->registration.verdict))
                     : errorLine(registered.error()));
@@ -288,7 +290,7 @@ void RevisionsDialog::reprocess()
     refresh();
 }
 
-void RevisionsDialog::tell(const QString &words)
+void RevisionsDialog::showOutcome(const QString &words)
 {
     m_words->setText(breakable(words));
 }
@@ -300,9 +302,9 @@ struct ReprocessColumn
     enum { Robot, Metric, Before, After, Change, Count };
 };
 
-QString figure(const std::optional<double> &value, const MetricChange &metric)
+QString number(const std::optional<double> &value, const MetricChange &metric)
 {
-    return value ? metricFigure({metric.name, metric.unit, *value, metric.sigma}).text()
+    return value ? metricNumber({metric.name, metric.unit, *value, metric.sigma}).text()
                  : QStringLiteral("–");
 }
 
@@ -312,7 +314,7 @@ QString difference(const MetricChange &metric)
     if (!metric.before || !metric.after)
         return {};
     const double change = *metric.after - *metric.before;
-    FigureText text = metricFigure({metric.name, metric.unit, std::abs(change), metric.sigma});
+    NumberText text = metricNumber({metric.name, metric.unit, std::abs(change), metric.sigma});
     text.sigma.clear();
     static const QRegularExpression anyDigit(QStringLiteral("[1-9]"));
     if (!text.value.contains(anyDigit))
@@ -429,8 +431,8 @@ void ReprocessDialog::addMetric(const QString &robot, const MetricChange &metric
 {
     const int row = m_table->rowCount();
     m_table->insertRow(row);
-    const QString texts[] = {robot, metricName(metric.name), figure(metric.before, metric),
-                             figure(metric.after, metric), difference(metric)};
+    const QString texts[] = {robot, metricName(metric.name), number(metric.before, metric),
+                             number(metric.after, metric), difference(metric)};
     for (int column = 0; column < ReprocessColumn::Count; ++column)
         m_table->setItem(row, column, new QTableWidgetItem(texts[column]));
 }

@@ -18,7 +18,7 @@ class QTableWidget;
 namespace odo {
 
 class Project;
-class RevisionPicture;
+class RevisionImage;
 
 /// Every calibration and registration of a camera: when, by which version, from what, how good, and which
 /// trials use it. The user can make an older one current and reanalyse trials with the current ones.
@@ -39,9 +39,9 @@ private:
     void showRow(int row);
     void showCurrent();
     void choose();
-    void registerAnew();
+    void reregister();
     void reprocess();
-    void tell(const QString &words);
+    void showOutcome(const QString &words);
 
     Project &m_project;
     std::vector<Revision> m_revisions;
@@ -49,7 +49,7 @@ private:
     QComboBox *m_camera;
     QTableWidget *m_table;
     QLabel *m_words;
-    RevisionPicture *m_picture;
+    RevisionImage *m_image;
     QPushButton *m_choose, *m_register, *m_reprocess;
 };
 

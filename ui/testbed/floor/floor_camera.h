@@ -4,7 +4,7 @@
 #include "core/calibration/marker_layout.h"
 #include "core/geometry/floor_view.h"
 #include "core/project/records.h"
-#include "ui/models/figure_text.h"
+#include "ui/models/number_text.h"
 
 #include <QString>
 #include <filesystem>

@@ -2,10 +2,10 @@
 #include "ui/testbed/floor/floor_wizard.h"
 
 #include "core/base/units.h"
-#include "core/calibration/lens_influence.h"
+#include "core/calibration/intrinsics_influence.h"
 #include "ui/models/shown_message.h"
 #include "ui/testbed/floor/marker_canvas.h"
-#include "ui/testbed/floor/still_picture.h"
+#include "ui/testbed/floor/still_image.h"
 #include "ui/views/widgets/card.h"
 #include "ui/views/widgets/command_keys.h"
 #include "ui/views/widgets/labels.h"
@@ -30,7 +30,7 @@ namespace {
 
 enum Page { SourcePage, MarkersPage };
 
-std::optional<Intrinsics> lensOf(const std::vector<FloorCamera> &cameras, const QString &name)
+std::optional<Intrinsics> intrinsicsOf(const std::vector<FloorCamera> &cameras, const QString &name)
 {
     const auto found = std::ranges::find(cameras, name, &FloorCamera::name);
     if (found == cameras.end() || !found->intrinsics)
@@ -41,7 +41,7 @@ std::optional<Intrinsics> lensOf(const std::vector<FloorCamera> &cameras, const 
 } // namespace
 
 FloorWizard::FloorWizard(std::vector<FloorCamera> cameras, const QString &current,
-                         std::vector<LayoutRecord> layouts, const LiveCameras &live, KeepPicture keep,
+                         std::vector<LayoutRecord> layouts, const LiveCameras &live, KeepImage keep,
                          QWidget *parent)
     : StepDialog(tr("Register camera to the floor"), tr("&Save"), parent), m_cameras(std::move(cameras)),
       m_layouts(std::move(layouts)), m_source(new FloorSourcePage(m_cameras, current, m_layouts, live)),
@@ -52,7 +52,7 @@ FloorWizard::FloorWizard(std::vector<FloorCamera> cameras, const QString &curren
     resize(1120, 680);
     connect(m_source, &FloorSourcePage::completeChanged, this, &FloorWizard::updateButtons);
     connect(m_markers, &MarkerPage::completeChanged, this, &FloorWizard::updateButtons);
-    connect(&m_task, &BackgroundTask::finished, this, &FloorWizard::showPicture);
+    connect(&m_task, &BackgroundTask::finished, this, &FloorWizard::showImage);
     turnTo(SourcePage);
 }
 
@@ -72,7 +72,7 @@ bool FloorWizard::isComplete(int step) const
 void FloorWizard::next()
 {
     if (step() == MarkersPage)
-        return saveAndAccept([keep = m_keep, name = camera(), frame = m_picture->frame](const JobControl &) {
+        return saveAndAccept([keep = m_keep, name = camera(), frame = m_image->frame](const JobControl &) {
             return keep(name, frame);
         });
     turnTo(MarkersPage);
@@ -93,24 +93,24 @@ void FloorWizard::showNotSaved(const Error &error)
 void FloorWizard::beginMarkers()
 {
     m_markers->wait(tr("Detecting the markers…"));
-    m_picture = std::make_shared<StillPicture>();
-    m_task.start([picture = m_picture, origin = m_source->origin(),
+    m_image = std::make_shared<StillImage>();
+    m_task.start([image = m_image, origin = m_source->origin(),
                   layout = m_layouts.at(std::size_t(m_source->layout())).layout,
-                  lens = lensOf(m_cameras, camera())](const JobControl &control) -> Result<void> {
-        auto taken = ODO_TRY(takeStillPicture(origin, layout, lens, control));
-        *picture = std::move(taken);
+                  intrinsics = intrinsicsOf(m_cameras, camera())](const JobControl &control) -> Result<void> {
+        auto taken = ODO_TRY(takeStillImage(origin, layout, intrinsics, control));
+        *image = std::move(taken);
         return {};
     });
 }
 
-void FloorWizard::showPicture(const std::optional<Error> &error)
+void FloorWizard::showImage(const std::optional<Error> &error)
 {
     if (step() == MarkersPage) {
         if (error)
             m_markers->showFailure(*error);
         else
-            m_markers->begin(m_picture, m_layouts.at(std::size_t(m_source->layout())).layout,
-                             lensOf(m_cameras, camera()));
+            m_markers->begin(m_image, m_layouts.at(std::size_t(m_source->layout())).layout,
+                             intrinsicsOf(m_cameras, camera()));
     }
     updateButtons();
 }
@@ -138,7 +138,7 @@ FloorSourcePage::FloorSourcePage(const std::vector<FloorCamera> &cameras, const 
                                  const std::vector<LayoutRecord> &layouts, const LiveCameras &live,
                                  QWidget *parent)
     : QWidget(parent), m_cameras(cameras), m_camera(new QComboBox), m_layout(new QComboBox),
-      m_picture(new PictureChoice(live, tr("Image or video of the markers"))), m_lens(new QLabel),
+      m_image(new ImageChoice(live, tr("Image or video of the markers"))), m_intrinsics(new QLabel),
       m_badge(new BadgeLabel({}))
 {
     m_camera->setEditable(true); // a camera that was never calibrated may be new here
@@ -147,15 +147,15 @@ FloorSourcePage::FloorSourcePage(const std::vector<FloorCamera> &cameras, const 
     m_camera->setCurrentText(current);
     for (const LayoutRecord &layout : layouts)
         m_layout->addItem(QString::fromStdString(layout.layout.name));
-    m_lens->setObjectName(QStringLiteral("quiet"));
-    m_lens->setWordWrap(true);
+    m_intrinsics->setObjectName(QStringLiteral("quiet"));
+    m_intrinsics->setWordWrap(true);
     auto *intro = new QLabel(tr("Markers with known floor positions determine the camera position. Four are "
                                 "enough; a fifth checks them. Do not move the camera afterwards."));
     intro->setWordWrap(true);
     auto *form = new QFormLayout;
     form->addRow(tr("C&amera"), m_camera);
     form->addRow(QString(), m_badge);
-    form->addRow(QString(), m_lens);
+    form->addRow(QString(), m_intrinsics);
     form->addRow(tr("Marker &layout"), m_layout);
     auto *where = new QLabel(tr("Image of the markers"));
     where->setStyleSheet(QStringLiteral("font-weight: 600"));
@@ -165,10 +165,10 @@ FloorSourcePage::FloorSourcePage(const std::vector<FloorCamera> &cameras, const 
     layout->addLayout(form);
     layout->addSpacing(12);
     layout->addWidget(where);
-    layout->addWidget(m_picture);
+    layout->addWidget(m_image);
     layout->addStretch(1);
     connect(m_camera, &QComboBox::editTextChanged, this, &FloorSourcePage::showCamera);
-    connect(m_picture, &PictureChoice::changed, this, &FloorSourcePage::completeChanged);
+    connect(m_image, &ImageChoice::changed, this, &FloorSourcePage::completeChanged);
     showCamera();
 }
 
@@ -182,11 +182,12 @@ void FloorSourcePage::showCamera()
 {
     const FloorCamera *camera = known();
     m_badge->setBadge(camera ? camera->badge : Badge());
-    m_picture->setRecording(camera ? camera->newestRecording : std::nullopt);
-    m_lens->setText(camera && camera->intrinsics
-                        ? tr("Its lens is calibrated.")
-                        : tr("Its lens is not calibrated. Odograph assumes no distortion and estimates the "
-                             "focal length from the markers if they determine it."));
+    m_image->setRecording(camera ? camera->newestRecording : std::nullopt);
+    m_intrinsics->setText(
+        camera && camera->intrinsics
+            ? tr("Its lens is calibrated.")
+            : tr("Its lens is not calibrated. Odograph assumes no distortion and estimates the "
+                 "focal length from the markers if they determine it."));
     Q_EMIT completeChanged();
 }
 
@@ -199,17 +200,17 @@ int FloorSourcePage::layout() const
     return m_layout->currentIndex();
 }
 
-PictureOrigin FloorSourcePage::origin() const
+ImageOrigin FloorSourcePage::origin() const
 {
-    return m_picture->origin();
+    return m_image->origin();
 }
 void FloorSourcePage::setFile(const QString &file)
 {
-    m_picture->setFile(file);
+    m_image->setFile(file);
 }
 bool FloorSourcePage::isComplete() const
 {
-    return !camera().isEmpty() && layout() >= 0 && m_picture->isComplete();
+    return !camera().isEmpty() && layout() >= 0 && m_image->isComplete();
 }
 
 namespace {
@@ -236,7 +237,7 @@ MarkerPage::MarkerPage(QWidget *parent)
     layout->setContentsMargins(0, 0, 0, 0);
     layout->addWidget(m_canvas, 1);
     layout->addWidget(makeSide());
-    connect(m_canvas, &MarkerCanvas::placed, this, &MarkerPage::place);
+    connect(m_canvas, &MarkerCanvas::placed, this, &MarkerPage::position);
     connect(m_canvas, &MarkerCanvas::picked, this, [this](const QString &label) {
         for (int row = 0; row < m_table->rowCount(); ++row)
             if (m_table->item(row, MarkerColumn::Label)->text() == label)
@@ -279,38 +280,38 @@ QWidget *MarkerPage::makeSide()
 
 void MarkerPage::wait(const QString &words)
 {
-    m_picture.reset();
+    m_image.reset();
     m_pixels.clear();
     m_layout = {};
-    m_canvas->setPicture({}, {});
+    m_canvas->setImage({}, {});
     m_canvas->setEmptyText(words);
     evaluate();
-    m_verdict->tell(words, {});
+    m_verdict->showVerdict(words, {});
 }
 
 void MarkerPage::showFailure(const Error &error)
 {
     wait(shownWords(error.why));
-    m_verdict->tell(shownWords(error.why), shownWords(error.advice));
+    m_verdict->showVerdict(shownWords(error.why), shownWords(error.advice));
 }
 
 void MarkerPage::showNotSaved(const Error &error)
 {
-    m_verdict->tellNotSaved(error);
+    m_verdict->reportNotSaved(error);
 }
 
-void MarkerPage::begin(std::shared_ptr<const StillPicture> picture, const MarkerLayout &layout,
-                       const std::optional<Intrinsics> &lens)
+void MarkerPage::begin(std::shared_ptr<const StillImage> image, const MarkerLayout &layout,
+                       const std::optional<Intrinsics> &intrinsics)
 {
-    m_picture = std::move(picture);
+    m_image = std::move(image);
     m_layout = layout;
-    m_lens = lens;
-    m_pixels = m_picture->markers;
+    m_intrinsics = intrinsics;
+    m_pixels = m_image->markers;
     m_kinds.clear();
     for (const MarkerPixel &marker : m_pixels)
         m_kinds.emplace_back(marker.label, tr("found"));
     m_before.clear();
-    m_canvas->setPicture(m_picture->image, {m_picture->frame.format.width, m_picture->frame.format.height});
+    m_canvas->setImage(m_image->image, {m_image->frame.format.width, m_image->frame.format.height});
     evaluate();
     m_table->selectRow(0);
     m_canvas->setFocus();
@@ -328,11 +329,11 @@ void MarkerPage::remember()
     m_before.push_back(m_pixels);
 }
 
-void MarkerPage::place(const QString &label, const Eigen::Vector2d &pixel, bool snap)
+void MarkerPage::position(const QString &label, const Eigen::Vector2d &pixel, bool snap)
 {
     remember();
     const SnappedMarker seen =
-        snap ? snapToMarker(m_picture->frame, pixel) : SnappedMarker{SnappedMarker::Kind::None, pixel, 0};
+        snap ? snapToMarker(m_image->frame, pixel) : SnappedMarker{SnappedMarker::Kind::None, pixel, 0};
     const std::string name = label.toStdString();
     std::erase_if(m_pixels, [&](const MarkerPixel &marker) { return marker.label == name; });
     std::erase_if(m_kinds, [&](const auto &kind) { return kind.first == name; });
@@ -370,20 +371,21 @@ void MarkerPage::evaluate()
 {
     m_registration.reset();
     std::optional<FloorView> view;
-    if (m_picture) {
+    if (m_image) {
         const CameraModel camera =
-            cameraOf(m_lens, m_picture->frame.format.width, m_picture->frame.format.height);
-        const auto registered = registerFloor(m_layout, m_pixels, camera, m_lens.has_value());
+            cameraOf(m_intrinsics, m_image->frame.format.width, m_image->frame.format.height);
+        const auto registered = registerFloor(m_layout, m_pixels, camera, m_intrinsics.has_value());
         if (registered) {
             m_registration = *registered;
             view = floorViewOf(*registered, *CameraModel::create(registered->intrinsics), m_pixels);
-            m_verdict->tell(*registered);
+            m_verdict->showVerdict(*registered);
         } else {
-            m_verdict->tell(shownWords(registered.error().why),
-                            m_pixels.size() < 4
-                                ? tr("Select a marker in the table and click its position. The click snaps "
-                                     "to what is near it, to a tenth of a pixel.")
-                                : shownWords(registered.error().advice));
+            m_verdict->showVerdict(
+                shownWords(registered.error().why),
+                m_pixels.size() < 4
+                    ? tr("Select a marker in the table and click its position. The click snaps "
+                         "to what is near it, to a tenth of a pixel.")
+                    : shownWords(registered.error().advice));
         }
     }
     m_canvas->setMarkers(m_pixels);
@@ -445,23 +447,23 @@ RegistrationVerdict::RegistrationVerdict(QWidget *parent)
     setContent(said);
 }
 
-void RegistrationVerdict::tell(const FloorRegistration &registration)
+void RegistrationVerdict::showVerdict(const FloorRegistration &registration)
 {
     const Eigen::Vector3d &at = registration.worldFromCamera.translation;
     const QLocale locale;
-    tell(shownWords(registration.verdict),
-         tr("Camera position: x %1 m, y %2 m, %3 m above the floor.")
-             .arg(locale.toString(at.x(), 'f', 2), locale.toString(at.y(), 'f', 2),
-                  locale.toString(at.z(), 'f', 2)));
+    showVerdict(shownWords(registration.verdict),
+                tr("Camera position: x %1 m, y %2 m, %3 m above the floor.")
+                    .arg(locale.toString(at.x(), 'f', 2), locale.toString(at.y(), 'f', 2),
+                         locale.toString(at.z(), 'f', 2)));
 }
 
-void RegistrationVerdict::tell(const QString &verdict, const QString &advice)
+void RegistrationVerdict::showVerdict(const QString &verdict, const QString &advice)
 {
     m_verdict->setText(verdict);
     m_advice->setText(advice);
 }
 
-void RegistrationVerdict::tellNotSaved(const Error &error)
+void RegistrationVerdict::reportNotSaved(const Error &error)
 {
     m_advice->setText(tr("The registration was not stored. %1").arg(errorLine(error)));
 }

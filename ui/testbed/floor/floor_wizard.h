@@ -5,7 +5,7 @@
 #include "core/project/records.h"
 #include "ui/models/background_task.h"
 #include "ui/testbed/floor/floor_camera.h"
-#include "ui/testbed/floor/still_picture.h"
+#include "ui/testbed/floor/still_image.h"
 #include "ui/views/widgets/card.h"
 #include "ui/views/widgets/step_dialog.h"
 
@@ -31,7 +31,7 @@ class FloorWizard : public StepDialog
     Q_OBJECT
 public:
     FloorWizard(std::vector<FloorCamera> cameras, const QString &current, std::vector<LayoutRecord> layouts,
-                const LiveCameras &live, KeepPicture keep, QWidget *parent = nullptr);
+                const LiveCameras &live, KeepImage keep, QWidget *parent = nullptr);
     ~FloorWizard() override;
 
     FloorSourcePage &source() { return *m_source; }
@@ -50,19 +50,19 @@ protected:
 
 private:
     void beginMarkers();
-    void showPicture(const std::optional<Error> &error);
+    void showImage(const std::optional<Error> &error);
 
     std::vector<FloorCamera> m_cameras;
     std::vector<LayoutRecord> m_layouts;
     FloorSourcePage *m_source;
     MarkerPage *m_markers;
-    std::shared_ptr<StillPicture> m_picture; ///< that is being got
-    const KeepPicture m_keep;
+    std::shared_ptr<StillImage> m_image; ///< that is being got
+    const KeepImage m_keep;
     BackgroundTask m_task;
 };
 
 class BadgeLabel;
-class PictureChoice;
+class ImageChoice;
 
 /// First page of the floor wizard: camera, layout, and the image that shows the markers.
 class FloorSourcePage : public QWidget
@@ -76,7 +76,7 @@ public:
 
     QString camera() const;
     int layout() const; ///< its row in the list
-    PictureOrigin origin() const;
+    ImageOrigin origin() const;
     void setFile(const QString &file);
     bool isComplete() const;
 
@@ -89,8 +89,8 @@ private:
 
     const std::vector<FloorCamera> m_cameras;
     QComboBox *m_camera, *m_layout;
-    PictureChoice *m_picture;
-    QLabel *m_lens;
+    ImageChoice *m_image;
+    QLabel *m_intrinsics;
     BadgeLabel *m_badge;
 };
 
@@ -107,8 +107,8 @@ public:
 
     /// While the image is loading.
     void wait(const QString &words);
-    void begin(std::shared_ptr<const StillPicture> picture, const MarkerLayout &layout,
-               const std::optional<Intrinsics> &lens);
+    void begin(std::shared_ptr<const StillImage> image, const MarkerLayout &layout,
+               const std::optional<Intrinsics> &intrinsics);
     void showFailure(const Error &error);
     /// Keeps the markers: the user can try again.
     void showNotSaved(const Error &error);
@@ -124,16 +124,16 @@ Q_SIGNALS:
 private:
     QWidget *makeSide();
     QString currentLabel() const;
-    void place(const QString &label, const Eigen::Vector2d &pixel, bool snap);
+    void position(const QString &label, const Eigen::Vector2d &pixel, bool snap);
     void removeCurrent();
     void undo();
     void remember();
     void evaluate();
     void showTable();
 
-    std::shared_ptr<const StillPicture> m_picture;
+    std::shared_ptr<const StillImage> m_image;
     MarkerLayout m_layout;
-    std::optional<Intrinsics> m_lens;
+    std::optional<Intrinsics> m_intrinsics;
     std::vector<MarkerPixel> m_pixels;
     std::vector<std::pair<std::string, QString>> m_kinds; ///< label and the kind of feature it snapped to
     std::vector<std::vector<MarkerPixel>> m_before;       ///< for undo
@@ -150,10 +150,10 @@ class RegistrationVerdict : public Card
     Q_OBJECT
 public:
     explicit RegistrationVerdict(QWidget *parent = nullptr);
-    void tell(const FloorRegistration &registration);
-    void tell(const QString &verdict, const QString &advice);
+    void showVerdict(const FloorRegistration &registration);
+    void showVerdict(const QString &verdict, const QString &advice);
     /// It could not be stored; the verdict stays.
-    void tellNotSaved(const Error &error);
+    void reportNotSaved(const Error &error);
 
 private:
     QLabel *m_verdict, *m_advice;

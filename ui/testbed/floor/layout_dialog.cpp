@@ -5,7 +5,7 @@
 #include "core/exchange/file_name.h"
 #include "core/exchange/labelled_points.h"
 #include "core/geometry/homography.h"
-#include "ui/models/figure_text.h"
+#include "ui/models/number_text.h"
 #include "ui/models/shown_message.h"
 #include "ui/testbed/floor/floor_drawing.h"
 #include "ui/views/widgets/command_keys.h"
@@ -103,8 +103,8 @@ LayoutDialog::LayoutDialog(const MarkerLayout &start, const QStringList &taken, 
     connect(m_table, &QTableWidget::currentCellChanged, this,
             [this](int current) { m_drawing->setLayout(m_layout, current); });
     connect(m_drawing, &LayoutDrawing::picked, m_table, &QTableWidget::selectRow);
-    connect(m_drawing, &LayoutDrawing::moved, this, [this](int marker, const Eigen::Vector2d &place) {
-        m_layout.markers[std::size_t(marker)].pointInWorld = place;
+    connect(m_drawing, &LayoutDrawing::moved, this, [this](int marker, const Eigen::Vector2d &position) {
+        m_layout.markers[std::size_t(marker)].pointInWorld = position;
         showMarkers();
     });
     if (m_layout.markers.empty())
@@ -157,14 +157,14 @@ QWidget *LayoutDialog::makeTools()
         const QString file = QFileDialog::getOpenFileName(
             this, tr("Positions of the markers (label,x_mm,y_mm)"), {}, csvFilter());
         if (!file.isEmpty())
-            tell(importCsv(file));
+            showOutcome(importCsv(file));
     });
     csvMenu->addAction(tr("&Export…"), this, [this] {
         const QString offered =
             QString::fromStdString(fileNameOf(m_name->text().toStdString())) + QStringLiteral(".csv");
         if (const auto chosen = askOutput(this, tr("Positions of the markers"), offered,
                                           {{csvFilter(), QStringLiteral("csv"), FileKind::Csv}}))
-            tell(exportCsv(chosen->target));
+            showOutcome(exportCsv(chosen->target));
     });
     csv->setMenu(csvMenu);
     auto *tools = new QWidget;
@@ -270,7 +270,7 @@ void LayoutDialog::check()
     m_save->setEnabled(wrong.isEmpty());
 }
 
-void LayoutDialog::tell(const Result<void> &outcome)
+void LayoutDialog::showOutcome(const Result<void> &outcome)
 {
     if (!outcome)
         m_message->setText(errorLine(outcome.error()));
@@ -293,7 +293,7 @@ void LayoutDialog::changeAxes(const AxesChange &change)
 {
     const auto axes = axesTransformOf(m_layout, change);
     if (!axes)
-        return tell(tl::unexpected(axes.error()));
+        return showOutcome(tl::unexpected(axes.error()));
     m_layout = transformed(m_layout, *axes);
     showMarkers();
 }
@@ -339,10 +339,10 @@ QPointF LayoutDrawing::toScreen(const Eigen::Vector2d &point) const
     return {0.5 * width() + from.x(), 0.5 * height() - from.y()};
 }
 
-Eigen::Vector2d LayoutDrawing::toWorld(const QPointF &place) const
+Eigen::Vector2d LayoutDrawing::toWorld(const QPointF &position) const
 {
     return m_middle +
-           Eigen::Vector2d(place.x() - 0.5 * width(), 0.5 * height() - place.y()) / m_pixelsPerMetre;
+           Eigen::Vector2d(position.x() - 0.5 * width(), 0.5 * height() - position.y()) / m_pixelsPerMetre;
 }
 
 void LayoutDrawing::paintEvent(QPaintEvent *)

@@ -44,7 +44,7 @@ private:
     void readRow(int row);
     void addMarker();
     void removeMarker();
-    void tell(const Result<void> &outcome);
+    void showOutcome(const Result<void> &outcome);
     void check();
 
     MarkerLayout m_layout;
@@ -81,7 +81,7 @@ protected:
 private:
     void fit();
     QPointF toScreen(const Eigen::Vector2d &point) const;
-    Eigen::Vector2d toWorld(const QPointF &place) const;
+    Eigen::Vector2d toWorld(const QPointF &position) const;
 
     MarkerLayout m_layout;
     int m_current = -1;

@@ -2,7 +2,7 @@
 #include "ui/testbed/floor/marker_canvas.h"
 
 #include "ui/testbed/floor/floor_drawing.h"
-#include "ui/views/picture/picture_painting.h"
+#include "ui/views/image/image_painting.h"
 #include "ui/views/widgets/theme.h"
 
 #include <QCoreApplication>
@@ -33,7 +33,7 @@ MarkerCanvas::MarkerCanvas(QWidget *parent) : QWidget(parent)
     setAccessibleName(tr("Image with the markers; arrow keys move the selected one"));
 }
 
-void MarkerCanvas::setPicture(const QImage &image, QSize size)
+void MarkerCanvas::setImage(const QImage &image, QSize size)
 {
     m_image = image;
     m_size = size;
@@ -71,7 +71,7 @@ void MarkerCanvas::setEmptyText(const QString &text)
     update();
 }
 
-QRectF MarkerCanvas::pictureRect() const
+QRectF MarkerCanvas::imageRect() const
 {
     const QSizeF room = QSizeF(m_size).scaled(size(), Qt::KeepAspectRatio);
     return QRectF(QPointF(0.5 * (width() - room.width()), 0.5 * (height() - room.height())), room);
@@ -80,25 +80,25 @@ QRectF MarkerCanvas::pictureRect() const
 /// Pixel (0,0) is the centre of the first.
 QPointF MarkerCanvas::fromPixel(const Eigen::Vector2d &pixel) const
 {
-    const QRectF place = pictureRect();
-    return place.topLeft() + QPointF((pixel.x() + 0.5) * place.width() / m_size.width(),
-                                     (pixel.y() + 0.5) * place.height() / m_size.height());
+    const QRectF position = imageRect();
+    return position.topLeft() + QPointF((pixel.x() + 0.5) * position.width() / m_size.width(),
+                                        (pixel.y() + 0.5) * position.height() / m_size.height());
 }
 
-Eigen::Vector2d MarkerCanvas::toPixel(const QPointF &place) const
+Eigen::Vector2d MarkerCanvas::toPixel(const QPointF &position) const
 {
-    const QRectF picture = pictureRect();
-    const Eigen::Vector2d pixel((place.x() - picture.x()) * m_size.width() / picture.width() - 0.5,
-                                (place.y() - picture.y()) * m_size.height() / picture.height() - 0.5);
+    const QRectF shown = imageRect();
+    const Eigen::Vector2d pixel((position.x() - shown.x()) * m_size.width() / shown.width() - 0.5,
+                                (position.y() - shown.y()) * m_size.height() / shown.height() - 0.5);
     return pixel.cwiseMax(0).cwiseMin(Eigen::Vector2d(m_size.width() - 1, m_size.height() - 1));
 }
 
-MarkerPixel *MarkerCanvas::markerAt(const QPointF &place)
+MarkerPixel *MarkerCanvas::markerAt(const QPointF &position)
 {
     MarkerPixel *nearest = nullptr;
     double distance = floorGrabPx;
     for (MarkerPixel &marker : m_markers) {
-        const double away = QLineF(fromPixel(marker.pixel), place).length();
+        const double away = QLineF(fromPixel(marker.pixel), position).length();
         if (away < distance) {
             nearest = &marker;
             distance = away;
@@ -118,15 +118,15 @@ void MarkerCanvas::paintEvent(QPaintEvent *)
     QPainter painter(this);
     painter.setRenderHints(QPainter::Antialiasing | QPainter::SmoothPixmapTransform);
     const ThemeColours colours = ThemeColours::of(palette());
-    painter.fillRect(rect(), colours.pictureGround);
+    painter.fillRect(rect(), colours.imageBackground);
     if (m_image.isNull()) {
         painter.setPen(colours.muted);
         painter.drawText(rect().adjusted(24, 24, -24, -24), Qt::AlignCenter | Qt::TextWordWrap, m_emptyText);
         return;
     }
-    painter.drawImage(pictureRect(), m_image);
+    painter.drawImage(imageRect(), m_image);
     painter.save();
-    painter.setClipRect(pictureRect());
+    painter.setClipRect(imageRect());
     paintFloor(painter);
     paintMarkers(painter);
     painter.restore();
@@ -206,7 +206,7 @@ void MarkerCanvas::paintMagnifier(QPainter &painter) const
     const bool onLeft = at.x() < 0.5 * width();
     const QRectF glass(onLeft ? width() - magnifierPx - 12 : 12, 12, magnifierPx, magnifierPx);
     const double imagePerPixel = double(m_image.width()) / m_size.width();
-    const double side = magnifierPx / magnification * imagePerPixel * m_size.width() / pictureRect().width();
+    const double side = magnifierPx / magnification * imagePerPixel * m_size.width() / imageRect().width();
     const QPointF middle((found->pixel.x() + 0.5) * imagePerPixel, (found->pixel.y() + 0.5) * imagePerPixel);
     QPainterPath round;
     round.addEllipse(glass);
@@ -228,7 +228,7 @@ void MarkerCanvas::paintMagnifier(QPainter &painter) const
 
 void MarkerCanvas::mousePressEvent(QMouseEvent *event)
 {
-    if (event->button() != Qt::LeftButton || m_image.isNull() || !pictureRect().contains(event->position()))
+    if (event->button() != Qt::LeftButton || m_image.isNull() || !imageRect().contains(event->position()))
         return;
     m_dragging = true;
     m_movedByKeys = false;

@@ -22,7 +22,7 @@ class MarkerCanvas : public QWidget
 public:
     explicit MarkerCanvas(QWidget *parent = nullptr);
     /// size: of the image in whose pixels markers are given.
-    void setPicture(const QImage &image, QSize size);
+    void setImage(const QImage &image, QSize size);
     void setMarkers(std::vector<MarkerPixel> markers);
     void setCurrent(const QString &label);
     /// The floor's grid and axes as the registration sees them; nullopt: none.
@@ -50,9 +50,9 @@ protected:
     void focusOutEvent(QFocusEvent *event) override;
 
 private:
-    QRectF pictureRect() const;
-    Eigen::Vector2d toPixel(const QPointF &place) const;
-    MarkerPixel *markerAt(const QPointF &place);
+    QRectF imageRect() const;
+    Eigen::Vector2d toPixel(const QPointF &position) const;
+    MarkerPixel *markerAt(const QPointF &position);
     MarkerPixel *current();
     void paintFloor(QPainter &painter) const;
     void paintMarkers(QPainter &painter) const;

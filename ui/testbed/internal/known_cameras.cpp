@@ -5,7 +5,7 @@
 #include "core/project/repositories.h"
 #include "core/workflow/trial_sources.h"
 #include "ui/models/camera_lists.h"
-#include "ui/models/figure_text.h"
+#include "ui/models/number_text.h"
 #include "ui/models/shown_message.h"
 
 #include <QCoreApplication>
@@ -81,14 +81,14 @@ QString lensName(LensModel model)
 void addIntrinsics(QList<Fact> &facts, const IntrinsicsRecord &record)
 {
     const QLocale locale;
-    const Intrinsics &lens = record.calibration.intrinsics;
+    const Intrinsics &intrinsics = record.calibration.intrinsics;
     facts.append({TestbedStateWords::tr("Image size"),
-                  QStringLiteral("%1×%2").arg(lens.widthPx).arg(lens.heightPx),
+                  QStringLiteral("%1×%2").arg(intrinsics.widthPx).arg(intrinsics.heightPx),
                   {}});
-    facts.append(
-        {TestbedStateWords::tr("Calibration"),
-         TestbedStateWords::tr("%1, f = %2 px").arg(lensName(lens.model), locale.toString(lens.fxPx, 'f', 1)),
-         {}});
+    facts.append({TestbedStateWords::tr("Calibration"),
+                  TestbedStateWords::tr("%1, f = %2 px")
+                      .arg(lensName(intrinsics.model), locale.toString(intrinsics.fxPx, 'f', 1)),
+                  {}});
     facts.append({TestbedStateWords::tr("Origin"),
                   QStringLiteral("%1, %2").arg(shownWords(record.origin), dateText(record.made)),
                   {}});
@@ -96,7 +96,7 @@ void addIntrinsics(QList<Fact> &facts, const IntrinsicsRecord &record)
         facts.append({TestbedStateWords::tr("Board error"),
                       TestbedStateWords::tr("%1 px in %2 images")
                           .arg(locale.toString(record.calibration.rmsPx, 'f', 2))
-                          .arg(record.calibration.picturesUsed()),
+                          .arg(record.calibration.imagesUsed()),
                       {}});
     if (record.calibration.crossValidationPx > 0)
         facts.append({TestbedStateWords::tr("Held-out error"),
@@ -118,11 +118,11 @@ void addRegistration(QList<Fact> &facts, const RegistrationRecord &record)
                       QStringLiteral("%1: %2").arg(dateText(record.lastCheck->made),
                                                    shownWords(record.lastCheck->words)),
                       {}});
-    const Eigen::Vector3d place = registration.worldFromCamera.translation;
+    const Eigen::Vector3d position = registration.worldFromCamera.translation;
     facts.append({TestbedStateWords::tr("Position"),
                   TestbedStateWords::tr("x %1 m, y %2 m, %3 m high")
-                      .arg(locale.toString(place.x(), 'f', 2), locale.toString(place.y(), 'f', 2),
-                           locale.toString(place.z(), 'f', 2)),
+                      .arg(locale.toString(position.x(), 'f', 2), locale.toString(position.y(), 'f', 2),
+                           locale.toString(position.z(), 'f', 2)),
                   {}});
     QStringList errors;
     for (const MarkerError &marker : registration.markers)
@@ -135,7 +135,7 @@ void addRegistration(QList<Fact> &facts, const RegistrationRecord &record)
 
 } // namespace
 
-Result<TrialScenePtr> newestPicture(Project &project, const CameraRow &camera)
+Result<TrialScenePtr> newestImage(Project &project, const CameraRow &camera)
 {
     const auto recording = ODO_TRY(project.trials().newestRecording(camera.camera.id));
     if (!recording)
@@ -189,11 +189,11 @@ Result<std::vector<SketchedCamera>> sketchedCameras(Project &project, const std:
         if (!row.registration || row.registration->layout != layout)
             continue;
         const FloorView view = ODO_TRY(floorViewOf(project, *row.registration));
-        const Intrinsics &lens = view.camera().intrinsics();
-        const Eigen::Vector3d place = view.cameraInWorld();
-        const auto aim = view.floorFromPixel({lens.widthPx / 2.0, lens.heightPx / 2.0}, 0);
-        sketched.push_back(
-            {QString::fromStdString(row.camera.name), place, aim.value_or(Eigen::Vector2d(place.head<2>()))});
+        const Intrinsics &intrinsics = view.camera().intrinsics();
+        const Eigen::Vector3d position = view.cameraInWorld();
+        const auto aim = view.floorFromPixel({intrinsics.widthPx / 2.0, intrinsics.heightPx / 2.0}, 0);
+        sketched.push_back({QString::fromStdString(row.camera.name), position,
+                            aim.value_or(Eigen::Vector2d(position.head<2>()))});
     }
     return sketched;
 }

@@ -22,7 +22,7 @@ Result<std::vector<CheckCamera>> checkCameras(Project &project);
 
 /// A scene with no robots: the newest recording of a camera with the registration in force. Null when the
 /// camera has recorded nothing yet. Project's thread.
-Result<TrialScenePtr> newestPicture(Project &project, const CameraRow &camera);
+Result<TrialScenePtr> newestImage(Project &project, const CameraRow &camera);
 
 /// All that is known of a camera: intrinsics, registration, the error of each marker, and the verdicts in
 /// words.

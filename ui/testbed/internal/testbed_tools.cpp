@@ -10,8 +10,8 @@
 #include "ui/models/camera_lists.h"
 #include "ui/models/shown_message.h"
 #include "ui/testbed/check/accuracy_dialog.h"
+#include "ui/testbed/check/camera_position_dialog.h"
 #include "ui/testbed/check/length_wizard.h"
-#include "ui/testbed/check/moved_dialog.h"
 #include "ui/testbed/check/revisions_dialog.h"
 #include "ui/testbed/floor/floor_wizard.h"
 #include "ui/testbed/floor/layout_dialog.h"
@@ -57,11 +57,11 @@ Result<std::shared_ptr<CameraSource>> openWithBoard(const QString &uri)
 
 /// The image of a registration on its way into the project: written by the wizard's thread, read by this one
 /// once the wizard is closed. Unless it is committed, its destructor deletes it.
-class FloorPicture
+class FloorImage
 {
 public:
-    explicit FloorPicture(const std::filesystem::path &mediaFolder) : m_media(mediaFolder) {}
-    KeepPicture keep()
+    explicit FloorImage(const std::filesystem::path &mediaFolder) : m_media(mediaFolder) {}
+    KeepImage keep()
     {
         return [this](const QString &camera, const Frame &frame) -> Result<void> {
             auto written = ODO_TRY(m_media.writeFloor(camera.toStdString(), frame));
@@ -69,12 +69,12 @@ public:
             return {};
         };
     }
-    const StoredPicture &stored() const { return m_stored; }
+    const StoredImage &stored() const { return m_stored; }
     void commit() { m_media.keep(); }
 
 private:
     CalibrationMedia m_media;
-    StoredPicture m_stored;
+    StoredImage m_stored;
 };
 
 } // namespace
@@ -86,17 +86,19 @@ TestbedTools::TestbedTools(Project &project, LiveCameras &live, QWidget &window)
         tr("Calibrate a camera with images of a board"), &TestbedTools::calibrate);
     add(Register, QStringLiteral("register"), tr("&Register camera…"), tr("Register…"),
         tr("Determine a camera's position from the floor markers"), &TestbedTools::registerCamera);
-    add(RegisterThrough, QStringLiteral("register"), tr("Register via anot&her camera…"), tr("Via another…"),
+    add(RegisterViaCamera, QStringLiteral("register"), tr("Register via anot&her camera…"),
+        tr("Via another…"),
         tr("Determine the position of a camera that sees no markers, from floor points that another camera "
            "also sees"),
-        &TestbedTools::registerThroughCamera);
+        &TestbedTools::startRegisterViaCamera);
     add(RegisterJointly, QStringLiteral("register"), tr("Re&gister all cameras (joint)…"),
         tr("All cameras (joint)…"),
         tr("Fit all cameras of the selected layout jointly to make them agree, and find wrongly measured "
            "markers"),
         &TestbedTools::registerTogether);
-    add(ImportLens, QStringLiteral("import"), tr("&Import lens calibration…"), tr("Import calibration…"),
-        tr("Import a camera's lens calibration from a ROS or OpenCV YAML file"), &TestbedTools::importLens);
+    add(ImportCalibration, QStringLiteral("import"), tr("&Import lens calibration…"),
+        tr("Import calibration…"), tr("Import a camera's lens calibration from a ROS or OpenCV YAML file"),
+        &TestbedTools::importCalibration);
     add(NewLayout, QStringLiteral("add"), tr("New marker &layout…"), tr("New layout…"),
         tr("Enter the marker positions, from scratch or based on the selected layout"),
         &TestbedTools::newLayout);
@@ -106,9 +108,9 @@ TestbedTools::TestbedTools(Project &project, LiveCameras &live, QWidget &window)
         tr("Calibration boards and floor markers, to scale"), &TestbedTools::printTargets);
     nameCommands({{action(Calibrate), "calibrate"},
                   {action(Register), "register"},
-                  {action(RegisterThrough), "registerThrough"},
+                  {action(RegisterViaCamera), "registerThrough"},
                   {action(RegisterJointly), "registerTogether"},
-                  {action(ImportLens), "importLens"},
+                  {action(ImportCalibration), "importLens"},
                   {action(NewLayout), "newLayout"},
                   {action(ImportLayout), "importLayout"},
                   {action(PrintTargets), "printTargets"}});
@@ -128,7 +130,7 @@ void TestbedTools::setCurrent(const QString &camera, const std::optional<LayoutR
     m_camera = camera;
     m_layout = layout;
     m_actions.at(Register)->setEnabled(layout.has_value());
-    m_actions.at(RegisterThrough)->setEnabled(layout.has_value());
+    m_actions.at(RegisterViaCamera)->setEnabled(layout.has_value());
     m_actions.at(RegisterJointly)->setEnabled(layout.has_value());
 }
 
@@ -159,13 +161,13 @@ void TestbedTools::calibrate()
     std::unique_ptr<CalibrationStorage> storage; // touched by the wizard's thread, and after it by this one
     LensWizard::Callbacks callbacks;
     callbacks.open = openWithBoard;
-    callbacks.keepPictures = [&storage, folder = m_project.mediaFolder()](const MeasuredLens &lens,
-                                                                          const JobControl &control) {
-        storage = std::make_unique<CalibrationStorage>(folder, lens.camera.toStdString(), lens.calibration,
-                                                       lens.board);
-        return storage->writePictures(lens.pictures, control);
+    callbacks.keepImages = [&storage, folder = m_project.mediaFolder()](const StoredIntrinsics &intrinsics,
+                                                                        const JobControl &control) {
+        storage = std::make_unique<CalibrationStorage>(folder, intrinsics.camera.toStdString(),
+                                                       intrinsics.calibration, intrinsics.board);
+        return storage->writeImages(intrinsics.images, control);
     };
-    m_live.look();
+    m_live.poll();
     LensWizard wizard(cameraNames(), m_camera, m_live, std::move(callbacks), &m_window);
     if (wizard.exec() != QDialog::Accepted)
         return;
@@ -189,15 +191,15 @@ void TestbedTools::registerCamera()
     std::stable_partition(layouts->begin(), layouts->end(), [this](const LayoutRecord &layout) {
         return m_layout && layout.id == m_layout->id;
     });
-    m_live.look();
-    FloorPicture picture(m_project.mediaFolder());
-    FloorWizard wizard(std::move(*cameras), m_camera, std::move(*layouts), m_live, picture.keep(), &m_window);
+    m_live.poll();
+    FloorImage image(m_project.mediaFolder());
+    FloorWizard wizard(std::move(*cameras), m_camera, std::move(*layouts), m_live, image.keep(), &m_window);
     if (wizard.exec() != QDialog::Accepted)
         return;
     Message verdict;
     const auto stored = m_project.note(registerChange(wizard.camera().toStdString()), [&]() -> Result<void> {
         RegistrationRecord registration = wizard.result();
-        registration.picture = picture.stored();
+        registration.image = image.stored();
         const auto record =
             ODO_TRY(storeRegistration(m_project, wizard.camera().toStdString(), std::move(registration)));
         verdict = record.registration.verdict;
@@ -205,11 +207,11 @@ void TestbedTools::registerCamera()
     });
     if (!stored)
         return Q_EMIT failed(stored.error());
-    picture.commit();
+    image.commit();
     Q_EMIT changed(tr("Camera %1 is registered. %2").arg(wizard.camera(), shownWords(verdict)));
 }
 
-void TestbedTools::registerThroughCamera()
+void TestbedTools::startRegisterViaCamera()
 {
     const auto cameras = floorCameras(m_project);
     const auto registered = checkCameras(m_project);
@@ -231,19 +233,19 @@ void TestbedTools::registerThroughCamera()
                 .value());
         return;
     }
-    m_live.look();
-    FloorPicture picture(m_project.mediaFolder());
-    ThroughWizard wizard(*cameras, m_camera, *registered, m_live, picture.keep(), &m_window);
+    m_live.poll();
+    FloorImage image(m_project.mediaFolder());
+    RegisterViaCameraWizard wizard(*cameras, m_camera, *registered, m_live, image.keep(), &m_window);
     if (wizard.exec() != QDialog::Accepted)
         return;
-    RegisterThroughJob job({wizard.camera().toStdString(), wizard.through().toStdString(),
-                            wizard.page().points(), picture.stored()});
+    RegisterViaCameraJob job({wizard.camera().toStdString(), wizard.reference().toStdString(),
+                              wizard.page().points(), image.stored()});
     if (const auto done = runToEnd(job, m_project, {}); !done)
         return Q_EMIT failed(done.error());
-    picture.commit();
+    image.commit();
     Q_EMIT changed(
         tr("Camera %1 is registered via camera %2. %3")
-            .arg(wizard.camera(), wizard.through(), shownWords(job.record().registration.verdict)));
+            .arg(wizard.camera(), wizard.reference(), shownWords(job.record().registration.verdict)));
 }
 
 void TestbedTools::registerTogether()
@@ -266,7 +268,7 @@ void TestbedTools::registerTogether()
                            .arg(QString::fromStdString(layout), shownWords(dialog.job()->joint().verdict)));
 }
 
-void TestbedTools::importLens()
+void TestbedTools::importCalibration()
 {
     const QString file = QFileDialog::getOpenFileName(&m_window, tr("Lens calibration of a camera"), {},
                                                       tr("Calibrations (*.yaml *.yml);;All files (*)"));
@@ -340,7 +342,7 @@ CheckTools::CheckTools(Project &project, LiveCameras &live, QWidget &window)
 {
     add(Moved, QStringLiteral("moved"), tr("&Check camera positions…"), tr("Check camera positions…"),
         tr("Check before the robots run that no camera has moved since its registration"),
-        &CheckTools::checkMoved);
+        &CheckTools::checkCameraPosition);
     add(Length, QStringLiteral("length"), tr("Check a known &length…"), tr("Check a known length…"),
         tr("Measure an object of known length in a camera's image to check the camera's stated uncertainty"),
         &CheckTools::checkLength);
@@ -385,7 +387,7 @@ void CheckTools::checkLength()
     }
     if (cameras->empty())
         return;
-    m_live.look();
+    m_live.poll();
     LengthWizard(std::move(*cameras), m_camera, m_live, &m_window).exec();
 }
 
@@ -405,15 +407,15 @@ void CheckTools::showAccuracy()
     AccuracyDialog(m_layout->layout, *cameras, heightM, &m_window).exec();
 }
 
-void CheckTools::checkMoved()
+void CheckTools::checkCameraPosition()
 {
     auto cameras = checkCameras(m_project);
     if (!cameras) {
         Q_EMIT failed(cameras.error());
         return;
     }
-    m_live.look();
-    MovedDialog dialog(m_project, std::move(*cameras), m_live, &m_window);
+    m_live.poll();
+    CameraPositionDialog dialog(m_project, std::move(*cameras), m_live, &m_window);
     dialog.exec();
     if (dialog.hasChecked())
         Q_EMIT changed(tr("Cameras checked: see their badges."));

@@ -26,9 +26,9 @@ public:
     enum Tool {
         Calibrate,
         Register,
-        RegisterThrough,
+        RegisterViaCamera,
         RegisterJointly,
-        ImportLens,
+        ImportCalibration,
         NewLayout,
         ImportLayout,
         PrintTargets,
@@ -54,9 +54,9 @@ private:
              const QString &tip, void (TestbedTools::*slot)());
     void calibrate();
     void registerCamera();
-    void registerThroughCamera();
+    void startRegisterViaCamera();
     void registerTogether();
-    void importLens();
+    void importCalibration();
     void newLayout();
     void importLayout();
     void printTargets();
@@ -99,7 +99,7 @@ private:
              const QString &tip, void (CheckTools::*slot)());
     void checkLength();
     void showAccuracy();
-    void checkMoved();
+    void checkCameraPosition();
     void showRevisions();
 
     Project &m_project;

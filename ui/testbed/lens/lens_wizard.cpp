@@ -2,8 +2,8 @@
 #include "ui/testbed/lens/lens_wizard.h"
 
 #include "core/base/units.h"
-#include "ui/testbed/lens/internal/lens_pictures_page.h"
-#include "ui/testbed/lens/internal/lens_result_page.h"
+#include "ui/testbed/lens/internal/board_images_page.h"
+#include "ui/testbed/lens/internal/calibration_result_page.h"
 #include "ui/testbed/targets/target_dialog.h"
 #include "ui/views/widgets/command_keys.h"
 #include "ui/views/widgets/form_fields.h"
@@ -24,24 +24,24 @@ namespace odo {
 
 namespace {
 
-constexpr int fewestPictures = 3;
+constexpr int fewestImages = 3;
 
 } // namespace
 
 LensWizard::LensWizard(const QStringList &cameras, const QString &current, const LiveCameras &live,
                        Callbacks callbacks, QWidget *parent)
     : StepDialog(tr("Calibrate camera"), tr("&Save"), parent), m_callbacks(std::move(callbacks)),
-      m_source(new LensSourcePage(cameras, current, live)), m_pictures(new LensPicturesPage(m_search)),
-      m_result(new LensResultPage)
+      m_source(new CalibrationSourcePage(cameras, current, live)), m_images(new BoardImagesPage(m_search)),
+      m_result(new CalibrationResultPage)
 {
     addStep(tr("The camera and the board"), m_source);
-    addStep(tr("Images of the board"), m_pictures);
+    addStep(tr("Images of the board"), m_images);
     addStep(tr("The lens"), m_result);
     resize(1120, 760);
-    connect(m_source, &LensSourcePage::completeChanged, this, &LensWizard::updateButtons);
-    connect(m_result, &LensResultPage::completeChanged, this, &LensWizard::updateButtons);
+    connect(m_source, &CalibrationSourcePage::completeChanged, this, &LensWizard::updateButtons);
+    connect(m_result, &CalibrationResultPage::completeChanged, this, &LensWizard::updateButtons);
     connect(&m_search, &BoardSearch::changed, this, &LensWizard::updateButtons);
-    connect(m_pictures, &LensPicturesPage::filesDropped, &m_search, &BoardSearch::addFiles);
+    connect(m_images, &BoardImagesPage::filesDropped, &m_search, &BoardSearch::addFiles);
     turnTo(Source);
 }
 
@@ -52,19 +52,19 @@ bool LensWizard::isComplete(int step) const
     switch (step) {
     case Source:
         return m_source->isComplete();
-    case Pictures:
-        return int(m_search.state().kept.size()) >= fewestPictures && m_search.state().waiting == 0;
+    case Images:
+        return int(m_search.state().kept.size()) >= fewestImages && m_search.state().waiting == 0;
     default:
         return m_result->calibration().has_value() && !isSaving();
     }
 }
 
-void LensWizard::beginPictures()
+void LensWizard::beginImages()
 {
     BoardSpec board;
     board.squareM = m_source->squareM();
     m_search.begin(board);
-    m_pictures->begin(m_source->isLive());
+    m_images->begin(m_source->isLive());
     if (!m_source->isLive()) {
         m_search.addFiles(m_source->files());
         return;
@@ -76,10 +76,10 @@ void LensWizard::next()
 {
     switch (step()) {
     case Source:
-        turnTo(Pictures);
-        beginPictures();
+        turnTo(Images);
+        beginImages();
         break;
-    case Pictures:
+    case Images:
         m_search.stop();
         m_result->begin(m_search.state());
         turnTo(Result_);
@@ -92,7 +92,7 @@ void LensWizard::next()
 void LensWizard::save()
 {
     m_result->showSaving();
-    saveAndAccept([lens = result(), keep = m_callbacks.keepPictures](const JobControl &control) {
+    saveAndAccept([lens = result(), keep = m_callbacks.keepImages](const JobControl &control) {
         return keep(lens, control);
     });
 }
@@ -101,7 +101,7 @@ void LensWizard::back()
 {
     if (step() == Result_) {
         m_result->cancel();
-        turnTo(Pictures);
+        turnTo(Images);
         return;
     }
     m_search.stop();
@@ -120,16 +120,17 @@ void LensWizard::done(int result)
     StepDialog::done(result);
 }
 
-MeasuredLens LensWizard::result() const
+StoredIntrinsics LensWizard::result() const
 {
-    MeasuredLens lens{m_source->camera(), {}, m_result->calibration().value_or(IntrinsicCalibration()), {}};
+    StoredIntrinsics lens{
+        m_source->camera(), {}, m_result->calibration().value_or(IntrinsicCalibration()), {}};
     lens.board.squareM = m_source->squareM();
-    for (const KeptPicture &picture : m_result->pictures()) {
-        const BoardView &view = picture.board.view;
+    for (const KeptImage &image : m_result->images()) {
+        const BoardView &view = image.board.view;
         lens.board.pattern = view.pattern;
         lens.board.columns = view.columns;
         lens.board.rows = view.rows;
-        lens.pictures.push_back({view.source, picture.png});
+        lens.images.push_back({view.source, image.png});
     }
     return lens;
 }
@@ -141,8 +142,8 @@ constexpr int indent = 24;
 
 } // namespace
 
-LensSourcePage::LensSourcePage(const QStringList &cameras, const QString &current, const LiveCameras &live,
-                               QWidget *parent)
+CalibrationSourcePage::CalibrationSourcePage(const QStringList &cameras, const QString &current,
+                                             const LiveCameras &live, QWidget *parent)
     : QWidget(parent), m_camera(new QComboBox), m_live(new LiveCameraBox(live)), m_square(new NumberBox),
       m_fromLive(new QRadioButton(tr("&From the camera: hold up the board, Odograph takes the images"))),
       m_fromFiles(new QRadioButton(tr("From existing images or a &video"))), m_files(new QListWidget),
@@ -191,13 +192,13 @@ LensSourcePage::LensSourcePage(const QStringList &cameras, const QString &curren
     layout->addWidget(m_fileBox, 1);
     m_fromFiles->setChecked(true);
     for (QRadioButton *choice : {m_fromLive, m_fromFiles})
-        connect(choice, &QRadioButton::toggled, this, &LensSourcePage::updateChoices);
-    connect(m_live, &QComboBox::currentIndexChanged, this, &LensSourcePage::updateChoices);
-    connect(m_camera, &QComboBox::editTextChanged, this, &LensSourcePage::completeChanged);
+        connect(choice, &QRadioButton::toggled, this, &CalibrationSourcePage::updateChoices);
+    connect(m_live, &QComboBox::currentIndexChanged, this, &CalibrationSourcePage::updateChoices);
+    connect(m_camera, &QComboBox::editTextChanged, this, &CalibrationSourcePage::completeChanged);
     updateChoices();
 }
 
-QWidget *LensSourcePage::makeFiles()
+QWidget *CalibrationSourcePage::makeFiles()
 {
     m_files->setAccessibleName(tr("Images and videos of the board"));
     m_files->setSelectionMode(QAbstractItemView::ExtendedSelection);
@@ -229,7 +230,7 @@ QWidget *LensSourcePage::makeFiles()
     return box;
 }
 
-void LensSourcePage::updateChoices()
+void CalibrationSourcePage::updateChoices()
 {
     m_fromLive->setEnabled(!m_live->uri().isEmpty() || m_fromLive->isChecked());
     m_live->setEnabled(m_fromLive->isChecked());
@@ -237,24 +238,24 @@ void LensSourcePage::updateChoices()
     Q_EMIT completeChanged();
 }
 
-QString LensSourcePage::camera() const
+QString CalibrationSourcePage::camera() const
 {
     return m_camera->currentText().trimmed();
 }
-double LensSourcePage::squareM() const
+double CalibrationSourcePage::squareM() const
 {
     return fromMillimetres(m_square->value());
 }
-bool LensSourcePage::isLive() const
+bool CalibrationSourcePage::isLive() const
 {
     return m_fromLive->isChecked();
 }
-QString LensSourcePage::liveUri() const
+QString CalibrationSourcePage::liveUri() const
 {
     return m_live->uri();
 }
 
-QStringList LensSourcePage::files() const
+QStringList CalibrationSourcePage::files() const
 {
     QStringList files;
     for (int i = 0; i < m_files->count(); ++i)
@@ -262,7 +263,7 @@ QStringList LensSourcePage::files() const
     return files;
 }
 
-void LensSourcePage::addFiles(const QStringList &files)
+void CalibrationSourcePage::addFiles(const QStringList &files)
 {
     for (const QString &file : files)
         if (m_files->findItems(file, Qt::MatchExactly).isEmpty())
@@ -272,18 +273,18 @@ void LensSourcePage::addFiles(const QStringList &files)
     Q_EMIT completeChanged();
 }
 
-bool LensSourcePage::isComplete() const
+bool CalibrationSourcePage::isComplete() const
 {
     return !camera().isEmpty() && (isLive() ? !liveUri().isEmpty() : m_files->count() > 0);
 }
 
-void LensSourcePage::dragEnterEvent(QDragEnterEvent *event)
+void CalibrationSourcePage::dragEnterEvent(QDragEnterEvent *event)
 {
     if (!localFiles(*event->mimeData()).isEmpty())
         event->acceptProposedAction();
 }
 
-void LensSourcePage::dropEvent(QDropEvent *event)
+void CalibrationSourcePage::dropEvent(QDropEvent *event)
 {
     addFiles(localFiles(*event->mimeData()));
 }

@@ -2,9 +2,9 @@
 #pragma once
 
 #include "core/capture/camera_source.h"
-#include "core/workflow/calibrate/calibration_pictures.h"
+#include "core/workflow/calibrate/calibration_images.h"
 #include "ui/testbed/lens/internal/board_search.h"
-#include "ui/testbed/lens/internal/lens_result_page.h"
+#include "ui/testbed/lens/internal/calibration_result_page.h"
 #include "ui/views/widgets/step_dialog.h"
 
 #include <QStringList>
@@ -18,18 +18,18 @@ class QRadioButton;
 
 namespace odo {
 
-class LensPicturesPage;
-class LensResultPage;
-class LensSourcePage;
+class BoardImagesPage;
+class CalibrationResultPage;
+class CalibrationSourcePage;
 class LiveCameras;
 
 /// What the wizard ends with.
-struct MeasuredLens
+struct StoredIntrinsics
 {
     QString camera;
     BoardSpec board; ///< as it was found out
     IntrinsicCalibration calibration;
-    std::vector<BoardPicture> pictures; ///< of the calibration
+    std::vector<BoardImage> images; ///< of the calibration
 };
 
 /// Computes a camera's intrinsics with a board: choose board and camera, collect images, check the result.
@@ -45,7 +45,7 @@ public:
         std::function<Result<std::shared_ptr<CameraSource>>(const QString &uri)> open;
         /// Writes to the disk what takes long; the wizard closes when it is done, and stays open when it
         /// fails.
-        std::function<Result<void>(const MeasuredLens &, const JobControl &)> keepPictures;
+        std::function<Result<void>(const StoredIntrinsics &, const JobControl &)> keepImages;
     };
 
     /// live must outlive it.
@@ -53,9 +53,9 @@ public:
                Callbacks callbacks, QWidget *parent = nullptr);
     ~LensWizard() override;
 
-    LensSourcePage &source() { return *m_source; }
+    CalibrationSourcePage &source() { return *m_source; }
     /// Once accepted.
-    MeasuredLens result() const;
+    StoredIntrinsics result() const;
 
     void done(int result) override;
 
@@ -66,28 +66,28 @@ protected:
     void showNotSaved(const Error &error) override;
 
 private:
-    enum Page { Source, Pictures, Result_ };
-    void beginPictures();
+    enum Page { Source, Images, Result_ };
+    void beginImages();
 
     void save();
 
     const Callbacks m_callbacks;
     BoardSearch m_search;
-    LensSourcePage *m_source;
-    LensPicturesPage *m_pictures;
-    LensResultPage *m_result;
+    CalibrationSourcePage *m_source;
+    BoardImagesPage *m_images;
+    CalibrationResultPage *m_result;
 };
 
 class LiveCameraBox;
 
 /// First page of the lens wizard: camera, board, and the source of the images.
-class LensSourcePage : public QWidget
+class CalibrationSourcePage : public QWidget
 {
     Q_OBJECT
 public:
     /// live must outlive it.
-    LensSourcePage(const QStringList &cameras, const QString &current, const LiveCameras &live,
-                   QWidget *parent = nullptr);
+    CalibrationSourcePage(const QStringList &cameras, const QString &current, const LiveCameras &live,
+                          QWidget *parent = nullptr);
 
     QString camera() const;
     double squareM() const;

@@ -241,14 +241,14 @@ void TargetDialog::refresh()
         if (m_buttons->buttonRole(button) == QDialogButtonBox::ActionRole)
             button->setEnabled(sheets.has_value());
     if (sheets)
-        tell({},
-             board
-                 ? tr("One sheet. Afterwards measure a square on the paper: printers often shrink by 2 to 4 "
-                      "%.")
-                 : tr("One sheet for each marker. A tag's number is the position of its label in the "
-                      "layout."));
+        showOutcome(
+            {},
+            board ? tr("One sheet. Afterwards measure a square on the paper: printers often shrink by 2 to 4 "
+                       "%.")
+                  : tr("One sheet for each marker. A tag's number is the position of its label in the "
+                       "layout."));
     else
-        tell(tl::unexpected(sheets.error()), {});
+        showOutcome(tl::unexpected(sheets.error()), {});
     m_preview->setSheets(wanted, sheets ? std::move(*sheets) : std::vector<TargetSheet>());
 }
 
@@ -262,7 +262,7 @@ void TargetDialog::askPdf()
 bool TargetDialog::savePdf(const ChosenOutput &output)
 {
     const Result<void> written = writeTargetPdf(spec(), output.target);
-    tell(written, tr("Saved as %1.").arg(output.file));
+    showOutcome(written, tr("Saved as %1.").arg(output.file));
     return written.has_value();
 }
 
@@ -277,10 +277,10 @@ void TargetDialog::print()
     if (const QString file = printer.outputFileName(); !file.isEmpty())
         savePdf({{pathOf(file), Existing::ReplaceAny}, file});
     else
-        tell(printTarget(printer, spec(), *sheets), tr("Sent to the printer."));
+        showOutcome(printTarget(printer, spec(), *sheets), tr("Sent to the printer."));
 }
 
-void TargetDialog::tell(const Result<void> &outcome, const QString &success)
+void TargetDialog::showOutcome(const Result<void> &outcome, const QString &success)
 {
     const ThemeColours colours = ThemeColours::of(palette());
     QPalette words = palette();

@@ -36,7 +36,7 @@ private:
     void refresh();
     void askPdf();
     void print();
-    void tell(const Result<void> &outcome, const QString &success);
+    void showOutcome(const Result<void> &outcome, const QString &success);
 
     QComboBox *m_kind, *m_paper;
     QSpinBox *m_columns, *m_rows;

@@ -115,10 +115,10 @@ Result<void> checkDrawable(const TargetSpec &spec)
 }
 
 /// How much larger the target could be on a paper of this size.
-double roomFor(QSizeF paperMm, QSizeF figureMm)
+double roomFor(QSizeF paperMm, QSizeF drawingMm)
 {
-    return std::min((paperMm.width() - 2 * targetMarginMm) / figureMm.width(),
-                    (paperMm.height() - 2 * targetMarginMm - targetFootMm) / figureMm.height());
+    return std::min((paperMm.width() - 2 * targetMarginMm) / drawingMm.width(),
+                    (paperMm.height() - 2 * targetMarginMm - targetFootMm) / drawingMm.height());
 }
 
 } // namespace
@@ -137,9 +137,10 @@ Result<std::vector<TargetSheet>> layOutTarget(const TargetSpec &spec)
         return refuse(ODO_TEXT("ui.size_is_no_length", "its size is not a length"),
                       board ? ODO_TEXT("ui.give_square_side", "give the side of a square, such as 25mm")
                             : ODO_TEXT("ui.give_marker_size", "give its size, such as 150mm"));
-    const QSizeF figureMm = board ? unitMm * QSizeF(spec.columns + 1, spec.rows + 1) : QSizeF(unitMm, unitMm);
+    const QSizeF drawingMm =
+        board ? unitMm * QSizeF(spec.columns + 1, spec.rows + 1) : QSizeF(unitMm, unitMm);
     // A tag can only be read with a white rim of one of its eight cells.
-    const QSizeF roomMm = spec.kind == TargetKind::Tags ? figureMm * 1.25 : figureMm;
+    const QSizeF roomMm = spec.kind == TargetKind::Tags ? drawingMm * 1.25 : drawingMm;
     const QSizeF upright = QPageSize(spec.paper).size(QPageSize::Millimeter);
     const QSizeF paperMm =
         roomFor(upright, roomMm) >= roomFor(upright.transposed(), roomMm) ? upright : upright.transposed();
@@ -151,17 +152,17 @@ Result<std::vector<TargetSheet>> layOutTarget(const TargetSpec &spec)
             (board ? ODO_TEXT("ui.make_squares_smaller", "make the squares at most %1, or use larger paper")
                    : ODO_TEXT("ui.make_marker_smaller", "make it at most %1, or use larger paper"))(
                 quantity(std::floor(room * unitMm), 0, "mm")));
-    const QRectF placeMm(QPointF(0.5 * (paperMm.width() - figureMm.width()),
-                                 0.5 * (paperMm.height() - targetFootMm - figureMm.height())),
-                         figureMm);
-    const QTransform onPaper(unitMm, 0, 0, unitMm, placeMm.x(), placeMm.y());
+    const QRectF positionMm(QPointF(0.5 * (paperMm.width() - drawingMm.width()),
+                                    0.5 * (paperMm.height() - targetFootMm - drawingMm.height())),
+                            drawingMm);
+    const QTransform onPaper(unitMm, 0, 0, unitMm, positionMm.x(), positionMm.y());
     if (board)
-        return std::vector<TargetSheet>{{paperMm, placeMm, onPaper.map(boardInk(spec)), {}, -1}};
+        return std::vector<TargetSheet>{{paperMm, positionMm, onPaper.map(boardInk(spec)), {}, -1}};
     std::vector<TargetSheet> sheets;
     for (int i = 0; i < spec.labels.size(); ++i) {
         const bool tag = spec.kind == TargetKind::Tags;
         sheets.push_back(
-            {paperMm, placeMm, onPaper.map(tag ? tagInk(i) : ringInk()), spec.labels.at(i), tag ? i : -1});
+            {paperMm, positionMm, onPaper.map(tag ? tagInk(i) : ringInk()), spec.labels.at(i), tag ? i : -1});
     }
     return sheets;
 }
@@ -182,18 +183,18 @@ class TargetPainter
 
 /// A font whose letters are so high in the painter's unit; fonts are asked for in whole units, hence the
 /// scale.
-void paintText(QPainter &painter, const QRectF &placeMm, double heightMm, int flags, const QString &text,
+void paintText(QPainter &painter, const QRectF &positionMm, double heightMm, int flags, const QString &text,
                bool bold = false)
 {
     constexpr double scale = 0.01;
     painter.save();
-    painter.translate(placeMm.topLeft());
+    painter.translate(positionMm.topLeft());
     painter.scale(scale, scale);
     QFont font(QStringLiteral("DejaVu Sans"));
     font.setPixelSize(qRound(heightMm / scale));
     font.setBold(bold);
     painter.setFont(font);
-    painter.drawText(QRectF(QPointF(0, 0), placeMm.size() / scale), flags, text);
+    painter.drawText(QRectF(QPointF(0, 0), positionMm.size() / scale), flags, text);
     painter.restore();
 }
 
@@ -250,7 +251,7 @@ QString advice(TargetKind kind)
 
 void paintMarker(QPainter &painter, const TargetSheet &sheet)
 {
-    const QPointF middle = sheet.figureMm.center();
+    const QPointF middle = sheet.drawingMm.center();
     const double right = sheet.paperMm.width() - targetMarginMm,
                  bottom = sheet.paperMm.height() - targetMarginMm - targetFootMm;
     painter.drawLine(QPointF(targetMarginMm, middle.y()), QPointF(targetMarginMm + tickMm, middle.y()));
@@ -258,9 +259,9 @@ void paintMarker(QPainter &painter, const TargetSheet &sheet)
     painter.drawLine(QPointF(middle.x(), targetMarginMm), QPointF(middle.x(), targetMarginMm + tickMm));
     painter.drawLine(QPointF(middle.x(), bottom - tickMm), QPointF(middle.x(), bottom));
     // Above the target and its white rim, and as large as fits: it is read from standing height.
-    const double rim = sheet.figureMm.height() / 6;
+    const double rim = sheet.drawingMm.height() / 6;
     const double letter =
-        std::clamp(sheet.figureMm.top() - rim - targetMarginMm, smallestLetterMm, largestLetterMm);
+        std::clamp(sheet.drawingMm.top() - rim - targetMarginMm, smallestLetterMm, largestLetterMm);
     paintText(painter, {targetMarginMm, targetMarginMm, middle.x() - targetMarginMm - tickMm, letter}, letter,
               Qt::AlignLeft | Qt::AlignTop, sheet.label, true);
 }

@@ -36,8 +36,8 @@ struct TargetSpec
 /// One sheet of paper. Millimetres from its top left corner, y down.
 struct TargetSheet
 {
-    QSizeF paperMm;  ///< turned as it is to be printed
-    QRectF figureMm; ///< what the ink covers
+    QSizeF paperMm;   ///< turned as it is to be printed
+    QRectF drawingMm; ///< what the ink covers
     QPainterPath ink;
     QString label; ///< of a marker; empty for a board
     int tag = -1;  ///< number of a tag

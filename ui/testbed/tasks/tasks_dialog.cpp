@@ -181,7 +181,7 @@ void TasksDialog::addKeys()
         connect(action, &QAction::triggered, this, slot);
         addAction(action);
     };
-    addUndoKeys(*this, m_changes, [this](const Result<QString> &outcome) { takeBack(outcome); });
+    addUndoKeys(*this, m_changes, [this](const Result<QString> &outcome) { undo(outcome); });
     add(QKeySequence(Qt::Key_F2), [this] { rename(); });
     add(QKeySequence(Qt::Key_Delete), [this] { remove(); });
 }
@@ -402,7 +402,7 @@ bool TasksDialog::apply(const Message &words, const QString &choose,
                         const std::function<Result<void>()> &work)
 {
     const Result<QString> done = m_changes.make(words, work);
-    tell(done);
+    showOutcome(done);
     if (!done)
         return false;
     refresh(choose);
@@ -410,14 +410,14 @@ bool TasksDialog::apply(const Message &words, const QString &choose,
     return true;
 }
 
-void TasksDialog::tell(const Result<QString> &outcome)
+void TasksDialog::showOutcome(const Result<QString> &outcome)
 {
     m_message->setText(outcome ? *outcome : errorLine(outcome.error()));
 }
 
-void TasksDialog::takeBack(const Result<QString> &outcome)
+void TasksDialog::undo(const Result<QString> &outcome)
 {
-    tell(outcome);
+    showOutcome(outcome);
     if (!outcome)
         return;
     const TaskRecord *task = current();

@@ -59,8 +59,8 @@ private:
     void remove();
     void measureAgain();
     bool apply(const Message &words, const QString &choose, const std::function<Result<void>()> &work);
-    void tell(const Result<QString> &outcome);
-    void takeBack(const Result<QString> &outcome);
+    void showOutcome(const Result<QString> &outcome);
+    void undo(const Result<QString> &outcome);
     QString freeName(const QString &stem) const;
 
     Project &m_project;

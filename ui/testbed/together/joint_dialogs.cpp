@@ -3,7 +3,7 @@
 
 #include "core/base/units.h"
 #include "ui/models/shown_message.h"
-#include "ui/testbed/floor/still_picture.h"
+#include "ui/testbed/floor/still_image.h"
 #include "ui/views/widgets/card.h"
 #include "ui/views/widgets/form_fields.h"
 #include "ui/views/widgets/labels.h"
@@ -182,24 +182,24 @@ void JointDialog::done(int result)
     QDialog::done(result);
 }
 
-ThroughSourcePage::ThroughSourcePage(const std::vector<FloorCamera> &cameras, const QString &current,
-                                     const std::vector<CheckCamera> &registered, const LiveCameras &live,
-                                     QWidget *parent)
+ReferenceCameraPage::ReferenceCameraPage(const std::vector<FloorCamera> &cameras, const QString &current,
+                                         const std::vector<CheckCamera> &registered, const LiveCameras &live,
+                                         QWidget *parent)
     : QWidget(parent), m_cameras(cameras), m_registered(registered), m_camera(new QComboBox),
-      m_through(new QComboBox),
-      m_picture(new PictureChoice(live, tr("Image or video of the camera to register"))),
-      m_throughPicture(new PictureChoice(live, tr("Image or video of the registered camera"))),
+      m_reference(new QComboBox),
+      m_image(new ImageChoice(live, tr("Image or video of the camera to register"))),
+      m_referenceImage(new ImageChoice(live, tr("Image or video of the registered camera"))),
       m_same(new QLabel(tr("A camera cannot be registered via itself: choose two different ones.")))
 {
     for (const FloorCamera &camera : m_cameras)
         m_camera->addItem(camera.name);
     for (const CheckCamera &camera : m_registered)
-        m_through->addItem(camera.name);
+        m_reference->addItem(camera.name);
     m_camera->setCurrentIndex(std::max(0, m_camera->findText(current)));
-    if (m_through->currentText() == m_camera->currentText() && m_through->count() > 1)
-        m_through->setCurrentIndex(1);
+    if (m_reference->currentText() == m_camera->currentText() && m_reference->count() > 1)
+        m_reference->setCurrentIndex(1);
     m_camera->setAccessibleName(tr("Camera to register"));
-    m_through->setAccessibleName(tr("Registered camera"));
+    m_reference->setAccessibleName(tr("Registered camera"));
     auto *intro =
         new QLabel(tr("Register a camera that sees no markers by floor points that a registered camera also "
                       "sees: corners of tiles, ends of tape, screws. Four are enough; six or more, spread "
@@ -207,15 +207,15 @@ ThroughSourcePage::ThroughSourcePage(const std::vector<FloorCamera> &cameras, co
     intro->setWordWrap(true);
     auto *form = new QFormLayout;
     form->addRow(tr("C&amera to register"), m_camera);
-    form->addRow(tr("&Via camera"), m_through);
+    form->addRow(tr("&Via camera"), m_reference);
     form->addRow(QString(), m_same);
-    auto *pictures = new QHBoxLayout;
-    for (const auto &[title, choice] : {std::pair(tr("Its image"), m_picture),
-                                        std::pair(tr("The registered camera's image"), m_throughPicture)}) {
+    auto *images = new QHBoxLayout;
+    for (const auto &[title, choice] : {std::pair(tr("Its image"), m_image),
+                                        std::pair(tr("The registered camera's image"), m_referenceImage)}) {
         auto *box = new QGroupBox(title);
         auto *boxLayout = new QVBoxLayout(box);
         boxLayout->addWidget(choice);
-        pictures->addWidget(box, 1);
+        images->addWidget(box, 1);
     }
     setFocusProxy(m_camera);
     auto *layout = new QVBoxLayout(this);
@@ -223,35 +223,35 @@ ThroughSourcePage::ThroughSourcePage(const std::vector<FloorCamera> &cameras, co
     layout->addSpacing(8);
     layout->addLayout(form);
     layout->addSpacing(12);
-    layout->addLayout(pictures);
+    layout->addLayout(images);
     layout->addStretch(1);
-    for (QComboBox *box : {m_camera, m_through})
-        connect(box, &QComboBox::currentIndexChanged, this, &ThroughSourcePage::showCameras);
-    for (PictureChoice *choice : {m_picture, m_throughPicture})
-        connect(choice, &PictureChoice::changed, this, &ThroughSourcePage::completeChanged);
+    for (QComboBox *box : {m_camera, m_reference})
+        connect(box, &QComboBox::currentIndexChanged, this, &ReferenceCameraPage::showCameras);
+    for (ImageChoice *choice : {m_image, m_referenceImage})
+        connect(choice, &ImageChoice::changed, this, &ReferenceCameraPage::completeChanged);
     showCameras();
 }
 
-const FloorCamera &ThroughSourcePage::camera() const
+const FloorCamera &ReferenceCameraPage::camera() const
 {
     return m_cameras.at(std::size_t(m_camera->currentIndex()));
 }
-const CheckCamera &ThroughSourcePage::through() const
+const CheckCamera &ReferenceCameraPage::reference() const
 {
-    return m_registered.at(std::size_t(m_through->currentIndex()));
+    return m_registered.at(std::size_t(m_reference->currentIndex()));
 }
 
-void ThroughSourcePage::showCameras()
+void ReferenceCameraPage::showCameras()
 {
-    m_picture->setRecording(camera().newestRecording);
-    m_throughPicture->setRecording(through().newestRecording);
-    m_same->setVisible(camera().name == through().name);
+    m_image->setRecording(camera().newestRecording);
+    m_referenceImage->setRecording(reference().newestRecording);
+    m_same->setVisible(camera().name == reference().name);
     Q_EMIT completeChanged();
 }
 
-bool ThroughSourcePage::isComplete() const
+bool ReferenceCameraPage::isComplete() const
 {
-    return camera().name != through().name && m_picture->isComplete() && m_throughPicture->isComplete();
+    return camera().name != reference().name && m_image->isComplete() && m_referenceImage->isComplete();
 }
 
 namespace {
@@ -260,75 +260,76 @@ enum Page { SourcePage, PointsPage };
 
 } // namespace
 
-ThroughWizard::ThroughWizard(const std::vector<FloorCamera> &cameras, const QString &current,
-                             const std::vector<CheckCamera> &registered, const LiveCameras &live,
-                             KeepPicture keep, QWidget *parent)
+RegisterViaCameraWizard::RegisterViaCameraWizard(const std::vector<FloorCamera> &cameras,
+                                                 const QString &current,
+                                                 const std::vector<CheckCamera> &registered,
+                                                 const LiveCameras &live, KeepImage keep, QWidget *parent)
     : StepDialog(tr("Register via another camera"), tr("&Save"), parent),
-      m_source(new ThroughSourcePage(cameras, current, registered, live)), m_page(new SharedPointsPage),
+      m_source(new ReferenceCameraPage(cameras, current, registered, live)), m_page(new SharedPointsPage),
       m_keep(std::move(keep))
 {
     addStep(tr("Two cameras and their images"), m_source);
     addStep(tr("The same points in both images"), m_page);
     resize(1180, 760);
-    connect(m_source, &ThroughSourcePage::completeChanged, this, &ThroughWizard::updateButtons);
-    connect(m_page, &SharedPointsPage::completeChanged, this, &ThroughWizard::updateButtons);
+    connect(m_source, &ReferenceCameraPage::completeChanged, this, &RegisterViaCameraWizard::updateButtons);
+    connect(m_page, &SharedPointsPage::completeChanged, this, &RegisterViaCameraWizard::updateButtons);
     connect(&m_task, &BackgroundTask::finished, this, [this](const std::optional<Error> &error) {
         if (step() == PointsPage && error)
             m_page->showFailure(*error);
         else if (step() == PointsPage)
-            m_page->begin(m_pictures, m_source->camera(), m_source->through());
+            m_page->begin(m_images, m_source->camera(), m_source->reference());
         updateButtons();
     });
     turnTo(SourcePage);
 }
 
-ThroughWizard::~ThroughWizard() = default;
+RegisterViaCameraWizard::~RegisterViaCameraWizard() = default;
 
-bool ThroughWizard::isComplete(int step) const
+bool RegisterViaCameraWizard::isComplete(int step) const
 {
     return step == SourcePage ? m_source->isComplete() && !m_task.isRunning()
                               : m_page->registration().has_value() && !isSaving();
 }
 
-void ThroughWizard::next()
+void RegisterViaCameraWizard::next()
 {
     if (step() == PointsPage)
-        return saveAndAccept([keep = m_keep, name = camera(), frame = m_pictures->camera.frame](
+        return saveAndAccept([keep = m_keep, name = camera(), frame = m_images->camera.frame](
                                  const JobControl &) { return keep(name, frame); });
     turnTo(PointsPage);
-    takePictures();
+    takeFrames();
 }
 
-void ThroughWizard::back()
+void RegisterViaCameraWizard::back()
 {
     m_task.cancel();
     turnTo(SourcePage);
 }
 
-void ThroughWizard::showNotSaved(const Error &error)
+void RegisterViaCameraWizard::showNotSaved(const Error &error)
 {
     m_page->showNotSaved(error);
 }
 
-void ThroughWizard::takePictures()
+void RegisterViaCameraWizard::takeFrames()
 {
     m_page->wait(tr("Loading the images…"));
-    m_pictures = std::make_shared<PicturePair>();
+    m_images = std::make_shared<ImagePair>();
     const auto &intrinsics = m_source->camera().intrinsics;
     const std::optional<Intrinsics> lens =
         intrinsics ? std::optional(intrinsics->calibration.intrinsics) : std::nullopt;
-    m_task.start([pictures = m_pictures, lens, origin = m_source->picture().origin(),
-                  throughOrigin = m_source->throughPicture().origin(),
-                  throughLens = m_source->through().view.camera().intrinsics(),
-                  layout = m_source->through().layout](const JobControl &control) -> Result<void> {
-        auto taken = ODO_TRY(takeStillPicture(origin, layout, lens, control));
-        auto throughTaken = ODO_TRY(takeStillPicture(throughOrigin, layout, throughLens, control));
-        *pictures = {std::move(taken), std::move(throughTaken)};
+    m_task.start([images = m_images, lens, origin = m_source->image().origin(),
+                  referenceOrigin = m_source->referenceImage().origin(),
+                  referenceIntrinsics = m_source->reference().view.camera().intrinsics(),
+                  layout = m_source->reference().layout](const JobControl &control) -> Result<void> {
+        auto taken = ODO_TRY(takeStillImage(origin, layout, lens, control));
+        auto referenceTaken = ODO_TRY(takeStillImage(referenceOrigin, layout, referenceIntrinsics, control));
+        *images = {std::move(taken), std::move(referenceTaken)};
         return {};
     });
 }
 
-void ThroughWizard::done(int result)
+void RegisterViaCameraWizard::done(int result)
 {
     m_task.cancel();
     StepDialog::done(result);

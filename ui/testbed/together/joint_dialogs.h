@@ -4,7 +4,7 @@
 #include "core/workflow/calibrate/register_job.h"
 #include "ui/models/background_task.h"
 #include "ui/testbed/floor/floor_camera.h"
-#include "ui/testbed/floor/still_picture.h"
+#include "ui/testbed/floor/still_image.h"
 #include "ui/testbed/together/internal/shared_points_page.h"
 #include "ui/views/widgets/step_dialog.h"
 
@@ -58,22 +58,22 @@ private:
 };
 
 class LiveCameras;
-class PictureChoice;
+class ImageChoice;
 
 /// First page of registering a camera via another one: which two, and the source of an image of each.
-class ThroughSourcePage : public QWidget
+class ReferenceCameraPage : public QWidget
 {
     Q_OBJECT
 public:
     /// cameras: those that can be registered. registered: those it can be done through; one at least.
-    ThroughSourcePage(const std::vector<FloorCamera> &cameras, const QString &current,
-                      const std::vector<CheckCamera> &registered, const LiveCameras &live,
-                      QWidget *parent = nullptr);
+    ReferenceCameraPage(const std::vector<FloorCamera> &cameras, const QString &current,
+                        const std::vector<CheckCamera> &registered, const LiveCameras &live,
+                        QWidget *parent = nullptr);
 
     const FloorCamera &camera() const;
-    const CheckCamera &through() const;
-    PictureChoice &picture() { return *m_picture; }
-    PictureChoice &throughPicture() { return *m_throughPicture; }
+    const CheckCamera &reference() const;
+    ImageChoice &image() { return *m_image; }
+    ImageChoice &referenceImage() { return *m_referenceImage; }
     bool isComplete() const;
 
 Q_SIGNALS:
@@ -84,27 +84,27 @@ private:
 
     const std::vector<FloorCamera> m_cameras;
     const std::vector<CheckCamera> m_registered;
-    QComboBox *m_camera, *m_through;
-    PictureChoice *m_picture, *m_throughPicture;
+    QComboBox *m_camera, *m_reference;
+    ImageChoice *m_image, *m_referenceImage;
     QLabel *m_same; ///< shown when both are the same camera
 };
 
 /// Registers a camera that sees no markers via another one that sees the same floor: which two and their
 /// images, then the same points in both. Stores nothing: the caller does, once it is accepted.
-class ThroughWizard : public StepDialog
+class RegisterViaCameraWizard : public StepDialog
 {
     Q_OBJECT
 public:
     /// cameras and registered: one at least of each.
-    ThroughWizard(const std::vector<FloorCamera> &cameras, const QString &current,
-                  const std::vector<CheckCamera> &registered, const LiveCameras &live, KeepPicture keep,
-                  QWidget *parent = nullptr);
-    ~ThroughWizard() override;
+    RegisterViaCameraWizard(const std::vector<FloorCamera> &cameras, const QString &current,
+                            const std::vector<CheckCamera> &registered, const LiveCameras &live,
+                            KeepImage keep, QWidget *parent = nullptr);
+    ~RegisterViaCameraWizard() override;
 
-    ThroughSourcePage &source() { return *m_source; }
+    ReferenceCameraPage &source() { return *m_source; }
     SharedPointsPage &page() { return *m_page; }
     QString camera() const { return m_source->camera().name; }
-    QString through() const { return m_source->through().name; }
+    QString reference() const { return m_source->reference().name; }
 
     void done(int result) override;
 
@@ -115,12 +115,12 @@ protected:
     void showNotSaved(const Error &error) override;
 
 private:
-    void takePictures();
+    void takeFrames();
 
-    ThroughSourcePage *m_source;
+    ReferenceCameraPage *m_source;
     SharedPointsPage *m_page;
-    std::shared_ptr<PicturePair> m_pictures; ///< that are being got
-    const KeepPicture m_keep;
+    std::shared_ptr<ImagePair> m_images; ///< that are being got
+    const KeepImage m_keep;
     BackgroundTask m_task;
 };
 

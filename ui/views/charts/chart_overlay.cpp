@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/views/charts/chart_overlay.h"
 
-#include "ui/views/charts/chart_picture.h"
+#include "ui/views/charts/chart_image.h"
 #include "ui/views/widgets/fact_list.h"
 #include "ui/views/widgets/theme.h"
 
@@ -42,7 +42,7 @@ void drawChartRange(QPainter &painter, const ChartPlot &plot, double from, doubl
 
 void drawChartFocus(QPainter &painter, const QWidget &plot)
 {
-    if (!plot.hasFocus() || ChartPicture::isPaintedBy(painter, plot))
+    if (!plot.hasFocus() || ChartImage::isPaintedBy(painter, plot))
         return;
     painter.setRenderHint(QPainter::Antialiasing, false);
     painter.setBrush(Qt::NoBrush);
@@ -72,15 +72,15 @@ QRectF drawChartBubble(QPainter &painter, const ChartPlot &plot, const QPointF &
     return bubble;
 }
 
-void drawCrosshair(QPainter &painter, const ChartPlot &plot, const QPointF &place, const QString &below,
+void drawCrosshair(QPainter &painter, const ChartPlot &plot, const QPointF &position, const QString &below,
                    const QString &left, const QPalette &palette)
 {
     const ThemeColours colours = ThemeColours::of(palette);
     const QFontMetricsF metrics(painter.font());
     painter.setRenderHint(QPainter::Antialiasing, false);
     painter.setPen(QPen(colours.muted, 1));
-    painter.drawLine(QPointF(place.x(), plot.rect.top()), QPointF(place.x(), plot.rect.bottom()));
-    painter.drawLine(QPointF(plot.rect.left(), place.y()), QPointF(plot.rect.right(), place.y()));
+    painter.drawLine(QPointF(position.x(), plot.rect.top()), QPointF(position.x(), plot.rect.bottom()));
+    painter.drawLine(QPointF(plot.rect.left(), position.y()), QPointF(plot.rect.right(), position.y()));
     painter.setRenderHint(QPainter::Antialiasing);
     const auto box = [&](const QRectF &rect, const QString &text) {
         painter.setPen(Qt::NoPen);
@@ -92,8 +92,8 @@ void drawCrosshair(QPainter &painter, const ChartPlot &plot, const QPointF &plac
     const double height = metrics.height() + 4;
     const double belowWidth = metrics.horizontalAdvance(below) + 12,
                  leftWidth = metrics.horizontalAdvance(left) + 10;
-    box({place.x() - belowWidth / 2, plot.rect.bottom() + 3, belowWidth, height}, below);
-    box({plot.rect.left() - 3 - leftWidth, place.y() - height / 2, leftWidth, height}, left);
+    box({position.x() - belowWidth / 2, plot.rect.bottom() + 3, belowWidth, height}, below);
+    box({plot.rect.left() - 3 - leftWidth, position.y() - height / 2, leftWidth, height}, left);
 }
 
 ChartBubbles::ChartBubbles(QAbstractScrollArea &chart) : QObject(&chart), m_chart(chart)
@@ -102,23 +102,23 @@ ChartBubbles::ChartBubbles(QAbstractScrollArea &chart) : QObject(&chart), m_char
     chart.viewport()->installEventFilter(this);
 }
 
-void ChartBubbles::add(const QRectF &place, std::function<Explanation()> how)
+void ChartBubbles::add(const QRectF &position, std::function<Explanation()> how)
 {
-    m_bubbles.append({place, std::move(how)});
+    m_bubbles.append({position, std::move(how)});
 }
 
-QList<QRectF> ChartBubbles::places() const
+QList<QRectF> ChartBubbles::positions() const
 {
-    QList<QRectF> places;
+    QList<QRectF> positions;
     for (const Bubble &bubble : m_bubbles)
-        places << bubble.place;
-    return places;
+        positions << bubble.position;
+    return positions;
 }
 
 const ChartBubbles::Bubble *ChartBubbles::at(const QPointF &point) const
 {
-    const auto found =
-        std::ranges::find_if(m_bubbles, [&](const Bubble &bubble) { return bubble.place.contains(point); });
+    const auto found = std::ranges::find_if(
+        m_bubbles, [&](const Bubble &bubble) { return bubble.position.contains(point); });
     return found == m_bubbles.end() ? nullptr : &*found;
 }
 

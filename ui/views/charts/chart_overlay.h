@@ -39,7 +39,7 @@ QRectF drawChartBubble(QPainter &painter, const ChartPlot &plot, const QPointF &
 constexpr double bubbleGap = 3;
 
 /// Thin lines through a position of the plot, with its value on either axis in a box each.
-void drawCrosshair(QPainter &painter, const ChartPlot &plot, const QPointF &place, const QString &below,
+void drawCrosshair(QPainter &painter, const ChartPlot &plot, const QPointF &position, const QString &below,
                    const QString &left, const QPalette &palette);
 
 /// The bubbles that a chart shows at its cursor. Each explains how its value was computed: by a click on it;
@@ -51,9 +51,9 @@ public:
     explicit ChartBubbles(QAbstractScrollArea &chart);
     /// Call it whenever the chart is painted: what is shown now, from above.
     void clear() { m_bubbles.clear(); }
-    void add(const QRectF &place, std::function<Explanation()> how);
+    void add(const QRectF &position, std::function<Explanation()> how);
     /// Their positions, in the chart's coordinates.
-    QList<QRectF> places() const;
+    QList<QRectF> positions() const;
 
 protected:
     bool eventFilter(QObject *watched, QEvent *event) override;
@@ -61,7 +61,7 @@ protected:
 private:
     struct Bubble
     {
-        QRectF place;
+        QRectF position;
         std::function<Explanation()> how;
     };
     const Bubble *at(const QPointF &point) const;

@@ -29,7 +29,7 @@ void ChartSpan::makeActions()
         m_actions << action;
         return action;
     };
-    const auto about = [this] { return std::clamp(cursorPlace(m_timeline.currentTime()), low(), high()); };
+    const auto about = [this] { return std::clamp(cursorPosition(m_timeline.currentTime()), low(), high()); };
     connect(add(QStringLiteral("zoomIn"), tr("Charts: show &less"), QKeySequence(Qt::CTRL | Qt::Key_Plus)),
             &QAction::triggered, this, [this, about] { zoom(keyStep, about()); });
     connect(add(QStringLiteral("zoomOut"), tr("Charts: show &more"), QKeySequence(Qt::CTRL | Qt::Key_Minus)),
@@ -47,7 +47,7 @@ void ChartSpan::setScene(TrialScenePtr scene)
     if (scene == m_scene)
         return;
     m_scene = std::move(scene);
-    makePlaces();
+    makePositions();
 }
 
 void ChartSpan::setAgainst(Against against)
@@ -56,25 +56,25 @@ void ChartSpan::setAgainst(Against against)
     if (against == m_against)
         return;
     m_against = against;
-    makePlaces();
+    makePositions();
 }
 
-void ChartSpan::makePlaces()
+void ChartSpan::makePositions()
 {
-    auto all = std::make_shared<SamplePlaces>();
+    auto all = std::make_shared<SamplePositions>();
     double from = 0, to = 0;
     for (std::size_t robot = 0; m_scene && robot < m_scene->robots.size(); ++robot) {
-        std::vector<double> places;
+        std::vector<double> positions;
         if (const auto &analysis = m_scene->robots[robot].analysis) {
             const Profile &profile = analysis->profile;
-            places = m_against == Against::Distance ? drivenWay(profile.samples, profile.points)
-                                                    : sampleTimes(profile);
-            if (m_against == Against::Distance && !places.empty())
-                to = std::max(to, places.back());
+            positions = m_against == Against::Distance ? distanceTravelled(profile.samples, profile.points)
+                                                       : sampleTimes(profile);
+            if (m_against == Against::Distance && !positions.empty())
+                to = std::max(to, positions.back());
         }
-        all->push_back(std::move(places));
+        all->push_back(std::move(positions));
     }
-    m_places = std::move(all);
+    m_positions = std::move(all);
     if (m_against == Against::Time && m_scene && !m_scene->frameTimes().empty()) {
         from = toSeconds(m_scene->frameTimes().front());
         to = toSeconds(m_scene->frameTimes().back());
@@ -87,54 +87,55 @@ void ChartSpan::followTime()
 {
     if (showsAll())
         return;
-    const double place = cursorPlace(m_timeline.currentTime()), width = high() - low();
-    if (place > high())
-        show(place - 0.1 * width, place + 0.9 * width);
-    else if (place < low())
-        show(place - 0.9 * width, place + 0.1 * width);
+    const double position = cursorPosition(m_timeline.currentTime()), width = high() - low();
+    if (position > high())
+        show(position - 0.1 * width, position + 0.9 * width);
+    else if (position < low())
+        show(position - 0.9 * width, position + 0.1 * width);
 }
 
 std::size_t ChartSpan::firstTracked() const
 {
-    const auto tracked = std::find_if(m_places->begin(), m_places->end(),
-                                      [](const std::vector<double> &places) { return !places.empty(); });
-    return static_cast<std::size_t>(tracked - m_places->begin());
+    const auto tracked =
+        std::find_if(m_positions->begin(), m_positions->end(),
+                     [](const std::vector<double> &positions) { return !positions.empty(); });
+    return static_cast<std::size_t>(tracked - m_positions->begin());
 }
 
-double ChartSpan::placeOf(std::size_t robot, Nanoseconds time) const
+double ChartSpan::positionOf(std::size_t robot, Nanoseconds time) const
 {
     if (m_against == Against::Time)
         return toSeconds(time);
-    if (robot >= m_places->size() || m_places->at(robot).empty())
+    if (robot >= m_positions->size() || m_positions->at(robot).empty())
         return 0;
-    const std::vector<double> &places = m_places->at(robot);
+    const std::vector<double> &positions = m_positions->at(robot);
     const std::vector<Sample> &samples = m_scene->robots[robot].analysis->profile.samples;
     const auto after =
         std::upper_bound(samples.begin(), samples.end(), time,
                          [](Nanoseconds wanted, const Sample &sample) { return wanted < sample.time; });
     if (after == samples.begin())
-        return places.front();
+        return positions.front();
     if (after == samples.end())
-        return places.back();
+        return positions.back();
     const auto i = static_cast<std::size_t>(after - samples.begin());
     const double part =
         toSeconds(time - samples[i - 1].time) / toSeconds(samples[i].time - samples[i - 1].time);
-    return std::lerp(places[i - 1], places[i], part);
+    return std::lerp(positions[i - 1], positions[i], part);
 }
 
-double ChartSpan::cursorPlace(Nanoseconds time) const
+double ChartSpan::cursorPosition(Nanoseconds time) const
 {
-    return placeOf(firstTracked(), time);
+    return positionOf(firstTracked(), time);
 }
 
-Nanoseconds ChartSpan::timeAt(double place) const
+Nanoseconds ChartSpan::timeAt(double position) const
 {
     const std::size_t robot = firstTracked();
-    if (m_against == Against::Time || robot >= m_places->size())
-        return fromSeconds(place);
-    const std::vector<double> &places = m_places->at(robot);
-    const auto at = std::lower_bound(places.begin(), places.end(), place);
-    const auto index = std::min(at - places.begin(), static_cast<std::ptrdiff_t>(places.size()) - 1);
+    if (m_against == Against::Time || robot >= m_positions->size())
+        return fromSeconds(position);
+    const std::vector<double> &positions = m_positions->at(robot);
+    const auto at = std::lower_bound(positions.begin(), positions.end(), position);
+    const auto index = std::min(at - positions.begin(), static_cast<std::ptrdiff_t>(positions.size()) - 1);
     return m_scene->robots[robot].analysis->profile.samples[static_cast<std::size_t>(index)].time;
 }
 

@@ -16,7 +16,7 @@ class Timeline;
 
 /// Where each sample of each robot lies on the axis below, a list a robot; they never fall. Empty for a robot
 /// that was not tracked.
-using SamplePlaces = std::vector<std::vector<double>>;
+using SamplePositions = std::vector<std::vector<double>>;
 
 /// What of a run the charts of a page show: against the time (seconds) or against the distance travelled
 /// (metres), and from where to where. One for all charts of a page, so they line up below one another. When
@@ -35,14 +35,14 @@ public:
     Against against() const { return m_against; }
     void setAgainst(Against against);
 
-    const std::shared_ptr<const SamplePlaces> &places() const { return m_places; }
+    const std::shared_ptr<const SamplePositions> &positions() const { return m_positions; }
     /// Where a robot is at a time, straight between its samples; of one that was not tracked the time itself,
     /// or 0.
-    double placeOf(std::size_t robot, Nanoseconds time) const;
+    double positionOf(std::size_t robot, Nanoseconds time) const;
     /// The cursor's position: that of the first robot that was tracked.
-    double cursorPlace(Nanoseconds time) const;
+    double cursorPosition(Nanoseconds time) const;
     /// The time at which the cursor is at a position; if the robot stops there, when it arrived.
-    Nanoseconds timeAt(double place) const;
+    Nanoseconds timeAt(double position) const;
 
     /// To show less, more, all, and to change what is below: with words and keys, for menus and pages.
     QList<QAction *> actions() const { return m_actions; }
@@ -51,14 +51,14 @@ Q_SIGNALS:
     void axisChanged(); ///< the positions
 private:
     void makeActions();
-    void makePlaces();
+    void makePositions();
     void followTime();
     std::size_t firstTracked() const;
 
     Timeline &m_timeline;
     TrialScenePtr m_scene;
     Against m_against = Against::Time;
-    std::shared_ptr<const SamplePlaces> m_places = std::make_shared<SamplePlaces>();
+    std::shared_ptr<const SamplePositions> m_positions = std::make_shared<SamplePositions>();
     QList<QAction *> m_actions;
     QAction *m_distance = nullptr;
 };

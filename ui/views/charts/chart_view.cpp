@@ -179,7 +179,7 @@ ChartView::ChartView(AxisSpan &span, const ChartAxes &axes, QWidget *parent)
     viewport()->setMouseTracking(true);
     viewport()->setAttribute(Qt::WA_OpaquePaintEvent);
     new ChartGestures(*this);
-    m_chart->setLook(palette(), font());
+    m_chart->setStyle(palette(), font());
     connect(&m_span, &AxisSpan::spanChanged, this, &ChartView::refresh);
     refresh();
 }
@@ -252,7 +252,7 @@ void ChartView::paintStill(QPainter &painter)
     painter.restore();
 }
 
-void ChartView::paintPicture(QPainter &painter)
+void ChartView::paintImage(QPainter &painter)
 {
     painter.fillRect(viewport()->rect(), ThemeColours::of(palette()).card);
     paintStill(painter);
@@ -308,7 +308,7 @@ void ChartView::resizeEvent(QResizeEvent *event)
 void ChartView::changeEvent(QEvent *event)
 {
     if (event->type() == QEvent::PaletteChange || event->type() == QEvent::FontChange) {
-        m_chart->setLook(palette(), font());
+        m_chart->setStyle(palette(), font());
         refresh();
     }
     QChartView::changeEvent(event);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "ui/views/charts/chart_picture.h"
+#include "ui/views/charts/chart_image.h"
 #include "ui/views/charts/internal/chart.h"
 
 #include <QChartView>
@@ -34,7 +34,7 @@ public:
     void setGroupShown(int group, bool isShown);
     bool isGroupShown(int group) const { return m_chart->isGroupShown(group); }
     /// The whole view for an image: without focus and crosshair.
-    void paintPicture(QPainter &painter);
+    void paintImage(QPainter &painter);
 
     QSize sizeHint() const override { return {640, 180}; }
     QSize minimumSizeHint() const override { return {220, 90}; }
@@ -57,7 +57,7 @@ protected:
         goTo(x);
     }
     /// The tool tip of a position.
-    virtual QString wordsAt(const QPoint &place) const;
+    virtual QString wordsAt(const QPoint &position) const;
 
     void paintEvent(QPaintEvent *event) override;
     void resizeEvent(QResizeEvent *event) override;

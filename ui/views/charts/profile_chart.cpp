@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/views/charts/profile_chart.h"
 
-#include "ui/models/figure_text.h"
+#include "ui/models/number_text.h"
 #include "ui/models/timeline.h"
+#include "ui/views/charts/chart_image.h"
 #include "ui/views/charts/chart_overlay.h"
-#include "ui/views/charts/chart_picture.h"
 #include "ui/views/charts/chart_span.h"
 #include "ui/views/charts/series_colours.h"
 #include "ui/views/charts/trial_curves.h"
@@ -44,7 +44,7 @@ ChartArea::~ChartArea() = default;
 void ChartArea::setScene(TrialScenePtr scene)
 {
     m_scene = std::move(scene);
-    m_stretches = m_scene ? doubtfulStretches(*m_scene) : std::vector<DoubtfulStretch>();
+    m_stretches = m_scene ? uncertainIntervals(*m_scene) : std::vector<UncertainInterval>();
     m_fit.reset();
     showAllGroups();
     rebuild();
@@ -66,7 +66,7 @@ void ChartArea::rebuild()
 {
     if (m_span.scene() != m_scene) // a scene comes to the span first, and to the charts one after the other
         return;
-    m_maker->make(m_scene, m_quantity, m_span.places());
+    m_maker->make(m_scene, m_quantity, m_span.positions());
     showCurves();
 }
 
@@ -74,10 +74,10 @@ void ChartArea::showCurves()
 {
     setAxes(axesOf(m_span, m_quantity));
     std::vector<ChartStretch> stretches;
-    for (const DoubtfulStretch &one : m_stretches)
-        stretches.push_back({m_span.placeOf(one.robot, one.span.begin),
-                             m_span.placeOf(one.robot, one.span.end),
-                             one.kind == DoubtfulStretch::Kind::Name});
+    for (const UncertainInterval &one : m_stretches)
+        stretches.push_back({m_span.positionOf(one.robot, one.span.begin),
+                             m_span.positionOf(one.robot, one.span.end),
+                             one.kind == UncertainInterval::Kind::Name});
     setContent(m_maker->curves().content(), std::move(stretches));
     showFit();
 }
@@ -93,7 +93,7 @@ void ChartArea::showFit()
     CurveRun values;
     for (int i = 0; i <= pieces; ++i) {
         const Nanoseconds time = m_fit->span.begin + (m_fit->span.end - m_fit->span.begin) * i / pieces;
-        values.points.emplace_back(m_span.placeOf(m_fit->robot, time),
+        values.points.emplace_back(m_span.positionOf(m_fit->robot, time),
                                    CurveValue{curveFactor(m_quantity) * m_fit->fit.at(toSeconds(time)), 0});
     }
     ChartCurve rim, line;
@@ -110,29 +110,30 @@ void ChartArea::showFit()
 void ChartArea::paintOver(QPainter &painter)
 {
     if (const auto &range = m_timeline.selection())
-        drawChartRange(painter, plot(), m_span.cursorPlace(range->begin), m_span.cursorPlace(range->end),
-                       palette());
+        drawChartRange(painter, plot(), m_span.cursorPosition(range->begin),
+                       m_span.cursorPosition(range->end), palette());
     m_bubbles->clear();
     if (m_timeline.frameCount() == 0)
         return;
     const Nanoseconds now = m_timeline.currentTime();
-    if (const double place = m_span.cursorPlace(now); place >= m_span.low() && place <= m_span.high())
-        drawChartCursor(painter, plot(), place, palette());
-    const auto placeOf = [this, now](std::size_t robot) {
-        return isGroupShown(int(robot)) ? m_span.placeOf(robot, now)
+    if (const double position = m_span.cursorPosition(now);
+        position >= m_span.low() && position <= m_span.high())
+        drawChartCursor(painter, plot(), position, palette());
+    const auto positionOf = [this, now](std::size_t robot) {
+        return isGroupShown(int(robot)) ? m_span.positionOf(robot, now)
                                         : std::numeric_limits<double>::quiet_NaN();
     };
-    for (const ShownValue &value : m_maker->curves().drawValues(painter, plot(), now, placeOf, palette()))
+    for (const ShownValue &value : m_maker->curves().drawValues(painter, plot(), now, positionOf, palette()))
         m_bubbles->add(value.bubble, [scene = m_scene, quantity = m_quantity, now, value] {
             return explainCurve(*scene, value.robot, quantity, now, value.text);
         });
 }
 
-QString ChartArea::wordsAt(const QPoint &place) const
+QString ChartArea::wordsAt(const QPoint &position) const
 {
     constexpr int reachPx = 3;
-    const Nanoseconds time = m_span.timeAt(plot().xAt(place.x()));
-    return doubtfulWordsAt(m_stretches, time, m_span.timeAt(plot().xAt(place.x() + reachPx)) - time);
+    const Nanoseconds time = m_span.timeAt(plot().xAt(position.x()));
+    return uncertaintyTextAt(m_stretches, time, m_span.timeAt(plot().xAt(position.x() + reachPx)) - time);
 }
 
 void ChartArea::goTo(double x)
@@ -210,10 +211,10 @@ ProfileChart::ProfileChart(Timeline &timeline, ChartSpan &span, QList<Quantity> 
     }
     setContent(m_area);
     const auto heading = [this] {
-        return PictureHeading{
+        return ImageHeading{
             title(), {m_scene ? QString::fromStdString(m_scene->trial.name) : QString()}, remark()};
     };
-    new ChartPicture(*m_area, heading, m_key);
+    new ChartImage(*m_area, heading, m_key);
     connect(m_area, &ChartArea::settled, this, &ProfileChart::settled);
     connect(&m_span, &ChartSpan::axisChanged, this, &ProfileChart::describe);
     setScene(nullptr);
@@ -248,7 +249,7 @@ void ProfileChart::setScene(TrialScenePtr scene)
     for (std::size_t robot = 0; m_scene && robot < m_scene->robots.size(); ++robot)
         robots += QString::fromStdString(m_scene->robots[robot].robot.name);
     // Not at every change of what is shown: the key then keeps what is hidden.
-    m_key->setNames(robots, m_scene ? colourPlaces(*m_scene) : std::vector<int>());
+    m_key->setNames(robots, m_scene ? paletteIndices(*m_scene) : std::vector<int>());
     describe();
 }
 
@@ -267,7 +268,7 @@ void ProfileChart::describe()
             if (metric.name == tellingMetric(m_quantity))
                 spoken += QStringLiteral("%1: %2 %3")
                               .arg(QString::fromStdString(m_scene->robots[robot].robot.name),
-                                   metricName(metric.name), metricFigure(metric).text());
+                                   metricName(metric.name), metricNumber(metric).text());
         }
     }
     QStringList remark{curveUnit(m_quantity)};
@@ -283,7 +284,7 @@ void ProfileChart::describe()
         remark += tr("of the motion, anticlockwise from X");
     if (m_quantity == Quantity::TurnRate && analysed)
         remark += tr("anticlockwise positive");
-    if (m_area->hasDoubtfulStretches())
+    if (m_area->hasUncertainIntervals())
         remark += tr("shaded: hidden or ambiguous");
     setRemark(remark.join(QStringLiteral(" · ")));
     m_area->setAccessibleName((m_span.against() == ChartSpan::Against::Time ? tr("Chart: %1 over time")

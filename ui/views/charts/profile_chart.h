@@ -4,7 +4,7 @@
 #include "core/analysis/curve_fit.h"
 #include "core/analysis/quantity_curve.h"
 #include "core/base/units.h"
-#include "ui/models/scene_doubts.h"
+#include "ui/models/scene_uncertainty.h"
 #include "ui/models/trial_scene.h"
 #include "ui/views/charts/chart_view.h"
 #include "ui/views/charts/trial_curves.h"
@@ -49,7 +49,7 @@ public:
     /// The curves of the scene are there; those of a long one take a moment.
     bool isSettled() const { return !m_maker->isRunning(); }
     /// Something is shaded.
-    bool hasDoubtfulStretches() const { return !m_stretches.empty(); }
+    bool hasUncertainIntervals() const { return !m_stretches.empty(); }
 
     QSize minimumSizeHint() const override { return {220, 110}; }
 
@@ -60,7 +60,7 @@ protected:
     void paintOver(QPainter &painter) override;
     void goTo(double x) override;
     void dragTo(double from, double x) override;
-    QString wordsAt(const QPoint &place) const override;
+    QString wordsAt(const QPoint &position) const override;
 
 private:
     void rebuild();
@@ -72,7 +72,7 @@ private:
     Quantity m_quantity;
     ChartBubbles *m_bubbles;
     TrialScenePtr m_scene;
-    std::vector<DoubtfulStretch> m_stretches; ///< of the scene
+    std::vector<UncertainInterval> m_stretches; ///< of the scene
     CurveMaker *m_maker;
     std::optional<FitOverlay> m_fit;
 };

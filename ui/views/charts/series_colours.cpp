@@ -22,57 +22,58 @@ class RobotColoursWords
 
 constexpr int paletteSize = static_cast<int>(drawingColours.size());
 
-int placeOf(DrawingColour colour)
+int positionOf(DrawingColour colour)
 {
     return static_cast<int>(std::ranges::find(drawingColours, colour) - drawingColours.begin());
 }
 
 } // namespace
 
-std::vector<int> colourPlaces(const std::vector<DrawingColour> &chosen)
+std::vector<int> paletteIndices(const std::vector<DrawingColour> &chosen)
 {
     std::array<bool, drawingColours.size()> taken{};
     for (const DrawingColour colour : chosen)
         if (colour != DrawingColour::Automatic)
-            taken.at(static_cast<std::size_t>(placeOf(colour))) = true;
-    std::vector<int> places;
+            taken.at(static_cast<std::size_t>(positionOf(colour))) = true;
+    std::vector<int> colourIndices;
     int next = 0;
     for (const DrawingColour colour : chosen) {
         if (colour != DrawingColour::Automatic) {
-            places.push_back(placeOf(colour));
+            colourIndices.push_back(positionOf(colour));
             continue;
         }
         while (next < paletteSize && taken.at(static_cast<std::size_t>(next)))
             ++next;
-        places.push_back(next < paletteSize ? next++ : static_cast<int>(places.size()) % paletteSize);
+        colourIndices.push_back(next < paletteSize ? next++
+                                                   : static_cast<int>(colourIndices.size()) % paletteSize);
     }
-    return places;
+    return colourIndices;
 }
 
-std::vector<int> colourPlaces(const std::vector<RobotRecord> &robots)
+std::vector<int> paletteIndices(const std::vector<RobotRecord> &robots)
 {
     std::vector<DrawingColour> chosen;
     for (const RobotRecord &robot : robots)
         chosen.push_back(robot.drawingColour);
-    return colourPlaces(chosen);
+    return paletteIndices(chosen);
 }
 
-std::vector<int> colourPlaces(const TrialScene &scene)
+std::vector<int> paletteIndices(const TrialScene &scene)
 {
     std::vector<DrawingColour> chosen;
     for (const SceneRobot &robot : scene.robots)
         chosen.push_back(robot.robot.drawingColour);
-    return colourPlaces(chosen);
+    return paletteIndices(chosen);
 }
 
 QColor drawnColour(DrawingColour chosen, const QColor &plain, const QPalette &palette)
 {
-    return chosen == DrawingColour::Automatic ? plain : seriesColour(placeOf(chosen), palette);
+    return chosen == DrawingColour::Automatic ? plain : seriesColour(positionOf(chosen), palette);
 }
 
-QColor colourOnPicture(int place)
+QColor colourOnImage(int colourIndex)
 {
-    return seriesColour(place, darkPalette());
+    return seriesColour(colourIndex, darkPalette());
 }
 
 QString drawingColourName(DrawingColour colour)
@@ -100,8 +101,8 @@ QString drawingColourName(DrawingColour colour)
 class SeriesKeyEntry : public QAbstractButton
 {
 public:
-    SeriesKeyEntry(const QString &name, int place, int index, QWidget *parent)
-        : QAbstractButton(parent), m_place(place), m_index(index)
+    SeriesKeyEntry(const QString &name, int colourIndex, int index, QWidget *parent)
+        : QAbstractButton(parent), m_colourIndex(colourIndex), m_index(index)
     {
         setText(name);
         setCheckable(true);
@@ -129,8 +130,8 @@ protected:
         painter.setRenderHint(QPainter::Antialiasing);
         const ThemeColours colours = ThemeColours::of(palette());
         const double middle = height() / 2.0;
-        painter.setPen(
-            QPen(isChecked() ? seriesColour(m_place, palette()) : colours.border, 2, seriesDash(m_index)));
+        painter.setPen(QPen(isChecked() ? seriesColour(m_colourIndex, palette()) : colours.border, 2,
+                            seriesDash(m_index)));
         painter.drawLine(QPointF(aside, middle), QPointF(aside + lineLength, middle));
         QFont words = font();
         words.setStrikeOut(!isChecked());
@@ -146,7 +147,7 @@ private:
 
     QString shownName() const { return fontMetrics().elidedText(text(), Qt::ElideMiddle, longestName); }
 
-    int m_place, m_index;
+    int m_colourIndex, m_index;
 };
 
 SeriesKey::SeriesKey(QWidget *parent) : QWidget(parent)
@@ -159,14 +160,14 @@ SeriesKey::SeriesKey(QWidget *parent) : QWidget(parent)
     hide();
 }
 
-void SeriesKey::setNames(const QStringList &names, const std::vector<int> &places)
+void SeriesKey::setNames(const QStringList &names, const std::vector<int> &colourIndices)
 {
     qDeleteAll(m_entries);
     m_entries.clear();
     setAccessibleDescription(names.join(QStringLiteral(", ")));
     for (int i = 0; names.size() > 1 && i < names.size(); ++i) {
-        const int place = places.empty() ? i : places.at(static_cast<std::size_t>(i));
-        auto *entry = new SeriesKeyEntry(names[i], place, i, this);
+        const int colourIndex = colourIndices.empty() ? i : colourIndices.at(static_cast<std::size_t>(i));
+        auto *entry = new SeriesKeyEntry(names[i], colourIndex, i, this);
         connect(entry, &QAbstractButton::toggled, this,
                 [this, i](bool isShown) { Q_EMIT toggled(i, isShown); });
         layout()->addWidget(entry);

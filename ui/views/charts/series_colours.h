@@ -17,15 +17,15 @@ namespace odo {
 
 /// Palette entries (seriesColour) for robots drawn together on charts and maps: a chosen colour is kept, the
 /// others get, in their order, those that nobody chose. Pure.
-std::vector<int> colourPlaces(const std::vector<DrawingColour> &chosen);
-std::vector<int> colourPlaces(const std::vector<RobotRecord> &robots);
-std::vector<int> colourPlaces(const TrialScene &scene);
+std::vector<int> paletteIndices(const std::vector<DrawingColour> &chosen);
+std::vector<int> paletteIndices(const std::vector<RobotRecord> &robots);
+std::vector<int> paletteIndices(const TrialScene &scene);
 
 /// The colour of a robot that need not be distinguished from others: the chosen one, else `plain`. Pure.
 QColor drawnColour(DrawingColour chosen, const QColor &plain, const QPalette &palette);
 
 /// The colour of a palette entry on images: the same in light and dark windows. Pure.
-QColor colourOnPicture(int place);
+QColor colourOnImage(int colourIndex);
 
 /// Every colour that can be chosen, in the order of the palette.
 constexpr std::array<DrawingColour, 6> drawingColours{DrawingColour::Blue,   DrawingColour::Vermilion,
@@ -44,9 +44,9 @@ class SeriesKey : public QWidget
     Q_OBJECT
 public:
     explicit SeriesKey(QWidget *parent = nullptr);
-    /// All of them are shown then. places: of their colours in the palette (colourPlaces); by default one
+    /// All of them are shown then. places: of their colours in the palette (paletteIndices); by default one
     /// after the other.
-    void setNames(const QStringList &names, const std::vector<int> &places = {});
+    void setNames(const QStringList &names, const std::vector<int> &colourIndices = {});
 
 Q_SIGNALS:
     void toggled(int index, bool isShown);

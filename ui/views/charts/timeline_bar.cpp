@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/views/charts/timeline_bar.h"
 
-#include "ui/models/figure_text.h"
+#include "ui/models/number_text.h"
 #include "ui/models/timeline.h"
 #include "ui/views/charts/chart_axis.h"
 #include "ui/views/widgets/labels.h"
@@ -58,7 +58,7 @@ TimeSlider::TimeSlider(Timeline &timeline, QWidget *parent) : QAbstractSlider(pa
 void TimeSlider::setScene(TrialScenePtr scene)
 {
     m_scene = std::move(scene);
-    m_stretches = m_scene ? doubtfulStretches(*m_scene) : std::vector<DoubtfulStretch>();
+    m_stretches = m_scene ? uncertainIntervals(*m_scene) : std::vector<UncertainInterval>();
     update();
 }
 
@@ -149,9 +149,9 @@ void TimeSlider::paintStretches(QPainter &painter, double y) const
     constexpr double height = 5, leastWidth = 5;
     const ThemeColours colours = ThemeColours::of(palette());
     painter.setPen(Qt::NoPen);
-    for (const DoubtfulStretch &one : m_stretches) {
-        painter.setBrush(one.kind == DoubtfulStretch::Kind::Name ? QBrush(colours.spike, Qt::Dense3Pattern)
-                                                                 : QBrush(colours.field));
+    for (const UncertainInterval &one : m_stretches) {
+        painter.setBrush(one.kind == UncertainInterval::Kind::Name ? QBrush(colours.spike, Qt::Dense3Pattern)
+                                                                   : QBrush(colours.field));
         const double left = std::clamp(xOf(one.span.begin), 0.0, double(width())),
                      right = std::clamp(xOf(one.span.end), 0.0, double(width()));
         const double more = std::max(0.0, leastWidth - (right - left)) / 2;
@@ -173,7 +173,7 @@ bool TimeSlider::event(QEvent *event)
     const auto *help = static_cast<QHelpEvent *>(event);
     constexpr double reachPx = 4;
     const double x = help->pos().x();
-    const QString words = doubtfulWordsAt(m_stretches, timeAt(x), timeAt(x + reachPx) - timeAt(x));
+    const QString words = uncertaintyTextAt(m_stretches, timeAt(x), timeAt(x + reachPx) - timeAt(x));
     showToolTip(*help, words, this);
     return true;
 }

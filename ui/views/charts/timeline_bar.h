@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "ui/models/scene_doubts.h"
+#include "ui/models/scene_uncertainty.h"
 #include "ui/models/trial_scene.h"
 
 #include <QAbstractSlider>
@@ -49,7 +49,7 @@ private:
 
     Timeline &m_timeline;
     TrialScenePtr m_scene;
-    std::vector<DoubtfulStretch> m_stretches; ///< of the scene
+    std::vector<UncertainInterval> m_stretches; ///< of the scene
 };
 
 class TimeSlider;

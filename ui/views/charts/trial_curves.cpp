@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/views/charts/trial_curves.h"
 
-#include "ui/models/figure_text.h"
+#include "ui/models/number_text.h"
 #include "ui/models/shown_message.h"
 #include "ui/views/charts/chart_overlay.h"
 #include "ui/views/charts/series_colours.h"
@@ -24,17 +24,17 @@ class TrialCurvesWords
 
 } // namespace
 
-TrialCurves::TrialCurves(TrialScenePtr scene, Quantity quantity, const SamplePlaces &places)
+TrialCurves::TrialCurves(TrialScenePtr scene, Quantity quantity, const SamplePositions &positions)
     : m_scene(std::move(scene)), m_quantity(quantity)
 {
     if (!m_scene)
         return;
-    m_places = colourPlaces(*m_scene);
+    m_positions = paletteIndices(*m_scene);
     std::vector<ProfileCurves> robots;
     for (std::size_t robot = 0; robot < m_scene->robots.size(); ++robot)
         if (const auto &analysis = m_scene->robots[robot].analysis)
-            robots.push_back(
-                profileCurves(analysis->profile, m_quantity, places.at(robot), int(robot), m_places[robot]));
+            robots.push_back(profileCurves(analysis->profile, m_quantity, positions.at(robot), int(robot),
+                                           m_positions[robot]));
     auto content = std::make_shared<ChartContent>();
     content->emptyWords = TrialCurvesWords::tr("No curve yet: track the trial");
     for (const auto part : {&ProfileCurves::measured, &ProfileCurves::line, &ProfileCurves::spikes})
@@ -66,7 +66,7 @@ std::optional<CurveValue> TrialCurves::valueAt(std::size_t robot, Nanoseconds ti
 }
 
 QList<ShownValue> TrialCurves::drawValues(QPainter &painter, const ChartPlot &plot, Nanoseconds time,
-                                          const std::function<double(std::size_t robot)> &placeOf,
+                                          const std::function<double(std::size_t robot)> &positionOf,
                                           const QPalette &palette) const
 {
     QList<ShownValue> shown;
@@ -74,17 +74,17 @@ QList<ShownValue> TrialCurves::drawValues(QPainter &painter, const ChartPlot &pl
     double top = plot.rect.top();
     for (std::size_t robot = 0; robot < m_lines.size(); ++robot) {
         const auto value = valueAt(robot, time);
-        const double place = placeOf(robot);
-        if (!value || !(place >= plot.low && place <= plot.high))
+        const double position = positionOf(robot);
+        if (!value || !(position >= plot.low && position <= plot.high))
             continue;
-        const QString figure = figureText(value->value, value->sigma, unit).text();
+        const QString number = numberText(value->value, value->sigma, unit).text();
         const QString text =
             m_lines.size() > 1
-                ? joinedWords(QString::fromStdString(m_scene->robots[robot].robot.name), figure)
-                : figure;
-        const QRectF bubble = drawChartBubble(painter, plot, {place, value->value}, top, text,
-                                              seriesColour(m_places[robot], palette), palette);
-        shown.append({robot, bubble, figure});
+                ? joinedWords(QString::fromStdString(m_scene->robots[robot].robot.name), number)
+                : number;
+        const QRectF bubble = drawChartBubble(painter, plot, {position, value->value}, top, text,
+                                              seriesColour(m_positions[robot], palette), palette);
+        shown.append({robot, bubble, number});
         top = bubble.bottom() + bubbleGap;
     }
     return shown;
@@ -107,16 +107,17 @@ CurveMaker::CurveMaker(QObject *parent) : QObject(parent)
     connect(&m_task, &BackgroundTask::finished, this, &CurveMaker::finish);
 }
 
-void CurveMaker::make(TrialScenePtr scene, Quantity quantity, std::shared_ptr<const SamplePlaces> places)
+void CurveMaker::make(TrialScenePtr scene, Quantity quantity,
+                      std::shared_ptr<const SamplePositions> positions)
 {
     m_wanted.reset();
     m_curves = {};
     if (scene && sampleCount(*scene) > mostAtOnce) {
-        m_wanted = std::make_shared<Request>(Request{std::move(scene), quantity, std::move(places), {}});
+        m_wanted = std::make_shared<Request>(Request{std::move(scene), quantity, std::move(positions), {}});
         begin();
         return;
     }
-    m_curves = TrialCurves(std::move(scene), quantity, *places);
+    m_curves = TrialCurves(std::move(scene), quantity, *positions);
 }
 
 void CurveMaker::begin()
@@ -125,7 +126,7 @@ void CurveMaker::begin()
         return;
     m_running = m_wanted;
     m_task.start([request = m_running](const JobControl &) -> Result<void> {
-        request->curves = TrialCurves(request->scene, request->quantity, *request->places);
+        request->curves = TrialCurves(request->scene, request->quantity, *request->positions);
         return {};
     });
 }
@@ -199,8 +200,8 @@ ValueRange valueRange(const std::vector<ChartCurve> &curves, Quantity quantity)
         for (const CurveRun &run : curve.runs)
             if (curve.kind == ChartCurve::Kind::Line && run.isLine())
                 runs.push_back(&run);
-    const bool isPlace = quantity == Quantity::PositionX || quantity == Quantity::PositionY;
-    double low = isPlace && !runs.empty() ? runs.front()->points.front().value : 0, high = low;
+    const bool isAtPosition = quantity == Quantity::PositionX || quantity == Quantity::PositionY;
+    double low = isAtPosition && !runs.empty() ? runs.front()->points.front().value : 0, high = low;
     for (const CurveRun *run : runs)
         for (const BandPoint &point : run->points) {
             low = std::min(low, double(point.value));
@@ -218,7 +219,7 @@ ValueRange valueRange(const std::vector<ChartCurve> &curves, Quantity quantity)
     return {low, high - low < 1e-6 ? low + 1 : high};
 }
 
-CurveRun measuredPoints(const Profile &profile, Quantity quantity, const std::vector<double> &places)
+CurveRun measuredPoints(const Profile &profile, Quantity quantity, const std::vector<double> &positions)
 {
     CurveRun measured;
     const auto values = measuredValues(profile, quantity);
@@ -226,11 +227,12 @@ CurveRun measuredPoints(const Profile &profile, Quantity quantity, const std::ve
         values, [](const std::optional<CurveValue> &value) { return value.has_value(); })));
     for (std::size_t i = 0; i < values.size(); ++i)
         if (values[i])
-            measured.points.emplace_back(places[i], CurveValue{curveFactor(quantity) * values[i]->value, 0});
+            measured.points.emplace_back(positions[i],
+                                         CurveValue{curveFactor(quantity) * values[i]->value, 0});
     return measured;
 }
 
-CurveRun spikePoints(const Profile &profile, Quantity quantity, const std::vector<double> &places)
+CurveRun spikePoints(const Profile &profile, Quantity quantity, const std::vector<double> &positions)
 {
     CurveRun spikes;
     for (const Spike &spike : profile.spikes) {
@@ -239,7 +241,7 @@ CurveRun spikePoints(const Profile &profile, Quantity quantity, const std::vecto
             continue;
         const auto measured = measuredSpeed(profile, index);
         if (measured || profile.points[index].valid)
-            spikes.points.emplace_back(places[index],
+            spikes.points.emplace_back(positions[index],
                                        CurveValue{curveFactor(Quantity::Speed) *
                                                       (measured ? *measured : profile.points[index].speedMps),
                                                   0});
@@ -247,24 +249,24 @@ CurveRun spikePoints(const Profile &profile, Quantity quantity, const std::vecto
     return spikes;
 }
 
-ProfileCurves profileCurves(const Profile &profile, Quantity quantity, const std::vector<double> &places,
-                            int group, int place)
+ProfileCurves profileCurves(const Profile &profile, Quantity quantity, const std::vector<double> &positions,
+                            int group, int position)
 {
     ProfileCurves curves;
     for (ChartCurve *curve : {&curves.measured, &curves.line, &curves.spikes}) {
         curve->group = group;
-        curve->place = place;
+        curve->position = position;
     }
     curves.measured.kind = ChartCurve::Kind::Points;
     curves.measured.ink = ChartInk::Point;
     curves.measured.widthPx = 1;
-    curves.measured.runs = {measuredPoints(profile, quantity, places)};
+    curves.measured.runs = {measuredPoints(profile, quantity, positions)};
     curves.line.dash = seriesDash(group);
     curves.line.hasBand = true;
-    curves.line.runs = curveRuns(curveValues(profile, quantity), places);
+    curves.line.runs = curveRuns(curveValues(profile, quantity), positions);
     curves.spikes.kind = ChartCurve::Kind::Spikes;
     curves.spikes.ink = ChartInk::Spike;
-    curves.spikes.runs = {spikePoints(profile, quantity, places)};
+    curves.spikes.runs = {spikePoints(profile, quantity, positions)};
     return curves;
 }
 

@@ -35,14 +35,14 @@ class TrialCurves
 {
 public:
     TrialCurves() = default;
-    TrialCurves(TrialScenePtr scene, Quantity quantity, const SamplePlaces &places);
+    TrialCurves(TrialScenePtr scene, Quantity quantity, const SamplePositions &positions);
 
     /// What a chart shows; nullptr without a scene.
     const ChartContentPtr &content() const { return m_content; }
     /// Each robot's value at a time beside its position on the axis below, where that is visible (not a
     /// number: nowhere); gives them, from above.
     QList<ShownValue> drawValues(QPainter &painter, const ChartPlot &plot, Nanoseconds time,
-                                 const std::function<double(std::size_t robot)> &placeOf,
+                                 const std::function<double(std::size_t robot)> &positionOf,
                                  const QPalette &palette) const;
 
 private:
@@ -53,7 +53,7 @@ private:
     Quantity m_quantity = Quantity::Speed;
     ChartContentPtr m_content;
     std::vector<const ChartCurve *> m_lines; ///< of the content, one a robot; null: it has none
-    std::vector<int> m_places;               ///< of the robots' colours in the palette
+    std::vector<int> m_positions;            ///< of the robots' colours in the palette
 };
 
 /// Makes the curves of a chart: at once, or, of a trial so long that the window would have to wait, on a
@@ -67,7 +67,7 @@ public:
 
     explicit CurveMaker(QObject *parent = nullptr);
     /// scene: null clears. made() follows where it takes a thread.
-    void make(TrialScenePtr scene, Quantity quantity, std::shared_ptr<const SamplePlaces> places);
+    void make(TrialScenePtr scene, Quantity quantity, std::shared_ptr<const SamplePositions> positions);
     /// What was made last; empty while something is being made.
     const TrialCurves &curves() const { return m_curves; }
     bool isRunning() const { return m_wanted != nullptr; }
@@ -80,7 +80,7 @@ private:
     {
         TrialScenePtr scene;
         Quantity quantity = Quantity::Speed;
-        std::shared_ptr<const SamplePlaces> places;
+        std::shared_ptr<const SamplePositions> positions;
         TrialCurves curves; ///< once it has run
     };
     void begin();
@@ -108,11 +108,11 @@ ValueRange valueRange(const std::vector<ChartCurve> &curves, Quantity quantity);
 
 /// measuredValues at the positions of the samples, in the unit of curveUnit, without bands; empty for the
 /// turn rate.
-CurveRun measuredPoints(const Profile &profile, Quantity quantity, const std::vector<double> &places);
+CurveRun measuredPoints(const Profile &profile, Quantity quantity, const std::vector<double> &positions);
 
 /// The spikes of a curve of speed, where they were measured or else where the curve is; empty for every other
 /// quantity.
-CurveRun spikePoints(const Profile &profile, Quantity quantity, const std::vector<double> &places);
+CurveRun spikePoints(const Profile &profile, Quantity quantity, const std::vector<double> &positions);
 
 /// The robot's curve of a quantity as a chart shows it, in a palette colour and the dash of the group; and
 /// its measured points (beneath) and spikes (above), of the same group.
@@ -120,7 +120,7 @@ struct ProfileCurves
 {
     ChartCurve measured, line, spikes;
 };
-ProfileCurves profileCurves(const Profile &profile, Quantity quantity, const std::vector<double> &places,
-                            int group = 0, int place = 0);
+ProfileCurves profileCurves(const Profile &profile, Quantity quantity, const std::vector<double> &positions,
+                            int group = 0, int position = 0);
 
 } // namespace odo

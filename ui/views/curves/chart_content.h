@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/analysis/quantity_curve.h"
-#include "ui/models/figure_text.h"
+#include "ui/models/number_text.h"
 
 #include <QPointF>
 #include <QRectF>
@@ -32,7 +32,7 @@ struct ChartCurve
     Kind kind = Kind::Line;
     std::vector<CurveRun> runs; ///< in order; x in SI units, values in the unit that is shown
     ChartInk ink = ChartInk::Series;
-    int place = 0; ///< of a series' colour
+    int position = 0; ///< of a series' colour
     Qt::PenStyle dash = Qt::SolidLine;
     double widthPx = 1.8; ///< of lines; of points about a third of their size
     bool hasBand = false;

@@ -2,7 +2,7 @@
 #include "ui/views/curves/comparison_curves.h"
 
 #include "core/analysis/quantity_curve.h"
-#include "ui/models/figure_text.h"
+#include "ui/models/number_text.h"
 #include "ui/views/widgets/theme.h"
 
 #include <QCoreApplication>
@@ -27,14 +27,14 @@ RunCurves curvesOf(const ComparisonScene &scene, std::size_t run, bool canBeFain
 {
     RunCurves curves;
     for (ChartCurve *curve : {&curves.sure, &curves.faint}) {
-        curve->group = curve->place = int(run);
+        curve->group = curve->position = int(run);
         curve->dash = seriesDash(int(run));
         curve->hasBand = true;
     }
     curves.faint.ink = ChartInk::Muted;
     const RunComparison &comparison = scene.compared.comparison;
     ChartCurve *open = nullptr; // to which the point before belongs
-    for (std::size_t station = 0; station < comparison.waysM.size(); ++station) {
+    for (std::size_t station = 0; station < comparison.distancesM.size(); ++station) {
         const std::optional<Difference> value = valueAt(station);
         if (!value) {
             open = nullptr;
@@ -115,9 +115,9 @@ ChartAxes comparedAxes(Compared what)
 PathSpan comparedSpan(const ComparisonScene &scene)
 {
     const RunComparison &comparison = scene.compared.comparison;
-    if (comparison.waysM.empty())
+    if (comparison.distancesM.empty())
         return {};
-    return {comparison.distanceM(0), comparison.distanceM(comparison.waysM.size() - 1)};
+    return {comparison.distanceM(0), comparison.distanceM(comparison.distancesM.size() - 1)};
 }
 
 ChartContentPtr comparedContent(const ComparisonScene &scene, Compared what,
@@ -210,7 +210,7 @@ ChartDrawing trendDrawing(const TeamStanding &team)
     const double firstMs = msOf(team.runs.front().date), lastMs = msOf(team.runs.back().date);
     auto content = std::make_shared<ChartContent>();
     content->curves = {progressOf(team, firstMs, std::max(lastMs, firstMs + 1)), runsOf(team)};
-    const auto [low, high] = std::ranges::minmax(team.figures.values);
+    const auto [low, high] = std::ranges::minmax(team.statistics.values);
     const double spread = team.progress.spread.value_or(0);
     content->range = {low - spread, high + spread};
     const Metric &metric = team.runs.front().metric;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/workflow/compare/trial_figures.h"
+#include "core/workflow/compare/trial_metrics.h"
 #include "ui/models/comparison_scene.h"
 #include "ui/views/curves/chart_content.h"
 

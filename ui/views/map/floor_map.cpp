@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/views/map/floor_map.h"
 
-#include "ui/models/figure_text.h"
-#include "ui/models/scene_doubts.h"
+#include "ui/models/number_text.h"
+#include "ui/models/scene_uncertainty.h"
 #include "ui/models/shown_message.h"
 #include "ui/models/timeline.h"
+#include "ui/views/charts/chart_image.h"
 #include "ui/views/charts/chart_overlay.h"
-#include "ui/views/charts/chart_picture.h"
-#include "ui/views/map/floor_picture.h"
+#include "ui/views/map/floor_image.h"
 #include "ui/views/map/map_painting.h"
 #include "ui/views/map/trial_map.h"
 #include "ui/views/widgets/fact_list.h"
@@ -62,19 +62,19 @@ protected:
 
 private:
     /// When a robot was nearest to a position; nullopt where none came near.
-    std::optional<Nanoseconds> timeNear(const QPointF &place) const;
+    std::optional<Nanoseconds> timeNear(const QPointF &position) const;
     MapPlan plan() const;
     void paintStill(QPainter &painter) const override;
     void paintDisagreements(QPainter &painter) const;
     void paintLegend(QPainter &painter) const;
 
     Timeline &m_timeline;
-    FloorPictureMaker m_maker;
+    FloorImageMaker m_maker;
     TrialScenePtr m_scene;
-    std::vector<DoubtfulStretch> m_stretches; ///< of the scene
-    Eigen::AlignedBox2d m_bounds;             ///< of the floor that must be seen
-    double m_topSpeedMps = 0;                 ///< end of the colour scale
-    FloorPicture m_floor;
+    std::vector<UncertainInterval> m_stretches; ///< of the scene
+    Eigen::AlignedBox2d m_bounds;               ///< of the floor that must be seen
+    double m_topSpeedMps = 0;                   ///< end of the colour scale
+    FloorImage m_floor;
     MapColouring m_colouring = MapColouring::Speed;
     std::vector<ViewDisagreement> m_disagreements;
     double m_topDisagreementM = 0; ///< end of its colour scale
@@ -85,8 +85,8 @@ MapArea::MapArea(Timeline &timeline, QWidget *parent)
 {
     setFocusPolicy(Qt::StrongFocus);
     connect(&m_timeline, &Timeline::currentChanged, this, qOverload<>(&QWidget::update));
-    connect(&m_maker, &FloorPictureMaker::ready, this, [this](const FloorPicture &picture) {
-        m_floor = picture;
+    connect(&m_maker, &FloorImageMaker::ready, this, [this](const FloorImage &image) {
+        m_floor = image;
         forgetStill();
         Q_EMIT settled();
     });
@@ -96,7 +96,7 @@ void MapArea::setScene(TrialScenePtr scene)
 {
     m_scene = std::move(scene);
     m_floor = {};
-    m_stretches = m_scene ? doubtfulStretches(*m_scene) : std::vector<DoubtfulStretch>();
+    m_stretches = m_scene ? uncertainIntervals(*m_scene) : std::vector<UncertainInterval>();
     setDisagreements({});
     if (m_scene) {
         m_bounds = m_scene->floorBounds();
@@ -134,8 +134,8 @@ void MapArea::setDisagreements(std::vector<ViewDisagreement> disagreements)
     m_disagreements = std::move(disagreements);
     std::vector<double> apart;
     for (const ViewDisagreement &robot : m_disagreements)
-        for (const Disagreement &place : robot.places)
-            apart.push_back(place.apartM);
+        for (const Disagreement &position : robot.positions)
+            apart.push_back(position.apartM);
     std::sort(apart.begin(), apart.end());
     // A few extreme values must not leave one colour for all others.
     m_topDisagreementM = apart.empty() ? 0 : std::max(leastM, apart[(apart.size() - 1) * 95 / 100]);
@@ -145,23 +145,23 @@ void MapArea::setDisagreements(std::vector<ViewDisagreement> disagreements)
 void MapArea::paintDisagreements(QPainter &painter) const
 {
     constexpr double radius = 3;
-    std::vector<const Disagreement *> places;
+    std::vector<const Disagreement *> positions;
     QStringList words;
     for (std::size_t robot = 0; robot < m_disagreements.size(); ++robot) {
         const QString disagreement = disagreementWords(m_disagreements[robot]);
         words << (m_disagreements.size() > 1
                       ? joinedWords(QString::fromStdString(m_scene->robots[robot].robot.name), disagreement)
                       : disagreement);
-        for (const Disagreement &place : m_disagreements[robot].places)
-            places.push_back(&place);
+        for (const Disagreement &position : m_disagreements[robot].positions)
+            positions.push_back(&position);
     }
     // The largest on top.
-    std::stable_sort(places.begin(), places.end(),
+    std::stable_sort(positions.begin(), positions.end(),
                      [](const Disagreement *a, const Disagreement *b) { return a->apartM < b->apartM; });
     painter.setPen(QPen(isDark(palette()) ? QColor(235, 238, 240, 120) : QColor(25, 30, 35, 90), 0.6));
-    for (const Disagreement *place : places) {
-        painter.setBrush(scaleColour(std::min(1.0, place->apartM / m_topDisagreementM)));
-        painter.drawEllipse(fromWorld(place->position), radius, radius);
+    for (const Disagreement *position : positions) {
+        painter.setBrush(scaleColour(std::min(1.0, position->apartM / m_topDisagreementM)));
+        painter.drawEllipse(fromWorld(position->position), radius, radius);
     }
     const ThemeColours colours = ThemeColours::of(palette());
     const QRectF room(8, 4, width() - 16, height());
@@ -208,7 +208,7 @@ void MapArea::paintEvent(QPaintEvent *)
     drawChartFocus(painter, *this);
 }
 
-std::optional<Nanoseconds> MapArea::timeNear(const QPointF &place) const
+std::optional<Nanoseconds> MapArea::timeNear(const QPointF &position) const
 {
     constexpr double reachPx = 20;
     double nearest = reachPx;
@@ -219,7 +219,7 @@ std::optional<Nanoseconds> MapArea::timeNear(const QPointF &place) const
             const ProfilePoint &point = analysis->profile.points[i];
             if (!point.valid)
                 continue;
-            const double apart = QLineF(fromWorld(point.position), place).length();
+            const double apart = QLineF(fromWorld(point.position), position).length();
             if (apart < nearest) {
                 nearest = apart;
                 time = analysis->profile.samples[i].time;
@@ -244,7 +244,7 @@ bool MapArea::event(QEvent *event)
         return MapCanvas::event(event);
     const auto *help = static_cast<QHelpEvent *>(event);
     const auto time = timeNear(help->pos());
-    const QString words = time ? doubtfulWordsAt(m_stretches, *time) : QString();
+    const QString words = time ? uncertaintyTextAt(m_stretches, *time) : QString();
     showToolTip(*help, words, this);
     return true;
 }
@@ -254,9 +254,8 @@ FloorMap::FloorMap(Timeline &timeline, QWidget *parent)
       m_how(new QToolButton(this)), m_disagreement(new QAction(tr("Map: &views' disagreement"), this))
 {
     setContent(m_area);
-    new ChartPicture(*m_area, [this] {
-        return PictureHeading{
-            title(), {m_scene ? QString::fromStdString(m_scene->trial.name) : QString()}, {}};
+    new ChartImage(*m_area, [this] {
+        return ImageHeading{title(), {m_scene ? QString::fromStdString(m_scene->trial.name) : QString()}, {}};
     });
     m_area->setAccessibleName(tr("Floor map with the robots' trails"));
     m_colouring->setAccessibleName(tr("Colour of the trails on the map"));

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "ui/models/background_task.h"
-#include "ui/models/scene_doubts.h"
+#include "ui/models/scene_uncertainty.h"
 #include "ui/views/widgets/card.h"
 
 #include <memory>

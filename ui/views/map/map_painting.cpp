@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/views/map/map_painting.h"
 
-#include "ui/models/figure_text.h"
+#include "ui/models/number_text.h"
 #include "ui/views/charts/chart_axis.h"
 #include "ui/views/charts/series_colours.h"
 #include "ui/views/widgets/theme.h"
@@ -85,21 +85,21 @@ QPointF MapPlan::fromWorld(const Eigen::Vector2d &point) const
             topMargin + (size.height() - topMargin - footHeight - sideMargin) / 2.0 - apart.y()};
 }
 
-Eigen::Vector2d MapPlan::toWorld(const QPointF &place) const
+Eigen::Vector2d MapPlan::toWorld(const QPointF &position) const
 {
-    const QPointF apart = place - fromWorld(bounds.center());
+    const QPointF apart = position - fromWorld(bounds.center());
     return bounds.center() + Eigen::Vector2d(apart.x(), -apart.y()) / scalePx();
 }
 
-void drawMapGrid(QPainter &painter, const MapPlan &plan, const QPalette &palette, bool overPicture)
+void drawMapGrid(QPainter &painter, const MapPlan &plan, const QPalette &palette, bool overImage)
 {
     const ThemeColours colours = ThemeColours::of(palette);
     const ShownUnit &unit = shownUnits().distance;
     const AxisTicks ticks = niceTicks(0, unit.perSi * plan.bounds.sizes().maxCoeff(), 7);
     const double step = ticks.step / unit.perSi;
     painter.setRenderHint(QPainter::Antialiasing, false);
-    QColor line = overPicture ? colours.muted : colours.mapGrid;
-    if (overPicture)
+    QColor line = overImage ? colours.muted : colours.mapGrid;
+    if (overImage)
         line.setAlpha(60);
     painter.setPen(QPen(line, 1));
     constexpr double leastApartPx = 4;

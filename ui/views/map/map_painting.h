@@ -4,7 +4,7 @@
 #include "core/analysis/task.h"
 #include "core/calibration/marker_layout.h"
 #include "core/project/records.h"
-#include "ui/views/charts/chart_picture.h"
+#include "ui/views/charts/chart_image.h"
 
 #include <Eigen/Geometry>
 #include <QColor>
@@ -30,11 +30,11 @@ struct MapPlan
 
     double scalePx() const; ///< logical pixels a metre
     QPointF fromWorld(const Eigen::Vector2d &point) const;
-    Eigen::Vector2d toWorld(const QPointF &place) const;
+    Eigen::Vector2d toWorld(const QPointF &position) const;
 };
 
 /// A line every round distance, and the distance at the foot.
-void drawMapGrid(QPainter &painter, const MapPlan &plan, const QPalette &palette, bool overPicture);
+void drawMapGrid(QPainter &painter, const MapPlan &plan, const QPalette &palette, bool overImage);
 /// The foot is kept calm, so that scale and legend can be read over any floor.
 void drawMapFoot(QPainter &painter, const MapPlan &plan, const QPalette &palette);
 /// The markers of a layout with their labels, outside of the field.

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/views/map/trial_map.h"
 
-#include "ui/models/figure_text.h"
-#include "ui/models/scene_doubts.h"
+#include "ui/models/number_text.h"
+#include "ui/models/scene_uncertainty.h"
 #include "ui/models/trial_scene.h"
 #include "ui/views/charts/series_colours.h"
 #include "ui/views/curves/simplified_line.h"
-#include "ui/views/map/floor_picture.h"
+#include "ui/views/map/floor_image.h"
 #include "ui/views/map/map_painting.h"
 #include "ui/views/widgets/theme.h"
 
@@ -33,18 +33,18 @@ class TrailPaintingWords
 constexpr double tolerancePx = 0.2; // less cannot be seen, and strokes cost by the point
 
 /// The path of the smoothed positions, in pieces without gaps.
-QPainterPath wayOf(const Profile &profile, const MapPlan &plan)
+QPainterPath pathOf(const Profile &profile, const MapPlan &plan)
 {
-    QPainterPath way;
+    QPainterPath pathLine;
     LineSimplifier run(tolerancePx);
     for (const ProfilePoint &point : profile.points) {
         if (point.valid)
             run.add(plan.fromWorld(point.position));
         else
-            way.addPolygon(run.take());
+            pathLine.addPolygon(run.take());
     }
-    way.addPolygon(run.take());
-    return way;
+    pathLine.addPolygon(run.take());
+    return pathLine;
 }
 
 } // namespace
@@ -67,7 +67,7 @@ void drawSpeedTrail(QPainter &painter, const MapPlan &plan, const Profile &profi
                     const QPalette &palette)
 {
     const QColor rim = isDark(palette) ? QColor(235, 238, 240, 150) : QColor(25, 30, 35, 110);
-    painter.strokePath(wayOf(profile, plan), QPen(rim, 5, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+    painter.strokePath(pathOf(profile, plan), QPen(rim, 5, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
     LineSimplifier piece(tolerancePx); // a stretch of one colour
     int pieceColour = 0;
     const auto drawPiece = [&] {
@@ -93,21 +93,22 @@ void drawSpeedTrail(QPainter &painter, const MapPlan &plan, const Profile &profi
     drawPiece();
 }
 
-void drawMapDoubts(QPainter &painter, const MapPlan &plan, const TrialScene &scene, const QPalette &palette)
+void drawMapUncertainIntervals(QPainter &painter, const MapPlan &plan, const TrialScene &scene,
+                               const QPalette &palette)
 {
     constexpr double width = 14;
     QColor haze = ThemeColours::of(palette).muted;
     haze.setAlpha(90);
-    for (const DoubtfulStretch &one : doubtfulStretches(scene)) {
+    for (const UncertainInterval &one : uncertainIntervals(scene)) {
         const Profile &profile = scene.robots[one.robot].analysis->profile;
-        LineSimplifier way(tolerancePx);
+        LineSimplifier pathLine(tolerancePx);
         for (auto i = std::ranges::lower_bound(profile.samples, one.span.begin, {}, &Sample::time) -
                       profile.samples.begin();
              i < std::ssize(profile.points) && profile.samples[std::size_t(i)].time <= one.span.end; ++i)
             if (profile.points[std::size_t(i)].valid)
-                way.add(plan.fromWorld(profile.points[std::size_t(i)].position));
+                pathLine.add(plan.fromWorld(profile.points[std::size_t(i)].position));
         painter.setPen(QPen(haze, width, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
-        painter.drawPolyline(way.take());
+        painter.drawPolyline(pathLine.take());
     }
 }
 
@@ -157,7 +158,7 @@ void drawSpeedLegend(QPainter &painter, const MapPlan &plan, double topMps, cons
         palette);
 }
 
-void drawMapFloor(QPainter &painter, const MapPlan &plan, const TrialScene &scene, const FloorPicture &floor,
+void drawMapFloor(QPainter &painter, const MapPlan &plan, const TrialScene &scene, const FloorImage &floor,
                   double opacity, const QPalette &palette)
 {
     painter.setRenderHint(QPainter::SmoothPixmapTransform);
@@ -178,7 +179,7 @@ void drawMapFloor(QPainter &painter, const MapPlan &plan, const TrialScene &scen
             [&plan](const Eigen::Vector2d &point) { return plan.fromWorld(point); }, palette);
 }
 
-void drawMapGround(QPainter &painter, const MapPlan &plan, const TrialScene &scene, const FloorPicture &floor,
+void drawMapGround(QPainter &painter, const MapPlan &plan, const TrialScene &scene, const FloorImage &floor,
                    const QPalette &palette)
 {
     constexpr double muted = 0.55; // the trail comes first
@@ -187,7 +188,7 @@ void drawMapGround(QPainter &painter, const MapPlan &plan, const TrialScene &sce
         drawReferencePath(
             painter, scene.task->path,
             [&plan](const Eigen::Vector2d &point) { return plan.fromWorld(point); }, palette);
-    drawMapDoubts(painter, plan, scene, palette);
+    drawMapUncertainIntervals(painter, plan, scene, palette);
 }
 
 void drawMapMarks(QPainter &painter, const MapPlan &plan, const TrialScene &scene, const QPalette &palette)
@@ -206,7 +207,7 @@ void drawTrialRobots(QPainter &painter, const MapPlan &plan, const TrialScene &s
                      const QPalette &palette)
 {
     const bool alone = scene.robots.size() == 1;
-    const std::vector<int> places = colourPlaces(scene);
+    const std::vector<int> positions = paletteIndices(scene);
     for (std::size_t robot = 0; robot < scene.robots.size(); ++robot) {
         const SceneRobot &shown = scene.robots[robot];
         const std::ptrdiff_t index = shown.analysis ? pointIndexAt(shown.analysis->profile, time) : -1;
@@ -220,7 +221,7 @@ void drawTrialRobots(QPainter &painter, const MapPlan &plan, const TrialScene &s
                       point.sigmaYM,
                       drivenHeadingAt(profile, index),
                       alone ? drawnColour(shown.robot.drawingColour, ThemeColours::of(palette).spike, palette)
-                            : seriesColour(places[robot], palette),
+                            : seriesColour(positions[robot], palette),
                       {},
                       scene.referenceM(robot)};
         if (!alone)
@@ -234,9 +235,9 @@ namespace {
 constexpr double gateHalfPx = 17, closestPx = 0.8;
 constexpr int mostDashed = 20000; // points of a way
 
-QPainterPath runWayOf(const Profile &profile, const MapPlan &plan)
+QPainterPath runPathOf(const Profile &profile, const MapPlan &plan)
 {
-    QPainterPath way;
+    QPainterPath pathLine;
     std::optional<QPointF> last;
     for (const ProfilePoint &point : profile.points) {
         if (!point.valid) {
@@ -245,30 +246,30 @@ QPainterPath runWayOf(const Profile &profile, const MapPlan &plan)
         }
         const QPointF at = plan.fromWorld(point.position);
         if (!last)
-            way.moveTo(at);
+            pathLine.moveTo(at);
         else if (QLineF(*last, at).length() < closestPx)
             continue;
         else
-            way.lineTo(at);
+            pathLine.lineTo(at);
         last = at;
     }
-    return way;
+    return pathLine;
 }
 
 } // namespace
 
-void drawWays(QPainter &painter, const MapPlan &plan, const ComparisonScene &scene,
-              const std::vector<std::size_t> &runs, const QPalette &palette)
+void drawPaths(QPainter &painter, const MapPlan &plan, const ComparisonScene &scene,
+               const std::vector<std::size_t> &runs, const QPalette &palette)
 {
     for (auto each = runs.rbegin(); each != runs.rend(); ++each) {
         const std::size_t run = *each;
-        const QPainterPath way = runWayOf(scene.profile(run), plan);
+        const QPainterPath pathLine = runPathOf(scene.profile(run), plan);
         // Dashes of a very long way take long to paint, and cover one another.
-        const Qt::PenStyle dash = way.elementCount() < mostDashed ? seriesDash(int(run)) : Qt::SolidLine;
+        const Qt::PenStyle dash = pathLine.elementCount() < mostDashed ? seriesDash(int(run)) : Qt::SolidLine;
         QColor rim = ThemeColours::of(palette).mapGround;
         rim.setAlpha(170);
-        painter.strokePath(way, QPen(rim, 4.5, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
-        painter.strokePath(way,
+        painter.strokePath(pathLine, QPen(rim, 4.5, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+        painter.strokePath(pathLine,
                            QPen(seriesColour(int(run), palette), 2.2, dash, Qt::RoundCap, Qt::RoundJoin));
     }
 }

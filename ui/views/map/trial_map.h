@@ -24,7 +24,8 @@ double topSpeedMps(const TrialScene &scene);
 void drawSpeedTrail(QPainter &painter, const MapPlan &plan, const Profile &profile, double topMps,
                     const QPalette &palette);
 /// A haze under the trail where less than usual is known of a robot.
-void drawMapDoubts(QPainter &painter, const MapPlan &plan, const TrialScene &scene, const QPalette &palette);
+void drawMapUncertainIntervals(QPainter &painter, const MapPlan &plan, const TrialScene &scene,
+                               const QPalette &palette);
 /// A triangle where each spike was measured, or else where the curve is then.
 void drawMapSpikes(QPainter &painter, const MapPlan &plan, const Profile &profile, const QPalette &palette);
 
@@ -33,7 +34,7 @@ void drawScaleLegend(QPainter &painter, const MapPlan &plan, const QString &word
 /// The same for speeds, in the unit that is shown; nothing where the top is 0.
 void drawSpeedLegend(QPainter &painter, const MapPlan &plan, double topMps, const QPalette &palette);
 
-struct FloorPicture;
+struct FloorImage;
 
 /// The parts of a trial's map in the order of painting, for the screen and for whatever else shows it:
 /// ground, trails (trail_painting.h), marks, legend, robots. In logical pixels, with the painter's font; on a
@@ -41,10 +42,10 @@ struct FloorPicture;
 
 /// The floor's image (perhaps none), as strong as `opacity` says, a calm foot for the scale, the grid, the
 /// markers, and the task's zones.
-void drawMapFloor(QPainter &painter, const MapPlan &plan, const TrialScene &scene, const FloorPicture &floor,
+void drawMapFloor(QPainter &painter, const MapPlan &plan, const TrialScene &scene, const FloorImage &floor,
                   double opacity, const QPalette &palette);
 /// That, the task's path, and a haze where less than usual is known of a robot.
-void drawMapGround(QPainter &painter, const MapPlan &plan, const TrialScene &scene, const FloorPicture &floor,
+void drawMapGround(QPainter &painter, const MapPlan &plan, const TrialScene &scene, const FloorImage &floor,
                    const QPalette &palette);
 /// Gates and spikes.
 void drawMapMarks(QPainter &painter, const MapPlan &plan, const TrialScene &scene, const QPalette &palette);
@@ -53,8 +54,8 @@ void drawTrialRobots(QPainter &painter, const MapPlan &plan, const TrialScene &s
                      const QPalette &palette);
 
 /// The paths of these runs in their colours and dashes, the first one on top.
-void drawWays(QPainter &painter, const MapPlan &plan, const ComparisonScene &scene,
-              const std::vector<std::size_t> &runs, const QPalette &palette);
+void drawPaths(QPainter &painter, const MapPlan &plan, const ComparisonScene &scene,
+               const std::vector<std::size_t> &runs, const QPalette &palette);
 
 /// Where a gate of the common path lies across it on the map.
 QLineF pathGateLine(const MapPlan &plan, const ReferencePath &path, const PathGate &gate);

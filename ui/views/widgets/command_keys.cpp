@@ -41,13 +41,13 @@ QPushButton *plainButton(const QString &text)
 }
 
 void addUndoKeys(QWidget &dialog, OwnChanges &changes,
-                 const std::function<void(const Result<QString> &)> &tell)
+                 const std::function<void(const Result<QString> &)> &showOutcome)
 {
     const auto add = [&](const QKeySequence &keys, Result<QString> (OwnChanges::*what)()) {
         auto *action = new QAction(&dialog);
         action->setShortcut(keys);
         QObject::connect(action, &QAction::triggered, &dialog,
-                         [&changes, what, tell] { tell((changes.*what)()); });
+                         [&changes, what, showOutcome] { showOutcome((changes.*what)()); });
         dialog.addAction(action);
     };
     add(QKeySequence(Qt::CTRL | Qt::Key_Z), &OwnChanges::undo);

@@ -39,6 +39,6 @@ QPushButton *plainButton(const QString &text);
 /// Gives a dialog the keys to undo (Ctrl+Z) and redo (Ctrl+Shift+Z) its changes; tell gets the outcome. The
 /// changes must outlive the dialog's keys. GUI thread.
 void addUndoKeys(QWidget &dialog, OwnChanges &changes,
-                 const std::function<void(const Result<QString> &)> &tell);
+                 const std::function<void(const Result<QString> &)> &showOutcome);
 
 } // namespace odo

@@ -60,13 +60,13 @@ namespace {
 /// Raised when docks come or go: an arrangement of another version is not restored.
 constexpr int layoutVersion = 1;
 constexpr int gap = 8;
-constexpr int pictureWidth = 350, mapWidth = 320;
+constexpr int imageWidth = 350, mapWidth = 320;
 
 QString layoutKey(const QString &mode)
 {
     return mode + QStringLiteral("/layout");
 }
-QString picturesKey(const QString &mode)
+QString imagesKey(const QString &mode)
 {
     return mode + QStringLiteral("/pictures");
 }
@@ -74,15 +74,15 @@ QString picturesKey(const QString &mode)
 } // namespace
 
 DockDesk::DockDesk(const QString &mode, QWidget *parent)
-    : QMainWindow(parent), m_mode(mode), m_pictures(new QSplitter)
+    : QMainWindow(parent), m_mode(mode), m_images(new QSplitter)
 {
     setWindowFlags(Qt::Widget);
     setDockNestingEnabled(true);
     setContextMenuPolicy(Qt::NoContextMenu);
-    m_pictures->setHandleWidth(gap);
-    m_pictures->setChildrenCollapsible(false);
-    m_pictures->setMinimumHeight(160);
-    setCentralWidget(m_pictures);
+    m_images->setHandleWidth(gap);
+    m_images->setChildrenCollapsible(false);
+    m_images->setMinimumHeight(160);
+    setCentralWidget(m_images);
 }
 
 void DockDesk::addDock(QWidget *content, const QString &name, const QString &title, int percent)
@@ -101,7 +101,7 @@ void DockDesk::saveLayout() const
         return;
     QSettings settings;
     settings.setValue(layoutKey(m_mode), saveState(layoutVersion));
-    settings.setValue(picturesKey(m_mode), m_pictures->saveState());
+    settings.setValue(imagesKey(m_mode), m_images->saveState());
 }
 
 void DockDesk::restoreLayout()
@@ -110,7 +110,7 @@ void DockDesk::restoreLayout()
     if (!restoreState(settings.value(layoutKey(m_mode)).toByteArray(), layoutVersion))
         resetLayout();
     else
-        m_pictures->restoreState(settings.value(picturesKey(m_mode)).toByteArray());
+        m_images->restoreState(settings.value(imagesKey(m_mode)).toByteArray());
 }
 
 void DockDesk::resetLayout()
@@ -129,15 +129,15 @@ void DockDesk::resetLayout()
         heights << height() * dock.percent / 100;
     }
     resizeDocks(docks, heights, Qt::Vertical);
-    evenPictures();
+    equaliseViews();
 }
 
-void DockDesk::evenPictures()
+void DockDesk::equaliseViews()
 {
-    QList<int> widths(m_pictures->count(), pictureWidth);
+    QList<int> widths(m_images->count(), imageWidth);
     if (!widths.isEmpty())
         widths.last() = mapWidth;
-    m_pictures->setSizes(widths);
+    m_images->setSizes(widths);
 }
 
 QList<QAction *> DockDesk::dockActions() const

@@ -28,9 +28,9 @@ public:
 
 protected:
     /// What is side by side in the middle.
-    QSplitter &middle() const { return *m_pictures; }
+    QSplitter &middle() const { return *m_images; }
     /// Widths as they are at first: all images alike, the map, which is the last, a little narrower.
-    void evenPictures();
+    void equaliseViews();
     /// Below those before it. name: for the arrangement that is kept; percent: of the desk's height, at
     /// first.
     void addDock(QWidget *content, const QString &name, const QString &title, int percent);
@@ -47,7 +47,7 @@ private:
     void restoreLayout();
 
     const QString m_mode;
-    QSplitter *m_pictures;
+    QSplitter *m_images;
     std::vector<Dock> m_docks;
     bool m_restored = false;
 };

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/views/widgets/fact_list.h"
 
-#include "ui/models/figure_text.h"
+#include "ui/models/number_text.h"
 #include "ui/models/results.h"
 #include "ui/models/shown_message.h"
 #include "ui/models/shown_names.h"
@@ -172,29 +172,29 @@ QScrollArea *scrolled(FactList *facts, const QString &accessibleName)
 namespace {
 
 constexpr int columnCount = 2;
-constexpr int figurePadding = 10;
+constexpr int metricPadding = 10;
 
 } // namespace
 
-FigureGrid::FigureGrid(QWidget *parent) : QWidget(parent)
+MetricGrid::MetricGrid(QWidget *parent) : QWidget(parent)
 {
     setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Minimum);
     setAccessibleName(tr("Metrics"));
 }
 
-void FigureGrid::setFigures(std::vector<NamedFigure> figures)
+void MetricGrid::setMetrics(std::vector<NamedMetric> named)
 {
-    m_figures = std::move(figures);
+    m_metrics = std::move(named);
     m_current = 0;
     QStringList words;
-    for (const NamedFigure &each : m_figures)
-        words += QStringLiteral("%1: %2").arg(each.name, each.figure.text());
+    for (const NamedMetric &each : m_metrics)
+        words += QStringLiteral("%1: %2").arg(each.name, each.number.text());
     setAccessibleDescription(words.join(QStringLiteral("; ")));
     updateGeometry();
     update();
 }
 
-void FigureGrid::setChoosable(const QString &toolTip)
+void MetricGrid::setChoosable(const QString &toolTip)
 {
     m_isChoosable = true;
     setFocusPolicy(Qt::StrongFocus);
@@ -202,14 +202,14 @@ void FigureGrid::setChoosable(const QString &toolTip)
     setToolTip(toolTip);
 }
 
-QRect FigureGrid::cellOf(std::size_t figure) const
+QRect MetricGrid::cellOf(std::size_t index) const
 {
-    const int row = static_cast<int>(figure) / columnCount, column = static_cast<int>(figure) % columnCount;
+    const int row = static_cast<int>(index) / columnCount, column = static_cast<int>(index) % columnCount;
     const int cellWidth = width() / columnCount;
     return {column * cellWidth, row * rowHeight(), cellWidth, rowHeight()};
 }
 
-bool FigureGrid::wants(const QKeyEvent &event) const
+bool MetricGrid::wants(const QKeyEvent &event) const
 {
     switch (event.key()) {
     case Qt::Key_Left:
@@ -219,13 +219,13 @@ bool FigureGrid::wants(const QKeyEvent &event) const
     case Qt::Key_Return:
     case Qt::Key_Enter:
     case Qt::Key_Space:
-        return m_isChoosable && !m_figures.empty() && event.modifiers() == Qt::NoModifier;
+        return m_isChoosable && !m_metrics.empty() && event.modifiers() == Qt::NoModifier;
     default:
         return false;
     }
 }
 
-bool FigureGrid::event(QEvent *event)
+bool MetricGrid::event(QEvent *event)
 {
     // Before the time line, whose keys some of these are.
     if (event->type() == QEvent::ShortcutOverride && wants(*static_cast<QKeyEvent *>(event))) {
@@ -235,7 +235,7 @@ bool FigureGrid::event(QEvent *event)
     return QWidget::event(event);
 }
 
-void FigureGrid::keyPressEvent(QKeyEvent *event)
+void MetricGrid::keyPressEvent(QKeyEvent *event)
 {
     if (!wants(*event)) {
         QWidget::keyPressEvent(event);
@@ -243,7 +243,7 @@ void FigureGrid::keyPressEvent(QKeyEvent *event)
     }
     const auto move = [this](int by) {
         const int wanted = static_cast<int>(m_current) + by;
-        if (wanted >= 0 && wanted < static_cast<int>(m_figures.size()))
+        if (wanted >= 0 && wanted < static_cast<int>(m_metrics.size()))
             m_current = static_cast<std::size_t>(wanted);
         update();
     };
@@ -261,9 +261,9 @@ void FigureGrid::keyPressEvent(QKeyEvent *event)
     }
 }
 
-void FigureGrid::mouseReleaseEvent(QMouseEvent *event)
+void MetricGrid::mouseReleaseEvent(QMouseEvent *event)
 {
-    for (std::size_t i = 0; m_isChoosable && event->button() == Qt::LeftButton && i < m_figures.size(); ++i)
+    for (std::size_t i = 0; m_isChoosable && event->button() == Qt::LeftButton && i < m_metrics.size(); ++i)
         if (cellOf(i).contains(event->position().toPoint())) {
             m_current = i;
             update();
@@ -272,34 +272,34 @@ void FigureGrid::mouseReleaseEvent(QMouseEvent *event)
         }
 }
 
-int FigureGrid::rowCount() const
+int MetricGrid::rowCount() const
 {
-    return std::max(1, (static_cast<int>(m_figures.size()) + columnCount - 1) / columnCount);
+    return std::max(1, (static_cast<int>(m_metrics.size()) + columnCount - 1) / columnCount);
 }
 
-QFont FigureGrid::valueFont() const
+QFont MetricGrid::valueFont() const
 {
     QFont large = font();
     large.setPointSizeF(font().pointSizeF() * 1.55);
     return large;
 }
 
-int FigureGrid::rowHeight() const
+int MetricGrid::rowHeight() const
 {
-    return figurePadding + fontMetrics().height() + QFontMetrics(valueFont()).height() + figurePadding - 4;
+    return metricPadding + fontMetrics().height() + QFontMetrics(valueFont()).height() + metricPadding - 4;
 }
 
-QSize FigureGrid::sizeHint() const
+QSize MetricGrid::sizeHint() const
 {
     return {columnCount * fontMetrics().averageCharWidth() * 24, rowCount() * rowHeight()};
 }
 
-QSize FigureGrid::minimumSizeHint() const
+QSize MetricGrid::minimumSizeHint() const
 {
     return {columnCount * fontMetrics().averageCharWidth() * 18, rowCount() * rowHeight()};
 }
 
-QFont FigureGrid::fittingFont(const QString &text, int width) const
+QFont MetricGrid::fittingFont(const QString &text, int width) const
 {
     // A value must never lose its end; it shrinks instead.
     const double natural = QFontMetricsF(font()).horizontalAdvance(text);
@@ -309,39 +309,39 @@ QFont FigureGrid::fittingFont(const QString &text, int width) const
     return fitting;
 }
 
-void FigureGrid::paintFigure(QPainter &painter, const NamedFigure &figure, const QRect &cell) const
+void MetricGrid::paintMetric(QPainter &painter, const NamedMetric &metric, const QRect &cell) const
 {
     const ThemeColours colours = ThemeColours::of(palette());
-    const QRect inner = cell.adjusted(figurePadding, figurePadding - 2, -4, 0);
+    const QRect inner = cell.adjusted(metricPadding, metricPadding - 2, -4, 0);
     painter.setFont(font());
     painter.setPen(colours.muted);
     painter.drawText(inner, Qt::AlignLeft | Qt::AlignTop,
-                     fontMetrics().elidedText(figure.name, Qt::ElideRight, inner.width()));
+                     fontMetrics().elidedText(metric.name, Qt::ElideRight, inner.width()));
     const QFont large = valueFont();
     const QFontMetrics largeMetrics(large);
     const int baseline = inner.top() + fontMetrics().height() + largeMetrics.ascent();
     painter.setFont(large);
     painter.setPen(colours.text);
-    painter.drawText(inner.left(), baseline, figure.figure.value);
-    const int left = inner.left() + largeMetrics.horizontalAdvance(figure.figure.value) + 6;
+    painter.drawText(inner.left(), baseline, metric.number.value);
+    const int left = inner.left() + largeMetrics.horizontalAdvance(metric.number.value) + 6;
     painter.setPen(colours.muted);
-    painter.setFont(fittingFont(figure.figure.smallPrint(), inner.right() - left));
-    painter.drawText(left, baseline, figure.figure.smallPrint());
+    painter.setFont(fittingFont(metric.number.smallPrint(), inner.right() - left));
+    painter.drawText(left, baseline, metric.number.smallPrint());
 }
 
-void FigureGrid::paintEvent(QPaintEvent *)
+void MetricGrid::paintEvent(QPaintEvent *)
 {
     QPainter painter(this);
     const ThemeColours colours = ThemeColours::of(palette());
-    if (m_figures.empty()) {
+    if (m_metrics.empty()) {
         painter.setPen(colours.muted);
-        painter.drawText(rect().adjusted(figurePadding, 0, -figurePadding, 0),
+        painter.drawText(rect().adjusted(metricPadding, 0, -metricPadding, 0),
                          Qt::AlignCenter | Qt::TextWordWrap, tr("No result yet: track the trial"));
         return;
     }
     const int height = rowHeight(), columnWidth = width() / columnCount;
-    for (std::size_t i = 0; i < m_figures.size(); ++i)
-        paintFigure(painter, m_figures[i], cellOf(i));
+    for (std::size_t i = 0; i < m_metrics.size(); ++i)
+        paintMetric(painter, m_metrics[i], cellOf(i));
     for (int row = 1; row < rowCount(); ++row)
         painter.fillRect(0, row * height, width(), 1, colours.border);
     painter.fillRect(columnWidth, 0, 1, rowCount() * height, colours.border);
@@ -352,11 +352,11 @@ void FigureGrid::paintEvent(QPaintEvent *)
 }
 
 namespace {
-constexpr std::size_t shownFigures = 6;
+constexpr std::size_t shownMetrics = 6;
 }
 
 ResultPanel::ResultPanel(QWidget *parent)
-    : Card(tr("Result"), parent), m_grid(new FigureGrid(this)), m_robots(new QComboBox(this))
+    : Card(tr("Result"), parent), m_grid(new MetricGrid(this)), m_robots(new QComboBox(this))
 {
     setContent(m_grid);
     setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Maximum);
@@ -365,11 +365,11 @@ ResultPanel::ResultPanel(QWidget *parent)
     addToHeader(m_robots);
     connect(m_robots, &QComboBox::currentIndexChanged, this, &ResultPanel::showRobot);
     m_grid->setChoosable(howComputedWords());
-    connect(m_grid, &FigureGrid::chosen, this, [this](std::size_t figure) {
+    connect(m_grid, &MetricGrid::chosen, this, [this](std::size_t index) {
         const std::size_t scored = m_score ? 1 : 0; // the score comes first
-        showExplanation(window(), figure < scored
+        showExplanation(window(), index < scored
                                       ? explainScore(*m_score, analysisInputs(*m_scene, m_robot))
-                                      : explainMetric(*m_scene, m_robot, m_shown.at(figure - scored)));
+                                      : explainMetric(*m_scene, m_robot, m_shown.at(index - scored)));
     });
 }
 
@@ -388,7 +388,7 @@ void ResultPanel::showRobot(int robot)
 {
     const bool known = m_scene && robot >= 0 && robot < static_cast<int>(m_scene->robots.size());
     if (!known) {
-        m_grid->setFigures({});
+        m_grid->setMetrics({});
         setRemark({});
         return;
     }
@@ -399,16 +399,17 @@ void ResultPanel::showRobot(int robot)
     if (m_robots->count() == 1)
         remark += tr("robot “%1”").arg(QString::fromStdString(shown.robot.name));
     setRemark(remark.join(QStringLiteral(" · ")));
-    std::vector<NamedFigure> figures;
+    std::vector<NamedMetric> named;
     m_robot = static_cast<std::size_t>(robot);
     m_score = scoreOf(*m_scene, m_robot);
     if (m_score)
-        figures.push_back({metricName("score"), scoreFigure(*m_score)});
-    m_shown = shown.analysis ? tellingMetrics(shown.analysis->profile.metrics, shownFigures - figures.size())
-                             : std::vector<Metric>();
+        named.push_back({metricName("score"), scoreNumber(*m_score)});
+    m_shown = shown.analysis
+                  ? informativeMetrics(shown.analysis->profile.metrics, shownMetrics - named.size())
+                  : std::vector<Metric>();
     for (const Metric &metric : m_shown)
-        figures.push_back({metricName(metric.name), metricFigure(metric)});
-    m_grid->setFigures(std::move(figures));
+        named.push_back({metricName(metric.name), metricNumber(metric)});
+    m_grid->setMetrics(std::move(named));
 }
 
 } // namespace odo

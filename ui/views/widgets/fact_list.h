@@ -2,7 +2,7 @@
 #pragma once
 
 #include "ui/models/explanation.h"
-#include "ui/models/figure_text.h"
+#include "ui/models/number_text.h"
 #include "ui/models/trial_scene.h"
 #include "ui/views/widgets/card.h"
 
@@ -57,20 +57,20 @@ private:
 /// A frameless scroll area for a card, with the facts at its top.
 QScrollArea *scrolled(FactList *facts, const QString &accessibleName);
 
-struct NamedFigure
+struct NamedMetric
 {
     QString name;
-    FigureText figure;
+    NumberText number;
 };
 
 /// Large metrics in two columns, divided by thin lines: name above, value large, unit and ± small beside it.
 /// If they can be chosen (setChoosable), a click on one does, or the arrow keys and Enter.
-class FigureGrid : public QWidget
+class MetricGrid : public QWidget
 {
     Q_OBJECT
 public:
-    explicit FigureGrid(QWidget *parent = nullptr);
-    void setFigures(std::vector<NamedFigure> figures);
+    explicit MetricGrid(QWidget *parent = nullptr);
+    void setMetrics(std::vector<NamedMetric> metrics);
     /// toolTip: what choosing a metric does.
     void setChoosable(const QString &toolTip);
 
@@ -78,7 +78,7 @@ public:
     QSize minimumSizeHint() const override;
 
 Q_SIGNALS:
-    void chosen(std::size_t figure);
+    void chosen(std::size_t index);
 
 protected:
     bool event(QEvent *event) override;
@@ -91,17 +91,17 @@ private:
     int rowHeight() const;
     QFont valueFont() const;
     QFont fittingFont(const QString &text, int width) const;
-    void paintFigure(QPainter &painter, const NamedFigure &figure, const QRect &cell) const;
+    void paintMetric(QPainter &painter, const NamedMetric &metric, const QRect &cell) const;
 
-    QRect cellOf(std::size_t figure) const;
+    QRect cellOf(std::size_t index) const;
     bool wants(const QKeyEvent &event) const;
 
-    std::vector<NamedFigure> m_figures;
+    std::vector<NamedMetric> m_metrics;
     std::size_t m_current = 0; ///< that Enter chooses
     bool m_isChoosable = false;
 };
 
-class FigureGrid;
+class MetricGrid;
 
 /// The metrics of one robot's run, two in a row, each with its unit and ±. Choosing one explains how it was
 /// computed.
@@ -119,7 +119,7 @@ private:
     std::size_t m_robot = 0;
     std::optional<Score> m_score; ///< before the others
     std::vector<Metric> m_shown;
-    FigureGrid *m_grid;
+    MetricGrid *m_grid;
     QComboBox *m_robots; ///< shown for more than one robot
 };
 

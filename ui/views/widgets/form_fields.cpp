@@ -2,7 +2,7 @@
 #include "ui/views/widgets/form_fields.h"
 
 #include "ui/models/camera_lists.h"
-#include "ui/models/figure_text.h"
+#include "ui/models/number_text.h"
 #include "ui/models/shown_message.h"
 
 #include <QCoreApplication>
@@ -99,7 +99,7 @@ void LiveCameraBox::fill()
                     QString::fromStdString(camera.uri));
         }
         if (count() == 0)
-            addItem(m_cameras.isLooking() ? tr("Searching for cameras…") : tr("No camera is connected"),
+            addItem(m_cameras.isSearching() ? tr("Searching for cameras…") : tr("No camera is connected"),
                     QString());
         setCurrentIndex(std::max(0, findData(chosen)));
     }
@@ -109,15 +109,15 @@ void LiveCameraBox::fill()
 /// While it is typed, a sign that parts thousands may still become anything.
 QValidator::State NumberBox::validate(QString &text, int &position) const
 {
-    const bool isOpen = isReadTwoWays(text, locale()) || withDecimalSign(text, locale()) != text;
+    const bool isOpen = isAmbiguousNumber(text, locale()) || withDecimalSign(text, locale()) != text;
     return isOpen ? QValidator::Intermediate : QDoubleSpinBox::validate(text, position);
 }
 
 /// Qt's would take the signs away that part thousands.
 void NumberBox::fixup(QString &text) const
 {
-    text = isReadTwoWays(text, locale()) ? prefix() + textFromValue(m_before) + suffix()
-                                         : withDecimalSign(text, locale());
+    text = isAmbiguousNumber(text, locale()) ? prefix() + textFromValue(m_before) + suffix()
+                                             : withDecimalSign(text, locale());
 }
 
 /// The number counts while it is typed: of "1.234" a one is taken first.
@@ -151,13 +151,13 @@ public:
     /// replacing it.
     bool isAllowed(const ChosenOutput &chosen, FileKind kind, bool wasAsked) const
     {
-        const auto place = checkOutput(chosen.target, std::nullopt);
-        if (!place) {
-            show(QMessageBox::Warning, errorInWords(place.error()), QMessageBox::Ok);
+        const auto location = checkOutput(chosen.target, std::nullopt);
+        if (!location) {
+            show(QMessageBox::Warning, errorInWords(location.error()), QMessageBox::Ok);
             return false;
         }
-        const bool isOther = place->exists && place->kind != FileKind::Empty && place->kind != kind;
-        if (!place->exists || (wasAsked && !isOther))
+        const bool isOther = location->exists && location->kind != FileKind::Empty && location->kind != kind;
+        if (!location->exists || (wasAsked && !isOther))
             return true;
         const QString file = QDir::toNativeSeparators(chosen.file);
         return show(QMessageBox::Question,

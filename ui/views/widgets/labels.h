@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "ui/models/figure_text.h"
+#include "ui/models/number_text.h"
 
 #include <QLabel>
 #include <QString>

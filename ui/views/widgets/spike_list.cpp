@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/views/widgets/spike_list.h"
 
-#include "ui/models/scene_doubts.h"
+#include "ui/models/scene_uncertainty.h"
 #include "ui/models/timeline.h"
 
 #include "ui/views/widgets/fact_list.h"
@@ -41,10 +41,10 @@ public:
                               colours.accent);
         painter->setFont(option.font);
         painter->setPen(index.data(SpikeModel::RestoredRole).toBool() ? colours.muted : colours.text);
-        const QRect place = option.rect.adjusted(padding, 0, -padding / 2, 0);
+        const QRect position = option.rect.adjusted(padding, 0, -padding / 2, 0);
         const QString text = index.data().toString();
-        painter->drawText(place, index.data(Qt::TextAlignmentRole).value<Qt::Alignment>(),
-                          option.fontMetrics.elidedText(text, Qt::ElideRight, place.width()));
+        painter->drawText(position, index.data(Qt::TextAlignmentRole).value<Qt::Alignment>(),
+                          option.fontMetrics.elidedText(text, Qt::ElideRight, position.width()));
     }
     QSize sizeHint(const QStyleOptionViewItem &option, const QModelIndex &index) const override
     {

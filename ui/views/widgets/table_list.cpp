@@ -87,7 +87,7 @@ int shrink(QHeaderView &header, const QList<int> &columns, int least, int missin
 
 } // namespace
 
-void fitColumns(QTableView &table, int taking, const QList<int> &givingWay)
+void fitColumns(QTableView &table, int taking, const QList<int> &shrinkable)
 {
     table.resizeColumnsToContents();
     QHeaderView &header = *table.horizontalHeader();
@@ -96,9 +96,9 @@ void fitColumns(QTableView &table, int taking, const QList<int> &givingWay)
     if (spare > 0)
         return header.resizeSection(taking, header.sectionSize(taking) + spare);
     int missing = -spare;
-    missing = shrink(header, givingWay, enough, missing);
-    missing = shrink(header, givingWay.mid(1), least, missing);
-    shrink(header, givingWay, least, missing);
+    missing = shrink(header, shrinkable, enough, missing);
+    missing = shrink(header, shrinkable.mid(1), least, missing);
+    shrink(header, shrinkable, least, missing);
 }
 
 } // namespace odo

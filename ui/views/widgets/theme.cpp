@@ -110,7 +110,7 @@ ThemeColours ThemeColours::of(const QPalette &palette)
     colours.point = QColor(dark ? 0xffa8b2bc : 0xff7d8894);
     colours.bubble = QColor(dark ? 0xffe6eaee : 0xff20262c);
     colours.bubbleText = QColor(dark ? 0xff1b2127 : 0xffffffff);
-    colours.pictureGround = QColor(dark ? 0xff14181b : 0xffe3e8ec);
+    colours.imageBackground = QColor(dark ? 0xff14181b : 0xffe3e8ec);
     colours.mapGround = QColor(dark ? 0xff262b2f : 0xfff2f1ec);
     colours.mapGrid = QColor(dark ? 0xff3b4248 : 0xffdcdad2);
     return colours;
@@ -142,8 +142,8 @@ QColor seriesColour(int index, const QPalette &palette)
                                                   0xffcc79a7, 0xffe69f00, 0xff56b4e9};
     static constexpr std::array<QRgb, 6> dark = {0xff56b4e9, 0xfff0803c, 0xff2fc497,
                                                  0xffe09fc4, 0xfff0b429, 0xff3d8fd1};
-    const auto place = static_cast<std::size_t>(index) % light.size();
-    return QColor(isDark(palette) ? dark[place] : light[place]);
+    const auto position = static_cast<std::size_t>(index) % light.size();
+    return QColor(isDark(palette) ? dark[position] : light[position]);
 }
 
 Qt::PenStyle seriesDash(int index)
@@ -186,9 +186,9 @@ QColor scaleColour(double fraction, ColourScale scale)
     const std::span<const QRgb> anchors =
         scale == ColourScale::Viridis ? std::span<const QRgb>(viridis) : cividis;
     const double last = static_cast<double>(anchors.size() - 1);
-    const double place = std::clamp(std::isfinite(fraction) ? fraction : 0.0, 0.0, 1.0) * last;
-    const auto lower = std::min(static_cast<std::size_t>(place), anchors.size() - 2);
-    const double part = place - static_cast<double>(lower);
+    const double position = std::clamp(std::isfinite(fraction) ? fraction : 0.0, 0.0, 1.0) * last;
+    const auto lower = std::min(static_cast<std::size_t>(position), anchors.size() - 2);
+    const double part = position - static_cast<double>(lower);
     const auto mix = [part](int a, int b) { return static_cast<int>(std::lround(a + part * (b - a))); };
     const QRgb a = anchors[lower], b = anchors[lower + 1];
     return QColor(mix(qRed(a), qRed(b)), mix(qGreen(a), qGreen(b)), mix(qBlue(a), qBlue(b)));

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "ui/models/figure_text.h"
+#include "ui/models/number_text.h"
 
 #include <QColor>
 #include <QIcon>
@@ -30,7 +30,7 @@ struct ThemeColours
     QColor spike;     ///< always with a triangle
     QColor point;     ///< measured points
     QColor bubble, bubbleText;
-    QColor pictureGround; ///< around a letter-boxed image; text and muted can be read on it
+    QColor imageBackground; ///< around a letter-boxed image; text and muted can be read on it
     QColor mapGround, mapGrid;
 
     static ThemeColours of(const QPalette &palette);

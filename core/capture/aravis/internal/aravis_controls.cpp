@@ -177,13 +177,13 @@ HeldAutomatics holdAravisAutomatics(ArvCamera *camera)
             continue;
         }
         const auto choice = std::ranges::find(control->choices, off);
-        const auto place = static_cast<double>(choice - control->choices.begin());
+        const auto location = static_cast<double>(choice - control->choices.begin());
         const bool isOff = choice != control->choices.end() &&
-                           (control->value == place || setAravisControl(camera, {}, feature.id, place));
-        if (isOff && control->value != place)
+                           (control->value == location || setAravisControl(camera, {}, feature.id, location));
+        if (isOff && control->value != location)
             held.automatics.emplace_back(feature.id, control->value);
         if (isOff)
-            held.settings.emplace_back(feature.id, place);
+            held.settings.emplace_back(feature.id, location);
         else
             held.notHeld.push_back(foreignWords(feature.name));
     }

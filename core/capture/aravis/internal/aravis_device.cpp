@@ -149,21 +149,21 @@ Nanoseconds ticksToTime(std::int64_t ticks, std::int64_t perSecond)
 
 } // namespace
 
-Result<AravisPlace> AravisDevice::find(const AravisAddress &address)
+Result<AravisLocation> AravisDevice::find(const AravisAddress &address)
 {
-    if (isIpAddress(address.place)) {
-        const auto camera = whoIsAt(address.place);
+    if (isIpAddress(address.location)) {
+        const auto camera = whoIsAt(address.location);
         if (!camera)
             return noAnswerTo(address);
-        return AravisPlace{camera->address, true, camera->vendor, camera->model, camera->serial};
+        return AravisLocation{camera->address, true, camera->vendor, camera->model, camera->serial};
     }
     for (const UsbVisionCamera &camera : AravisLibrary::instance().usbCameras()) {
-        if (camera.serial == address.place)
-            return AravisPlace{camera.id, false, camera.vendor, camera.model, camera.serial};
+        if (camera.serial == address.location)
+            return AravisLocation{camera.id, false, camera.vendor, camera.model, camera.serial};
     }
     for (const GvcpCamera &camera : discoverGvcpCameras()) {
-        if (camera.serial == address.place)
-            return AravisPlace{camera.address, true, camera.vendor, camera.model, camera.serial};
+        if (camera.serial == address.location)
+            return AravisLocation{camera.address, true, camera.vendor, camera.model, camera.serial};
     }
     return fail(ErrorCode::Unavailable, cameraAtAddress(address.uri),
                 ODO_TEXT("capture.serial_does_not_answer", "no camera of this serial number answers"),
@@ -171,11 +171,11 @@ Result<AravisPlace> AravisDevice::find(const AravisAddress &address)
                          "check its power and cable; odograph cameras lists those that answer"));
 }
 
-Result<std::unique_ptr<AravisDevice>> AravisDevice::open(const AravisPlace &place,
+Result<std::unique_ptr<AravisDevice>> AravisDevice::open(const AravisLocation &location,
                                                          const AravisAddress &wanted)
 {
-    if (place.onNetwork) {
-        const auto controlled = isGvcpControlled(place.openId, openingPatience);
+    if (location.onNetwork) {
+        const auto controlled = isGvcpControlled(location.openId, openingPatience);
         if (!controlled)
             return noAnswerTo(wanted);
         if (*controlled)
@@ -185,27 +185,27 @@ Result<std::unique_ptr<AravisDevice>> AravisDevice::open(const AravisPlace &plac
     ArvFailure failure;
     {
         const std::lock_guard lock(AravisLibrary::instance().openMutex());
-        camera.reset(arv_camera_new(place.openId.c_str(), failure.out()));
+        camera.reset(arv_camera_new(location.openId.c_str(), failure.out()));
     }
     if (!camera)
         return fail(
             ErrorCode::Unavailable, cameraAtAddress(wanted.uri),
             ODO_TEXT("capture.cannot_be_opened", "it cannot be opened (%1)")(failure.words()),
-            place.onNetwork
+            location.onNetwork
                 ? ODO_TEXT("capture.check_cable_and_address", "check its cable and address")
                 : ODO_TEXT("capture.check_usb_rights",
                            "check that you may use it (a udev rule), and that no other program does"));
-    std::unique_ptr<AravisDevice> device(new AravisDevice(place, std::move(camera)));
+    std::unique_ptr<AravisDevice> device(new AravisDevice(location, std::move(camera)));
     // Aravis opens a camera that another program has got hold of meanwhile, and cannot do anything with it.
-    if (place.onNetwork &&
+    if (location.onNetwork &&
         !arv_gv_device_is_controller(ARV_GV_DEVICE(arv_camera_get_device(device->camera()))))
         return inUse(wanted);
     ODO_TRY(device->setUp(wanted));
     return device;
 }
 
-AravisDevice::AravisDevice(AravisPlace place, ArvPointer<ArvCamera> camera)
-    : m_place(std::move(place)), m_camera(std::move(camera))
+AravisDevice::AravisDevice(AravisLocation location, ArvPointer<ArvCamera> camera)
+    : m_location(std::move(location)), m_camera(std::move(camera))
 {
 }
 
@@ -213,7 +213,7 @@ AravisDevice::AravisDevice(AravisPlace place, ArvPointer<ArvCamera> camera)
 // that is the last hold its heartbeat thread destroys the device, waits for itself and aborts the program.
 bool AravisDevice::isLost() const
 {
-    return m_place.onNetwork &&
+    return m_location.onNetwork &&
            !arv_gv_device_is_controller(ARV_GV_DEVICE(arv_camera_get_device(m_camera.get())));
 }
 
@@ -338,7 +338,7 @@ Result<void> AravisDevice::choosePace(const AravisAddress &wanted)
 Result<void> AravisDevice::setUpTransport(const AravisAddress &wanted)
 {
     ArvCamera *camera = m_camera.get();
-    if (!m_place.onNetwork) {
+    if (!m_location.onNetwork) {
         arv_camera_uv_set_usb_mode(camera, ARV_UV_USB_MODE_ASYNC);
         return {};
     }

@@ -36,7 +36,7 @@ Message checkPowerAndCable();
 Frame genicamPlanes(const GenicamFormat &format, const std::uint8_t *bytes, int widthPx, int heightPx);
 
 /// Where a camera is, as found by its address.
-struct AravisPlace
+struct AravisLocation
 {
     std::string openId;     ///< what Aravis opens it by; on the network its IPv4 address
     bool onNetwork = false; ///< GigE Vision; else USB3 Vision
@@ -66,15 +66,16 @@ class AravisDevice
 public:
     /// Finds the camera, on the network or on the USB; takes two seconds for a serial number, none for an
     /// IPv4 address. Errors: Unavailable where none answers.
-    static Result<AravisPlace> find(const AravisAddress &address);
+    static Result<AravisLocation> find(const AravisAddress &address);
     /// Opens it and sets it as wanted. Errors: Unavailable when it does not answer or another program has it;
     /// InvalidInput for what it cannot do.
-    static Result<std::unique_ptr<AravisDevice>> open(const AravisPlace &place, const AravisAddress &wanted);
+    static Result<std::unique_ptr<AravisDevice>> open(const AravisLocation &location,
+                                                      const AravisAddress &wanted);
     AravisDevice(const AravisDevice &) = delete;
     AravisDevice &operator=(const AravisDevice &) = delete;
 
     ArvCamera *camera() const { return m_camera.get(); }
-    const AravisPlace &place() const { return m_place; }
+    const AravisLocation &location() const { return m_location; }
     const AravisMode &mode() const { return m_mode; }
     /// Aravis has found that a camera on the network is not ours any more, or not there.
     bool isLost() const;
@@ -88,7 +89,7 @@ public:
     void readExposure();
 
 private:
-    AravisDevice(AravisPlace place, ArvPointer<ArvCamera> camera);
+    AravisDevice(AravisLocation location, ArvPointer<ArvCamera> camera);
     std::optional<ClockReading> readClockOnce();
     Result<void> setUp(const AravisAddress &wanted);
     Result<void> chooseFormat(const AravisAddress &wanted);
@@ -98,7 +99,7 @@ private:
     Result<void> readBack(const AravisAddress &wanted);
     tl::unexpected<Error> refused(const AravisAddress &wanted, Message why, const ArvFailure &failure) const;
 
-    AravisPlace m_place;
+    AravisLocation m_location;
     ArvPointer<ArvCamera> m_camera;
     AravisMode m_mode;
     enum class Latch { None, Gige, Sfnc };

@@ -22,8 +22,8 @@ Result<CapturedFrame> AravisSession::next(Nanoseconds patience)
         m_frames.pop_front();
         return frame;
     }
-    if (m_trouble)
-        return tl::unexpected(*m_trouble);
+    if (m_problem)
+        return tl::unexpected(*m_problem);
     return fail(ErrorCode::Unavailable, cameraAtAddress(m_uri),
                 ODO_TEXT("capture.no_picture_came", "no frame arrived for half a second"),
                 ODO_TEXT("capture.wait_or_check_cable", "wait, or check its cable"));
@@ -71,7 +71,7 @@ bool AravisSession::isStopped() const
 void AravisSession::deliver(CapturedFrame frame)
 {
     const std::lock_guard lock(m_mutex);
-    m_trouble.reset();
+    m_problem.reset();
     m_frames.push_back(std::move(frame));
     if (m_frames.size() > mostFrames) { // leaves a gap in the sequence
         const std::uint64_t lost = m_frames.front().lostHere + 1;
@@ -81,10 +81,10 @@ void AravisSession::deliver(CapturedFrame frame)
     m_forUser.notify_all();
 }
 
-void AravisSession::trouble(Error error)
+void AravisSession::setProblem(Error error)
 {
     const std::lock_guard lock(m_mutex);
-    m_trouble = std::move(error);
+    m_problem = std::move(error);
 }
 
 void AravisSession::count(const CameraCounts &counts)

@@ -33,7 +33,7 @@ public:
     bool isStopped() const;
     void deliver(CapturedFrame frame);
     /// Why no frames come; returned with the next failure of next().
-    void trouble(Error error);
+    void setProblem(Error error);
     void count(const CameraCounts &counts);
     void runTasks(AravisDevice *device);
     /// Does what is asked meanwhile; returns early when it is stopped.
@@ -46,7 +46,7 @@ private:
     std::condition_variable m_forUser, m_forCamera;
     std::deque<CapturedFrame> m_frames;
     std::deque<Task> m_tasks;
-    std::optional<Error> m_trouble;
+    std::optional<Error> m_problem;
     CameraCounts m_counts;
     bool m_stopped = false, m_ended = false;
 };

@@ -22,7 +22,7 @@ using namespace std::chrono_literals;
 constexpr std::size_t fewestBuffers = 8, mostBufferBytes = 128 << 20;
 constexpr double bufferedS = 0.6;
 // Packets wait in the kernel while the machine is busy elsewhere.
-constexpr std::size_t leastReceiveBuffer = 4 << 20, mostReceiveBuffer = 32 << 20, picturesInReceiveBuffer = 4;
+constexpr std::size_t leastReceiveBuffer = 4 << 20, mostReceiveBuffer = 32 << 20, framesInReceiveBuffer = 4;
 constexpr Nanoseconds oldestArrival = 2s;
 
 /// The socket of this process that is bound to a UDP port; -1 without one. Aravis does not give it out, and
@@ -82,7 +82,7 @@ Result<std::unique_ptr<AravisStream>> AravisStream::start(AravisDevice &device, 
     if (!created)
         return cannot(failure);
     std::unique_ptr<AravisStream> stream(new AravisStream(device, std::move(created)));
-    if (device.place().onNetwork)
+    if (device.location().onNetwork)
         stream->enlargeReceiveBuffer();
     const AravisMode &mode = device.mode();
     const auto wanted = std::max(fewestBuffers, static_cast<std::size_t>(bufferedS * mode.framesPerSecond));
@@ -109,7 +109,7 @@ AravisStream::~AravisStream()
 void AravisStream::enlargeReceiveBuffer()
 {
     const std::size_t wanted =
-        std::clamp(picturesInReceiveBuffer * m_device.mode().payload, leastReceiveBuffer, mostReceiveBuffer);
+        std::clamp(framesInReceiveBuffer * m_device.mode().payload, leastReceiveBuffer, mostReceiveBuffer);
     // Fixed at no size: Aravis leaves it to us.
     g_object_set(m_stream.get(), "socket-buffer", ARV_GV_STREAM_SOCKET_BUFFER_FIXED, "socket-buffer-size", 0,
                  nullptr);
@@ -124,20 +124,20 @@ void AravisStream::enlargeReceiveBuffer()
             Join::Semicolon);
 }
 
-std::optional<AravisPicture> AravisStream::next(Nanoseconds patience)
+std::optional<AravisFrame> AravisStream::next(Nanoseconds patience)
 {
     const auto microseconds = std::chrono::duration_cast<std::chrono::microseconds>(patience).count();
     ArvBuffer *buffer = arv_stream_timeout_pop_buffer(
         m_stream.get(), static_cast<guint64>(std::max<std::int64_t>(0, microseconds)));
     if (!buffer)
         return std::nullopt;
-    auto picture = pictureIn(buffer);
+    auto received = frameIn(buffer);
     arv_stream_push_buffer(m_stream.get(), buffer);
-    return picture;
+    return received;
 }
 
 /// Aravis reports success for a frame smaller than its buffer: compare its size.
-std::optional<AravisPicture> AravisStream::pictureIn(ArvBuffer *buffer)
+std::optional<AravisFrame> AravisStream::frameIn(ArvBuffer *buffer)
 {
     const ArvBufferStatus status = arv_buffer_get_status(buffer);
     if (status == ARV_BUFFER_STATUS_CLEARED || status == ARV_BUFFER_STATUS_ABORTED)
@@ -152,18 +152,18 @@ std::optional<AravisPicture> AravisStream::pictureIn(ArvBuffer *buffer)
         ++m_damaged;
         return std::nullopt;
     }
-    AravisPicture picture;
-    picture.arrival = arrivalOf(buffer);
-    picture.frame =
+    AravisFrame received;
+    received.arrival = arrivalOf(buffer);
+    received.frame =
         genicamPlanes(mode.format, static_cast<const std::uint8_t *>(bytes), mode.widthPx, mode.heightPx);
-    picture.id = arv_buffer_get_frame_id(buffer);
-    picture.stamp = Nanoseconds(static_cast<std::int64_t>(arv_buffer_get_timestamp(buffer)));
-    return picture;
+    received.id = arv_buffer_get_frame_id(buffer);
+    received.stamp = Nanoseconds(static_cast<std::int64_t>(arv_buffer_get_timestamp(buffer)));
+    return received;
 }
 
 std::uint64_t AravisStream::resent() const
 {
-    if (!m_device.place().onNetwork)
+    if (!m_device.location().onNetwork)
         return 0;
     guint64 resent = 0, missing = 0;
     arv_gv_stream_get_statistics(ARV_GV_STREAM(m_stream.get()), &resent, &missing);

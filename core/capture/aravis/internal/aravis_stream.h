@@ -6,7 +6,7 @@
 namespace odo {
 
 /// A frame that came whole, with the camera's own number and clock.
-struct AravisPicture
+struct AravisFrame
 {
     Frame frame;
     std::uint64_t id = 0;
@@ -25,7 +25,7 @@ public:
     AravisStream &operator=(const AravisStream &) = delete;
 
     /// Waits for a frame; those that did not come whole are counted. nullopt when none came in time.
-    std::optional<AravisPicture> next(Nanoseconds patience);
+    std::optional<AravisFrame> next(Nanoseconds patience);
 
     std::uint64_t damaged() const { return m_damaged; }
     std::uint64_t resent() const;
@@ -39,7 +39,7 @@ public:
 private:
     AravisStream(AravisDevice &device, ArvPointer<ArvStream> stream);
     void enlargeReceiveBuffer();
-    std::optional<AravisPicture> pictureIn(ArvBuffer *buffer);
+    std::optional<AravisFrame> frameIn(ArvBuffer *buffer);
 
     AravisDevice &m_device;
     ArvPointer<ArvStream> m_stream;

@@ -26,14 +26,14 @@ constexpr int mostUnanswered = 2;
 CameraDescription describe(const AravisAddress &address, const AravisDevice &device)
 {
     const AravisMode &mode = device.mode();
-    const AravisPlace &place = device.place();
+    const AravisLocation &location = device.location();
     return {.uri = address.uri,
             .kind = "aravis",
-            .name = foreignWords(place.vendor + " " + place.model),
+            .name = foreignWords(location.vendor + " " + location.model),
             .widthPx = mode.widthPx,
             .heightPx = mode.heightPx,
             .framesPerSecond = mode.framesPerSecond,
-            .serial = place.serial,
+            .serial = location.serial,
             .formats = {{formatWords(mode.format.name, mode.widthPx, mode.heightPx, mode.framesPerSecond),
                          mode.format.name, mode.widthPx, mode.heightPx}}};
 }
@@ -60,9 +60,9 @@ void AravisWorker::remember(const std::string &id, double value)
     m_settings.emplace_back(id, value);
 }
 
-void AravisWorker::tell(Message why, Message advice)
+void AravisWorker::report(Message why, Message advice)
 {
-    m_session->trouble(
+    m_session->setProblem(
         {ErrorCode::Unavailable, cameraAtAddress(m_address.uri), std::move(why), std::move(advice)});
 }
 
@@ -73,12 +73,12 @@ void AravisWorker::run()
     const bool opened = device.has_value();
     while (opened && !m_session->isStopped()) {
         if (device) {
-            takePictures(**device);
+            takeFrames(**device);
             device->reset(); // of one that is gone: takes Aravis seconds
             m_times.interrupt();
             m_resumed = true;
         } else {
-            m_session->trouble(device.error());
+            m_session->setProblem(device.error());
             m_session->waitWithoutCamera(retryEvery);
         }
         if (!m_session->isStopped())
@@ -91,13 +91,13 @@ void AravisWorker::run()
 }
 
 /// Where it is now. Errors: Unavailable also while another camera is in its place.
-Result<AravisPlace> AravisWorker::findAgain()
+Result<AravisLocation> AravisWorker::findAgain()
 {
     auto found = AravisDevice::find(m_address);
-    if (found && m_place && found->serial != m_place->serial)
+    if (found && m_location && found->serial != m_location->serial)
         return fail(ErrorCode::Unavailable, cameraAtAddress(m_address.uri),
                     ODO_TEXT("capture.other_serial_in_place",
-                             "another camera (%1) has replaced camera %2")(found->serial, m_place->serial),
+                             "another camera (%1) has replaced camera %2")(found->serial, m_location->serial),
                     ODO_TEXT("capture.connect_right_camera",
                              "reconnect the original camera, or start over with this one"));
     return found;
@@ -108,7 +108,7 @@ Result<AravisPlace> AravisWorker::findAgain()
 Result<void> AravisWorker::setAsBefore(AravisDevice &device)
 {
     const AravisMode &mode = device.mode();
-    if (!m_place) {
+    if (!m_location) {
         m_mode = mode;
         for (const CameraControl &control : readAravisControls(device.camera())) {
             if (!control.readOnly)
@@ -168,32 +168,32 @@ AravisWorker::Opened AravisWorker::takeUp()
 {
     // A camera that was found by its serial number is most likely where it was; a search takes two
     // seconds.
-    const bool where = m_place && m_place->onNetwork && !isIpAddress(m_address.place);
-    const auto there = where ? askGvcpCamera(m_place->openId, runningPatience) : std::nullopt;
-    auto place =
-        ODO_TRY(there && there->serial == m_place->serial ? Result<AravisPlace>(*m_place) : findAgain());
-    auto device = ODO_TRY(AravisDevice::open(place, m_address));
+    const bool where = m_location && m_location->onNetwork && !isIpAddress(m_address.location);
+    const auto there = where ? askGvcpCamera(m_location->openId, runningPatience) : std::nullopt;
+    auto location = ODO_TRY(there && there->serial == m_location->serial ? Result<AravisLocation>(*m_location)
+                                                                         : findAgain());
+    auto device = ODO_TRY(AravisDevice::open(location, m_address));
     ODO_TRY(setAsBefore(*device));
-    m_place = place;
+    m_location = location;
     m_reading.reset();
     m_readings = 0;
     return device;
 }
 
-void AravisWorker::takePictures(AravisDevice &device)
+void AravisWorker::takeFrames(AravisDevice &device)
 {
     auto stream = AravisStream::start(device, m_address);
     if (!stream)
-        return m_session->trouble(stream.error());
+        return m_session->setProblem(stream.error());
     m_before = m_counts;
-    m_lastPicture = steadyNow();
+    m_lastFrame = steadyNow();
     m_unanswered = 0;
     m_damagedBefore = m_unbuffered = 0;
     while (!m_session->isStopped()) {
         m_session->runTasks(&device);
         const Nanoseconds patience = std::min(popPatience, fireIfDue(device));
-        if (auto picture = (*stream)->next(patience))
-            deliver(device, **stream, std::move(*picture));
+        if (auto received = (*stream)->next(patience))
+            deliver(device, **stream, std::move(*received));
         else if (!stillStreams(device, **stream))
             return;
         updateCounts(**stream);
@@ -216,9 +216,9 @@ Nanoseconds AravisWorker::fireIfDue(AravisDevice &device)
     const Nanoseconds interval = fromSeconds(1 / device.mode().framesPerSecond), now = steadyNow();
     if (now >= m_nextFire) {
         // A camera that is gone would hold us up: one that is silent is asked before.
-        const bool silent = now - m_lastPicture > shortestSilence + interval;
-        if (m_nextFire != 0ns &&
-            (!silent || !device.place().onNetwork || askGvcpCamera(device.place().openId, runningPatience)))
+        const bool silent = now - m_lastFrame > shortestSilence + interval;
+        if (m_nextFire != 0ns && (!silent || !device.location().onNetwork ||
+                                  askGvcpCamera(device.location().openId, runningPatience)))
             device.fireTrigger();
         m_nextFire = (steadyNow() / interval + 1) * interval;
     }
@@ -233,7 +233,7 @@ void AravisWorker::readClockIfDue(AravisDevice &device)
         return;
     m_nextReading = now + readClockEvery;
     ++m_readings;
-    if (device.place().onNetwork && !askGvcpCamera(device.place().openId, runningPatience))
+    if (device.location().onNetwork && !askGvcpCamera(device.location().openId, runningPatience))
         return;
     if (const auto reading = device.readClock()) {
         m_reading = reading;
@@ -241,23 +241,23 @@ void AravisWorker::readClockIfDue(AravisDevice &device)
     }
 }
 
-void AravisWorker::deliver(AravisDevice &device, AravisStream &stream, AravisPicture picture)
+void AravisWorker::deliver(AravisDevice &device, AravisStream &stream, AravisFrame received)
 {
     // The stamp is of the start of the exposure (SFNC), the frame's time of its middle.
-    const Nanoseconds middle = picture.stamp + device.mode().exposure / 2;
-    if (!m_times.goesOn(middle, picture.arrival))
+    const Nanoseconds middle = received.stamp + device.mode().exposure / 2;
+    if (!m_times.goesOn(middle, received.arrival))
         m_nextReading = Nanoseconds(0);
     readClockIfDue(device);
     CapturedFrame captured;
-    captured.hostTime = picture.arrival;
-    captured.frame = std::move(picture.frame);
-    captured.frame.time = m_times.place(middle, picture.arrival, m_reading);
+    captured.hostTime = received.arrival;
+    captured.frame = std::move(received.frame);
+    captured.frame.time = m_times.location(middle, received.arrival, m_reading);
     if (std::exchange(m_resumed, false) && m_lastTime) {
         const double missed =
             toSeconds(captured.frame.time - *m_lastTime) * device.mode().framesPerSecond - 1;
         m_numbering.interrupt(static_cast<std::uint64_t>(std::max(0.0, std::round(missed))));
     }
-    captured.sequence = m_numbering.number(picture.id);
+    captured.sequence = m_numbering.number(received.id);
     captured.lostHere = m_lastTime ? lostHere(stream, captured.sequence) : 0;
     m_lastTime = captured.frame.time;
     m_lastSequence = captured.sequence;
@@ -265,7 +265,7 @@ void AravisWorker::deliver(AravisDevice &device, AravisStream &stream, AravisPic
     if (std::exchange(m_readingIsNew, false))
         captured.clock =
             ClockReading{m_times.onScale(m_reading->device), m_reading->before, m_reading->after};
-    m_lastPicture = steadyNow();
+    m_lastFrame = steadyNow();
     m_unanswered = 0;
     m_damagedBefore = stream.damaged();
     m_session->deliver(std::move(captured));
@@ -286,21 +286,21 @@ std::uint64_t AravisWorker::lostHere(const AravisStream &stream, std::uint64_t s
 bool AravisWorker::stillStreams(AravisDevice &device, AravisStream &stream)
 {
     const AravisMode &mode = device.mode();
-    const Nanoseconds silence = steadyNow() - m_lastPicture;
+    const Nanoseconds silence = steadyNow() - m_lastFrame;
     const Nanoseconds usual = fromSeconds(silentIntervals / mode.framesPerSecond) + mode.exposure;
     if (silence < std::max(shortestSilence, usual))
         return true;
-    if (!device.place().onNetwork) {
-        tell(ODO_TEXT("capture.sends_no_pictures", "it sends no frames"),
-             takenUpByItself(ODO_TEXT("capture.check_cable", "check its cable")));
+    if (!device.location().onNetwork) {
+        report(ODO_TEXT("capture.sends_no_pictures", "it sends no frames"),
+               takenUpByItself(ODO_TEXT("capture.check_cable", "check its cable")));
         if (silence < longestStall + usual)
             return true;
         stream.abandon();
         return false;
     }
-    const auto controlled = isGvcpControlled(device.place().openId, runningPatience);
+    const auto controlled = isGvcpControlled(device.location().openId, runningPatience);
     if (!controlled) {
-        tell(doesNotAnswer(), takenUpByItself(checkPowerAndCable()));
+        report(doesNotAnswer(), takenUpByItself(checkPowerAndCable()));
         if (++m_unanswered < mostUnanswered)
             return true;
         stream.abandon();
@@ -308,20 +308,21 @@ bool AravisWorker::stillStreams(AravisDevice &device, AravisStream &stream)
     }
     m_unanswered = 0;
     if (!*controlled || device.isLost()) {
-        tell(ODO_TEXT("capture.has_been_away", "the connection was lost"),
-             ODO_TEXT("capture.wait_for_it", "wait: Odograph is reconnecting"));
+        report(ODO_TEXT("capture.has_been_away", "the connection was lost"),
+               ODO_TEXT("capture.wait_for_it", "wait: Odograph is reconnecting"));
         return false;
     }
     if (stream.damaged() > m_damagedBefore)
-        tell(ODO_TEXT("capture.pictures_incomplete", "its frames arrive incomplete"),
-             stream.warning().isEmpty()
-                 ? joined({ODO_TEXT("capture.check_cable_and_network", "check its cable and the network"),
-                           ODO_TEXT("capture.ask_for_less", "choose a smaller size or a lower rate")},
-                          Join::Semicolon)
-                 : stream.warning());
+        report(ODO_TEXT("capture.pictures_incomplete", "its frames arrive incomplete"),
+               stream.warning().isEmpty()
+                   ? joined({ODO_TEXT("capture.check_cable_and_network", "check its cable and the network"),
+                             ODO_TEXT("capture.ask_for_less", "choose a smaller size or a lower rate")},
+                            Join::Semicolon)
+                   : stream.warning());
     else
-        tell(ODO_TEXT("capture.answers_but_silent", "it answers but sends no frames"),
-             ODO_TEXT("capture.answers_but_silent_advice", "check its trigger and this computer's firewall"));
+        report(
+            ODO_TEXT("capture.answers_but_silent", "it answers but sends no frames"),
+            ODO_TEXT("capture.answers_but_silent_advice", "check its trigger and this computer's firewall"));
     return silence < longestStall + usual;
 }
 

@@ -35,34 +35,34 @@ private:
     using Opened = Result<std::unique_ptr<AravisDevice>>;
 
     Opened takeUp();
-    Result<AravisPlace> findAgain();
+    Result<AravisLocation> findAgain();
     Result<void> setAsBefore(AravisDevice &device);
     void remember(const std::string &id, double value);
-    void takePictures(AravisDevice &device);
+    void takeFrames(AravisDevice &device);
     bool stillStreams(AravisDevice &device, AravisStream &stream);
-    void deliver(AravisDevice &device, AravisStream &stream, AravisPicture picture);
+    void deliver(AravisDevice &device, AravisStream &stream, AravisFrame received);
     void readClockIfDue(AravisDevice &device);
     Nanoseconds fireIfDue(AravisDevice &device);
     std::uint64_t lostHere(const AravisStream &stream, std::uint64_t sequence);
     void updateCounts(const AravisStream &stream);
-    void tell(Message why, Message advice);
+    void report(Message why, Message advice);
 
     const AravisAddress m_address;
     const std::shared_ptr<AravisSession> m_session;
     std::promise<Result<CameraDescription>> m_opened;
 
-    std::optional<AravisPlace> m_place; ///< where it was; none before the first time
-    AravisMode m_mode;                  ///< as it was then
+    std::optional<AravisLocation> m_location; ///< where it was; none before the first time
+    AravisMode m_mode;                        ///< as it was then
     bool m_holdWhenBack = false;
     std::vector<std::pair<std::string, double>> m_settings,
         m_automatics; ///< m_automatics: held, with their previous values
     CameraTimeScale m_times;
-    PictureNumbering m_numbering;
+    FrameNumbering m_numbering;
     std::optional<ClockReading> m_reading; ///< the last one of the camera's own clock
     bool m_readingIsNew = false;
     int m_readings = 0; ///< tried since the camera was connected
     Nanoseconds m_nextReading{0};
-    Nanoseconds m_lastPicture{0}; ///< or the start of the stream
+    Nanoseconds m_lastFrame{0}; ///< or the start of the stream
     Nanoseconds m_nextFire{0};
     std::optional<Nanoseconds> m_lastTime; ///< of a frame, on the scale
     std::uint64_t m_lastSequence = 0;      ///< of that frame

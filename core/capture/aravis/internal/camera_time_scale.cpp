@@ -19,15 +19,15 @@ constexpr std::uint64_t largestGap = 30000; // of 16-bit numbers; more is a coun
 
 } // namespace
 
-bool CameraTimeScale::follows(const Picture &picture) const
+bool CameraTimeScale::follows(const FrameStamp &frame) const
 {
-    const Nanoseconds step = picture.stamp - m_last->stamp, passed = picture.taken - m_last->taken;
+    const Nanoseconds step = frame.stamp - m_last->stamp, passed = frame.taken - m_last->taken;
     if (step <= 0ns)
         return false;
     const Nanoseconds drift = fromSeconds(fastestClockRate * toSeconds(step)), early = step - passed;
     const Nanoseconds tolerance = m_interrupted ? earliestAfterInterruption : earliest;
     // A restarted clock matches a late frame's time only by chance.
-    const Nanoseconds latest = picture.isRead  ? tolerance
+    const Nanoseconds latest = frame.isRead    ? tolerance
                                : m_interrupted ? usuallyLatest
                                                : Nanoseconds::max() / 2;
     return early <= tolerance + drift && -early <= latest + drift;
@@ -46,26 +46,26 @@ std::optional<Nanoseconds> CameraTimeScale::takenBy(const ClockReading &reading,
                                                                                       : std::nullopt;
 }
 
-Nanoseconds CameraTimeScale::place(Nanoseconds stamp, Nanoseconds arrival,
-                                   const std::optional<ClockReading> &reading)
+Nanoseconds CameraTimeScale::location(Nanoseconds stamp, Nanoseconds arrival,
+                                      const std::optional<ClockReading> &reading)
 {
     const auto taken = reading ? takenBy(*reading, stamp, arrival) : std::nullopt;
-    Picture picture{stamp, taken.value_or(arrival), taken.has_value()};
+    FrameStamp frame{stamp, taken.value_or(arrival), taken.has_value()};
     if (!m_last) {
         m_zero = stamp;
-    } else if (!follows(picture)) {
-        m_zero = stamp - (onScale(m_last->stamp) + std::max(picture.taken - m_last->taken, Nanoseconds(1)));
-    } else if (!picture.isRead) {
+    } else if (!follows(frame)) {
+        m_zero = stamp - (onScale(m_last->stamp) + std::max(frame.taken - m_last->taken, Nanoseconds(1)));
+    } else if (!frame.isRead) {
         const Nanoseconds step = stamp - m_last->stamp;
-        picture.taken =
+        frame.taken =
             std::min(arrival, m_last->taken + step + fromSeconds(fastestClockRate * toSeconds(step)));
     }
-    m_last = picture;
+    m_last = frame;
     m_interrupted = false;
     return onScale(stamp);
 }
 
-std::uint64_t PictureNumbering::number(std::uint64_t cameraNumber)
+std::uint64_t FrameNumbering::number(std::uint64_t cameraNumber)
 {
     if (m_last) {
         const bool wide = cameraNumber > lastOf16Bits || *m_last > lastOf16Bits;
@@ -78,7 +78,7 @@ std::uint64_t PictureNumbering::number(std::uint64_t cameraNumber)
     return m_next++;
 }
 
-void PictureNumbering::interrupt(std::uint64_t missed)
+void FrameNumbering::interrupt(std::uint64_t missed)
 {
     m_last.reset();
     m_next += missed;

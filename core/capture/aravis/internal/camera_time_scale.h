@@ -22,13 +22,13 @@ public:
 
     /// The time of a frame; they come in order. reading: of the camera's clock, within some seconds of the
     /// frame.
-    Nanoseconds place(Nanoseconds stamp, Nanoseconds arrival, const std::optional<ClockReading> &reading);
+    Nanoseconds location(Nanoseconds stamp, Nanoseconds arrival, const std::optional<ClockReading> &reading);
 
     /// Any time of the camera's clock; after the first frame.
     Nanoseconds onScale(Nanoseconds device) const { return device - m_zero; }
 
 private:
-    struct Picture
+    struct FrameStamp
     {
         Nanoseconds stamp;
         Nanoseconds taken; ///< by this machine's clock: no later than this
@@ -36,16 +36,16 @@ private:
     };
     std::optional<Nanoseconds> takenBy(const ClockReading &reading, Nanoseconds stamp,
                                        Nanoseconds arrival) const;
-    bool follows(const Picture &picture) const;
+    bool follows(const FrameStamp &frame) const;
 
-    std::optional<Picture> m_last;
+    std::optional<FrameStamp> m_last;
     Nanoseconds m_zero{0}; ///< of the scale, by the camera's clock
     bool m_interrupted = false;
 };
 
 /// Numbers frames without wrapping, from a camera's numbers of 16 bits that go from 65535 to 1, or of 64. Not
 /// thread-safe.
-class PictureNumbering
+class FrameNumbering
 {
 public:
     /// Gaps in the camera's numbers are gaps here.

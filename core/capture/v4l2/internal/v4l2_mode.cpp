@@ -277,7 +277,7 @@ int v4l2FormatRank(std::uint32_t fourcc)
     return found == readable.end() ? -1 : static_cast<int>(found - readable.begin());
 }
 
-V4l2Pictures::V4l2Pictures(const v4l2_pix_format &format)
+V4l2Frames::V4l2Frames(const v4l2_pix_format &format)
     : m_width(static_cast<int>(format.width)), m_height(static_cast<int>(format.height)),
       m_leastBytes(isCoded(format.pixelformat) ? 0 : format.sizeimage)
 {
@@ -285,16 +285,16 @@ V4l2Pictures::V4l2Pictures(const v4l2_pix_format &format)
         m_raw = rawReader(format);
 }
 
-std::optional<V4l2Picture> V4l2Pictures::read(Bytes buffer)
+std::optional<V4l2Frame> V4l2Frames::read(Bytes buffer)
 {
     if (!m_raw)
         return readJpeg(buffer);
     if (buffer.size() < m_leastBytes)
         return std::nullopt;
-    return V4l2Picture{m_raw(buffer), nullptr};
+    return V4l2Frame{m_raw(buffer), nullptr};
 }
 
-std::optional<V4l2Picture> V4l2Pictures::readJpeg(Bytes buffer)
+std::optional<V4l2Frame> V4l2Frames::readJpeg(Bytes buffer)
 {
     const auto format = jpegFormat(buffer);
     if (!format || format->width != m_width || format->height != m_height)
@@ -303,10 +303,10 @@ std::optional<V4l2Picture> V4l2Pictures::readJpeg(Bytes buffer)
         m_decoder = std::make_unique<JpegDecoder>(*format);
         m_jpegFormat = *format;
     }
-    V4l2Picture picture{{}, std::make_shared<const std::vector<std::uint8_t>>(withHuffmanTables(buffer))};
-    if (m_decoder->decode(*picture.jpeg, std::nullopt, picture.frame) != JpegDecoder::Outcome::Decoded)
+    V4l2Frame decoded{{}, std::make_shared<const std::vector<std::uint8_t>>(withHuffmanTables(buffer))};
+    if (m_decoder->decode(*decoded.jpeg, std::nullopt, decoded.frame) != JpegDecoder::Outcome::Decoded)
         return std::nullopt;
-    return picture;
+    return decoded;
 }
 
 } // namespace odo

@@ -55,7 +55,7 @@ Result<V4l2Mode> chooseMode(const std::vector<V4l2Mode> &modes, const V4l2Reques
 int v4l2FormatRank(std::uint32_t fourcc);
 
 /// A frame as it is in a camera's buffer.
-struct V4l2Picture
+struct V4l2Frame
 {
     Frame frame; ///< without index and time
     std::shared_ptr<const std::vector<std::uint8_t>>
@@ -63,16 +63,16 @@ struct V4l2Picture
 };
 
 /// Reads the buffers of a stream of one format. One thread.
-class V4l2Pictures
+class V4l2Frames
 {
 public:
     /// A format with a rank.
-    explicit V4l2Pictures(const v4l2_pix_format &format);
+    explicit V4l2Frames(const v4l2_pix_format &format);
     /// nullopt where the frame is damaged or not whole.
-    std::optional<V4l2Picture> read(std::span<const std::uint8_t> buffer);
+    std::optional<V4l2Frame> read(std::span<const std::uint8_t> buffer);
 
 private:
-    std::optional<V4l2Picture> readJpeg(std::span<const std::uint8_t> buffer);
+    std::optional<V4l2Frame> readJpeg(std::span<const std::uint8_t> buffer);
 
     const int m_width, m_height;
     const std::size_t m_leastBytes;

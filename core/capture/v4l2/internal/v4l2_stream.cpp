@@ -35,7 +35,7 @@ Nanoseconds between(std::uint64_t earlier, std::uint64_t later)
 
 } // namespace
 
-void V4l2Stamps::beginAnew(double framesPerSecond)
+void V4l2Stamps::restart(double framesPerSecond)
 {
     if (!m_first)
         m_lostRate = framesPerSecond;

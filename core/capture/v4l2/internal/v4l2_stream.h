@@ -38,7 +38,7 @@ public:
     /// Of every buffer, damaged ones too. arrival: by the steady clock.
     Stamp next(const V4l2BufferStamp &buffer, Nanoseconds arrival);
     /// The stream restarts: what would have come meanwhile counts as lost.
-    void beginAnew(double framesPerSecond);
+    void restart(double framesPerSecond);
 
 private:
     void count(std::uint32_t sequence, Nanoseconds arrival);

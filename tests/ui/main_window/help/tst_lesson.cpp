@@ -37,20 +37,20 @@ private Q_SLOTS:
                       {QStringLiteral("b"), {}, doOne},
                       {QStringLiteral("c"), {}, {}}});
         QVERIFY(lesson.isRunning() && !lesson.isDone());
-        lesson.look();
+        lesson.poll();
         QVERIFY(!lesson.isDone());
         ++things;
-        lesson.look();
+        lesson.poll();
         QVERIFY(lesson.isDone());
         lesson.next();
         QCOMPARE(lesson.step().title, QStringLiteral("b"));
-        lesson.look();
+        lesson.poll();
         QVERIFY(!lesson.isDone()); // what was done before does not count
         lesson.next();             // skipped
         QVERIFY(lesson.isDone());  // nothing to do but read
         lesson.next();
         QVERIFY(!lesson.isRunning());
-        lesson.look(); // nothing happens
+        lesson.poll(); // nothing happens
         QCOMPARE(changed.size(), 5);
     }
     void anEmptyLessonDoesNotRun()

@@ -7,7 +7,7 @@
 #include "ui/main_window/main_window.h"
 #include "ui/main_window/preferences/preferences_dialog.h"
 #include "ui/main_window/workspace.h"
-#include "ui/models/figure_text.h"
+#include "ui/models/number_text.h"
 #include "ui/review/review_page.h"
 #include "ui/views/widgets/theme.h"
 

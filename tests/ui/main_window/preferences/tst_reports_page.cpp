@@ -28,10 +28,10 @@ class TestReportsPage : public QObject
 
     QString logo(const char *name, const QSize &size) const
     {
-        QImage picture(size, QImage::Format_RGB32);
-        picture.fill(Qt::blue);
+        QImage image(size, QImage::Format_RGB32);
+        image.fill(Qt::blue);
         const QString file = m_folder.filePath(QString::fromUtf8(name));
-        if (!picture.save(file))
+        if (!image.save(file))
             qFatal("%s", qPrintable(file));
         return file;
     }

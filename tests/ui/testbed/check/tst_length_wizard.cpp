@@ -2,13 +2,13 @@
 // A known length is checked as a person does it, by mouse and by keyboard.
 #include "core/simulation/demo_testbed.h"
 #include "core/simulation/renderer.h"
-#include "core/video/picture.h"
+#include "core/video/image.h"
 #include "tests/support/registered_test.h"
 #include "tests/ui/support/found_widgets.h"
 #include "ui/models/camera_lists.h"
 #include "ui/testbed/check/length_wizard.h"
 #include "ui/testbed/floor/marker_canvas.h"
-#include "ui/testbed/floor/still_picture.h"
+#include "ui/testbed/floor/still_image.h"
 
 #include <QApplication>
 #include <QComboBox>
@@ -41,7 +41,7 @@ private Q_SLOTS:
     void cancelsAtEveryPage();
 
 private:
-    std::unique_ptr<LengthWizard> makeWizard(const QString &picture);
+    std::unique_ptr<LengthWizard> makeWizard(const QString &image);
     void walkToEnds(LengthWizard &wizard);
     Eigen::Vector2d seen(const char *label) const;
     /// Between markers O and U.
@@ -53,15 +53,15 @@ private:
             {.uri = "sim:A", .kind = "simulated", .name = foreignWords("Simulated")}};
     }};
     SimulatedScene m_scene = demoTestbed(1);
-    QString m_picture;
+    QString m_image;
 };
 
 void TestLengthWizard::initTestCase()
 {
-    m_live.look();
-    QTRY_VERIFY(!m_live.isLooking());
-    m_picture = m_folder.filePath(QStringLiteral("tags.png"));
-    QVERIFY(writePicture(SceneRenderer(m_scene, 0).render(0), m_picture.toStdString()));
+    m_live.poll();
+    QTRY_VERIFY(!m_live.isSearching());
+    m_image = m_folder.filePath(QStringLiteral("tags.png"));
+    QVERIFY(writeImage(SceneRenderer(m_scene, 0).render(0), m_image.toStdString()));
 }
 
 Eigen::Vector2d TestLengthWizard::seen(const char *label) const
@@ -82,7 +82,7 @@ double TestLengthWizard::trueLengthMm() const
     return 1000 * (at("U") - at("O")).norm();
 }
 
-std::unique_ptr<LengthWizard> TestLengthWizard::makeWizard(const QString &picture)
+std::unique_ptr<LengthWizard> TestLengthWizard::makeWizard(const QString &image)
 {
     // A camera whose pose is known to some millimetres, as after a good registration.
     const FloorView &truth = m_scene.cameras[0].view;
@@ -91,8 +91,8 @@ std::unique_ptr<LengthWizard> TestLengthWizard::makeWizard(const QString &pictur
     auto wizard = std::make_unique<LengthWizard>(
         std::vector<CheckCamera>{{QStringLiteral("A"), view, m_scene.floor.markers, std::nullopt}},
         QStringLiteral("A"), m_live);
-    if (!picture.isEmpty())
-        wizard->picture().setFile(picture);
+    if (!image.isEmpty())
+        wizard->image().setFile(image);
     wizard->open();
     return wizard;
 }
@@ -106,7 +106,7 @@ void TestLengthWizard::walkToEnds(LengthWizard &wizard)
 
 void TestLengthWizard::measuresByMouse()
 {
-    const auto wizard = makeWizard(m_picture);
+    const auto wizard = makeWizard(m_image);
     walkToEnds(*wizard);
     MarkerCanvas &canvas = wizard->page().canvas();
     QTest::mouseClick(&canvas, Qt::LeftButton, {}, canvas.fromPixel(seen("O")).toPoint());
@@ -129,7 +129,7 @@ void TestLengthWizard::measuresByMouse()
 
 void TestLengthWizard::measuresByKeysAlone()
 {
-    const auto wizard = makeWizard(m_picture);
+    const auto wizard = makeWizard(m_image);
     QVERIFY(QTest::qWaitForWindowActive(wizard.get()));
     walkToEnds(*wizard);
     MarkerCanvas &canvas = wizard->page().canvas();
@@ -165,7 +165,7 @@ void TestLengthWizard::measuresByKeysAlone()
 
 void TestLengthWizard::tellsALengthThatIsOff()
 {
-    const auto wizard = makeWizard(m_picture);
+    const auto wizard = makeWizard(m_image);
     walkToEnds(*wizard);
     MarkerCanvas &canvas = wizard->page().canvas();
     for (const char *end : {"O", "U"})
@@ -178,7 +178,7 @@ void TestLengthWizard::tellsALengthThatIsOff()
 
 void TestLengthWizard::measuresWithoutATruth()
 {
-    const auto wizard = makeWizard(m_picture);
+    const auto wizard = makeWizard(m_image);
     walkToEnds(*wizard);
     MarkerCanvas &canvas = wizard->page().canvas();
     for (const char *end : {"O", "U"})
@@ -194,16 +194,15 @@ void TestLengthWizard::measuresWithoutATruth()
 void TestLengthWizard::tellsWhatIsWrong()
 {
     const QString small = m_folder.filePath(QStringLiteral("small.png"));
-    QVERIFY(
-        writePicture(renderBoard(CameraModel::assumed(640, 480),
-                                 {.cameraFromBoard = {Eigen::Quaterniond::Identity(), {0, 0, 0.5}}}, 0, 1),
-                     small.toStdString()));
+    QVERIFY(writeImage(renderBoard(CameraModel::assumed(640, 480),
+                                   {.cameraFromBoard = {Eigen::Quaterniond::Identity(), {0, 0, 0.5}}}, 0, 1),
+                       small.toStdString()));
     const auto wizard = makeWizard(small);
     QTest::keyClick(wizard.get(), Qt::Key_Return);
     QTRY_VERIFY_WITH_TIMEOUT(says(*wizard, "its size is 640×480, but the lens was calibrated at 1280×720"),
                              patienceMs);
 
-    const auto same = makeWizard(m_picture);
+    const auto same = makeWizard(m_image);
     walkToEnds(*same);
     MarkerCanvas &canvas = same->page().canvas();
     for (int end = 0; end < 2; ++end) { // the arrows begin in the middle, for both
@@ -216,7 +215,7 @@ void TestLengthWizard::tellsWhatIsWrong()
 
 void TestLengthWizard::takesTheNewestRecordingAndALiveCamera()
 {
-    PictureChoice choice(m_live, QStringLiteral("file"));
+    ImageChoice choice(m_live, QStringLiteral("file"));
     QVERIFY(!choice.isComplete());
     choice.setRecording(std::filesystem::path("/somewhere/a.mkv"));
     QCOMPARE(choice.origin().file, QStringLiteral("/somewhere/a.mkv"));
@@ -232,7 +231,7 @@ void TestLengthWizard::takesTheNewestRecordingAndALiveCamera()
 void TestLengthWizard::cancelsAtEveryPage()
 {
     for (int page = 0; page < 2; ++page) {
-        const auto wizard = makeWizard(m_picture);
+        const auto wizard = makeWizard(m_image);
         if (page > 0)
             QTest::keyClick(wizard.get(), Qt::Key_Return); // and away while the picture is being got
         QTest::keyClick(wizard.get(), Qt::Key_Escape);

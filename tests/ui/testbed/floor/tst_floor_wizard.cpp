@@ -2,7 +2,7 @@
 // The floor wizard and the layout dialog as a person walks them, by mouse and by keyboard.
 #include "core/simulation/demo_testbed.h"
 #include "core/simulation/renderer.h"
-#include "core/video/picture.h"
+#include "core/video/image.h"
 #include "tests/support/registered_test.h"
 #include "tests/support/said_error.h"
 #include "tests/ui/support/busy_watch.h"
@@ -55,7 +55,7 @@ private Q_SLOTS:
     void layoutGoesOutAndComesBack();
 
 private:
-    std::unique_ptr<FloorWizard> makeWizard(const QString &picture);
+    std::unique_ptr<FloorWizard> makeWizard(const QString &image);
     void walkToMarkers(FloorWizard &wizard);
     Eigen::Vector2d truth(const char *label) const;
 
@@ -67,22 +67,22 @@ private:
             {.uri = "sim:A", .kind = "simulated", .name = foreignWords("Simulated")}};
     }};
     SimulatedScene m_scene = demoTestbed(1);
-    QString m_picture, m_bare; ///< with tags, and without
+    QString m_image, m_bare; ///< with tags, and without
     LayoutRecord m_layout;
 };
 
 void TestFloorWizard::initTestCase()
 {
-    m_live.look();
-    QTRY_VERIFY(!m_live.isLooking());
+    m_live.poll();
+    QTRY_VERIFY(!m_live.isSearching());
     m_layout = {7, m_scene.floor.markers};
     m_layout.layout.name = "Gym";
-    m_picture = m_folder.filePath(QStringLiteral("tags.png"));
-    QVERIFY(writePicture(SceneRenderer(m_scene, 0).render(0), m_picture.toStdString()));
+    m_image = m_folder.filePath(QStringLiteral("tags.png"));
+    QVERIFY(writeImage(SceneRenderer(m_scene, 0).render(0), m_image.toStdString()));
     SimulatedScene bare = m_scene;
     bare.floor.markerSideM = 0;
     m_bare = m_folder.filePath(QStringLiteral("bare.png"));
-    QVERIFY(writePicture(SceneRenderer(bare, 0).render(0), m_bare.toStdString()));
+    QVERIFY(writeImage(SceneRenderer(bare, 0).render(0), m_bare.toStdString()));
 }
 
 Eigen::Vector2d TestFloorWizard::truth(const char *label) const
@@ -94,7 +94,7 @@ Eigen::Vector2d TestFloorWizard::truth(const char *label) const
     return {};
 }
 
-std::unique_ptr<FloorWizard> TestFloorWizard::makeWizard(const QString &picture)
+std::unique_ptr<FloorWizard> TestFloorWizard::makeWizard(const QString &image)
 {
     IntrinsicsRecord lens;
     lens.id = 3;
@@ -106,8 +106,8 @@ std::unique_ptr<FloorWizard> TestFloorWizard::makeWizard(const QString &picture)
             m_keptWidth = kept.format.width;
             return m_problem ? Result<void>(tl::unexpected(*m_problem)) : Result<void>();
         });
-    if (!picture.isEmpty())
-        wizard->source().setFile(picture);
+    if (!image.isEmpty())
+        wizard->source().setFile(image);
     wizard->open();
     return wizard;
 }
@@ -121,7 +121,7 @@ void TestFloorWizard::walkToMarkers(FloorWizard &wizard)
 
 void TestFloorWizard::findsTheMarkersByItself()
 {
-    const auto wizard = makeWizard(m_picture);
+    const auto wizard = makeWizard(m_image);
     QVERIFY(QTest::qWaitForWindowActive(wizard.get()));
     walkToMarkers(*wizard);
     QTRY_VERIFY_WITH_TIMEOUT(button(*wizard, "Save")->isEnabled(), patienceMs);
@@ -187,7 +187,7 @@ void TestFloorWizard::staysOpenWhenTheDiskIsFull()
 {
     m_problem = test::saidError(ErrorCode::Io, "calibration image 'A_floor'", "no space left on device",
                                 "check the free space");
-    const auto wizard = makeWizard(m_picture);
+    const auto wizard = makeWizard(m_image);
     walkToMarkers(*wizard);
     QTRY_VERIFY_WITH_TIMEOUT(button(*wizard, "Save")->isEnabled(), patienceMs);
     QTest::mouseClick(button(*wizard, "Save"), Qt::LeftButton);
@@ -229,7 +229,7 @@ void TestFloorWizard::takesMarkersByMouseAndKeys()
 
 void TestFloorWizard::takesOutAndUndoes()
 {
-    const auto wizard = makeWizard(m_picture);
+    const auto wizard = makeWizard(m_image);
     walkToMarkers(*wizard);
     QTRY_VERIFY_WITH_TIMEOUT(button(*wizard, "Save")->isEnabled(), patienceMs);
     QTest::mouseClick(button(*wizard, "Remove"), Qt::LeftButton);
@@ -243,7 +243,7 @@ void TestFloorWizard::takesOutAndUndoes()
 void TestFloorWizard::namesExchangedMarkers()
 {
     std::swap(m_layout.layout.markers[1].pointInWorld, m_layout.layout.markers[2].pointInWorld);
-    const auto wizard = makeWizard(m_picture);
+    const auto wizard = makeWizard(m_image);
     std::swap(m_layout.layout.markers[1].pointInWorld, m_layout.layout.markers[2].pointInWorld);
     walkToMarkers(*wizard);
     QTRY_VERIFY_WITH_TIMEOUT(says(*wizard, "exchanged"), patienceMs);
@@ -261,7 +261,7 @@ void TestFloorWizard::cancelsAtEveryPage()
 {
     QFETCH(bool, live);
     for (int page = 0; page < 2; ++page) {
-        const auto wizard = makeWizard(live ? QString() : m_picture);
+        const auto wizard = makeWizard(live ? QString() : m_image);
         if (live)
             wizard->findChildren<QRadioButton *>().at(1)->setChecked(true);
         if (page > 0)
@@ -277,10 +277,9 @@ void TestFloorWizard::tellsWhatIsWrongWithAPicture()
     SimulatedScene small = m_scene;
     Intrinsics lens = small.cameras[0].view.camera().intrinsics();
     const QString other = m_folder.filePath(QStringLiteral("small.png"));
-    QVERIFY(
-        writePicture(renderBoard(CameraModel::assumed(640, 480),
-                                 {.cameraFromBoard = {Eigen::Quaterniond::Identity(), {0, 0, 0.5}}}, 0, 1),
-                     other.toStdString()));
+    QVERIFY(writeImage(renderBoard(CameraModel::assumed(640, 480),
+                                   {.cameraFromBoard = {Eigen::Quaterniond::Identity(), {0, 0, 0.5}}}, 0, 1),
+                       other.toStdString()));
     const auto wizard = makeWizard(other);
     QTest::keyClick(wizard.get(), Qt::Key_Return);
     QTRY_VERIFY_WITH_TIMEOUT(says(*wizard, "its size is 640×480, but the lens was calibrated at 1280×720"),

@@ -4,7 +4,7 @@
 #include "core/base/units.h"
 #include "core/capture/internal/stand_in_source.h"
 #include "core/simulation/renderer.h"
-#include "core/video/picture.h"
+#include "core/video/image.h"
 #include "tests/support/registered_test.h"
 #include "tests/support/said_error.h"
 #include "tests/ui/support/busy_watch.h"
@@ -12,9 +12,9 @@
 #include "tests/ui/support/person.h"
 #include "ui/models/camera_lists.h"
 #include "ui/testbed/lens/internal/board_canvas.h"
-#include "ui/testbed/lens/internal/lens_pictures_page.h"
-#include "ui/testbed/lens/internal/lens_result_page.h"
-#include "ui/testbed/lens/internal/picture_bars.h"
+#include "ui/testbed/lens/internal/board_images_page.h"
+#include "ui/testbed/lens/internal/calibration_result_page.h"
+#include "ui/testbed/lens/internal/image_bars.h"
 #include "ui/testbed/lens/lens_wizard.h"
 #include "ui/views/widgets/theme.h"
 
@@ -84,13 +84,13 @@ private:
     static int page(LensWizard &wizard) { return wizard.findChild<QStackedWidget *>()->currentIndex(); }
     static QWidget *focused() { return QApplication::focusWidget(); }
     QStringList draw(int count, const QString &name) const;
-    void walkToPictures(LensWizard &wizard);
+    void walkToImages(LensWizard &wizard);
     void typeFiles(QDialog &dialog);
 
     /// On a thread of the wizard's; read by the test once the wizard is accepted.
-    Result<void> keep(const MeasuredLens &lens)
+    Result<void> keep(const StoredIntrinsics &lens)
     {
-        m_kept = lens.pictures.size();
+        m_kept = lens.images.size();
         return m_problem ? Result<void>(tl::unexpected(*m_problem)) : Result<void>();
     }
 
@@ -103,8 +103,8 @@ private:
 
 void TestLensWizard::initTestCase()
 {
-    m_live.look();
-    QTRY_VERIFY(!m_live.isLooking());
+    m_live.poll();
+    QTRY_VERIFY(!m_live.isSearching());
     m_files = draw(poses, QStringLiteral("board"));
 }
 
@@ -116,7 +116,7 @@ QStringList TestLensWizard::draw(int count, const QString &name) const
         board.cameraFromBoard = pose;
         files << m_folder.filePath(
             QStringLiteral("%1%2.png").arg(name).arg(files.size() + 1, 2, 10, QLatin1Char('0')));
-        if (!writePicture(renderBoard(lens(), board, 2, 7), files.last().toStdString()))
+        if (!writeImage(renderBoard(lens(), board, 2, 7), files.last().toStdString()))
             qFatal("cannot write a picture");
     }
     return files;
@@ -126,19 +126,19 @@ std::unique_ptr<LensWizard> TestLensWizard::makeWizard(bool cameraThere)
 {
     auto wizard = std::make_unique<LensWizard>(
         QStringList{QStringLiteral("A"), QStringLiteral("B")}, QStringLiteral("B"), m_live,
-        LensWizard::Callbacks{[cameraThere](const QString &) -> Result<std::shared_ptr<CameraSource>> {
-                                  if (!cameraThere)
-                                      return test::saidFailure(ErrorCode::Io, "'sim:T'",
-                                                               "the camera does not answer",
-                                                               "plug it in again");
-                                  return fastCamera();
-                              },
-                              [this](const MeasuredLens &lens, const JobControl &) { return keep(lens); }});
+        LensWizard::Callbacks{
+            [cameraThere](const QString &) -> Result<std::shared_ptr<CameraSource>> {
+                if (!cameraThere)
+                    return test::saidFailure(ErrorCode::Io, "'sim:T'", "the camera does not answer",
+                                             "plug it in again");
+                return fastCamera();
+            },
+            [this](const StoredIntrinsics &lens, const JobControl &) { return keep(lens); }});
     wizard->show(); // not modal: who answers dialogs must not take it for one
     return wizard;
 }
 
-void TestLensWizard::walkToPictures(LensWizard &wizard)
+void TestLensWizard::walkToImages(LensWizard &wizard)
 {
     wizard.source().addFiles(m_files);
     QTest::mouseClick(button(wizard, "Next >"), Qt::LeftButton);
@@ -187,10 +187,10 @@ void TestLensWizard::byKeyboardFromFiles()
     QTest::keyClick(wizard.get(), Qt::Key_Return);
     QTRY_COMPARE(wizard->QDialog::result(), int(QDialog::Accepted));
     QCOMPARE(m_kept, std::size_t(kept));
-    const MeasuredLens measured = wizard->result();
+    const StoredIntrinsics measured = wizard->result();
     QCOMPARE(measured.camera, QStringLiteral("B"));
-    QCOMPARE(measured.pictures.size(), std::size_t(kept));
-    QVERIFY(!measured.pictures.front().png.empty());
+    QCOMPARE(measured.images.size(), std::size_t(kept));
+    QVERIFY(!measured.images.front().png.empty());
     // 0.3 %, what the issue of this wizard demands of simulated sets.
     QVERIFY(std::abs(measured.calibration.intrinsics.fxPx / 560 - 1) < 0.003);
 }
@@ -223,8 +223,7 @@ void TestLensWizard::byMouseFromACamera()
     QTRY_VERIFY_WITH_TIMEOUT(strip->count() >= 10, patienceMs);
     QVERIFY2(strip->viewport()->rect().intersects(strip->visualItemRect(strip->item(strip->count() - 1))),
              "the newest picture is in sight");
-    QVERIFY(
-        wizard->findChild<LensPicturesPage *>()->findChild<BoardCanvas *>()->content().wanted.has_value());
+    QVERIFY(wizard->findChild<BoardImagesPage *>()->findChild<BoardCanvas *>()->content().wanted.has_value());
     QTest::mouseClick(button(*wizard, "Next >"), Qt::LeftButton);
     QCOMPARE(page(*wizard), 2);
     QTRY_VERIFY_WITH_TIMEOUT(button(*wizard, "Save")->isEnabled(), patienceMs);
@@ -245,7 +244,7 @@ void TestLensWizard::cancelsAtEveryPage()
     QFETCH(int, lastPage);
     const auto wizard = makeWizard();
     if (lastPage > 0)
-        walkToPictures(*wizard);
+        walkToImages(*wizard);
     if (lastPage > 1)
         QTest::mouseClick(button(*wizard, "Next >"), Qt::LeftButton);
     QCOMPARE(page(*wizard), lastPage);
@@ -256,13 +255,13 @@ void TestLensWizard::cancelsAtEveryPage()
 
 void TestLensWizard::saysWhyPicturesDoNotCount()
 {
-    const QString noPicture = m_folder.filePath(QStringLiteral("text.png"));
-    QFile file(noPicture);
+    const QString noImage = m_folder.filePath(QStringLiteral("text.png"));
+    QFile file(noImage);
     QVERIFY(file.open(QIODevice::WriteOnly));
     file.write("this is no picture");
     file.close();
     const auto wizard = makeWizard();
-    wizard->source().addFiles({m_files[0], m_files[0] + QStringLiteral("x"), noPicture});
+    wizard->source().addFiles({m_files[0], m_files[0] + QStringLiteral("x"), noImage});
     QTest::mouseClick(button(*wizard, "Next >"), Qt::LeftButton);
     QListWidget *refused = nullptr;
     for (auto *list : wizard->findChildren<QListWidget *>())
@@ -277,7 +276,7 @@ void TestLensWizard::saysWhyPicturesDoNotCount()
 void TestLensWizard::takesOutAndUndoes()
 {
     const auto wizard = makeWizard();
-    walkToPictures(*wizard);
+    walkToImages(*wizard);
     auto *strip = wizard->findChild<FilmStrip *>();
     const int kept = strip->count();
     strip->setCurrentRow(2);
@@ -294,33 +293,33 @@ void TestLensWizard::takesOutAndUndoes()
 void TestLensWizard::leavesOutWhatIsAboveTheThreshold()
 {
     const auto wizard = makeWizard();
-    walkToPictures(*wizard);
+    walkToImages(*wizard);
     QTest::mouseClick(button(*wizard, "Next >"), Qt::LeftButton);
     QTRY_VERIFY_WITH_TIMEOUT(button(*wizard, "Save")->isEnabled(), patienceMs);
-    const std::size_t kept = wizard->result().calibration.picturesUsed();
-    auto *bars = wizard->findChild<PictureBars *>();
+    const std::size_t kept = wizard->result().calibration.imagesUsed();
+    auto *bars = wizard->findChild<ImageBars *>();
     // from 1.5 times the worst down
-    for (int i = 0; i < 30 && wizard->result().calibration.picturesUsed() == kept; ++i) {
+    for (int i = 0; i < 30 && wizard->result().calibration.imagesUsed() == kept; ++i) {
         QTest::keyClick(bars, Qt::Key_Down);
         QTRY_VERIFY_WITH_TIMEOUT(button(*wizard, "Save")->isEnabled(), patienceMs);
     }
-    const MeasuredLens fewer = wizard->result();
-    QVERIFY(fewer.calibration.picturesUsed() < kept);
+    const StoredIntrinsics fewer = wizard->result();
+    QVERIFY(fewer.calibration.imagesUsed() < kept);
     for (int i = 0; i < 40; ++i)
         QTest::keyClick(bars, Qt::Key_Up);
     QTRY_VERIFY_WITH_TIMEOUT(button(*wizard, "Save")->isEnabled(), patienceMs);
-    QCOMPARE(wizard->result().calibration.picturesUsed(), kept);
+    QCOMPARE(wizard->result().calibration.imagesUsed(), kept);
 }
 
 void TestLensWizard::aBarIsChosenAndTheThresholdDragged()
 {
-    PictureBars bars;
+    ImageBars bars;
     bars.resize(500, 220);
     bars.setBars({QStringLiteral("a"), QStringLiteral("b"), QStringLiteral("c"), QStringLiteral("d")},
                  {0.2, 0.3, 0.1, 0.4});
     bars.show();
     QVERIFY(std::abs(bars.threshold() - 1.5 * 0.4) < 1e-9);
-    QSignalSpy chosen(&bars, &PictureBars::currentChanged), changed(&bars, &PictureBars::thresholdChanged);
+    QSignalSpy chosen(&bars, &ImageBars::currentChanged), changed(&bars, &ImageBars::thresholdChanged);
     QTest::mouseClick(bars.viewport(), Qt::LeftButton, {}, bars.plot().at(1, 0.15).toPoint());
     QCOMPARE(bars.current(), 1);
     QCOMPARE(chosen.count(), 1);
@@ -365,7 +364,7 @@ void TestLensWizard::tellsOfALostCamera()
 void TestLensWizard::staysOpenWhenTheDiskIsFull()
 {
     const auto wizard = makeWizard();
-    walkToPictures(*wizard);
+    walkToImages(*wizard);
     QTest::mouseClick(button(*wizard, "Next >"), Qt::LeftButton);
     QTRY_VERIFY_WITH_TIMEOUT(button(*wizard, "Save")->isEnabled(), patienceMs);
     m_problem = test::saidError(ErrorCode::Io, "calibration image 'B_1'", "no space left on device",

@@ -111,7 +111,7 @@ void TestTargets::boardIsFoundToScale()
     QCOMPARE(view->pixels.size(), std::size_t(columns * rows));
     // Every corner lies on the grid that begins in the figure's corner, whichever way round the board was
     // read.
-    const QPointF start = sheets->front().figureMm.topLeft();
+    const QPointF start = sheets->front().drawingMm.topLeft();
     for (const Eigen::Vector2d &pixel : view->pixels) {
         const Eigen::Vector2d square = (onPaperMm(pixel) - Eigen::Vector2d(start.x(), start.y())) / squareMm;
         const double offMm = squareMm * (square - square.array().round().matrix()).norm();
@@ -147,7 +147,7 @@ void TestTargets::tagsAreFoundInTheirMiddle()
     QCOMPARE(found->size(), std::size_t(4));
     for (std::size_t i = 0; i < 4; ++i) {
         QCOMPARE((*found)[i].label, sheets->at(i).label.toStdString());
-        const QPointF middle = sheets->at(i).figureMm.center();
+        const QPointF middle = sheets->at(i).drawingMm.center();
         const QPointF corner = QPointF(cornerOf(int(i))) / pixelsAMillimetre;
         const Eigen::Vector2d expected(middle.x() + corner.x(), middle.y() + corner.y());
         const double offMm = (onPaperMm((*found)[i].pixel) - expected).norm();
@@ -164,7 +164,7 @@ void TestTargets::ringsAreToScale()
     QVERIFY(sheets);
     const QRectF ink = sheets->front().ink.boundingRect();
     QVERIFY(std::abs(ink.width() - 150) < 1e-6 && std::abs(ink.height() - 150) < 1e-6);
-    const QPointF middle = sheets->front().figureMm.center();
+    const QPointF middle = sheets->front().drawingMm.center();
     QVERIFY(!sheets->front().ink.contains(middle));                 // the hole
     QVERIFY(sheets->front().ink.contains(middle + QPointF(56, 0))); // between 37.5 and 75 mm
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/testbed/lens/internal/board_canvas.h"
 
-#include "ui/views/picture/picture_painting.h"
+#include "ui/views/image/image_painting.h"
 #include "ui/views/widgets/theme.h"
 
 #include <QLocale>
@@ -39,7 +39,7 @@ void BoardCanvas::setEmptyText(const QString &text)
     update();
 }
 
-QRectF BoardCanvas::pictureRect() const
+QRectF BoardCanvas::imageRect() const
 {
     QSizeF size = m_content.size;
     size.scale(this->size(), Qt::KeepAspectRatio);
@@ -47,10 +47,10 @@ QRectF BoardCanvas::pictureRect() const
 }
 
 /// Pixel (0,0) is the centre of the first.
-QPointF BoardCanvas::fromPixel(const QRectF &place, const Eigen::Vector2d &pixel) const
+QPointF BoardCanvas::fromPixel(const QRectF &position, const Eigen::Vector2d &pixel) const
 {
-    return place.topLeft() + QPointF((pixel.x() + 0.5) * place.width() / m_content.size.width(),
-                                     (pixel.y() + 0.5) * place.height() / m_content.size.height());
+    return position.topLeft() + QPointF((pixel.x() + 0.5) * position.width() / m_content.size.width(),
+                                        (pixel.y() + 0.5) * position.height() / m_content.size.height());
 }
 
 void BoardCanvas::paintEvent(QPaintEvent *)
@@ -58,28 +58,28 @@ void BoardCanvas::paintEvent(QPaintEvent *)
     QPainter painter(this);
     painter.setRenderHints(QPainter::Antialiasing | QPainter::SmoothPixmapTransform);
     const ThemeColours colours = ThemeColours::of(palette());
-    painter.fillRect(rect(), colours.pictureGround);
+    painter.fillRect(rect(), colours.imageBackground);
     if (m_content.image.isNull()) {
         painter.setPen(colours.muted);
         painter.drawText(rect().adjusted(24, 24, -24, -24), Qt::AlignCenter | Qt::TextWordWrap, m_emptyText);
         return;
     }
-    const QRectF place = pictureRect();
-    painter.drawImage(place, m_content.image);
-    painter.setClipRect(place);
-    paintCoverage(painter, place);
-    paintWanted(painter, place);
-    paintCorners(painter, place);
-    paintResiduals(painter, place);
+    const QRectF position = imageRect();
+    painter.drawImage(position, m_content.image);
+    painter.setClipRect(position);
+    paintCoverage(painter, position);
+    paintWanted(painter, position);
+    paintCorners(painter, position);
+    paintResiduals(painter, position);
     if (!m_content.label.isEmpty())
-        drawTag(painter, place.topLeft() + QPointF(10, 20), m_content.label, Qt::white, place);
+        drawTag(painter, position.topLeft() + QPointF(10, 20), m_content.label, Qt::white, position);
 }
 
-void BoardCanvas::paintCoverage(QPainter &painter, const QRectF &place) const
+void BoardCanvas::paintCoverage(QPainter &painter, const QRectF &position) const
 {
     if (!m_content.coverage)
         return;
-    const double w = place.width() / BoardCoverage::across, h = place.height() / BoardCoverage::down;
+    const double w = position.width() / BoardCoverage::across, h = position.height() / BoardCoverage::down;
     for (int row = 0; row < BoardCoverage::down; ++row) {
         for (int column = 0; column < BoardCoverage::across; ++column) {
             const int count = m_content.coverage->corners[std::size_t(row * BoardCoverage::across + column)];
@@ -87,19 +87,20 @@ void BoardCanvas::paintCoverage(QPainter &painter, const QRectF &place) const
                 continue;
             QColor shade = coveredColour;
             shade.setAlpha(25 + (mostShade - 25) * std::min(count, fullAtCorners) / fullAtCorners);
-            painter.fillRect(QRectF(place.x() + column * w, place.y() + row * h, w, h).adjusted(1, 1, -1, -1),
-                             shade);
+            painter.fillRect(
+                QRectF(position.x() + column * w, position.y() + row * h, w, h).adjusted(1, 1, -1, -1),
+                shade);
         }
     }
 }
 
-void BoardCanvas::paintWanted(QPainter &painter, const QRectF &place) const
+void BoardCanvas::paintWanted(QPainter &painter, const QRectF &position) const
 {
     if (!m_content.wanted)
         return;
     QPolygonF outline;
     for (const Eigen::Vector2d &corner : m_content.wanted->outline)
-        outline << fromPixel(place, corner);
+        outline << fromPixel(position, corner);
     painter.setBrush(Qt::NoBrush);
     painter.setPen(QPen(QColor(0, 0, 0, 150), 5));
     painter.drawPolygon(outline);
@@ -107,11 +108,11 @@ void BoardCanvas::paintWanted(QPainter &painter, const QRectF &place) const
     painter.drawPolygon(outline);
 }
 
-void BoardCanvas::paintCorners(QPainter &painter, const QRectF &place) const
+void BoardCanvas::paintCorners(QPainter &painter, const QRectF &position) const
 {
     const double radius = 3.5;
     for (const Eigen::Vector2d &corner : m_content.corners) {
-        const QPointF at = fromPixel(place, corner);
+        const QPointF at = fromPixel(position, corner);
         painter.setPen(QPen(QColor(0, 0, 0, 170), 3));
         painter.setBrush(Qt::NoBrush);
         painter.drawEllipse(at, radius, radius);
@@ -123,7 +124,7 @@ void BoardCanvas::paintCorners(QPainter &painter, const QRectF &place) const
 }
 
 /// Magnified until the longest is visible; the factor is shown.
-void BoardCanvas::paintResiduals(QPainter &painter, const QRectF &place) const
+void BoardCanvas::paintResiduals(QPainter &painter, const QRectF &position) const
 {
     double longest = 0;
     for (const Eigen::Vector2d &residual : m_content.residuals)
@@ -132,16 +133,16 @@ void BoardCanvas::paintResiduals(QPainter &painter, const QRectF &place) const
         return;
     const double factor = longestArrow * m_content.size.width() / longest;
     for (std::size_t i = 0; i < m_content.corners.size(); ++i) {
-        const QPointF from = fromPixel(place, m_content.corners[i]);
-        const QPointF to = fromPixel(place, m_content.corners[i] + factor * m_content.residuals[i]);
+        const QPointF from = fromPixel(position, m_content.corners[i]);
+        const QPointF to = fromPixel(position, m_content.corners[i] + factor * m_content.residuals[i]);
         for (const auto &[colour, width] :
              {std::pair(QColor(0, 0, 0, 170), 4.0), std::pair(seenColour, 2.0)}) {
             painter.setPen(QPen(colour, width, Qt::SolidLine, Qt::RoundCap));
             painter.drawLine(from, to);
         }
     }
-    drawTag(painter, place.bottomLeft() + QPointF(10, -20),
-            tr("residuals, longest %1 px").arg(QLocale().toString(longest, 'f', 2)), Qt::white, place);
+    drawTag(painter, position.bottomLeft() + QPointF(10, -20),
+            tr("residuals, longest %1 px").arg(QLocale().toString(longest, 'f', 2)), Qt::white, position);
 }
 
 } // namespace odo

@@ -41,12 +41,12 @@ protected:
     void paintEvent(QPaintEvent *event) override;
 
 private:
-    QRectF pictureRect() const;
-    void paintCoverage(QPainter &painter, const QRectF &place) const;
-    void paintWanted(QPainter &painter, const QRectF &place) const;
-    void paintCorners(QPainter &painter, const QRectF &place) const;
-    void paintResiduals(QPainter &painter, const QRectF &place) const;
-    QPointF fromPixel(const QRectF &place, const Eigen::Vector2d &pixel) const;
+    QRectF imageRect() const;
+    void paintCoverage(QPainter &painter, const QRectF &position) const;
+    void paintWanted(QPainter &painter, const QRectF &position) const;
+    void paintCorners(QPainter &painter, const QRectF &position) const;
+    void paintResiduals(QPainter &painter, const QRectF &position) const;
+    QPointF fromPixel(const QRectF &position, const Eigen::Vector2d &pixel) const;
 
     Content m_content;
     QString m_emptyText;

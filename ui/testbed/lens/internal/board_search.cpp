@@ -3,13 +3,13 @@
 
 #include "core/base/shortage.h"
 #include "core/capture/camera_source.h"
-#include "core/video/picture.h"
-#include "core/video/picture_reader.h"
+#include "core/video/image.h"
+#include "core/video/image_reader.h"
 #include "core/video/video_reader.h"
-#include "core/workflow/calibrate/calibration_pictures.h"
+#include "core/workflow/calibrate/calibration_images.h"
 #include "core/workflow/job_runner.h"
 #include "ui/models/shown_message.h"
-#include "ui/views/picture/picture_painting.h"
+#include "ui/views/image/image_painting.h"
 #include "ui/views/widgets/form_fields.h"
 
 #include <QFileInfo>
@@ -90,10 +90,10 @@ public:
     void undoRemove();
     void stop();
     /// The screen has painted what it was sent. Any thread.
-    void acknowledge() { --m_onTheirWay; }
+    void acknowledge() { --m_pending; }
 
 Q_SIGNALS:
-    void searched(const odo::SearchedPicture &picture);
+    void searched(const odo::SearchedImage &image);
     void stateChanged(const odo::SearchState &state);
     void troubled(const QString &message);
 
@@ -103,15 +103,15 @@ private:
     void lookAtCamera();
     void lookAtFile();
     void lookAtVideo();
-    void took(const Frame &frame, const QString &name, const PictureAnswer &answer, bool chosen);
-    void tellState();
+    void took(const Frame &frame, const QString &name, const ImageVerdict &answer, bool chosen);
+    void showState();
 
     BoardCollector m_collector{BoardSpec()};
     SearchState m_state;
     struct Removed
     {
         int index;
-        KeptPicture picture;
+        KeptImage image;
     };
     std::vector<Removed> m_removed;
     std::deque<QString> m_files;
@@ -120,7 +120,7 @@ private:
     int m_fromVideo = 0;
     std::shared_ptr<WatchedCamera> m_camera;
     bool m_takeNow = false, m_going = false;
-    std::atomic<int> m_onTheirWay{0};
+    std::atomic<int> m_pending{0};
 };
 
 } // namespace odo
@@ -131,7 +131,7 @@ namespace odo {
 
 namespace {
 
-constexpr int widestOnScreenPx = 1280, mostOnTheirWay = 2;
+constexpr int widestOnScreenPx = 1280, mostPending = 2;
 constexpr int enoughOfAVideo = 40, videoStep = 5;
 
 QImage forScreen(const Frame &frame)
@@ -150,13 +150,13 @@ void BoardSearchWorker::begin(const BoardSpec &spec)
     m_collector = BoardCollector(spec);
     m_state = {};
     m_removed.clear();
-    tellState();
+    showState();
 }
 
 void BoardSearchWorker::addFiles(const QStringList &files)
 {
     m_files.insert(m_files.end(), files.begin(), files.end());
-    tellState();
+    showState();
     goOn();
 }
 
@@ -172,7 +172,7 @@ void BoardSearchWorker::stop()
     m_files.clear();
     m_video.reset();
     m_takeNow = false;
-    tellState();
+    showState();
 }
 
 /// One image, then the pending orders, then the next image.
@@ -209,8 +209,8 @@ void BoardSearchWorker::lookAtCamera()
     }
     const bool chosen = std::exchange(m_takeNow, false);
     const QString name = tr("image %1").arg(m_state.kept.size() + m_removed.size() + 1);
-    const PictureAnswer answer = chosen ? m_collector.offer(captured->frame, name.toStdString())
-                                        : m_collector.watch(captured->frame, name.toStdString());
+    const ImageVerdict answer = chosen ? m_collector.offer(captured->frame, name.toStdString())
+                                       : m_collector.watch(captured->frame, name.toStdString());
     took(captured->frame, name, answer, chosen);
 }
 
@@ -219,11 +219,11 @@ void BoardSearchWorker::lookAtFile()
     const QString file = m_files.front();
     m_files.pop_front();
     const QString name = QFileInfo(file).fileName();
-    if (isStillPicture(pathOf(file))) {
-        if (const auto picture = readPicture(pathOf(file)))
-            took(*picture, name, m_collector.offer(*picture, name.toStdString()), true);
+    if (isStillImage(pathOf(file))) {
+        if (const auto image = readImage(pathOf(file)))
+            took(*image, name, m_collector.offer(*image, name.toStdString()), true);
         else
-            m_state.refused.emplace_back(name, shownWords(picture.error().why));
+            m_state.refused.emplace_back(name, shownWords(image.error().why));
     } else if (auto video = VideoReader::open(pathOf(file))) {
         m_video = std::move(*video);
         m_videoName = name;
@@ -231,7 +231,7 @@ void BoardSearchWorker::lookAtFile()
     } else {
         m_state.refused.emplace_back(name, shownWords(video.error().why));
     }
-    tellState();
+    showState();
 }
 
 void BoardSearchWorker::lookAtVideo()
@@ -243,42 +243,41 @@ void BoardSearchWorker::lookAtVideo()
                 m_videoName,
                 tr("none of its images shows a board that is still, sharp and in a new position"));
         m_video.reset();
-        tellState();
+        showState();
         return;
     }
     if (!frame || (*frame)->index % videoStep != 0) // one damaged image must not cost the others
         return;
     const QString name = QStringLiteral("%1@%2").arg(m_videoName).arg((*frame)->index);
-    const PictureAnswer answer = m_collector.watch(**frame, name.toStdString());
+    const ImageVerdict answer = m_collector.watch(**frame, name.toStdString());
     took(**frame, name, answer, false);
     if (answer.kept && ++m_fromVideo >= enoughOfAVideo)
         m_video.reset();
 }
 
-void BoardSearchWorker::took(const Frame &frame, const QString &name, const PictureAnswer &answer,
-                             bool chosen)
+void BoardSearchWorker::took(const Frame &frame, const QString &name, const ImageVerdict &answer, bool chosen)
 {
     // The screen may skip images that change nothing; it must not fall behind.
-    if (answer.kept || chosen || m_onTheirWay < mostOnTheirWay) {
-        SearchedPicture searchedPicture{
+    if (answer.kept || chosen || m_pending < mostPending) {
+        SearchedImage searchedImage{
             name, forScreen(frame), {frame.format.width, frame.format.height}, answer, {}};
         if (m_collector.spec().columns > 0) {
             std::vector<BoardPlacement> taken;
-            for (const CollectedPicture &picture : m_collector.pictures())
-                taken.push_back(picture.placement);
-            searchedPicture.wanted = wantedPose(taken, m_collector.spec().columns, m_collector.spec().rows,
-                                                m_collector.widthPx(), m_collector.heightPx());
+            for (const CollectedImage &image : m_collector.images())
+                taken.push_back(image.placement);
+            searchedImage.wanted = wantedPose(taken, m_collector.spec().columns, m_collector.spec().rows,
+                                              m_collector.widthPx(), m_collector.heightPx());
         }
         if (answer.kept)
-            m_state.kept.push_back({name, searchedPicture.image, *answer.picture,
+            m_state.kept.push_back({name, searchedImage.image, *answer.image,
                                     greyPng(frame).value_or(std::vector<unsigned char>())});
-        ++m_onTheirWay;
-        Q_EMIT searched(searchedPicture);
+        ++m_pending;
+        Q_EMIT searched(searchedImage);
     }
     if (chosen && answer.refusal)
         m_state.refused.emplace_back(name, shownWords(answer.refusal->why));
     if (chosen || answer.kept)
-        tellState();
+        showState();
 }
 
 void BoardSearchWorker::remove(int index)
@@ -288,7 +287,7 @@ void BoardSearchWorker::remove(int index)
     m_collector.remove(std::size_t(index));
     m_removed.push_back({index, std::move(m_state.kept[std::size_t(index)])});
     m_state.kept.erase(m_state.kept.begin() + index);
-    tellState();
+    showState();
 }
 
 void BoardSearchWorker::undoRemove()
@@ -297,13 +296,13 @@ void BoardSearchWorker::undoRemove()
         return;
     Removed removed = std::move(m_removed.back());
     m_removed.pop_back();
-    m_collector.insert(std::size_t(removed.index), removed.picture.board);
+    m_collector.insert(std::size_t(removed.index), removed.image.board);
     const auto at = std::min(removed.index, int(m_state.kept.size()));
-    m_state.kept.insert(m_state.kept.begin() + at, std::move(removed.picture));
-    tellState();
+    m_state.kept.insert(m_state.kept.begin() + at, std::move(removed.image));
+    showState();
 }
 
-void BoardSearchWorker::tellState()
+void BoardSearchWorker::showState()
 {
     m_state.coverage = m_collector.coverage();
     m_state.columns = m_collector.spec().columns;
@@ -316,13 +315,13 @@ void BoardSearchWorker::tellState()
 
 BoardSearch::BoardSearch(QObject *parent) : QObject(parent), m_worker(new BoardSearchWorker)
 {
-    qRegisterMetaType<SearchedPicture>();
+    qRegisterMetaType<SearchedImage>();
     qRegisterMetaType<SearchState>();
     m_worker->moveToThread(&m_thread);
     connect(&m_thread, &QThread::finished, m_worker, &QObject::deleteLater);
-    connect(m_worker, &BoardSearchWorker::searched, this, [this](const SearchedPicture &picture) {
+    connect(m_worker, &BoardSearchWorker::searched, this, [this](const SearchedImage &image) {
         m_worker->acknowledge();
-        Q_EMIT searched(picture);
+        Q_EMIT searched(image);
     });
     connect(m_worker, &BoardSearchWorker::stateChanged, this, [this](const SearchState &state) {
         m_state = state;
@@ -343,7 +342,7 @@ BoardSearch::~BoardSearch()
 void BoardSearch::ask(std::function<void(BoardSearchWorker &)> what)
 {
     if (!m_thread.isRunning())
-        return callLater(this, [this] { Q_EMIT troubled(errorLine(noThread(pictureSubject()))); });
+        return callLater(this, [this] { Q_EMIT troubled(errorLine(noThread(imageSubject()))); });
     callLater(m_worker, [worker = m_worker, what = std::move(what)] { what(*worker); });
 }
 

@@ -21,28 +21,28 @@ class WatchedCamera;
 using OpenCamera = std::function<Result<std::shared_ptr<CameraSource>>()>;
 
 /// A searched image, small enough for the screen.
-struct SearchedPicture
+struct SearchedImage
 {
     QString name;
     QImage image;
     QSize size; ///< of the original image
-    PictureAnswer answer;
+    ImageVerdict answer;
     std::optional<WantedPose> wanted; ///< what would add most now; once the board is known
 };
 
 /// An accepted image.
-struct KeptPicture
+struct KeptImage
 {
     QString name;
     QImage image;
-    CollectedPicture board;
+    CollectedImage board;
     std::vector<unsigned char> png; ///< as taken, grey: to be kept with the calibration
 };
 
 /// What has been gathered.
 struct SearchState
 {
-    std::vector<KeptPicture> kept;
+    std::vector<KeptImage> kept;
     std::vector<std::pair<QString, QString>>
         refused; ///< name and reason of rejected images that the user chose
     BoardCoverage coverage;
@@ -77,7 +77,7 @@ public:
     const SearchState &state() const { return m_state; }
 
 Q_SIGNALS:
-    void searched(const odo::SearchedPicture &picture);
+    void searched(const odo::SearchedImage &image);
     void changed();                        ///< state() is new
     void troubled(const QString &message); ///< the camera is lost, or delivers no image for the moment
 
@@ -92,4 +92,4 @@ private:
 
 } // namespace odo
 
-Q_DECLARE_METATYPE(odo::SearchedPicture)
+Q_DECLARE_METATYPE(odo::SearchedImage)

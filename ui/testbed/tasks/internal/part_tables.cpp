@@ -2,7 +2,7 @@
 #include "ui/testbed/tasks/internal/part_tables.h"
 
 #include "core/base/units.h"
-#include "ui/models/figure_text.h"
+#include "ui/models/number_text.h"
 #include "ui/views/widgets/command_keys.h"
 
 #include <QComboBox>
@@ -119,7 +119,7 @@ void PartTable::removeCurrent()
 
 /// Positions on the floor as typed in tables: millimetres, without a grouping that could be read as a decimal
 /// sign. A position that is no number is empty.
-QString placeText(double metres)
+QString positionText(double metres)
 {
     if (!std::isfinite(metres))
         return {};
@@ -131,7 +131,7 @@ QString placeText(double metres)
 }
 
 /// Of 1200,5 or 1200.5 in millimetres; NaN for what is no number.
-double placeOf(const QString &text)
+double positionOf(const QString &text)
 {
     return fromMillimetres(typedNumber(text).value_or(std::numeric_limits<double>::quiet_NaN()));
 }
@@ -209,8 +209,8 @@ void GateTable::showRow(int row)
     Gate &gate = m_gates[static_cast<std::size_t>(row)];
     table().setItem(row, GateColumn::Name, new QTableWidgetItem(QString::fromStdString(gate.name)));
     for (int column = GateColumn::FromX; column < GateColumn::Count; ++column) {
-        table().setItem(row, column, new QTableWidgetItem(placeText(numberOf(gate, column))));
-        table().item(row, column)->setToolTip(placeText(numberOf(gate, column)));
+        table().setItem(row, column, new QTableWidgetItem(positionText(numberOf(gate, column))));
+        table().item(row, column)->setToolTip(positionText(numberOf(gate, column)));
     }
     std::vector<std::pair<QString, int>> choices;
     for (const GateRole role : roles)
@@ -227,8 +227,8 @@ void GateTable::readRow(int row)
         qobject_cast<QComboBox *>(table().cellWidget(row, GateColumn::Role))->currentData().toInt());
     for (int column = GateColumn::FromX; column < GateColumn::Count; ++column) {
         const QString text = table().item(row, column)->text();
-        if (text != placeText(numberOf(gate, column))) // what was not touched keeps its last bit
-            numberOf(gate, column) = placeOf(text);
+        if (text != positionText(numberOf(gate, column))) // what was not touched keeps its last bit
+            numberOf(gate, column) = positionOf(text);
     }
 }
 
@@ -285,7 +285,7 @@ QString cornersText(const std::vector<Eigen::Vector2d> &corners)
 {
     QStringList texts;
     for (const Eigen::Vector2d &corner : corners)
-        texts << placeText(corner.x()) + u' ' + placeText(corner.y());
+        texts << positionText(corner.x()) + u' ' + positionText(corner.y());
     return texts.join(QStringLiteral("; "));
 }
 
@@ -298,8 +298,9 @@ std::vector<Eigen::Vector2d> cornersOf(const QString &text)
         const QStringList numbers = each.trimmed().split(between, Qt::SkipEmptyParts);
         if (numbers.isEmpty())
             continue;
-        corners.push_back(numbers.size() == 2 ? Eigen::Vector2d(placeOf(numbers[0]), placeOf(numbers[1]))
-                                              : Eigen::Vector2d(none, none));
+        corners.push_back(numbers.size() == 2
+                              ? Eigen::Vector2d(positionOf(numbers[0]), positionOf(numbers[1]))
+                              : Eigen::Vector2d(none, none));
     }
     return corners;
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/testbed/tasks/internal/scoring_table.h"
 
-#include "ui/models/figure_text.h"
+#include "ui/models/number_text.h"
 #include "ui/models/results.h"
 #include "ui/views/widgets/command_keys.h"
 
@@ -21,7 +21,7 @@ namespace {
 
 struct ScoringColumn
 {
-    enum { Figure, Full, None, Points, Count };
+    enum { Metric, Full, None, Points, Count };
 };
 
 double numberOf(const QString &text)
@@ -36,7 +36,7 @@ QString textOfNumber(double number)
     return std::isfinite(number) ? locale.toString(number, 'g', 8) : QString();
 }
 
-QString figureWords(const std::string &metric)
+QString metricWords(const std::string &metric)
 {
     const QString unit = boundUnit(metric).unit;
     return unit.isEmpty() ? metricName(metric) : QStringLiteral("%1, %2").arg(metricName(metric), unit);
@@ -60,7 +60,7 @@ ScoringTable::ScoringTable(const std::vector<std::string> &metrics, QWidget *par
     m_table->horizontalHeader()->setHighlightSections(false);
     m_table->horizontalHeader()->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
     m_table->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
-    m_table->horizontalHeader()->setSectionResizeMode(ScoringColumn::Figure, QHeaderView::Stretch);
+    m_table->horizontalHeader()->setSectionResizeMode(ScoringColumn::Metric, QHeaderView::Stretch);
     m_words->setWordWrap(true);
     m_words->setTextFormat(Qt::PlainText);
     m_words->setObjectName(QStringLiteral("quiet"));
@@ -107,18 +107,18 @@ void ScoringTable::show(int row)
     m_table->setItem(row, ScoringColumn::Full, new QTableWidgetItem(textOfNumber(factor * line.fullAt)));
     m_table->setItem(row, ScoringColumn::None, new QTableWidgetItem(textOfNumber(factor * line.noneAt)));
     m_table->setItem(row, ScoringColumn::Points, new QTableWidgetItem(textOfNumber(line.points)));
-    auto *figure = qobject_cast<QComboBox *>(m_table->cellWidget(row, ScoringColumn::Figure));
-    if (!figure) {
-        figure = new QComboBox;
-        figure->setAccessibleName(tr("Scored metric"));
+    auto *metricBox = qobject_cast<QComboBox *>(m_table->cellWidget(row, ScoringColumn::Metric));
+    if (!metricBox) {
+        metricBox = new QComboBox;
+        metricBox->setAccessibleName(tr("Scored metric"));
         for (const std::string &metric : m_metrics)
-            figure->addItem(figureWords(metric), QString::fromStdString(metric));
-        m_table->setCellWidget(row, ScoringColumn::Figure, figure);
-        connect(figure, &QComboBox::activated, this, [this, row] { readRow(row); });
+            metricBox->addItem(metricWords(metric), QString::fromStdString(metric));
+        m_table->setCellWidget(row, ScoringColumn::Metric, metricBox);
+        connect(metricBox, &QComboBox::activated, this, [this, row] { readRow(row); });
     }
-    if (figure->findData(QString::fromStdString(line.metric)) < 0)
-        figure->addItem(figureWords(line.metric), QString::fromStdString(line.metric));
-    figure->setCurrentIndex(figure->findData(QString::fromStdString(line.metric)));
+    if (metricBox->findData(QString::fromStdString(line.metric)) < 0)
+        metricBox->addItem(metricWords(line.metric), QString::fromStdString(line.metric));
+    metricBox->setCurrentIndex(metricBox->findData(QString::fromStdString(line.metric)));
 }
 
 void ScoringTable::readRow(int row)
@@ -126,7 +126,7 @@ void ScoringTable::readRow(int row)
     if (m_isShowing)
         return;
     Criterion &line = m_criteria[static_cast<std::size_t>(row)];
-    line.metric = qobject_cast<QComboBox *>(m_table->cellWidget(row, ScoringColumn::Figure))
+    line.metric = qobject_cast<QComboBox *>(m_table->cellWidget(row, ScoringColumn::Metric))
                       ->currentData()
                       .toString()
                       .toStdString();

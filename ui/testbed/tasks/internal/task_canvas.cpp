@@ -2,7 +2,7 @@
 #include "ui/testbed/tasks/internal/task_canvas.h"
 
 #include "core/base/units.h"
-#include "ui/models/figure_text.h"
+#include "ui/models/number_text.h"
 #include "ui/testbed/floor/floor_drawing.h"
 #include "ui/testbed/tasks/internal/part_tables.h"
 #include "ui/views/map/map_painting.h"
@@ -20,12 +20,12 @@ namespace {
 
 constexpr double turnStep = 5 * std::numbers::pi / 180, widthStepM = 0.02, leastWidthM = 0.02;
 
-double distancePx(const QLineF &line, const QPointF &place)
+double distancePx(const QLineF &line, const QPointF &position)
 {
-    const QPointF along = line.p2() - line.p1(), from = place - line.p1();
+    const QPointF along = line.p2() - line.p1(), from = position - line.p1();
     const double square = QPointF::dotProduct(along, along);
     const double share = square > 0 ? std::clamp(QPointF::dotProduct(from, along) / square, 0.0, 1.0) : 0;
-    return QLineF(line.pointAt(share), place).length();
+    return QLineF(line.pointAt(share), position).length();
 }
 
 bool canBeDrawn(const Zone &zone)
@@ -235,7 +235,7 @@ void TaskCanvas::mousePressEvent(QMouseEvent *event)
         m_grabbedAt = plan().toWorld(event->position());
 }
 
-bool TaskCanvas::grabGate(const QPointF &place)
+bool TaskCanvas::grabGate(const QPointF &position)
 {
     double nearest = floorGrabPx;
     int found = -1;
@@ -244,14 +244,14 @@ bool TaskCanvas::grabGate(const QPointF &place)
         if (!gate.from.allFinite() || !gate.to.allFinite())
             continue;
         const QLineF line(fromWorld(gate.from), fromWorld(gate.to));
-        const double apart = distancePx(line, place);
+        const double apart = distancePx(line, position);
         if (apart >= nearest)
             continue;
         nearest = apart;
         found = i;
-        m_dragged = QLineF(line.p1(), place).length() < floorGrabPx   ? Part::From
-                    : QLineF(line.p2(), place).length() < floorGrabPx ? Part::To
-                                                                      : Part::Line;
+        m_dragged = QLineF(line.p1(), position).length() < floorGrabPx   ? Part::From
+                    : QLineF(line.p2(), position).length() < floorGrabPx ? Part::To
+                                                                         : Part::Line;
     }
     if (found < 0)
         return false;
@@ -260,7 +260,7 @@ bool TaskCanvas::grabGate(const QPointF &place)
     return true;
 }
 
-bool TaskCanvas::grabZone(const QPointF &place)
+bool TaskCanvas::grabZone(const QPointF &position)
 {
     double nearest = floorGrabPx;
     int found = -1;
@@ -271,13 +271,13 @@ bool TaskCanvas::grabZone(const QPointF &place)
         for (std::size_t k = 0; k < zone.corners.size(); ++k) {
             const QLineF edge(fromWorld(zone.corners[k]),
                               fromWorld(zone.corners[(k + 1) % zone.corners.size()]));
-            const double apart = distancePx(edge, place);
+            const double apart = distancePx(edge, position);
             if (apart >= nearest)
                 continue;
             nearest = apart;
             found = i;
-            const bool isFirst = QLineF(edge.p1(), place).length() < floorGrabPx,
-                       isSecond = QLineF(edge.p2(), place).length() < floorGrabPx;
+            const bool isFirst = QLineF(edge.p1(), position).length() < floorGrabPx,
+                       isSecond = QLineF(edge.p2(), position).length() < floorGrabPx;
             m_dragged = isFirst || isSecond ? Part::Corner : Part::Zone;
             m_grabbedCorner = isSecond ? (k + 1) % zone.corners.size() : k;
         }

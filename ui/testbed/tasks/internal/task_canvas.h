@@ -56,8 +56,8 @@ private:
     void paintCurrent(QPainter &painter) const;
     void paintCurrentZone(QPainter &painter) const;
     void pick(int gate);
-    bool grabGate(const QPointF &place);
-    bool grabZone(const QPointF &place);
+    bool grabGate(const QPointF &position);
+    bool grabZone(const QPointF &position);
     void choose(int by);
     void describe();
     bool moveByKey(const QKeyEvent &event);

@@ -93,7 +93,7 @@ TaskEditor::TaskEditor(TaskDraft draft, QWidget *parent)
     resize(QSize(1040, 660).boundedTo(screen()->availableSize() * 0.95));
     connectAll();
     if (m_task.id == 0 && m_task.task.gates.empty() && m_task.task.path.points.empty())
-        makeAnew();
+        recreate();
     m_gates->setGates(m_task.task.gates);
     m_zones->setZones(m_task.task.zones);
     m_canvas->setTask(m_task.task);
@@ -127,7 +127,7 @@ QLayout *TaskEditor::makeButtons()
 void TaskEditor::connectAll()
 {
     connect(m_name, &QLineEdit::textChanged, this, &TaskEditor::check);
-    connect(m_template, &TemplateForm::changed, this, &TaskEditor::makeAnew);
+    connect(m_template, &TemplateForm::changed, this, &TaskEditor::recreate);
     connect(m_gates, &GateTable::changed, this, &TaskEditor::takeGates);
     connect(m_gates, &GateTable::currentChanged, m_canvas, &TaskCanvas::setCurrentGate);
     connect(m_canvas, &TaskCanvas::gateMoved, this, &TaskEditor::moveGate);
@@ -165,7 +165,7 @@ QWidget *TaskEditor::makeCourse()
     return course;
 }
 
-void TaskEditor::makeAnew()
+void TaskEditor::recreate()
 {
     const TaskLimits limits = m_task.task.limits;
     const std::vector<Zone> zones = m_task.task.zones;
@@ -316,8 +316,8 @@ TemplateForm::TemplateForm(QWidget *parent)
     m_form->addRow(tr("Te&mplate"), m_kind);
     m_x = addLength(tr("Centre &x"));
     m_y = addLength(tr("Centre &y"));
-    for (QDoubleSpinBox *place : {m_x, m_y})
-        place->setMinimum(-mostMm);
+    for (QDoubleSpinBox *position : {m_x, m_y})
+        position->setMinimum(-mostMm);
     m_length = addLength(tr("&Length"));
     m_width = addLength(tr("&Width"));
     m_direction->setRange(-360, 360);

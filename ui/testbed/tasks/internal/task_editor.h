@@ -57,7 +57,7 @@ private:
     QWidget *makeCourse();
     QLayout *makeButtons();
     void connectAll();
-    void makeAnew();
+    void recreate();
     void takeGates();
     void takeZones();
     void moveGate(int gate, const Eigen::Vector2d &from, const Eigen::Vector2d &to);

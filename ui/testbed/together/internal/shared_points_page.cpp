@@ -4,7 +4,7 @@
 #include "ui/testbed/floor/floor_wizard.h"
 
 #include "core/base/units.h"
-#include "core/calibration/lens_influence.h"
+#include "core/calibration/intrinsics_influence.h"
 #include "core/calibration/marker_detection.h"
 #include "ui/testbed/floor/marker_canvas.h"
 #include "ui/views/widgets/card.h"
@@ -27,7 +27,7 @@
 namespace odo {
 namespace {
 
-enum Column { PointColumn, SeenColumn, PlaceColumn, ErrorColumn, ColumnCount };
+enum Column { PointColumn, SeenColumn, PositionColumn, ErrorColumn, ColumnCount };
 constexpr std::size_t fewestPoints = 4;
 
 QString wholeMillimetres(double metres)
@@ -38,8 +38,8 @@ QString wholeMillimetres(double metres)
 } // namespace
 
 SharedPointsPage::SharedPointsPage(QWidget *parent)
-    : QWidget(parent), m_canvas(new MarkerCanvas), m_throughCanvas(new MarkerCanvas), m_name(new QLabel),
-      m_throughName(new QLabel), m_table(new QTableWidget(0, ColumnCount)),
+    : QWidget(parent), m_canvas(new MarkerCanvas), m_referenceCanvas(new MarkerCanvas), m_name(new QLabel),
+      m_referenceName(new QLabel), m_table(new QTableWidget(0, ColumnCount)),
       m_verdict(new RegistrationVerdict), m_remove(new QAction(tr("&Remove"), this)),
       m_undo(new QAction(tr("&Undo"), this))
 {
@@ -49,21 +49,21 @@ SharedPointsPage::SharedPointsPage(QWidget *parent)
     connect(m_remove, &QAction::triggered, this, &SharedPointsPage::removeCurrent);
     connect(m_undo, &QAction::triggered, this, &SharedPointsPage::undo);
     m_canvas->setAccessibleName(tr("Image of the camera to register; arrow keys move the selected point"));
-    m_throughCanvas->setAccessibleName(
+    m_referenceCanvas->setAccessibleName(
         tr("Image of the registered camera; arrow keys move the selected point"));
     connect(m_canvas, &MarkerCanvas::placed, this,
             [this](const QString &label, const Eigen::Vector2d &pixel, bool snap) {
-                place(&Point::pixel, m_pictures->camera.frame, label, pixel, snap);
+                position(&Point::pixel, m_images->camera.frame, label, pixel, snap);
             });
-    connect(m_throughCanvas, &MarkerCanvas::placed, this,
+    connect(m_referenceCanvas, &MarkerCanvas::placed, this,
             [this](const QString &label, const Eigen::Vector2d &pixel, bool snap) {
-                place(&Point::throughPixel, m_pictures->through.frame, label, pixel, snap);
+                position(&Point::referencePixel, m_images->reference.frame, label, pixel, snap);
             });
     auto *layout = new QGridLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     int column = 0;
     for (const auto &[name, canvas] :
-         {std::pair(m_name, m_canvas), std::pair(m_throughName, m_throughCanvas)}) {
+         {std::pair(m_name, m_canvas), std::pair(m_referenceName, m_referenceCanvas)}) {
         connect(canvas, &MarkerCanvas::picked, this, &SharedPointsPage::select);
         name->setStyleSheet(QStringLiteral("font-weight: 600"));
         name->setTextFormat(Qt::PlainText);
@@ -112,49 +112,49 @@ QWidget *SharedPointsPage::makeSide()
 
 void SharedPointsPage::wait(const QString &words)
 {
-    m_pictures.reset();
+    m_images.reset();
     m_points.clear();
     m_before.clear();
-    for (MarkerCanvas *canvas : {m_canvas, m_throughCanvas}) {
-        canvas->setPicture({}, {});
+    for (MarkerCanvas *canvas : {m_canvas, m_referenceCanvas}) {
+        canvas->setImage({}, {});
         canvas->setEmptyText(words);
     }
     evaluate();
-    m_verdict->tell(words, {});
+    m_verdict->showVerdict(words, {});
 }
 
 void SharedPointsPage::showFailure(const Error &error)
 {
     wait(shownWords(error.why));
-    m_verdict->tell(shownWords(error.why), shownWords(error.advice));
+    m_verdict->showVerdict(shownWords(error.why), shownWords(error.advice));
 }
 
 void SharedPointsPage::showNotSaved(const Error &error)
 {
-    m_verdict->tellNotSaved(error);
+    m_verdict->reportNotSaved(error);
 }
 
-void SharedPointsPage::begin(std::shared_ptr<const PicturePair> pictures, const FloorCamera &camera,
-                             const CheckCamera &through)
+void SharedPointsPage::begin(std::shared_ptr<const ImagePair> images, const FloorCamera &camera,
+                             const CheckCamera &reference)
 {
-    m_pictures = std::move(pictures);
+    m_images = std::move(images);
     m_camera = camera;
-    m_through = through;
+    m_reference = reference;
     m_points.clear();
-    for (const MarkerPixel &marker : m_pictures->camera.markers) {
-        const auto there = std::ranges::find(m_pictures->through.markers, marker.label, &MarkerPixel::label);
-        if (there != m_pictures->through.markers.end())
+    for (const MarkerPixel &marker : m_images->camera.markers) {
+        const auto there = std::ranges::find(m_images->reference.markers, marker.label, &MarkerPixel::label);
+        if (there != m_images->reference.markers.end())
             m_points.push_back({QString::fromStdString(marker.label), marker.pixel, there->pixel});
     }
     do
         addEmptyPoint();
     while (m_points.size() < fewestPoints);
     m_name->setText(tr("Camera %1, to be registered").arg(camera.name));
-    m_throughName->setText(tr("Camera %1, registered").arg(through.name));
-    for (const auto &[canvas, picture] :
-         {std::pair(m_canvas, &m_pictures->camera), std::pair(m_throughCanvas, &m_pictures->through)})
-        canvas->setPicture(picture->image, {picture->frame.format.width, picture->frame.format.height});
-    m_throughCanvas->setFloor(through.view, through.layout);
+    m_referenceName->setText(tr("Camera %1, registered").arg(reference.name));
+    for (const auto &[canvas, image] :
+         {std::pair(m_canvas, &m_images->camera), std::pair(m_referenceCanvas, &m_images->reference)})
+        canvas->setImage(image->image, {image->frame.format.width, image->frame.format.height});
+    m_referenceCanvas->setFloor(reference.view, reference.layout);
     evaluate();
     const auto first = std::ranges::find_if(m_points, [](const Point &point) { return !point.pixel; });
     m_table->selectRow(first == m_points.end() ? 0 : int(first - m_points.begin()));
@@ -185,8 +185,8 @@ void SharedPointsPage::select(const QString &label)
         m_table->selectRow(int(point - m_points.begin()));
 }
 
-void SharedPointsPage::place(std::optional<Eigen::Vector2d> Point::*where, const Frame &frame,
-                             const QString &label, const Eigen::Vector2d &pixel, bool snap)
+void SharedPointsPage::position(std::optional<Eigen::Vector2d> Point::*where, const Frame &frame,
+                                const QString &label, const Eigen::Vector2d &pixel, bool snap)
 {
     const auto point = std::ranges::find(m_points, label, &Point::label);
     if (point == m_points.end())
@@ -196,7 +196,7 @@ void SharedPointsPage::place(std::optional<Eigen::Vector2d> Point::*where, const
         snap ? snapToMarker(frame, pixel) : SnappedMarker{SnappedMarker::Kind::None, pixel, 0};
     (*point).*where = seen.kind == SnappedMarker::Kind::None ? pixel : seen.pixel;
     const int row = int(point - m_points.begin());
-    if (std::ranges::all_of(m_points, [](const Point &each) { return each.pixel && each.throughPixel; }))
+    if (std::ranges::all_of(m_points, [](const Point &each) { return each.pixel && each.referencePixel; }))
         addEmptyPoint();
     evaluate();
     if (snap)
@@ -209,8 +209,8 @@ void SharedPointsPage::goOnFrom(int row)
     const Point &point = m_points[std::size_t(row)];
     if (!point.pixel)
         m_canvas->setFocus();
-    else if (!point.throughPixel)
-        m_throughCanvas->setFocus();
+    else if (!point.referencePixel)
+        m_referenceCanvas->setFocus();
     else {
         const auto next = std::ranges::find_if(m_points, [](const Point &each) { return !each.pixel; });
         if (next != m_points.end())
@@ -227,7 +227,7 @@ void SharedPointsPage::removeCurrent()
         return;
     m_before.push_back(m_points);
     point->pixel.reset();
-    point->throughPixel.reset();
+    point->referencePixel.reset();
     evaluate();
 }
 
@@ -244,8 +244,8 @@ std::vector<SharedPoint> SharedPointsPage::points() const
 {
     std::vector<SharedPoint> shared;
     for (const Point &point : m_points) {
-        if (point.pixel && point.throughPixel)
-            shared.push_back({point.label.toStdString(), *point.pixel, *point.throughPixel});
+        if (point.pixel && point.referencePixel)
+            shared.push_back({point.label.toStdString(), *point.pixel, *point.referencePixel});
     }
     return shared;
 }
@@ -254,30 +254,31 @@ void SharedPointsPage::evaluate()
 {
     m_registration.reset();
     std::optional<FloorView> view;
-    if (m_pictures) {
-        const FrameFormat &format = m_pictures->camera.frame.format;
+    if (m_images) {
+        const FrameFormat &format = m_images->camera.frame.format;
         const std::optional<Intrinsics> lens =
             m_camera.intrinsics ? std::optional(m_camera.intrinsics->calibration.intrinsics) : std::nullopt;
         const auto shared = points();
-        const auto chained = registerThrough(
-            m_through->view,
-            ODO_TEXT("ui.camera_named", "camera %1")(Named::camera(m_through->name.toStdString())), shared,
+        const auto chained = registerViaCamera(
+            m_reference->view,
+            ODO_TEXT("ui.camera_named", "camera %1")(Named::camera(m_reference->name.toStdString())), shared,
             cameraOf(lens, format.width, format.height), lens.has_value());
         if (chained) {
             m_registration = *chained;
             const FloorRegistration &registration = chained->registration;
             view = floorViewOf(registration, *CameraModel::create(registration.intrinsics), chained->pixels);
-            m_verdict->tell(registration);
+            m_verdict->showVerdict(registration);
         } else {
-            m_verdict->tell(shownWords(chained.error().why),
-                            shared.size() < fewestPoints
-                                ? tr("Click a floor point in the left image, then the same point in the "
-                                     "right image. A click snaps to what is near it, to a tenth of a pixel; "
-                                     "arrow keys move the selected point, Space snaps it.")
-                                : shownWords(chained.error().advice));
+            m_verdict->showVerdict(
+                shownWords(chained.error().why),
+                shared.size() < fewestPoints
+                    ? tr("Click a floor point in the left image, then the same point in the "
+                         "right image. A click snaps to what is near it, to a tenth of a pixel; "
+                         "arrow keys move the selected point, Space snaps it.")
+                    : shownWords(chained.error().advice));
         }
     }
-    m_canvas->setFloor(view, m_through ? m_through->layout : MarkerLayout());
+    m_canvas->setFloor(view, m_reference ? m_reference->layout : MarkerLayout());
     m_undo->setEnabled(!m_before.empty());
     showPoints();
     Q_EMIT completeChanged();
@@ -292,14 +293,14 @@ void SharedPointsPage::showPoints()
     std::vector<MarkerPixel> here, there;
     for (int i = 0; i < m_table->rowCount(); ++i) {
         const Point &point = m_points[std::size_t(i)];
-        QString place, error;
+        QString position, error;
         if (point.pixel)
             here.push_back({point.label.toStdString(), *point.pixel});
-        if (point.throughPixel) {
-            there.push_back({point.label.toStdString(), *point.throughPixel});
-            const auto at = m_through->view.floorFromPixel(*point.throughPixel, 0);
-            place = at ? tr("%1; %2").arg(wholeMillimetres(at->x()), wholeMillimetres(at->y()))
-                       : tr("beyond the horizon");
+        if (point.referencePixel) {
+            there.push_back({point.label.toStdString(), *point.referencePixel});
+            const auto at = m_reference->view.floorFromPixel(*point.referencePixel, 0);
+            position = at ? tr("%1; %2").arg(wholeMillimetres(at->x()), wholeMillimetres(at->y()))
+                          : tr("beyond the horizon");
         }
         if (m_registration) {
             const auto &markers = m_registration->registration.markers;
@@ -307,23 +308,23 @@ void SharedPointsPage::showPoints()
             if (found != markers.end())
                 error = tr("%1 mm").arg(locale.toString(toMillimetres(found->errorM), 'f', 1));
         }
-        const QString seen = point.pixel && point.throughPixel ? tr("both images")
-                             : point.pixel                     ? tr("left only")
-                             : point.throughPixel              ? tr("right only")
-                                                               : tr("not set yet");
-        const QString texts[] = {point.label, seen, place, error};
+        const QString seen = point.pixel && point.referencePixel ? tr("both images")
+                             : point.pixel                       ? tr("left only")
+                             : point.referencePixel              ? tr("right only")
+                                                                 : tr("not set yet");
+        const QString texts[] = {point.label, seen, position, error};
         for (int column = 0; column < ColumnCount; ++column)
             m_table->setItem(i, column, new QTableWidgetItem(texts[column]));
     }
     if (row >= 0 && row < m_table->rowCount())
         m_table->selectRow(row);
     m_canvas->setMarkers(std::move(here));
-    m_throughCanvas->setMarkers(std::move(there));
+    m_referenceCanvas->setMarkers(std::move(there));
     const QString label = currentLabel();
     m_canvas->setCurrent(label);
-    m_throughCanvas->setCurrent(label);
+    m_referenceCanvas->setCurrent(label);
     const auto point = std::ranges::find(m_points, label, &Point::label);
-    m_remove->setEnabled(point != m_points.end() && (point->pixel || point->throughPixel));
+    m_remove->setEnabled(point != m_points.end() && (point->pixel || point->referencePixel));
 }
 
 } // namespace odo

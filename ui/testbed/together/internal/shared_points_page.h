@@ -3,7 +3,7 @@
 
 #include "core/calibration/chained_registration.h"
 #include "ui/testbed/floor/floor_camera.h"
-#include "ui/testbed/floor/still_picture.h"
+#include "ui/testbed/floor/still_image.h"
 
 #include <QWidget>
 #include <memory>
@@ -20,9 +20,9 @@ class MarkerCanvas;
 class RegistrationVerdict;
 
 /// The images of two cameras in which the user marks the same floor points.
-struct PicturePair
+struct ImagePair
 {
-    StillPicture camera, through;
+    StillImage camera, reference;
 };
 
 /// Second page of registering a camera via another one: the same points in both images, and at once the
@@ -38,11 +38,11 @@ public:
     void showFailure(const Error &error);
     /// Keeps the points: the user can try again.
     void showNotSaved(const Error &error);
-    void begin(std::shared_ptr<const PicturePair> pictures, const FloorCamera &camera,
-               const CheckCamera &through);
+    void begin(std::shared_ptr<const ImagePair> images, const FloorCamera &camera,
+               const CheckCamera &reference);
 
     MarkerCanvas &canvas() { return *m_canvas; }
-    MarkerCanvas &throughCanvas() { return *m_throughCanvas; }
+    MarkerCanvas &referenceCanvas() { return *m_referenceCanvas; }
     /// The points that are set in both images.
     std::vector<SharedPoint> points() const;
     /// What they say now; none where they do not determine it.
@@ -55,13 +55,13 @@ private:
     struct Point
     {
         QString label;
-        std::optional<Eigen::Vector2d> pixel, throughPixel;
+        std::optional<Eigen::Vector2d> pixel, referencePixel;
     };
 
     QWidget *makeSide();
     QWidget *makeTable();
-    void place(std::optional<Eigen::Vector2d> Point::*where, const Frame &frame, const QString &label,
-               const Eigen::Vector2d &pixel, bool snap);
+    void position(std::optional<Eigen::Vector2d> Point::*where, const Frame &frame, const QString &label,
+                  const Eigen::Vector2d &pixel, bool snap);
     void goOnFrom(int row);
     void removeCurrent();
     void undo();
@@ -71,14 +71,14 @@ private:
     QString currentLabel() const;
     void select(const QString &label);
 
-    std::shared_ptr<const PicturePair> m_pictures;
+    std::shared_ptr<const ImagePair> m_images;
     FloorCamera m_camera;
-    std::optional<CheckCamera> m_through;
+    std::optional<CheckCamera> m_reference;
     std::vector<Point> m_points;
     std::vector<std::vector<Point>> m_before; ///< for undo
     std::optional<ChainedRegistration> m_registration;
-    MarkerCanvas *m_canvas, *m_throughCanvas;
-    QLabel *m_name, *m_throughName;
+    MarkerCanvas *m_canvas, *m_referenceCanvas;
+    QLabel *m_name, *m_referenceName;
     QTableWidget *m_table;
     RegistrationVerdict *m_verdict;
     QAction *m_remove, *m_undo;

@@ -127,7 +127,7 @@ bool Chart::setOverlay(std::vector<ChartCurve> curves)
     m_series.resize(m_series.size() - m_overlay.size());
     m_overlay = std::move(curves);
     add(m_overlay);
-    lookAgain();
+    searchAgain();
     invalidate();
     return true;
 }
@@ -146,7 +146,7 @@ void Chart::remake()
     if (m_content)
         add(m_content->curves);
     add(m_overlay);
-    lookAgain();
+    searchAgain();
     invalidate();
 }
 
@@ -160,15 +160,15 @@ void Chart::add(const std::vector<ChartCurve> &curves)
     }
 }
 
-void Chart::setLook(const QPalette &palette, const QFont &font)
+void Chart::setStyle(const QPalette &palette, const QFont &font)
 {
     m_palette = palette;
     m_font = font;
-    lookAgain();
+    searchAgain();
     invalidate();
 }
 
-void Chart::lookAgain()
+void Chart::searchAgain()
 {
     const ThemeColours colours = ThemeColours::of(m_palette);
     for (QAbstractAxis *axis : std::initializer_list<QAbstractAxis *>{m_below, m_left}) {

@@ -33,7 +33,7 @@ public:
     bool hasContent() const { return m_content != nullptr; }
     /// Curves over all others, a fit say; empty: none. False where that changes nothing: there were none.
     bool setOverlay(std::vector<ChartCurve> curves);
-    void setLook(const QPalette &palette, const QFont &font);
+    void setStyle(const QPalette &palette, const QFont &font);
     /// A group stays hidden whatever the content.
     void setGroupShown(int group, bool isShown);
     bool isGroupShown(int group) const { return !m_hidden.contains(group); }
@@ -58,7 +58,7 @@ private:
     void remake();
     void add(const std::vector<ChartCurve> &curves);
     void showGroups();
-    void lookAgain();
+    void searchAgain();
     void invalidate();
     void setAxisRanges();
     void showStretches();

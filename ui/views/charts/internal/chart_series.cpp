@@ -23,7 +23,7 @@ bool holds(const ValueRange &values, double value)
     return value >= values.low && value <= values.high;
 }
 
-QColor inkColour(ChartInk ink, int place, const QPalette &palette)
+QColor inkColour(ChartInk ink, int position, const QPalette &palette)
 {
     const ThemeColours colours = ThemeColours::of(palette);
     switch (ink) {
@@ -42,7 +42,7 @@ QColor inkColour(ChartInk ink, int place, const QPalette &palette)
     case ChartInk::Series:
         break;
     }
-    return seriesColour(place, palette);
+    return seriesColour(position, palette);
 }
 
 } // namespace
@@ -293,7 +293,7 @@ qsizetype ChartSeries::showSpikes(const ChartColumns &columns)
 
 void ChartSeries::setPalette(const QPalette &palette)
 {
-    m_colour = inkColour(m_curve->ink, m_curve->place, palette);
+    m_colour = inkColour(m_curve->ink, m_curve->position, palette);
     m_rim = ThemeColours::of(palette).card;
     setPens();
 }

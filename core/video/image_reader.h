@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/error.h"
+#include "core/video/frame.h"
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <span>
+
+namespace odo {
+
+/// Reads a still image (PNG, JPEG, BMP, TIFF, PNM) as a full-range frame by BT.601: a JPEG's planes and a
+/// grey image's luma as they are, colours as 4:4:4. What it says on how it is to be turned is ignored:
+/// cameras are calibrated on the sensor's own rows and columns. Refuses more than 50 megapixels or
+/// 32000 pixels a side before decoding. Any thread.
+Result<Frame> readImage(const std::filesystem::path &file);
+
+enum class ImageFormat { Png, Jpeg, Bmp, Tiff, Pbm, Pgm, Ppm };
+
+struct ImageHeader
+{
+    ImageFormat format = ImageFormat::Png;
+    std::uint32_t width = 0, height = 0;
+};
+
+/// Format, width and height that the header of a still image states, without decoding it: PNG, JPEG, BMP,
+/// TIFF and PNM; of a TIFF in tiles at least those of a tile. Strict, so that no decoder finds a larger
+/// image than is stated here: nullopt for anything else, for headers that end early, and for those that can
+/// be read in two ways. Never reads outside `file`.
+std::optional<ImageHeader> imageHeader(std::span<const std::uint8_t> file);
+
+} // namespace odo

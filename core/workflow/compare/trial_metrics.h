@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/analysis/scoring.h"
+#include "core/analysis/term_progress.h"
+#include "core/base/error.h"
+#include "core/project/records.h"
+#include "core/project/repositories.h"
+
+#include <map>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace odo {
+
+class Project;
+
+/// By which a score is known among the metrics of trials; a higher one is better.
+constexpr const char *scoreMetric = "score";
+
+/// What a robot's run in a trial of a scored task is worth.
+struct TrialScore
+{
+    RecordId trial = 0, robot = 0, task = 0;
+    /// nullopt: its newest analysis was measured by another task than the trial has, or by it as it was
+    /// before it was changed.
+    std::optional<Score> score;
+};
+
+/// Of each robot in the trials from one moment to another (both belong to them) whose task is scored, by its
+/// newest analysis. Computed from what is stored, so that another scoring counts at once. On the project's
+/// thread.
+Result<std::vector<TrialScore>> trialScores(Project &project, Instant from, Instant to);
+
+/// The same as metric values named scoreMetric; runs without a score are left out.
+Result<std::vector<TrialMetric>> scoreMetrics(Project &project, Instant from, Instant to);
+
+/// A metric value of the newest analysis of each robot, of all trials: a metric by its name, or the score by
+/// scoreMetric.
+Result<std::vector<TrialMetric>> metricsOf(Project &project, const std::string &metric);
+
+/// Whether a trial belongs to a class and to a task (empty: to any) and is not in the bin. Pure.
+bool countsIn(const TrialRecord &trial, const std::string &className, const std::string &task);
+
+/// Trials whose metrics can be compared, in their order; they must outlive it.
+struct CountedTrials
+{
+    std::vector<const TrialRecord *> trials;
+    int leftOut = 0; ///< that belong to the task, and were measured by another course than it has now
+};
+/// Those that count in a class and a task (countsIn), without those that were measured otherwise; of any task
+/// none is left out for that. otherwise: in order of their ids. Pure.
+CountedTrials countedTrials(std::span<const TrialRecord *const> trials, const std::string &className,
+                            const std::string &task, const std::vector<OtherwiseMeasured> &otherwise);
+CountedTrials countedTrials(const std::vector<TrialRecord> &trials, const std::string &className,
+                            const std::string &task, const std::vector<OtherwiseMeasured> &otherwise);
+
+/// The median of a metric in a class.
+struct ClassMedian
+{
+    double median = 0;
+    int runs = 0; ///< each robot's in each trial
+};
+
+/// The median of each metric over the runs of a class in a task, by the metrics' names; those that no run has
+/// are not in it. Of trials that count there (countedTrials). On the project's thread. Errors: those of the
+/// repositories.
+Result<std::map<std::string, ClassMedian>> classMedians(Project &project, const std::string &className,
+                                                        const std::string &task,
+                                                        const std::vector<std::string> &metrics);
+
+/// What teams are compared by.
+struct StandingsChoice
+{
+    std::string className; ///< empty: all classes
+    /// empty: any task; then nobody is ranked, for runs of different tasks cannot be compared
+    std::string task;
+    std::string metric;
+};
+
+/// A team's metric value in one trial; of several robots the best one's.
+struct TeamRun
+{
+    std::string trial;
+    Instant date;
+    Metric metric;
+};
+
+struct TeamStanding
+{
+    std::string team, pseudonym, className;
+    std::vector<TeamRun> runs; ///< in the order of time
+    TeamStatistics statistics; ///< its runs' values, median, σ and rank
+    TermProgress progress;
+};
+
+struct Standings
+{
+    StandingsChoice choice;
+    bool isLessBetter = false;
+    /// the best rank first, then by median; of any task by name; only those with a run
+    std::vector<TeamStanding> teams;
+    bool isRanked() const { return !choice.task.empty(); } ///< else every rank is 0
+};
+
+/// Best, median, repeatability, progress and rank of the teams (see termProgress, rankTeams). Trials in the
+/// bin, without a team, of another class or task do not count. figures: of the metric, of these trials. Pure;
+/// any thread.
+Standings standingsOf(std::span<const TrialRecord *const> trials,
+                      const std::vector<TrialMetric> &trialMetrics, const StandingsChoice &choice);
+
+} // namespace odo

@@ -1,0 +1,388 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/views/image/camera_view.h"
+
+#include "ui/models/number_text.h"
+#include "ui/models/timeline.h"
+#include "ui/models/trial_scene.h"
+#include "ui/views/image/frame_fetcher.h"
+#include "ui/views/image/image_overlay.h"
+#include "ui/views/image/image_painting.h"
+#include "ui/views/widgets/theme.h"
+
+#include <QContextMenuEvent>
+#include <QMouseEvent>
+#include <QPainter>
+#include <QPixmap>
+#include <QStringList>
+#include <QWidget>
+#include <utility>
+
+namespace odo {
+
+class Timeline;
+
+/// The image of one view with its overlays; inside CameraView.
+class ImageArea : public QWidget
+{
+    Q_OBJECT
+public:
+    explicit ImageArea(Timeline &timeline, QWidget *parent = nullptr);
+
+    void setScene(TrialScenePtr scene, std::size_t view);
+    void setOverlay(ImageOverlay overlay);
+    void setRobotColour(const QColor &colour);
+    void setOutlinesShown(bool shown);
+    void setPointing(bool pointing);
+    bool isSettled() const;
+    QPointF fromImagePixels(const QPointF &pixel) const;
+
+    QSize sizeHint() const override { return {480, 270}; }
+    QSize minimumSizeHint() const override { return {160, 90}; }
+
+Q_SIGNALS:
+    void settled();
+    void pointedAt(const QPointF &pixel, const QPoint &global);
+
+protected:
+    void paintEvent(QPaintEvent *event) override;
+    void resizeEvent(QResizeEvent *event) override;
+    void changeEvent(QEvent *event) override;
+    void showEvent(QShowEvent *event) override;
+    void mousePressEvent(QMouseEvent *event) override;
+    void contextMenuEvent(QContextMenuEvent *event) override;
+
+private:
+    const SceneView *sceneView() const;
+    std::optional<qint64> wantedFrame() const;
+    void ask();
+    void showImage(qint64 frame, const QImage &image);
+    void showFailure(qint64 frame, const QString &message);
+    QSize imageSizePx() const;
+    QRectF imageRect() const;
+    bool pointAt(const QPoint &position, const QPoint &global);
+    void renderFloorLayer();
+    void paintRobots(QPainter &painter, qint64 frame) const;
+    void paintMessage(QPainter &painter, const QString &message) const;
+
+    Timeline &m_timeline;
+    FrameFetcher m_fetcher;
+    TrialScenePtr m_scene;
+    ImageOverlay m_overlay;
+    RobotMarkStyle m_style;
+    std::size_t m_view = 0;
+    QImage m_image;
+    qint64 m_shownFrame = -1; ///< that m_image is of
+    bool m_isOutside = false; ///< of the recording, when a frame was asked for last
+    bool m_isPointing = false;
+    QString m_failure;
+    QPixmap m_floorLayer; ///< grid, axes and trails; null: to be rendered
+};
+
+ImageArea::ImageArea(Timeline &timeline, QWidget *parent) : QWidget(parent), m_timeline(timeline)
+{
+    setAttribute(Qt::WA_OpaquePaintEvent);
+    setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
+    connect(&m_timeline, &Timeline::currentChanged, this, &ImageArea::ask);
+    connect(&m_fetcher, &FrameFetcher::frameReady, this, &ImageArea::showImage);
+    connect(&m_fetcher, &FrameFetcher::failed, this, &ImageArea::showFailure);
+}
+
+const SceneView *ImageArea::sceneView() const
+{
+    return m_scene && m_view < m_scene->views.size() ? &m_scene->views[m_view] : nullptr;
+}
+
+void ImageArea::setScene(TrialScenePtr scene, std::size_t view)
+{
+    const SceneView *before = sceneView();
+    const std::filesystem::path fileBefore = before ? before->file : std::filesystem::path();
+    m_scene = std::move(scene);
+    m_view = view;
+    m_floorLayer = {};
+    const SceneView *shown = sceneView();
+    const std::filesystem::path file = shown ? shown->file : std::filesystem::path();
+    if (file != fileBefore) {
+        m_fetcher.setFile(file);
+        m_image = {};
+        m_shownFrame = -1;
+        m_failure.clear();
+    }
+    ask();
+    update();
+}
+
+void ImageArea::setOverlay(ImageOverlay overlay)
+{
+    m_overlay = std::move(overlay);
+    update();
+}
+
+void ImageArea::setRobotColour(const QColor &colour)
+{
+    m_style.colour = colour;
+    m_floorLayer = {};
+    update();
+}
+
+void ImageArea::setOutlinesShown(bool shown)
+{
+    m_style.withOutlines = shown;
+    update();
+}
+
+std::optional<qint64> ImageArea::wantedFrame() const
+{
+    if (!sceneView())
+        return std::nullopt;
+    return m_scene->frameAt(m_view, m_timeline.currentTime());
+}
+
+void ImageArea::ask()
+{
+    const auto frame = wantedFrame();
+    if (const bool was = std::exchange(m_isOutside, !frame); m_isOutside || was)
+        // outside of the recording it says so; within it no longer, even before the image arrives
+        update();
+    if (!frame)
+        return;
+    if (isVisible())
+        m_fetcher.request(*frame, (imageRect().size() * devicePixelRatioF()).toSize());
+    if (!m_failure.isEmpty())
+        update();
+}
+
+void ImageArea::showImage(qint64 frame, const QImage &image)
+{
+    m_image = image;
+    m_shownFrame = frame;
+    m_failure.clear();
+    update();
+    if (isSettled())
+        Q_EMIT settled();
+}
+
+void ImageArea::showFailure(qint64 frame, const QString &message)
+{
+    m_image = {};
+    m_shownFrame = frame;
+    m_failure = message;
+    update();
+    Q_EMIT settled();
+}
+
+bool ImageArea::isSettled() const
+{
+    const auto frame = wantedFrame();
+    return !frame || !m_failure.isEmpty() || (m_shownFrame == *frame && m_fetcher.isIdle());
+}
+
+QSize ImageArea::imageSizePx() const
+{
+    const SceneView *view = sceneView();
+    return view ? QSize(view->recording.widthPx, view->recording.heightPx) : QSize();
+}
+
+QRectF ImageArea::imageRect() const
+{
+    return fittedRect(imageSizePx(), QSizeF(size()), devicePixelRatioF());
+}
+
+void ImageArea::setPointing(bool pointing)
+{
+    m_isPointing = pointing;
+    setCursor(pointing ? Qt::CrossCursor : Qt::ArrowCursor);
+}
+
+/// Whether there is an image at a position of the widget.
+bool ImageArea::pointAt(const QPoint &position, const QPoint &global)
+{
+    if (!sceneView() || m_image.isNull() || !imageRect().contains(position))
+        return false;
+    Q_EMIT pointedAt(toImagePixel(position, imageSizePx(), imageRect()), global);
+    return true;
+}
+
+void ImageArea::mousePressEvent(QMouseEvent *event)
+{
+    if (!m_isPointing || event->button() != Qt::LeftButton ||
+        !pointAt(event->position().toPoint(), event->globalPosition().toPoint()))
+        QWidget::mousePressEvent(event);
+}
+
+void ImageArea::contextMenuEvent(QContextMenuEvent *event)
+{
+    if (event->reason() != QContextMenuEvent::Mouse || !pointAt(event->pos(), event->globalPos()))
+        QWidget::contextMenuEvent(event);
+}
+
+QPointF ImageArea::fromImagePixels(const QPointF &pixel) const
+{
+    return fromImagePixel(pixel, imageSizePx(), imageRect());
+}
+
+void ImageArea::renderFloorLayer()
+{
+    m_floorLayer = QPixmap((QSizeF(size()) * devicePixelRatioF()).toSize());
+    m_floorLayer.setDevicePixelRatio(devicePixelRatioF());
+    m_floorLayer.fill(Qt::transparent);
+    if (!sceneView())
+        return;
+    QPainter painter(&m_floorLayer);
+    painter.setFont(font());
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setClipRect(imageRect());
+    paintFloor(
+        painter, *m_scene, m_view, [this](const QPointF &pixel) { return fromImagePixels(pixel); }, m_style);
+}
+
+void ImageArea::paintRobots(QPainter &painter, qint64 frame) const
+{
+    painter.save();
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setClipRect(imageRect());
+    const ImageMap toWidget = [this](const QPointF &pixel) { return fromImagePixels(pixel); };
+    for (std::size_t robot = 0; robot < m_scene->robots.size(); ++robot)
+        paintRobot(painter, *m_scene, m_view, robot, frame, toWidget, m_style);
+    if (m_overlay)
+        m_overlay(painter, m_view, frame, toWidget);
+    painter.restore();
+}
+
+void ImageArea::paintMessage(QPainter &painter, const QString &message) const
+{
+    const QRect position = rect().adjusted(16, 16, -16, -16);
+    const bool onImage = !m_image.isNull();
+    painter.setPen(onImage ? QColor(Qt::white) : ThemeColours::of(palette()).muted);
+    painter.drawText(position, Qt::AlignCenter | Qt::TextWordWrap, message);
+}
+
+void ImageArea::paintEvent(QPaintEvent *)
+{
+    QPainter painter(this);
+    painter.fillRect(rect(), ThemeColours::of(palette()).imageBackground);
+    if (!sceneView()) {
+        paintMessage(painter, tr("No view"));
+        return;
+    }
+    if (!m_image.isNull()) {
+        painter.setRenderHint(QPainter::SmoothPixmapTransform);
+        painter.drawImage(imageRect(), m_image);
+    }
+    const auto wanted = wantedFrame();
+    if (m_floorLayer.isNull())
+        renderFloorLayer();
+    if (wanted || !m_image.isNull()) // nothing to lie on where the camera showed nothing yet
+        painter.drawPixmap(0, 0, m_floorLayer);
+    if (!m_failure.isEmpty())
+        paintMessage(painter, m_failure);
+    else if (!wanted)
+        paintMessage(painter, tr("This camera was not recording at this time"));
+    // The overlay belongs to the image that is shown, even while a newer one is on its way.
+    const qint64 frame = m_image.isNull() ? wanted.value_or(-1) : m_shownFrame;
+    if (wanted && frame >= 0)
+        paintRobots(painter, frame);
+}
+
+void ImageArea::resizeEvent(QResizeEvent *)
+{
+    m_floorLayer = {};
+    ask();
+}
+
+void ImageArea::showEvent(QShowEvent *)
+{
+    ask();
+}
+
+void ImageArea::changeEvent(QEvent *event)
+{
+    if (event->type() == QEvent::PaletteChange || event->type() == QEvent::FontChange)
+        m_floorLayer = {};
+    QWidget::changeEvent(event);
+}
+
+namespace {
+
+QString viewRemark(const TrialScene &scene, std::size_t index)
+{
+    const RecordingRecord &recording = scene.views[index].recording;
+    QStringList parts; // the most informative first: the end may be cut off
+    if (index > 0 && isStepMeasured(recording))
+        parts += CameraView::tr("synchronised to %1 ms")
+                     .arg(QLocale().toString(recording.startOffsetSigmaS * 1e3, 'f', 1));
+    else if (index > 0 && recording.syncMethod == "told")
+        parts += CameraView::tr("manual offset");
+    else if (index > 0)
+        parts += CameraView::tr("not synchronised");
+    parts += QStringLiteral("%1×%2").arg(recording.widthPx).arg(recording.heightPx);
+    if (recording.framesPerSecond > 0)
+        parts += CameraView::tr("%1 /s").arg(QLocale().toString(recording.framesPerSecond, 'f', 1));
+    return parts.join(QStringLiteral(" · "));
+}
+
+} // namespace
+
+QString viewTitle(const SceneView &view)
+{
+    const QString name = QString::fromStdString(view.camera);
+    constexpr qsizetype shortName = 2; // "A" alone says little
+    return name.size() <= shortName ? CameraView::tr("Camera %1").arg(name) : name;
+}
+
+CameraView::CameraView(Timeline &timeline, QWidget *parent)
+    : Card(tr("Camera"), parent), m_area(new ImageArea(timeline, this))
+{
+    setContent(m_area);
+    m_area->setAccessibleName(tr("Camera image"));
+    connect(m_area, &ImageArea::settled, this, &CameraView::settled);
+    connect(m_area, &ImageArea::pointedAt, this, &CameraView::pointedAt);
+}
+
+CameraView::~CameraView() = default;
+
+void CameraView::setScene(TrialScenePtr scene, std::size_t view)
+{
+    const bool there = scene && view < scene->views.size();
+    setTitle(there ? viewTitle(scene->views[view]) : tr("Camera"));
+    setRemark(there ? viewRemark(*scene, view) : QString());
+    setBadge(there ? registrationBadge(scene->views[view].registration) : Badge());
+    m_area->setAccessibleName(tr("Image of %1").arg(title()));
+    m_area->setScene(std::move(scene), view);
+}
+
+void CameraView::setOverlay(ImageOverlay overlay)
+{
+    m_area->setOverlay(std::move(overlay));
+}
+
+void CameraView::setRobotColour(const QColor &colour)
+{
+    m_area->setRobotColour(colour);
+}
+
+void CameraView::setOutlinesShown(bool shown)
+{
+    m_area->setOutlinesShown(shown);
+}
+
+void CameraView::setPointing(bool pointing)
+{
+    m_area->setPointing(pointing);
+}
+
+bool CameraView::isSettled() const
+{
+    return m_area->isSettled();
+}
+QPointF CameraView::fromImagePixels(const QPointF &pixel) const
+{
+    return m_area->fromImagePixels(pixel);
+}
+QWidget *CameraView::imageArea() const
+{
+    return m_area;
+}
+
+} // namespace odo
+
+#include "camera_view.moc"
