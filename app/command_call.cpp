@@ -6,7 +6,7 @@
 #include "core/base/platform/crash_handler.h"
 #include "core/base/platform/process.h"
 #include "core/base/units.h"
-#include "core/project/location_warning.h"
+#include "core/project/project_rescue.h"
 #include "core/project/repositories.h"
 #include "core/workflow/record/completed_recordings.h"
 #include "ui/main_window/language.h"

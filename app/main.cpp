@@ -8,7 +8,6 @@
 #include "core/base/plain_text.h"
 #include "core/base/platform/crash_handler.h"
 #include "core/base/platform/process.h"
-#include "core/base/platform/stop_signals.h"
 #include "core/base/platform/user_folders.h"
 #include "core/base/shortage.h"
 #include "core/project/project_rescue.h"

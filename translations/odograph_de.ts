@@ -19022,7 +19022,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
 <context>
     <name>workflow.assumed_lens</name>
     <message>
-        <source>its lens was not calibrated but taken as free of distortion</source>
+        <source>the registration assumes a lens without distortion, because the lens was not calibrated</source>
         <translation>ihr Objektiv wurde nicht kalibriert, sondern als verzeichnungsfrei angenommen</translation>
     </message>
 </context>
@@ -20492,7 +20492,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
 <context>
     <name>workflow.put_original_or_import</name>
     <message>
-        <source>put the original file back, or import this one as another trial</source>
+        <source>restore the original file, or import this one as another trial</source>
         <translation>legen Sie die ursprüngliche Datei zurück, oder importieren Sie diese als weiteren Versuch</translation>
     </message>
 </context>

@@ -19022,7 +19022,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
 <context>
     <name>workflow.assumed_lens</name>
     <message>
-        <source>its lens was not calibrated but taken as free of distortion</source>
+        <source>the registration assumes a lens without distortion, because the lens was not calibrated</source>
         <translation>su objetivo no se calibró: se supuso sin distorsión</translation>
     </message>
 </context>
@@ -20492,7 +20492,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
 <context>
     <name>workflow.put_original_or_import</name>
     <message>
-        <source>put the original file back, or import this one as another trial</source>
+        <source>restore the original file, or import this one as another trial</source>
         <translation>restaure el archivo original o importe este como otro ensayo</translation>
     </message>
 </context>

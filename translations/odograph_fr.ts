@@ -19022,7 +19022,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>workflow.assumed_lens</name>
     <message>
-        <source>its lens was not calibrated but taken as free of distortion</source>
+        <source>the registration assumes a lens without distortion, because the lens was not calibrated</source>
         <translation>son objectif n&apos;a pas été étalonné mais supposé sans distorsion</translation>
     </message>
 </context>
@@ -20492,7 +20492,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>workflow.put_original_or_import</name>
     <message>
-        <source>put the original file back, or import this one as another trial</source>
+        <source>restore the original file, or import this one as another trial</source>
         <translation>remettez le fichier d&apos;origine, ou importez celui-ci comme un autre essai</translation>
     </message>
 </context>

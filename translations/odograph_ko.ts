@@ -18989,7 +18989,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
 <context>
     <name>workflow.assumed_lens</name>
     <message>
-        <source>its lens was not calibrated but taken as free of distortion</source>
+        <source>the registration assumes a lens without distortion, because the lens was not calibrated</source>
         <translation>렌즈를 보정하지 않고 왜곡이 없다고 가정했습니다</translation>
     </message>
 </context>
@@ -20459,7 +20459,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
 <context>
     <name>workflow.put_original_or_import</name>
     <message>
-        <source>put the original file back, or import this one as another trial</source>
+        <source>restore the original file, or import this one as another trial</source>
         <translation>원래 파일을 되돌려 놓거나 이 파일을 다른 시행으로 가져오세요</translation>
     </message>
 </context>

@@ -18989,7 +18989,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
 <context>
     <name>workflow.assumed_lens</name>
     <message>
-        <source>its lens was not calibrated but taken as free of distortion</source>
+        <source>the registration assumes a lens without distortion, because the lens was not calibrated</source>
         <translation>其镜头未经标定，被视为无畸变</translation>
     </message>
 </context>
@@ -20459,7 +20459,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
 <context>
     <name>workflow.put_original_or_import</name>
     <message>
-        <source>put the original file back, or import this one as another trial</source>
+        <source>restore the original file, or import this one as another trial</source>
         <translation>请放回原文件，或将此文件作为另一次试验导入</translation>
     </message>
 </context>

@@ -8,7 +8,7 @@
 #include "core/project/repositories.h"
 #include "core/workflow/demo.h"
 #include "core/workflow/known_truth.h"
-#include "core/workflow/media_repair.h"
+#include "core/workflow/media_upkeep.h"
 #include "core/workflow/track/settled_views.h"
 #include "core/workflow/track/track_warnings.h"
 #include "core/workflow/track/trial_occlusions.h"

@@ -2,7 +2,7 @@
 #include "app/answers.h"
 #include "app/command_call.h"
 #include "app/commands/commands.h"
-#include "core/project/limits.h"
+#include "core/project/names.h"
 #include "core/workflow/compare/compare_trials.h"
 #include "core/workflow/track/track_warnings.h"
 #include "ui/report/report_output.h"

@@ -6,7 +6,7 @@
 #include "app/commands/commands.h"
 #include "core/base/error.h"
 #include "core/base/percentile.h"
-#include "core/project/limits.h"
+#include "core/project/names.h"
 #include "core/project/repositories.h"
 #include "core/workflow/import/import_tracks_job.h"
 #include "core/workflow/import/import_trial_job.h"

@@ -3,7 +3,7 @@
 
 #include "core/base/error.h"
 #include "core/base/job_control.h"
-#include "core/simulation/robot_appearance.h"
+#include "core/simulation/demo_testbed.h"
 #include "core/video/frame.h"
 #include "core/video/frame_times.h"
 

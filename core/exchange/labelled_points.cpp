@@ -3,7 +3,6 @@
 
 #include "core/base/error.h"
 #include "core/base/units.h"
-#include "core/exchange/internal/delimited_text.h"
 #include "core/exchange/text_file.h"
 #include "core/files/output_file.h"
 

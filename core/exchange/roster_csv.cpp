@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/exchange/roster_csv.h"
 
-#include "core/exchange/internal/delimited_text.h"
 #include "core/exchange/text_file.h"
 #include "core/files/file_words.h"
 

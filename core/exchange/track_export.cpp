@@ -2,7 +2,6 @@
 #include "core/exchange/track_export.h"
 
 #include "core/analysis/quantity_curve.h"
-#include "core/exchange/internal/delimited_text.h"
 #include "core/exchange/text_file.h"
 
 #include <array>

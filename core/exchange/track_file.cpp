@@ -2,7 +2,6 @@
 #include "core/exchange/track_file.h"
 
 #include "core/base/error.h"
-#include "core/exchange/internal/delimited_text.h"
 #include "core/exchange/text_file.h"
 #include "core/files/file_words.h"
 

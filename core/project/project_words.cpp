@@ -2,7 +2,7 @@
 #include "core/project/project_words.h"
 
 #include "core/project/internal/words.h"
-#include "core/project/limits.h"
+#include "core/project/names.h"
 
 #include <utility>
 

@@ -1,13 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/simulation/robot_appearance.h"
+#include "core/base/units.h"
 #include "core/simulation/scene.h"
 
+#include <optional>
 #include <string>
 #include <vector>
 
 namespace odo {
+
+/// What is known of how a robot looks.
+struct RobotAppearance
+{
+    std::optional<RgbColour> colour = {}; ///< none: it may have any look
+    std::optional<double> lengthM = {}, widthM = {}, heightM = {};
+};
 
 /// A camera looking at a point of the floor from a position in the room, with a mild barrel distortion.
 FloorView simulatedView(const Eigen::Vector3d &cameraInWorld, const Eigen::Vector3d &lookAtInWorld,

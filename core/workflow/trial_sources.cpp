@@ -73,7 +73,7 @@ tl::unexpected<Error> isAnotherFile(const RegisteredView &view, const Message &h
                          "recording of view '%1'")(Named::camera(view.recording.cameraName)),
                 how,
                 ODO_TEXT("workflow.put_original_or_import",
-                         "put the original file back, or import this one as another trial"));
+                         "restore the original file, or import this one as another trial"));
 }
 
 } // namespace

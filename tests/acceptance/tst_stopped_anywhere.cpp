@@ -5,7 +5,7 @@
 // by SIGTERM.
 #include "core/project/project.h"
 #include "core/project/repositories.h"
-#include "core/workflow/media_repair.h"
+#include "core/workflow/media_upkeep.h"
 #include "core/workflow/project_copy.h"
 #include "core/workflow/record/completed_recordings.h"
 #include "tests/support/demo_lesson.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What a program does with the signals that ask it to stop; each in a program of its own, for they are the
 // whole program's.
-#include "core/base/platform/stop_signals.h"
+#include "core/base/platform/process.h"
 
 #include "tests/support/registered_test.h"
 

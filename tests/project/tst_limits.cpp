@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/project/limits.h"
+#include "core/project/names.h"
 
 #include "core/project/internal/connection.h"
-#include "core/project/names.h"
 #include "core/project/project.h"
 #include "core/project/repositories.h"
 #include "tests/support/registered_test.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/project/location_warning.h"
+#include "core/project/project_rescue.h"
 
 #include "tests/support/registered_test.h"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/project/project.h"
 #include "core/project/repositories.h"
-#include "core/workflow/empty_bin.h"
+#include "core/workflow/media_upkeep.h"
 #include "tests/support/registered_test.h"
 
 #include <QFile>

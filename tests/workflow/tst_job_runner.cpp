@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/project/project.h"
 #include "core/workflow/job.h"
-#include "core/workflow/job_runner.h"
 #include "tests/support/registered_test.h"
 #include "tests/support/said_error.h"
 

@@ -4,7 +4,7 @@
 #include "core/project/project.h"
 #include "core/project/recording_rows.h"
 #include "core/project/repositories.h"
-#include "core/workflow/media_repair.h"
+#include "core/workflow/media_upkeep.h"
 #include "core/workflow/project_copy.h"
 #include "tests/support/registered_test.h"
 #include "tests/support/said_error.h"

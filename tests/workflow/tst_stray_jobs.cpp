@@ -4,7 +4,7 @@
 #include "core/project/project_media.h"
 #include "core/project/repositories.h"
 #include "core/workflow/calibrate/calibration_images.h"
-#include "core/workflow/media_repair.h"
+#include "core/workflow/media_upkeep.h"
 #include "tests/support/registered_test.h"
 #include "tests/video/coded_frames.h"
 

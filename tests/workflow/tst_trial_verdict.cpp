@@ -143,7 +143,7 @@ private Q_SLOTS:
         QVERIFY(!changed);
         QCOMPARE(changed.error().message(),
                  std::string("recording of view 'A': its file has changed since it was "
-                             "added; put the original file back, or import this one "
+                             "added; restore the original file, or import this one "
                              "as another trial"));
         write("abcd");
         changed = checkRecordings({view}, {});

@@ -6,7 +6,6 @@
 #include "core/project/repositories.h"
 #include "ui/history/internal/mark_actions.h"
 #include "ui/history/internal/teams_panel.h"
-#include "ui/history/internal/trial_detail.h"
 #include "ui/history/internal/trial_list.h"
 #include "ui/models/shown_names.h"
 #include "ui/models/trial_model.h"

@@ -3,7 +3,7 @@
 
 #include "core/base/crash_report.h"
 #include "core/base/file_system.h"
-#include "core/base/platform/stop_signals.h"
+#include "core/base/platform/process.h"
 #include "ui/main_window/main_window.h"
 #include "ui/views/widgets/form_fields.h"
 #include "ui/views/widgets/labels.h"

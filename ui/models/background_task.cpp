@@ -3,7 +3,7 @@
 
 #include "core/base/shortage.h"
 #include "core/project/project.h"
-#include "core/workflow/job_runner.h"
+#include "core/workflow/job.h"
 #include "ui/models/shown_message.h"
 
 #include <utility>

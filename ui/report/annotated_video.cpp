@@ -9,7 +9,7 @@
 #include "core/video/image.h"
 #include "core/video/video_writer.h"
 #include "ui/report/internal/annotated_frame.h"
-#include "ui/views/image/image_painting.h"
+#include "ui/views/image/image_overlay.h"
 #include "ui/views/widgets/theme.h"
 
 #include <QGuiApplication>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/base/job_control.h"
 #include "core/base/units.h"
 
 #include <cstddef>
@@ -8,6 +9,7 @@
 #include <system_error>
 
 /// What the program asks of the system besides files.
+
 namespace odo {
 
 /// Opens those of the three standard files that are closed on nothing: what is opened next would get their
@@ -40,5 +42,21 @@ Nanoseconds threadCpuTime();
 
 /// Fills it with what nobody can foresee; the system's reason where it has no random numbers. Any thread.
 std::error_code fillWithRandom(std::span<std::byte> bytes);
+
+/// From now on SIGINT (Ctrl-C), SIGTERM and SIGHUP ask this program to stop in good order: each cancels the
+/// token and is told by the descriptor. A second SIGINT ends it at once. SIGHUP stays ignored where it was
+/// (nohup). Once, at the start.
+void watchStopSignals();
+
+/// Cancelled by the first of them. Any thread.
+const CancelToken &stopToken();
+/// Which came first, SIGINT before the others; 0: none. Any thread.
+int stopSignal();
+/// Can be read from once one came; nobody reads from it. -1: there was none to be had.
+int stopDescriptor();
+
+/// The exit status of a program that was asked to stop, as a shell tells it: 130 of Ctrl-C, or where no
+/// signal came; 143 of SIGTERM, 129 of SIGHUP.
+int exitStatusOfStop();
 
 } // namespace odo

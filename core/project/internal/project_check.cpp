@@ -12,7 +12,7 @@
 #include "core/project/internal/connection.h"
 #include "core/project/internal/task_repository.h"
 #include "core/project/internal/words.h"
-#include "core/project/limits.h"
+#include "core/project/names.h"
 #include "core/project/project.h"
 #include "core/project/project_locks.h"
 #include "core/project/project_media.h"

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/base/error.h"
-#include "core/project/limits.h"
+#include "core/project/names.h"
 #include "core/project/records.h"
 #include "core/video/frame_times.h"
 

@@ -5,7 +5,7 @@
 #include "core/base/file_system.h"
 #include "core/base/job_control.h"
 #include "core/files/protected_files.h"
-#include "core/project/limits.h"
+#include "core/project/names.h"
 #include "core/project/project.h"
 #include "core/project/project_words.h"
 #include "core/project/records.h"

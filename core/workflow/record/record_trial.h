@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/project/records.h"
-#include "core/simulation/robot_appearance.h"
+#include "core/simulation/demo_testbed.h"
 #include "core/workflow/record/live_tracking.h"
 #include "core/workflow/record/live_trial.h"
 

@@ -141,12 +141,13 @@ void checkSynchronisation(const RecordingRecord &first, const RecordingRecord &v
 void checkRegistration(const RegistrationRecord &registration, const std::string &camera, Checks &checks)
 {
     if (registration.intrinsics == 0)
-        checks.add(lensKnown, CheckLevel::Doubtful,
-                   wholeMessage(cameraSubject(camera),
-                                ODO_TEXT("workflow.assumed_lens", "its lens was not calibrated but taken as "
-                                                                  "free of distortion"),
-                                ODO_TEXT("workflow.calibrate_and_reanalyse",
-                                         "calibrate the lens, register the camera again and reanalyse")));
+        checks.add(
+            lensKnown, CheckLevel::Doubtful,
+            wholeMessage(cameraSubject(camera),
+                         ODO_TEXT("workflow.assumed_lens", "the registration assumes a lens without "
+                                                           "distortion, because the lens was not calibrated"),
+                         ODO_TEXT("workflow.calibrate_and_reanalyse",
+                                  "calibrate the lens, register the camera again and reanalyse")));
     if (registration.lastCheck && registration.lastCheck->outcome == RegistrationCheck::Outcome::CameraMoved)
         checks.add(cameraStill, CheckLevel::Doubtful,
                    wholeMessage(cameraSubject(camera),

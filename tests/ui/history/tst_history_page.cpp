@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/project/project.h"
 #include "core/project/repositories.h"
-#include "core/workflow/empty_bin.h"
+#include "core/workflow/media_upkeep.h"
 #include "tests/support/registered_test.h"
 #include "tests/ui/support/found_widgets.h"
 #include "tests/ui/support/person.h"
@@ -10,7 +10,7 @@
 #include "ui/history/history_page.h"
 #include "ui/history/internal/mark_actions.h"
 #include "ui/history/internal/teams_panel.h"
-#include "ui/history/internal/trial_detail.h"
+#include "ui/history/internal/trial_list.h"
 #include "ui/models/results.h"
 #include "ui/models/trial_model.h"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A window that the system asks to end while it records: by a signal, and at log-out.
-#include "core/base/platform/stop_signals.h"
+#include "core/base/platform/process.h"
 #include "core/project/project.h"
 #include "core/project/repositories.h"
 #include "tests/support/registered_test.h"

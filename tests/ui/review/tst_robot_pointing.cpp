@@ -4,7 +4,7 @@
 #include "tests/ui/support/example_scene.h"
 #include "ui/models/timeline.h"
 #include "ui/review/corrections.h"
-#include "ui/views/image/image_painting.h"
+#include "ui/views/image/image_overlay.h"
 
 #include <QAction>
 #include <QApplication>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/compare/internal/compare_column.h"
 
-#include "core/project/limits.h"
+#include "core/project/names.h"
 #include "ui/models/comparison_scene.h"
 #include "ui/models/shown_names.h"
 #include "ui/models/timeline.h"

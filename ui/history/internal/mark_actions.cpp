@@ -3,7 +3,7 @@
 
 #include "core/project/project.h"
 #include "core/project/repositories.h"
-#include "core/workflow/empty_bin.h"
+#include "core/workflow/media_upkeep.h"
 #include "ui/views/widgets/command_keys.h"
 #include "ui/views/widgets/theme.h"
 

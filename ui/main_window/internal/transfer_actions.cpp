@@ -2,7 +2,7 @@
 #include "ui/main_window/internal/transfer_actions.h"
 
 #include "core/project/project.h"
-#include "core/workflow/media_repair.h"
+#include "core/workflow/media_upkeep.h"
 #include "core/workflow/project_copy.h"
 #include "ui/main_window/workspace.h"
 #include "ui/models/shown_message.h"

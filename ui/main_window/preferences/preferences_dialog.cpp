@@ -5,7 +5,7 @@
 #include "ui/main_window/preferences/command_keys.h"
 #include "ui/models/number_text.h"
 #include "ui/models/shown_message.h"
-#include "ui/record/sent_positions.h"
+#include "ui/record/record_page.h"
 #include "ui/report/report_maker.h"
 #include "ui/views/widgets/form_fields.h"
 #include "ui/views/widgets/theme.h"

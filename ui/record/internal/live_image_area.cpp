@@ -3,7 +3,6 @@
 
 #include "ui/views/charts/series_colours.h"
 #include "ui/views/image/image_overlay.h"
-#include "ui/views/image/image_painting.h"
 #include "ui/views/widgets/theme.h"
 
 #include <QEvent>

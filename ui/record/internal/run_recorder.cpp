@@ -4,7 +4,7 @@
 #include "core/base/shortage.h"
 #include "core/base/steady_now.h"
 #include "core/project/project.h"
-#include "core/workflow/job_runner.h"
+#include "core/workflow/job.h"
 #include "core/workflow/record/completed_recordings.h"
 #include "core/workflow/record/live_trial.h"
 #include "ui/models/shown_message.h"

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/analysis/profile.h"
-#include "core/workflow/job_runner.h"
+#include "core/workflow/job.h"
 #include "core/workflow/record/live_tracking.h"
 #include "ui/models/background_task.h"
 #include "ui/views/widgets/card.h"

@@ -6,11 +6,11 @@
 #include "core/project/project.h"
 #include "core/project/repositories.h"
 #include "core/video/image.h"
-#include "core/workflow/job_runner.h"
+#include "core/workflow/job.h"
 #include "core/workflow/record/record_trial.h"
 #include "core/workflow/trial_sources.h"
 #include "ui/record/internal/camera_choice.h"
-#include "ui/views/image/image_painting.h"
+#include "ui/views/image/image_overlay.h"
 
 #include <algorithm>
 

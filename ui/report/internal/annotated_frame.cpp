@@ -9,7 +9,6 @@
 #include "ui/views/charts/trial_curves.h"
 #include "ui/views/image/camera_view.h"
 #include "ui/views/image/image_overlay.h"
-#include "ui/views/image/image_painting.h"
 #include "ui/views/map/trial_map.h"
 #include "ui/views/widgets/theme.h"
 

@@ -13,7 +13,6 @@
 #include "ui/report/report_maker.h"
 #include "ui/views/charts/series_colours.h"
 #include "ui/views/image/image_overlay.h"
-#include "ui/views/image/image_painting.h"
 #include "ui/views/widgets/theme.h"
 
 #include <QCoreApplication>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/workflow/calibrate/camera_position_job.h"
-#include "core/workflow/job_runner.h"
+#include "core/workflow/job.h"
 #include "ui/testbed/floor/floor_camera.h"
 #include "ui/testbed/floor/still_image.h"
 

@@ -2,7 +2,7 @@
 #include "ui/testbed/check/expected_accuracy.h"
 
 #include "core/base/units.h"
-#include "ui/views/image/image_painting.h"
+#include "ui/views/image/image_overlay.h"
 #include "ui/views/widgets/theme.h"
 
 #include <QCoreApplication>

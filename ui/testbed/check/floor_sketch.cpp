@@ -2,8 +2,8 @@
 #include "ui/testbed/check/floor_sketch.h"
 
 #include "ui/models/number_text.h"
-#include "ui/testbed/floor/floor_drawing.h"
-#include "ui/views/image/image_painting.h"
+#include "ui/testbed/floor/floor_camera.h"
+#include "ui/views/image/image_overlay.h"
 #include "ui/views/widgets/theme.h"
 
 #include <QLocale>

@@ -11,7 +11,7 @@
 #include "ui/models/number_text.h"
 #include "ui/models/shown_message.h"
 #include "ui/testbed/floor/marker_canvas.h"
-#include "ui/views/image/image_painting.h"
+#include "ui/views/image/image_overlay.h"
 #include "ui/views/widgets/command_keys.h"
 #include "ui/views/widgets/labels.h"
 #include "ui/views/widgets/table_list.h"

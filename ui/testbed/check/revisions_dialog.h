@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/workflow/calibrate/cameras.h"
-#include "core/workflow/job_runner.h"
+#include "core/workflow/job.h"
 #include "core/workflow/track/reanalysis.h"
 
 #include <QDialog>

@@ -6,10 +6,13 @@
 #include "core/project/records.h"
 #include "ui/models/number_text.h"
 
+#include <Eigen/Core>
 #include <QString>
+#include <cmath>
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace odo {
 
@@ -32,5 +35,31 @@ struct CheckCamera
     std::string deviceUri = {}; ///< may be empty
     Badge badge = {};           ///< how far it can be relied on
 };
+
+// What all drawings of a testbed's floor have in common.
+
+inline constexpr double floorGridM = 0.5;
+inline constexpr double floorGrabPx = 12; ///< as near as this a press takes hold of something
+
+/// Where the grid has lines between two coordinates. None where they would be all that is to be seen, as of a
+/// layout in a wrong unit.
+inline std::vector<double> floorGridLines(double fromM, double toM)
+{
+    constexpr double mostLines = 200;
+    std::vector<double> lines;
+    if (!((toM - fromM) / floorGridM <= mostLines)) // nor of what is no number
+        return lines;
+    for (double line = std::ceil(fromM / floorGridM);
+         line * floorGridM <= toM + 1e-9 && lines.size() <= mostLines; ++line)
+        lines.push_back(line * floorGridM);
+    return lines;
+}
+
+/// Where something that is dragged comes to lie: on whole centimetres of the world, in metres.
+inline Eigen::Vector2d onDragStep(const Eigen::Vector2d &point)
+{
+    constexpr double stepM = 0.01;
+    return stepM * (point / stepM).array().round().matrix();
+}
 
 } // namespace odo

@@ -7,7 +7,7 @@
 #include "core/geometry/homography.h"
 #include "ui/models/number_text.h"
 #include "ui/models/shown_message.h"
-#include "ui/testbed/floor/floor_drawing.h"
+#include "ui/testbed/floor/floor_camera.h"
 #include "ui/views/widgets/command_keys.h"
 #include "ui/views/widgets/form_fields.h"
 #include "ui/views/widgets/theme.h"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/testbed/floor/marker_canvas.h"
 
-#include "ui/testbed/floor/floor_drawing.h"
-#include "ui/views/image/image_painting.h"
+#include "ui/testbed/floor/floor_camera.h"
+#include "ui/views/image/image_overlay.h"
 #include "ui/views/widgets/theme.h"
 
 #include <QCoreApplication>

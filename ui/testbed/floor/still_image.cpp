@@ -5,7 +5,7 @@
 #include "core/video/image.h"
 #include "core/workflow/calibrate/calibration_images.h"
 #include "ui/models/shown_message.h"
-#include "ui/views/image/image_painting.h"
+#include "ui/views/image/image_overlay.h"
 #include "ui/views/widgets/form_fields.h"
 
 #include <QHBoxLayout>

@@ -4,7 +4,7 @@
 #include "core/base/job_control.h"
 #include "core/exchange/file_name.h"
 #include "core/files/output_file.h"
-#include "core/workflow/job_runner.h"
+#include "core/workflow/job.h"
 #include "ui/models/shown_message.h"
 #include "ui/views/charts/chart_view.h"
 #include "ui/views/charts/internal/chart.h"

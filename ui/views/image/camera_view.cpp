@@ -6,7 +6,6 @@
 #include "ui/models/trial_scene.h"
 #include "ui/views/image/frame_fetcher.h"
 #include "ui/views/image/image_overlay.h"
-#include "ui/views/image/image_painting.h"
 #include "ui/views/widgets/theme.h"
 
 #include <QContextMenuEvent>

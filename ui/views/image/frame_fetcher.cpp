@@ -4,9 +4,9 @@
 #include "core/base/shortage.h"
 #include "core/video/image.h"
 #include "core/video/video_reader.h"
-#include "core/workflow/job_runner.h"
+#include "core/workflow/job.h"
 #include "ui/models/shown_message.h"
-#include "ui/views/image/image_painting.h"
+#include "ui/views/image/image_overlay.h"
 
 #include <condition_variable>
 #include <list>

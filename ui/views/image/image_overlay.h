@@ -2,10 +2,14 @@
 #pragma once
 
 #include "core/tracking/observation.h"
+#include "core/video/image.h"
 #include "ui/models/trial_scene.h"
 
 #include <QColor>
+#include <QImage>
 #include <QPointF>
+#include <QRectF>
+#include <QSize>
 #include <QString>
 #include <functional>
 
@@ -71,5 +75,25 @@ void paintFloor(QPainter &painter, const TrialScene &scene, std::size_t view, co
 /// nothing.
 void paintRobot(QPainter &painter, const TrialScene &scene, std::size_t view, std::size_t robot,
                 std::int64_t frame, const ImageMap &map, const RobotMarkStyle &style = {});
+
+/// Text legible on any image: it has a dark rim. The point is the left end of the base line.
+void drawHaloText(QPainter &painter, const QPointF &baseline, const QString &text, const QColor &colour);
+
+/// Text in a dark, slightly transparent box that is kept inside `frame`; a long one is cut off, so that it
+/// leaves the image to be seen. The point is the middle of its left edge.
+void drawTag(QPainter &painter, const QPointF &leftMiddle, const QString &text, const QColor &colour,
+             const QRectF &frame);
+
+/// The position of an image of a size in pixels in a widget, as large as fits, on whole device pixels, so
+/// that it is not resampled once more. All of the widget for an empty size.
+QRectF fittedRect(const QSize &imagePx, const QSizeF &widget, double devicePixelRatio);
+
+/// Where a pixel of it lies; pixel (0,0) is the centre of the top-left one.
+QPointF fromImagePixel(const QPointF &pixel, const QSize &imagePx, const QRectF &fitted);
+/// The other way.
+QPointF toImagePixel(const QPointF &position, const QSize &imagePx, const QRectF &fitted);
+
+/// Hands the pixels over to a QImage without copying them.
+QImage toImage(ScreenImage &&image);
 
 } // namespace odo

@@ -4,7 +4,7 @@
 #include "core/base/shortage.h"
 #include "core/video/image.h"
 #include "core/video/video_reader.h"
-#include "core/workflow/job_runner.h"
+#include "core/workflow/job.h"
 
 #include <algorithm>
 #include <array>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/registered_test.h"
 #include "ui/main_window/preferences/preferences_dialog.h"
-#include "ui/record/sent_positions.h"
+#include "ui/record/record_page.h"
 
 #include <QApplication>
 #include <QCheckBox>

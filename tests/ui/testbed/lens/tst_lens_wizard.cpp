@@ -11,10 +11,9 @@
 #include "tests/ui/support/found_widgets.h"
 #include "tests/ui/support/person.h"
 #include "ui/models/camera_lists.h"
-#include "ui/testbed/lens/internal/board_canvas.h"
 #include "ui/testbed/lens/internal/board_images_page.h"
 #include "ui/testbed/lens/internal/calibration_result_page.h"
-#include "ui/testbed/lens/internal/image_bars.h"
+#include "ui/testbed/lens/internal/lens_drawings.h"
 #include "ui/testbed/lens/lens_wizard.h"
 #include "ui/views/widgets/theme.h"
 

@@ -3,7 +3,7 @@
 
 #include "core/calibration/board_placement.h"
 #include "ui/models/shown_message.h"
-#include "ui/testbed/lens/internal/board_canvas.h"
+#include "ui/testbed/lens/internal/lens_drawings.h"
 #include "ui/views/widgets/card.h"
 #include "ui/views/widgets/command_keys.h"
 #include "ui/views/widgets/form_fields.h"

@@ -7,9 +7,9 @@
 #include "core/video/image_reader.h"
 #include "core/video/video_reader.h"
 #include "core/workflow/calibrate/calibration_images.h"
-#include "core/workflow/job_runner.h"
+#include "core/workflow/job.h"
 #include "ui/models/shown_message.h"
-#include "ui/views/image/image_painting.h"
+#include "ui/views/image/image_overlay.h"
 #include "ui/views/widgets/form_fields.h"
 
 #include <QFileInfo>

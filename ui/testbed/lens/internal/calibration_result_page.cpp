@@ -2,10 +2,9 @@
 #include "ui/testbed/lens/internal/calibration_result_page.h"
 
 #include "core/base/shortage.h"
-#include "core/workflow/job_runner.h"
+#include "core/workflow/job.h"
 #include "ui/models/shown_message.h"
-#include "ui/testbed/lens/internal/board_canvas.h"
-#include "ui/testbed/lens/internal/image_bars.h"
+#include "ui/testbed/lens/internal/lens_drawings.h"
 #include "ui/views/widgets/card.h"
 #include "ui/views/widgets/fact_list.h"
 #include "ui/views/widgets/theme.h"

@@ -3,7 +3,7 @@
 
 #include "core/base/units.h"
 #include "ui/models/number_text.h"
-#include "ui/testbed/floor/floor_drawing.h"
+#include "ui/testbed/floor/floor_camera.h"
 #include "ui/testbed/tasks/internal/part_tables.h"
 #include "ui/views/map/map_painting.h"
 #include "ui/views/widgets/theme.h"
