@@ -426,209 +426,10 @@
     </message>
 </context>
 <context>
-    <name>UncertainIntervals</name>
-    <message>
-        <source>Which robot? Until %1</source>
-        <translation>Welcher Roboter? Bis %1</translation>
-    </message>
-    <message>
-        <source>%1 (%2 to %3)</source>
-        <translation>%1 (%2 bis %3)</translation>
-    </message>
-</context>
-<context>
     <name>Explanation</name>
-    <message>
-        <source>that of the smoothed curve there, and the calibration&apos;s scale uncertainty</source>
-        <translation>das der geglätteten Kurve dort, und der Maßstabsfehler der Kalibrierung</translation>
-    </message>
-    <message>
-        <source>From the onset of motion to the last stop. Moving means faster than 20 mm/s and than three σ of the speed, for at least three frames; the moment between two frames is interpolated.</source>
-        <translation>Vom Bewegungsbeginn bis zum letzten Halt. In Bewegung heißt schneller als 20 mm/s und als drei σ der Geschwindigkeit, mindestens drei Bilder lang; der Zeitpunkt zwischen zwei Bildern wird interpoliert.</translation>
-    </message>
-    <message>
-        <source>of both moments: σ of the speed divided by its slope there</source>
-        <translation>beider Zeitpunkte: σ der Geschwindigkeit geteilt durch ihre Steilheit dort</translation>
-    </message>
-    <message>
-        <source>∫|v|dt while it moves, by the trapezoidal rule over the smoothed speed. A gap that is not bridged counts as straight.</source>
-        <translation>∫|v|dt, solange er sich bewegt, nach der Trapezregel über die geglättete Geschwindigkeit. Eine Lücke, die nicht überbrückt ist, zählt als gerade.</translation>
-    </message>
-    <message>
-        <source>of the end positions, of lateral errors where the path turns, and the calibration&apos;s scale uncertainty</source>
-        <translation>der Orte an den Enden, der Fehler quer zur Bahn, wo sie sich krümmt, und der Maßstabsfehler der Kalibrierung</translation>
-    </message>
-    <message>
-        <source>path length / time</source>
-        <translation>Weg / Zeit</translation>
-    </message>
-    <message>
-        <source>of both, treated as independent</source>
-        <translation>beider, als unabhängig angenommen</translation>
-    </message>
-    <message>
-        <source>The speed |v| of the smoothed curve where |v| − 2σ is largest. A point does not win only because its uncertainty is large.</source>
-        <translation>Die Geschwindigkeit |v| der geglätteten Kurve, wo |v| − 2σ am größten ist, damit ein schlecht bekannter Punkt nicht durch seinen Fehler gewinnt.</translation>
-    </message>
-    <message>
-        <source>√(mean of |v|²) while it moves</source>
-        <translation>√(Mittel von |v|²), solange er sich bewegt</translation>
-    </message>
-    <message>
-        <source>the bound for fully correlated errors, and the calibration&apos;s scale uncertainty</source>
-        <translation>die Obergrenze für Fehler, die alle in dieselbe Richtung gehen, und der Maßstabsfehler der Kalibrierung</translation>
-    </message>
-    <message>
-        <source>The acceleration |a| of the smoothed curve where |a| − 2σ is largest.</source>
-        <translation>Die Beschleunigung |a| der geglätteten Kurve, wo |a| − 2σ am größten ist.</translation>
-    </message>
-    <message>
-        <source>√(mean of |a|²) while it moves</source>
-        <translation>√(Mittel von |a|²), solange er sich bewegt</translation>
-    </message>
-    <message>
-        <source>distance from the first to the last position of the motion / path length</source>
-        <translation>Abstand vom ersten zum letzten Ort der Bewegung / Weg</translation>
-    </message>
-    <message>
-        <source>of the end positions</source>
-        <translation>der Orte an den Enden</translation>
-    </message>
-    <message>
-        <source>The time in which it moves: faster than 20 mm/s and than three σ of the speed.</source>
-        <translation>Die Zeit, in der er sich bewegt: schneller als 20 mm/s und als drei σ der Geschwindigkeit.</translation>
-    </message>
-    <message>
-        <source>of each start and stop: σ of the speed divided by its slope</source>
-        <translation>jedes Anfahrens und Anhaltens: σ der Geschwindigkeit geteilt durch ihre Steilheit</translation>
-    </message>
-    <message>
-        <source>The pauses between the onset of motion and the last stop, counted.</source>
-        <translation>Die Zahl der Pausen zwischen dem Bewegungsbeginn und dem letzten Halt.</translation>
-    </message>
-    <message>
-        <source>time − time in motion</source>
-        <translation>Zeit − Zeit in Bewegung</translation>
-    </message>
-    <message>
-        <source>of each start and stop</source>
-        <translation>jedes Anfahrens und Anhaltens</translation>
-    </message>
-    <message>
-        <source>The speed that half of the time in motion stays below.</source>
-        <translation>Die Geschwindigkeit, unter der die Hälfte der Zeit in Bewegung bleibt.</translation>
-    </message>
-    <message>
-        <source>of the intervals within 1.5 σ of it, each by its mean</source>
-        <translation>der Abschnitte im Abstand von höchstens 1,5 σ davon, jeder mit seinem Mittel</translation>
-    </message>
-    <message>
-        <source>The speed that 95 % of the time in motion stays below.</source>
-        <translation>Die Geschwindigkeit, unter der 95 % der Zeit in Bewegung bleiben.</translation>
-    </message>
-    <message>
-        <source>The acceleration that 95 % of the time in motion stays below.</source>
-        <translation>Die Beschleunigung, unter der 95 % der Zeit in Bewegung bleiben.</translation>
-    </message>
-    <message>
-        <source>(vx·ay − vy·ax)/|v|² of the smoothed curve, to the left or right, where its amount minus 2σ is largest.</source>
-        <translation>(vx·ay − vy·ax)/|v|² der geglätteten Kurve, in beiden Richtungen, wo ihr Betrag minus 2σ am größten ist.</translation>
-    </message>
     <message>
         <source>σ² = σa²/|v|² + |a|²σv²/|v|⁴, first order</source>
         <translation>σ² = σa²/|v|² + |a|²σv²/|v|⁴, erste Ordnung</translation>
-    </message>
-    <message>
-        <source>The least-squares circle through the positions of the motion.</source>
-        <translation>Der Kreis mit den kleinsten Abstandsquadraten von den Orten der Bewegung.</translation>
-    </message>
-    <message>
-        <source>of the scatter of the distances, with their number divided by 1 + 2Σρ for correlated neighbours, and the calibration&apos;s scale uncertainty</source>
-        <translation>der Streuung der Abstände, Nachbarn um den Faktor 1 + 2Σρ weniger gezählt, und der Maßstabsfehler der Kalibrierung</translation>
-    </message>
-    <message>
-        <source>From passing the start gate to passing the finish, each interpolated between frames.</source>
-        <translation>Vom Passieren des Starttors bis zum Passieren des Ziels, beides zwischen den Bildern interpoliert.</translation>
-    </message>
-    <message>
-        <source>of both passages: σ of the position across the gate divided by the speed</source>
-        <translation>beider Durchfahrten: σ des Orts quer zum Tor geteilt durch die Geschwindigkeit</translation>
-    </message>
-    <message>
-        <source>Complete laps or runs, counted by the passages of the gates.</source>
-        <translation>Vollständige Runden oder Fahrten, gezählt nach den Durchfahrten der Tore.</translation>
-    </message>
-    <message>
-        <source>The shortest lap.</source>
-        <translation>Die kürzeste Runde.</translation>
-    </message>
-    <message>
-        <source>of its two passages; the calibration uncertainty of a gate passed twice cancels</source>
-        <translation>ihrer beiden Durchfahrten; der Fehler der Kalibrierung hebt sich an einem zweimal passierten Tor weg</translation>
-    </message>
-    <message>
-        <source>The mean of the laps&apos; times.</source>
-        <translation>Das Mittel der Rundenzeiten.</translation>
-    </message>
-    <message>
-        <source>of the first and the last passage, over the number of laps</source>
-        <translation>der ersten und der letzten Durchfahrt, geteilt durch die Zahl der Runden</translation>
-    </message>
-    <message>
-        <source>The distance from the reference path, averaged along the path.</source>
-        <translation>Der mittlere Abstand von der Sollbahn, über den Weg.</translation>
-    </message>
-    <message>
-        <source>of the position across the path, and of its noise: the distance has no sign, so noise does not cancel</source>
-        <translation>des Orts quer zur Bahn, und seines Rauschens, das dort kein Vorzeichen hat</translation>
-    </message>
-    <message>
-        <source>√(mean of the squared distance from the reference path), averaged along the path</source>
-        <translation>√(Mittel der Abstandsquadrate von der Sollbahn), über den Weg</translation>
-    </message>
-    <message>
-        <source>of the position across the path</source>
-        <translation>des Orts quer zur Bahn</translation>
-    </message>
-    <message>
-        <source>The largest distance from the reference path.</source>
-        <translation>Der größte Abstand von der Sollbahn.</translation>
-    </message>
-    <message>
-        <source>of the position across the path, there</source>
-        <translation>des Orts quer zur Bahn, dort</translation>
-    </message>
-    <message>
-        <source>The mean of the distance from the reference path, to the left positive.</source>
-        <translation>Das Mittel des Abstands von der Sollbahn, nach links positiv.</translation>
-    </message>
-    <message>
-        <source>of the position across the path, mostly the calibration&apos;s</source>
-        <translation>des Orts quer zur Bahn, vor allem der Anteil der Kalibrierung</translation>
-    </message>
-    <message>
-        <source>The share of the reference path that the robot followed.</source>
-        <translation>Der Anteil der Sollbahn, dem gefolgt wurde.</translation>
-    </message>
-    <message>
-        <source>How often the robot&apos;s reference point left a zone to stay in or entered a zone to keep out of. It counts if the point is beyond the edge by more than three σ of the track&apos;s noise.</source>
-        <translation>Wie oft die Mitte des Roboters eine Zone verließ, in der sie bleiben soll, oder in eine kam, die sie meiden soll. Es zählt, wenn sie um mehr als drei σ des Eigenrauschens der Spur jenseits des Rands ist.</translation>
-    </message>
-    <message>
-        <source>The time for which the robot&apos;s reference point was beyond the edge of a zone, interpolated between frames; in two zones at once it counts twice.</source>
-        <translation>Die Zeit, in der die Mitte des Roboters jenseits des Rands einer Zone war, zwischen den Bildern interpoliert; in zwei Zonen zugleich zählt sie doppelt.</translation>
-    </message>
-    <message>
-        <source>of each crossing of an edge: σ of the position across it divided by the speed; and the change of the time when the calibration uncertainty shifts the track</source>
-        <translation>jedes Zeitpunkts an einem Rand: σ des Orts quer dazu geteilt durch die Geschwindigkeit; und um wie viel die Zeit sich ändert, wenn die Kalibrierung die Spur näher oder weiter setzt</translation>
-    </message>
-    <message>
-        <source>The largest distance of the robot&apos;s reference point beyond the edge of a zone.</source>
-        <translation>Wie weit die Mitte des Roboters höchstens jenseits des Rands einer Zone war.</translation>
-    </message>
-    <message>
-        <source>of the position across the edge, there</source>
-        <translation>des Orts quer zum Rand, dort</translation>
     </message>
     <message>
         <source>smoothed by Kalman filter and RTS smoother, noise by maximum likelihood (Rauch, Tung, Striebel 1965; Bar-Shalom et al. 2001)</source>
@@ -2194,6 +1995,17 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
 </context>
 <context>
+    <name>UncertainIntervals</name>
+    <message>
+        <source>Which robot? Until %1</source>
+        <translation>Welcher Roboter? Bis %1</translation>
+    </message>
+    <message>
+        <source>%1 (%2 to %3)</source>
+        <translation>%1 (%2 bis %3)</translation>
+    </message>
+</context>
+<context>
     <name>WindowTitle</name>
     <message>
         <source>Team %1</source>
@@ -2387,6 +2199,202 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
 </context>
 <context>
+    <name>analysis.formula_best_lap</name>
+    <message>
+        <source>The shortest lap.</source>
+        <translation>Die kürzeste Runde.</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.formula_circle_radius</name>
+    <message>
+        <source>The least-squares circle through the positions of the motion.</source>
+        <translation>Der Kreis mit den kleinsten Abstandsquadraten von den Orten der Bewegung.</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.formula_cross_track_bias</name>
+    <message>
+        <source>The mean of the distance from the reference path, to the left positive.</source>
+        <translation>Das Mittel des Abstands von der Sollbahn, nach links positiv.</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.formula_cross_track_max</name>
+    <message>
+        <source>The largest distance from the reference path.</source>
+        <translation>Der größte Abstand von der Sollbahn.</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.formula_cross_track_mean</name>
+    <message>
+        <source>The distance from the reference path, averaged along the path.</source>
+        <translation>Der mittlere Abstand von der Sollbahn, über den Weg.</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.formula_cross_track_rms</name>
+    <message>
+        <source>√(mean of the squared distance from the reference path), averaged along the path</source>
+        <translation>√(Mittel der Abstandsquadrate von der Sollbahn), über den Weg</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.formula_duration</name>
+    <message>
+        <source>From the onset of motion to the last stop. Moving means faster than 20 mm/s and than three σ of the speed, for at least three frames; the moment between two frames is interpolated.</source>
+        <translation>Vom Bewegungsbeginn bis zum letzten Halt. In Bewegung heißt schneller als 20 mm/s und als drei σ der Geschwindigkeit, mindestens drei Bilder lang; der Zeitpunkt zwischen zwei Bildern wird interpoliert.</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.formula_gate_time</name>
+    <message>
+        <source>From passing the start gate to passing the finish, each interpolated between frames.</source>
+        <translation>Vom Passieren des Starttors bis zum Passieren des Ziels, beides zwischen den Bildern interpoliert.</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.formula_laps</name>
+    <message>
+        <source>Complete laps or runs, counted by the passages of the gates.</source>
+        <translation>Vollständige Runden oder Fahrten, gezählt nach den Durchfahrten der Tore.</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.formula_max_accel</name>
+    <message>
+        <source>The acceleration |a| of the smoothed curve where |a| − 2σ is largest.</source>
+        <translation>Die Beschleunigung |a| der geglätteten Kurve, wo |a| − 2σ am größten ist.</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.formula_max_speed</name>
+    <message>
+        <source>The speed |v| of the smoothed curve where |v| − 2σ is largest. A point does not win only because its uncertainty is large.</source>
+        <translation>Die Geschwindigkeit |v| der geglätteten Kurve, wo |v| − 2σ am größten ist, damit ein schlecht bekannter Punkt nicht durch seinen Fehler gewinnt.</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.formula_max_turn_rate</name>
+    <message>
+        <source>(vx·ay − vy·ax)/|v|² of the smoothed curve, to the left or right, where its amount minus 2σ is largest.</source>
+        <translation>(vx·ay − vy·ax)/|v|² der geglätteten Kurve, in beiden Richtungen, wo ihr Betrag minus 2σ am größten ist.</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.formula_mean_lap</name>
+    <message>
+        <source>The mean of the laps&apos; times.</source>
+        <translation>Das Mittel der Rundenzeiten.</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.formula_mean_speed</name>
+    <message>
+        <source>path length / time</source>
+        <translation>Weg / Zeit</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.formula_median_speed</name>
+    <message>
+        <source>The speed that half of the time in motion stays below.</source>
+        <translation>Die Geschwindigkeit, unter der die Hälfte der Zeit in Bewegung bleibt.</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.formula_moving_time</name>
+    <message>
+        <source>The time in which it moves: faster than 20 mm/s and than three σ of the speed.</source>
+        <translation>Die Zeit, in der er sich bewegt: schneller als 20 mm/s und als drei σ der Geschwindigkeit.</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.formula_p95_accel</name>
+    <message>
+        <source>The acceleration that 95 % of the time in motion stays below.</source>
+        <translation>Die Beschleunigung, unter der 95 % der Zeit in Bewegung bleiben.</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.formula_p95_speed</name>
+    <message>
+        <source>The speed that 95 % of the time in motion stays below.</source>
+        <translation>Die Geschwindigkeit, unter der 95 % der Zeit in Bewegung bleiben.</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.formula_path_completed</name>
+    <message>
+        <source>The share of the reference path that the robot followed.</source>
+        <translation>Der Anteil der Sollbahn, dem gefolgt wurde.</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.formula_path_length</name>
+    <message>
+        <source>∫|v|dt while it moves, by the trapezoidal rule over the smoothed speed. A gap that is not bridged adds nothing.</source>
+        <translation>∫|v|dt, solange er sich bewegt, nach der Trapezregel über die geglättete Geschwindigkeit. Eine Lücke, die nicht überbrückt ist, trägt nichts bei.</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.formula_rms_accel</name>
+    <message>
+        <source>√(mean of |a|²) while it moves</source>
+        <translation>√(Mittel von |a|²), solange er sich bewegt</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.formula_rms_speed</name>
+    <message>
+        <source>√(mean of |v|²) while it moves</source>
+        <translation>√(Mittel von |v|²), solange er sich bewegt</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.formula_standing_time</name>
+    <message>
+        <source>time − time in motion</source>
+        <translation>Zeit − Zeit in Bewegung</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.formula_stops</name>
+    <message>
+        <source>The pauses between the onset of motion and the last stop, counted.</source>
+        <translation>Die Zahl der Pausen zwischen dem Bewegungsbeginn und dem letzten Halt.</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.formula_straightness</name>
+    <message>
+        <source>distance from the first to the last position of the motion / path length</source>
+        <translation>Abstand vom ersten zum letzten Ort der Bewegung / Weg</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.formula_zone_breaches</name>
+    <message>
+        <source>How often the robot&apos;s reference point left a zone to stay in or entered a zone to keep out of. It counts if the point is beyond the edge by more than three σ of the track&apos;s noise.</source>
+        <translation>Wie oft die Mitte des Roboters eine Zone verließ, in der sie bleiben soll, oder in eine kam, die sie meiden soll. Es zählt, wenn sie um mehr als drei σ des Eigenrauschens der Spur jenseits des Rands ist.</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.formula_zone_depth</name>
+    <message>
+        <source>The largest distance of the robot&apos;s reference point beyond the edge of a zone.</source>
+        <translation>Wie weit die Mitte des Roboters höchstens jenseits des Rands einer Zone war.</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.formula_zone_time</name>
+    <message>
+        <source>The time for which the robot&apos;s reference point was beyond the edge of a zone, interpolated between frames; in two zones at once it counts twice.</source>
+        <translation>Die Zeit, in der die Mitte des Roboters jenseits des Rands einer Zone war, zwischen den Bildern interpoliert; in zwei Zonen zugleich zählt sie doppelt.</translation>
+    </message>
+</context>
+<context>
     <name>analysis.gate</name>
     <message>
         <source>gate &apos;%1&apos;</source>
@@ -2531,6 +2539,251 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>the task already has %1 zones</source>
         <translation>die Aufgabe hat schon %1 Zonen</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.metric_best_lap</name>
+    <message>
+        <source>Best lap</source>
+        <translation>Beste Runde</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.metric_circle_radius</name>
+    <message>
+        <source>Circle&apos;s radius</source>
+        <translation>Radius des Kreises</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.metric_cross_track_bias</name>
+    <message>
+        <source>Left of the path</source>
+        <translation>Links der Bahn</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.metric_cross_track_max</name>
+    <message>
+        <source>Off the path (most)</source>
+        <translation>Bahnabweichung (max.)</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.metric_cross_track_mean</name>
+    <message>
+        <source>Off the path (mean)</source>
+        <translation>Bahnabweichung (Mittel)</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.metric_cross_track_rms</name>
+    <message>
+        <source>Off the path (RMS)</source>
+        <translation>Bahnabweichung (RMS)</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.metric_displacement</name>
+    <message>
+        <source>Displacement</source>
+        <translation>Verschiebung</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.metric_duration</name>
+    <message>
+        <source>Time</source>
+        <translation>Zeit</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.metric_gate_time</name>
+    <message>
+        <source>Start to finish</source>
+        <translation>Start bis Ziel</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.metric_gates_passed</name>
+    <message>
+        <source>Gates passed</source>
+        <translation>Passierte Tore</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.metric_height</name>
+    <message>
+        <source>Robot&apos;s height</source>
+        <translation>Höhe des Roboters</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.metric_laps</name>
+    <message>
+        <source>Laps</source>
+        <translation>Runden</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.metric_limit_breaches</name>
+    <message>
+        <source>Limits broken</source>
+        <translation>Grenzwerte verletzt</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.metric_max_accel</name>
+    <message>
+        <source>Top acceleration</source>
+        <translation>Max. Beschleunigung</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.metric_max_speed</name>
+    <message>
+        <source>Top speed</source>
+        <translation>Höchstgeschw.</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.metric_max_turn_rate</name>
+    <message>
+        <source>Fastest turn</source>
+        <translation>Schnellste Drehung</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.metric_mean_lap</name>
+    <message>
+        <source>Mean lap</source>
+        <translation>Mittlere Runde</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.metric_mean_speed</name>
+    <message>
+        <source>Mean speed</source>
+        <translation>Mittlere Geschw.</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.metric_mean_view_disagreement</name>
+    <message>
+        <source>Views disagree by</source>
+        <translation>Abweichung der Sichten</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.metric_median_speed</name>
+    <message>
+        <source>Median speed</source>
+        <translation>Mittlere Geschw. (Median)</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.metric_moving_time</name>
+    <message>
+        <source>Time in motion</source>
+        <translation>Zeit in Bewegung</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.metric_p95_accel</name>
+    <message>
+        <source>P95 acceleration</source>
+        <translation>Beschleunigung (P95)</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.metric_p95_speed</name>
+    <message>
+        <source>P95 speed</source>
+        <translation>Geschwindigkeit (P95)</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.metric_path_completed</name>
+    <message>
+        <source>Path completed</source>
+        <translation>Bahn geschafft</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.metric_path_length</name>
+    <message>
+        <source>Path</source>
+        <translation>Weg</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.metric_rms_accel</name>
+    <message>
+        <source>Acceleration (RMS)</source>
+        <translation>Beschleunigung (RMS)</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.metric_rms_speed</name>
+    <message>
+        <source>Speed (RMS)</source>
+        <translation>Geschw. (RMS)</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.metric_score</name>
+    <message>
+        <source>Score</source>
+        <translation>Punkte</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.metric_spikes</name>
+    <message>
+        <source>Spikes</source>
+        <translation>Ausreißer</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.metric_standing_time</name>
+    <message>
+        <source>Standing time</source>
+        <translation>Standzeit</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.metric_stops</name>
+    <message>
+        <source>Stops</source>
+        <translation>Stopps</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.metric_straightness</name>
+    <message>
+        <source>Straightness</source>
+        <translation>Geradlinigkeit</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.metric_zone_breaches</name>
+    <message>
+        <source>Zones broken</source>
+        <translation>Zonen verletzt</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.metric_zone_depth</name>
+    <message>
+        <source>Beyond zones (most)</source>
+        <translation>Zonen verletzt (max.)</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.metric_zone_time</name>
+    <message>
+        <source>Time beyond zones</source>
+        <translation>Zonen verletzt (Zeit)</translation>
     </message>
 </context>
 <context>
@@ -2797,6 +3050,146 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>template of a task</source>
         <translation>Muster einer Aufgabe</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.uncertainty_best_lap</name>
+    <message>
+        <source>of its two passages; the calibration uncertainty of a gate passed twice cancels</source>
+        <translation>ihrer beiden Durchfahrten; der Fehler der Kalibrierung hebt sich an einem zweimal passierten Tor weg</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.uncertainty_circle_radius</name>
+    <message>
+        <source>of the scatter of the distances, with their number divided by 1 + 2Σρ for correlated neighbours, and the calibration&apos;s scale uncertainty</source>
+        <translation>der Streuung der Abstände, Nachbarn um den Faktor 1 + 2Σρ weniger gezählt, und der Maßstabsfehler der Kalibrierung</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.uncertainty_correlated</name>
+    <message>
+        <source>the bound for fully correlated errors, and the calibration&apos;s scale uncertainty</source>
+        <translation>die Obergrenze für Fehler, die alle in dieselbe Richtung gehen, und der Maßstabsfehler der Kalibrierung</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.uncertainty_cross_track_bias</name>
+    <message>
+        <source>of the position across the path, mostly the calibration&apos;s</source>
+        <translation>des Orts quer zur Bahn, vor allem der Anteil der Kalibrierung</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.uncertainty_cross_track_max</name>
+    <message>
+        <source>of the position across the path, there</source>
+        <translation>des Orts quer zur Bahn, dort</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.uncertainty_cross_track_mean</name>
+    <message>
+        <source>of the position across the path, and of its noise: the distance has no sign, so noise does not cancel</source>
+        <translation>des Orts quer zur Bahn, und seines Rauschens, das dort kein Vorzeichen hat</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.uncertainty_cross_track_rms</name>
+    <message>
+        <source>of the position across the path</source>
+        <translation>des Orts quer zur Bahn</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.uncertainty_duration</name>
+    <message>
+        <source>of both moments: σ of the speed divided by its slope there</source>
+        <translation>beider Zeitpunkte: σ der Geschwindigkeit geteilt durch ihre Steilheit dort</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.uncertainty_gate_time</name>
+    <message>
+        <source>of both passages: σ of the position across the gate divided by the speed</source>
+        <translation>beider Durchfahrten: σ des Orts quer zum Tor geteilt durch die Geschwindigkeit</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.uncertainty_max_turn_rate</name>
+    <message>
+        <source>σ² = σa²/|v|² + |a|²σv²/|v|⁴, first order</source>
+        <translation>σ² = σa²/|v|² + |a|²σv²/|v|⁴, erste Ordnung</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.uncertainty_mean_lap</name>
+    <message>
+        <source>of the first and the last passage, over the number of laps</source>
+        <translation>der ersten und der letzten Durchfahrt, geteilt durch die Zahl der Runden</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.uncertainty_mean_speed</name>
+    <message>
+        <source>of both, treated as independent</source>
+        <translation>beider, als unabhängig angenommen</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.uncertainty_moving_time</name>
+    <message>
+        <source>of each start and stop: σ of the speed divided by its slope</source>
+        <translation>jedes Anfahrens und Anhaltens: σ der Geschwindigkeit geteilt durch ihre Steilheit</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.uncertainty_of_curve</name>
+    <message>
+        <source>that of the smoothed curve there, and the calibration&apos;s scale uncertainty</source>
+        <translation>das der geglätteten Kurve dort, und der Maßstabsfehler der Kalibrierung</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.uncertainty_of_intervals</name>
+    <message>
+        <source>of the intervals within 1.5 σ of it, each by its mean</source>
+        <translation>der Abschnitte im Abstand von höchstens 1,5 σ davon, jeder mit seinem Mittel</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.uncertainty_path_length</name>
+    <message>
+        <source>of the end positions, of lateral errors where the path turns, and the calibration&apos;s scale uncertainty</source>
+        <translation>der Orte an den Enden, der Fehler quer zur Bahn, wo sie sich krümmt, und der Maßstabsfehler der Kalibrierung</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.uncertainty_standing_time</name>
+    <message>
+        <source>of each start and stop</source>
+        <translation>jedes Anfahrens und Anhaltens</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.uncertainty_straightness</name>
+    <message>
+        <source>of the end positions</source>
+        <translation>der Orte an den Enden</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.uncertainty_zone_depth</name>
+    <message>
+        <source>of the position across the edge, there</source>
+        <translation>des Orts quer zum Rand, dort</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.uncertainty_zone_time</name>
+    <message>
+        <source>of each crossing of an edge: σ of the position across it divided by the speed; and the change of the time when the calibration uncertainty shifts the track</source>
+        <translation>jedes Zeitpunkts an einem Rand: σ des Orts quer dazu geteilt durch die Geschwindigkeit; und um wie viel die Zeit sich ändert, wenn die Kalibrierung die Spur näher oder weiter setzt</translation>
     </message>
 </context>
 <context>
@@ -8284,6 +8677,129 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
 </context>
 <context>
+    <name>odo::BoardImagesPage</name>
+    <message>
+        <source>Move it to the left of the image</source>
+        <translation>Nach links im Bild bewegen</translation>
+    </message>
+    <message>
+        <source>Move it to the right of the image</source>
+        <translation>Nach rechts im Bild bewegen</translation>
+    </message>
+    <message>
+        <source>Move it up</source>
+        <translation>Nach oben bewegen</translation>
+    </message>
+    <message>
+        <source>Move it down</source>
+        <translation>Nach unten bewegen</translation>
+    </message>
+    <message>
+        <source>Closer to the camera</source>
+        <translation>Näher an die Kamera</translation>
+    </message>
+    <message>
+        <source>Farther from the camera</source>
+        <translation>Weiter weg von der Kamera</translation>
+    </message>
+    <message>
+        <source>Tilt it: the left side away from the camera</source>
+        <translation>Neigen: die linke Seite von der Kamera weg</translation>
+    </message>
+    <message>
+        <source>Tilt it: the right side away from the camera</source>
+        <translation>Neigen: die rechte Seite von der Kamera weg</translation>
+    </message>
+    <message>
+        <source>Tilt it: the upper side away from the camera</source>
+        <translation>Neigen: die obere Seite von der Kamera weg</translation>
+    </message>
+    <message>
+        <source>Tilt it: the lower side away from the camera</source>
+        <translation>Neigen: die untere Seite von der Kamera weg</translation>
+    </message>
+    <message>
+        <source>Hold it still</source>
+        <translation>Still halten</translation>
+    </message>
+    <message>
+        <source>&amp;Take an image now</source>
+        <translation>Bild jetzt &amp;aufnehmen</translation>
+    </message>
+    <message>
+        <source>What to do</source>
+        <translation>Was zu tun ist</translation>
+    </message>
+    <message>
+        <source>No image from the camera</source>
+        <translation>Kein Bild von der Kamera</translation>
+    </message>
+    <message>
+        <source>Rejected images</source>
+        <translation>Bilder, die nicht zählen</translation>
+    </message>
+    <message>
+        <source>Coverage of the images</source>
+        <translation>Was die Bilder abdecken</translation>
+    </message>
+    <message>
+        <source>Rejected</source>
+        <translation>Zählt nicht</translation>
+    </message>
+    <message>
+        <source>Waiting for the camera…</source>
+        <translation>Warten auf die Kamera…</translation>
+    </message>
+    <message>
+        <source>Detecting the board…</source>
+        <translation>Tafel wird gesucht…</translation>
+    </message>
+    <message>
+        <source>Hold the board before the camera</source>
+        <translation>Halten Sie die Tafel vor die Kamera</translation>
+    </message>
+    <message>
+        <source>Detecting the board</source>
+        <translation>Tafel wird gesucht</translation>
+    </message>
+    <message>
+        <source>Odograph takes an image whenever the board is still, sharp and in a new position.</source>
+        <translation>Ein Bild wird von selbst aufgenommen, sobald die Tafel ruhig, scharf und an einer neuen Stelle ist.</translation>
+    </message>
+    <message>
+        <source>Taken</source>
+        <translation>Aufgenommen</translation>
+    </message>
+    <message>
+        <source>Now the dashed outline shows where the board would help most.</source>
+        <translation>Jetzt zeigt der gestrichelte Umriss, wo die Tafel am meisten helfen würde.</translation>
+    </message>
+    <message>
+        <source>%1 to go</source>
+        <translation>noch %1</translation>
+    </message>
+    <message>
+        <source>No image accepted</source>
+        <translation>Kein Bild zählt</translation>
+    </message>
+    <message>
+        <source>See the reasons on the right. Drop other images here to add them.</source>
+        <translation>Die Gründe stehen rechts. Weitere fügen Sie hinzu, indem Sie sie hier ablegen.</translation>
+    </message>
+    <message>
+        <source>All images checked</source>
+        <translation>Alle angesehen</translation>
+    </message>
+    <message>
+        <source>They are enough.</source>
+        <translation>Sie genügen.</translation>
+    </message>
+    <message>
+        <source>Drop more images here; the bars show what is missing.</source>
+        <translation>Weitere Bilder können hier abgelegt werden; die Balken zeigen, was fehlt.</translation>
+    </message>
+</context>
+<context>
     <name>odo::BoardSearchWorker</name>
     <message>
         <source>image %1</source>
@@ -8299,6 +8815,200 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>Video frame; arrow keys move the box round the robot, Shift + arrow keys resize it</source>
         <translation>Bild; die Pfeiltasten verschieben den Rahmen um den Roboter, mit Umschalt ändern sie seine Größe</translation>
+    </message>
+</context>
+<context>
+    <name>odo::CalibrationResultPage</name>
+    <message>
+        <source>ordinary</source>
+        <translation>gewöhnlich</translation>
+    </message>
+    <message>
+        <source>wide (rational)</source>
+        <translation>Weitwinkel (rational)</translation>
+    </message>
+    <message>
+        <source>fisheye</source>
+        <translation>Fischauge</translation>
+    </message>
+    <message>
+        <source>%1 px</source>
+        <translation>%1 px</translation>
+    </message>
+    <message>
+        <source>%1 ± %2 px</source>
+        <translation>%1 ± %2 px</translation>
+    </message>
+    <message>
+        <source>Verdict</source>
+        <translation>Urteil</translation>
+    </message>
+    <message>
+        <source>Solving</source>
+        <translation>Berechnung</translation>
+    </message>
+    <message>
+        <source>Automatic choice of the lens model</source>
+        <translation>Objektivmodell automatisch</translation>
+    </message>
+    <message>
+        <source>Ordinary lens</source>
+        <translation>Gewöhnliches Objektiv</translation>
+    </message>
+    <message>
+        <source>Wide lens (rational model)</source>
+        <translation>Weitwinkelobjektiv (rationales Modell)</translation>
+    </message>
+    <message>
+        <source>Fisheye</source>
+        <translation>Fischauge</translation>
+    </message>
+    <message>
+        <source>Lens model</source>
+        <translation>Objektivmodell</translation>
+    </message>
+    <message>
+        <source>Select a bar to see its image.</source>
+        <translation>Wählen Sie einen Balken, um sein Bild zu sehen.</translation>
+    </message>
+    <message>
+        <source>Appears here after the calibration.</source>
+        <translation>Steht hier, sobald das Objektiv bekannt ist.</translation>
+    </message>
+    <message>
+        <source>Image and &amp;residuals</source>
+        <translation>Bild und &amp;Residuen</translation>
+    </message>
+    <message>
+        <source>&amp;Straightened</source>
+        <translation>&amp;Entzerrt</translation>
+    </message>
+    <message>
+        <source>Error by image</source>
+        <translation>Fehler je Bild</translation>
+    </message>
+    <message>
+        <source>Calibration</source>
+        <translation>Objektiv</translation>
+    </message>
+    <message>
+        <source>Lens calibration</source>
+        <translation>Was vom Objektiv bekannt ist</translation>
+    </message>
+    <message>
+        <source>Solving…</source>
+        <translation>Wird berechnet…</translation>
+    </message>
+    <message>
+        <source>straight edges must be straight</source>
+        <translation>gerade Kanten müssen gerade sein</translation>
+    </message>
+    <message>
+        <source>Storing the lens calibration and its images…</source>
+        <translation>Objektiv und Bilder werden gespeichert…</translation>
+    </message>
+    <message>
+        <source>The lens calibration was not stored. %1</source>
+        <translation>Das Objektiv wurde nicht gespeichert. %1</translation>
+    </message>
+    <message>
+        <source>Model</source>
+        <translation>Modell</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>Images</source>
+        <translation>Bilder</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 von %2</translation>
+    </message>
+    <message>
+        <source>Board error</source>
+        <translation>Tafelfehler</translation>
+    </message>
+    <message>
+        <source>Held-out error</source>
+        <translation>Kontrollfehler</translation>
+    </message>
+    <message>
+        <source>needs six images</source>
+        <translation>braucht sechs Bilder</translation>
+    </message>
+    <message>
+        <source>Corners left out</source>
+        <translation>Ausgelassene Ecken</translation>
+    </message>
+    <message>
+        <source>Focal length</source>
+        <translation>Brennweite</translation>
+    </message>
+    <message>
+        <source>Centre x</source>
+        <translation>Mitte x</translation>
+    </message>
+    <message>
+        <source>Centre y</source>
+        <translation>Mitte y</translation>
+    </message>
+</context>
+<context>
+    <name>odo::CalibrationSourcePage</name>
+    <message>
+        <source>&amp;From the camera: hold up the board, Odograph takes the images</source>
+        <translation>&amp;Vor der Kamera: Tafel halten, Bilder werden von selbst aufgenommen</translation>
+    </message>
+    <message>
+        <source>From existing images or a &amp;video</source>
+        <translation>Aus eigenen &amp;Bildern oder einem Video</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>Prin&amp;t a board…</source>
+        <translation>&amp;Tafel drucken…</translation>
+    </message>
+    <message>
+        <source>Show a flat calibration board from many sides to calibrate the lens. Odograph recognises checkerboard and ChArUco boards of any size. Measure one square on the paper: every later length depends on it. Do not refocus or zoom afterwards.</source>
+        <translation>Eine ebene Tafel mit Quadraten, von vielen Seiten gesehen, verrät, wie das Objektiv abbildet. Schachbrett oder ChArUco, in jeder Größe: Was es ist, wird erkannt. Messen Sie ein Quadrat auf dem Papier; es entscheidet über jede spätere Länge. Danach darf das Objektiv nicht mehr neu fokussiert oder gezoomt werden.</translation>
+    </message>
+    <message>
+        <source>&amp;Camera</source>
+        <translation>&amp;Kamera</translation>
+    </message>
+    <message>
+        <source>Side of a &amp;square, measured</source>
+        <translation>&amp;Quadratseite, gemessen</translation>
+    </message>
+    <message>
+        <source>Source of the board images</source>
+        <translation>Woher die Bilder der Tafel kommen</translation>
+    </message>
+    <message>
+        <source>Images and videos of the board</source>
+        <translation>Bilder und Videos der Tafel</translation>
+    </message>
+    <message>
+        <source>&amp;Add…</source>
+        <translation>&amp;Hinzufügen…</translation>
+    </message>
+    <message>
+        <source>&amp;Remove</source>
+        <translation>&amp;Entfernen</translation>
+    </message>
+    <message>
+        <source>Images and videos (*.png *.jpg *.jpeg *.tif *.tiff *.bmp *.mp4 *.mkv *.avi *.mov *.webm);;All files (*)</source>
+        <translation>Bilder und Videos (*.png *.jpg *.jpeg *.tif *.tiff *.bmp *.mp4 *.mkv *.avi *.mov *.webm);;Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>You can also drop files here.</source>
+        <translation>Dateien können auch hier abgelegt werden.</translation>
     </message>
 </context>
 <context>
@@ -8396,38 +9106,94 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
 </context>
 <context>
-    <name>odo::CameraView</name>
+    <name>odo::CameraPositionDialog</name>
     <message>
-        <source>synchronised to %1 ms</source>
-        <translation>synchron auf %1 ms</translation>
+        <source>moved %1</source>
+        <translation>um %1 bewegt</translation>
     </message>
     <message>
-        <source>manual offset</source>
-        <translation>Versatz von Hand</translation>
+        <source>marker moved %1</source>
+        <translation>Marker um %1 bewegt</translation>
     </message>
     <message>
-        <source>not synchronised</source>
-        <translation>nicht synchronisiert</translation>
+        <source>has not moved</source>
+        <translation>nicht bewegt</translation>
     </message>
     <message>
-        <source>%1 /s</source>
-        <translation>%1 /s</translation>
+        <source>&amp;Check</source>
+        <translation>&amp;Prüfen</translation>
     </message>
     <message>
-        <source>Camera %1</source>
-        <translation>Kamera %1</translation>
+        <source>&amp;Register again…</source>
+        <translation>Neu &amp;einmessen…</translation>
+    </message>
+    <message>
+        <source>Check camera positions</source>
+        <translation>Kameras prüfen</translation>
     </message>
     <message>
         <source>Camera</source>
         <translation>Kamera</translation>
     </message>
     <message>
-        <source>Camera image</source>
-        <translation>Bild der Kamera</translation>
+        <source>New image</source>
+        <translation>Neues Bild</translation>
     </message>
     <message>
-        <source>Image of %1</source>
-        <translation>Bild von %1</translation>
+        <source>Result</source>
+        <translation>Ergebnis</translation>
+    </message>
+    <message>
+        <source>Registered cameras</source>
+        <translation>Eingemessene Kameras</translation>
+    </message>
+    <message>
+        <source>A camera that someone has pushed measures wrong positions without any sign of it. Before the robots run, check each camera&apos;s markers in a new image.</source>
+        <translation>Eine angestoßene Kamera misst falsch, und nichts verrät es. Bevor die Roboter fahren, werden die Marker jeder Kamera in einem neuen Bild noch einmal gesucht.</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+    <message>
+        <source>Results of the check</source>
+        <translation>Was gefunden wurde</translation>
+    </message>
+    <message>
+        <source>New image of camera %1</source>
+        <translation>Neues Bild von Kamera %1</translation>
+    </message>
+    <message>
+        <source>Its newest recording</source>
+        <translation>Ihre neueste Aufnahme</translation>
+    </message>
+    <message>
+        <source>Not checked</source>
+        <translation>Nicht geprüft</translation>
+    </message>
+    <message>
+        <source>An image or video…</source>
+        <translation>Ein Bild oder Video…</translation>
+    </message>
+    <message>
+        <source>Images and videos (*.png *.jpg *.jpeg *.tif *.tiff *.bmp *.mp4 *.mkv *.avi *.mov *.webm);;All files (*)</source>
+        <translation>Bilder und Videos (*.png *.jpg *.jpeg *.tif *.tiff *.bmp *.mp4 *.mkv *.avi *.mov *.webm);;Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>detecting…</source>
+        <translation>wird gesucht…</translation>
+    </message>
+    <message>
+        <source>undetermined</source>
+        <translation>unklar</translation>
+    </message>
+    <message>
+        <source>At least two markers must be visible. The check changes nothing.</source>
+        <translation>Mindestens zwei Marker müssen zu sehen sein. Die Prüfung bewegt und ändert nichts.</translation>
+    </message>
+    <message>
+        <source>&amp;Register %1 again…</source>
+        <translation>%1 neu &amp;einmessen…</translation>
     </message>
 </context>
 <context>
@@ -8495,6 +9261,41 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>best for tracking</source>
         <translation>am besten für die Verfolgung</translation>
+    </message>
+</context>
+<context>
+    <name>odo::CameraView</name>
+    <message>
+        <source>synchronised to %1 ms</source>
+        <translation>synchron auf %1 ms</translation>
+    </message>
+    <message>
+        <source>manual offset</source>
+        <translation>Versatz von Hand</translation>
+    </message>
+    <message>
+        <source>not synchronised</source>
+        <translation>nicht synchronisiert</translation>
+    </message>
+    <message>
+        <source>%1 /s</source>
+        <translation>%1 /s</translation>
+    </message>
+    <message>
+        <source>Camera %1</source>
+        <translation>Kamera %1</translation>
+    </message>
+    <message>
+        <source>Camera</source>
+        <translation>Kamera</translation>
+    </message>
+    <message>
+        <source>Camera image</source>
+        <translation>Bild der Kamera</translation>
+    </message>
+    <message>
+        <source>Image of %1</source>
+        <translation>Bild von %1</translation>
     </message>
 </context>
 <context>
@@ -9120,164 +9921,6 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
 </context>
 <context>
-    <name>odo::MetricGrid</name>
-    <message>
-        <source>Metrics</source>
-        <translation>Kennwerte</translation>
-    </message>
-    <message>
-        <source>No result yet: track the trial</source>
-        <translation>Noch kein Ergebnis: zuerst den Roboter verfolgen</translation>
-    </message>
-</context>
-<context>
-    <name>odo::NumberText</name>
-    <message>
-        <source>points</source>
-        <translation>Punkte</translation>
-    </message>
-    <message>
-        <source>Time</source>
-        <translation>Zeit</translation>
-    </message>
-    <message>
-        <source>Path</source>
-        <translation>Weg</translation>
-    </message>
-    <message>
-        <source>Top speed</source>
-        <translation>Höchstgeschw.</translation>
-    </message>
-    <message>
-        <source>Mean speed</source>
-        <translation>Mittlere Geschw.</translation>
-    </message>
-    <message>
-        <source>Speed (RMS)</source>
-        <translation>Geschw. (RMS)</translation>
-    </message>
-    <message>
-        <source>Top acceleration</source>
-        <translation>Max. Beschleunigung</translation>
-    </message>
-    <message>
-        <source>Acceleration (RMS)</source>
-        <translation>Beschleunigung (RMS)</translation>
-    </message>
-    <message>
-        <source>Straightness</source>
-        <translation>Geradlinigkeit</translation>
-    </message>
-    <message>
-        <source>Stops</source>
-        <translation>Stopps</translation>
-    </message>
-    <message>
-        <source>Fastest turn</source>
-        <translation>Schnellste Drehung</translation>
-    </message>
-    <message>
-        <source>Start to finish</source>
-        <translation>Start bis Ziel</translation>
-    </message>
-    <message>
-        <source>Laps</source>
-        <translation>Runden</translation>
-    </message>
-    <message>
-        <source>Best lap</source>
-        <translation>Beste Runde</translation>
-    </message>
-    <message>
-        <source>Mean lap</source>
-        <translation>Mittlere Runde</translation>
-    </message>
-    <message>
-        <source>Off the path (mean)</source>
-        <translation>Bahnabweichung (Mittel)</translation>
-    </message>
-    <message>
-        <source>Off the path (RMS)</source>
-        <translation>Bahnabweichung (RMS)</translation>
-    </message>
-    <message>
-        <source>Off the path (most)</source>
-        <translation>Bahnabweichung (max.)</translation>
-    </message>
-    <message>
-        <source>Left of the path</source>
-        <translation>Links der Bahn</translation>
-    </message>
-    <message>
-        <source>Path completed</source>
-        <translation>Bahn geschafft</translation>
-    </message>
-    <message>
-        <source>Zones broken</source>
-        <translation>Zonen verletzt</translation>
-    </message>
-    <message>
-        <source>Time beyond zones</source>
-        <translation>Zonen verletzt (Zeit)</translation>
-    </message>
-    <message>
-        <source>Beyond zones (most)</source>
-        <translation>Zonen verletzt (max.)</translation>
-    </message>
-    <message>
-        <source>Displacement</source>
-        <translation>Verschiebung</translation>
-    </message>
-    <message>
-        <source>Time in motion</source>
-        <translation>Zeit in Bewegung</translation>
-    </message>
-    <message>
-        <source>Views disagree by</source>
-        <translation>Abweichung der Sichten</translation>
-    </message>
-    <message>
-        <source>Score</source>
-        <translation>Punkte</translation>
-    </message>
-    <message>
-        <source>Spikes</source>
-        <translation>Ausreißer</translation>
-    </message>
-    <message>
-        <source>Limits broken</source>
-        <translation>Grenzwerte verletzt</translation>
-    </message>
-    <message>
-        <source>Gates passed</source>
-        <translation>Passierte Tore</translation>
-    </message>
-    <message>
-        <source>Robot&apos;s height</source>
-        <translation>Höhe des Roboters</translation>
-    </message>
-    <message>
-        <source>Standing time</source>
-        <translation>Standzeit</translation>
-    </message>
-    <message>
-        <source>Median speed</source>
-        <translation>Mittlere Geschw. (Median)</translation>
-    </message>
-    <message>
-        <source>P95 speed</source>
-        <translation>Geschwindigkeit (P95)</translation>
-    </message>
-    <message>
-        <source>P95 acceleration</source>
-        <translation>Beschleunigung (P95)</translation>
-    </message>
-    <message>
-        <source>Circle&apos;s radius</source>
-        <translation>Radius des Kreises</translation>
-    </message>
-</context>
-<context>
     <name>odo::FileActions</name>
     <message>
         <source>&amp;New project…</source>
@@ -9809,6 +10452,51 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
             <numerusform>%1 von %n Versuch</numerusform>
             <numerusform>%1 von %n Versuchen</numerusform>
         </translation>
+    </message>
+</context>
+<context>
+    <name>odo::ImageArea</name>
+    <message>
+        <source>No view</source>
+        <translation>Keine Sicht</translation>
+    </message>
+    <message>
+        <source>This camera was not recording at this time</source>
+        <translation>Diese Kamera nahm zu dieser Zeit nicht auf</translation>
+    </message>
+</context>
+<context>
+    <name>odo::ImageBars</name>
+    <message>
+        <source>Error of each image, with a threshold</source>
+        <translation>Fehler jedes Bilds, mit einer Schwelle</translation>
+    </message>
+    <message>
+        <source>%1: %2 px</source>
+        <translation>%1: %2 px</translation>
+    </message>
+    <message>
+        <source>images; rejected above %1 px</source>
+        <translation>Bilder; über %1 px zählen sie nicht</translation>
+    </message>
+</context>
+<context>
+    <name>odo::ImageChoice</name>
+    <message>
+        <source>The camera&apos;s &amp;newest recording</source>
+        <translation>In der &amp;neuesten Aufnahme der Kamera</translation>
+    </message>
+    <message>
+        <source>The current image of a &amp;connected camera</source>
+        <translation>In dem, was eine an&amp;geschlossene Kamera jetzt sieht</translation>
+    </message>
+    <message>
+        <source>An image or a &amp;video</source>
+        <translation>In einem &amp;Bild oder Video</translation>
+    </message>
+    <message>
+        <source>Images and videos (*.png *.jpg *.jpeg *.tif *.tiff *.bmp *.mp4 *.mkv *.avi *.mov *.webm);;All files (*)</source>
+        <translation>Bilder und Videos (*.png *.jpg *.jpeg *.tif *.tiff *.bmp *.mp4 *.mkv *.avi *.mov *.webm);;Alle Dateien (*)</translation>
     </message>
 </context>
 <context>
@@ -10407,323 +11095,6 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
 </context>
 <context>
-    <name>odo::BoardImagesPage</name>
-    <message>
-        <source>Move it to the left of the image</source>
-        <translation>Nach links im Bild bewegen</translation>
-    </message>
-    <message>
-        <source>Move it to the right of the image</source>
-        <translation>Nach rechts im Bild bewegen</translation>
-    </message>
-    <message>
-        <source>Move it up</source>
-        <translation>Nach oben bewegen</translation>
-    </message>
-    <message>
-        <source>Move it down</source>
-        <translation>Nach unten bewegen</translation>
-    </message>
-    <message>
-        <source>Closer to the camera</source>
-        <translation>Näher an die Kamera</translation>
-    </message>
-    <message>
-        <source>Farther from the camera</source>
-        <translation>Weiter weg von der Kamera</translation>
-    </message>
-    <message>
-        <source>Tilt it: the left side away from the camera</source>
-        <translation>Neigen: die linke Seite von der Kamera weg</translation>
-    </message>
-    <message>
-        <source>Tilt it: the right side away from the camera</source>
-        <translation>Neigen: die rechte Seite von der Kamera weg</translation>
-    </message>
-    <message>
-        <source>Tilt it: the upper side away from the camera</source>
-        <translation>Neigen: die obere Seite von der Kamera weg</translation>
-    </message>
-    <message>
-        <source>Tilt it: the lower side away from the camera</source>
-        <translation>Neigen: die untere Seite von der Kamera weg</translation>
-    </message>
-    <message>
-        <source>Hold it still</source>
-        <translation>Still halten</translation>
-    </message>
-    <message>
-        <source>&amp;Take an image now</source>
-        <translation>Bild jetzt &amp;aufnehmen</translation>
-    </message>
-    <message>
-        <source>What to do</source>
-        <translation>Was zu tun ist</translation>
-    </message>
-    <message>
-        <source>No image from the camera</source>
-        <translation>Kein Bild von der Kamera</translation>
-    </message>
-    <message>
-        <source>Rejected images</source>
-        <translation>Bilder, die nicht zählen</translation>
-    </message>
-    <message>
-        <source>Coverage of the images</source>
-        <translation>Was die Bilder abdecken</translation>
-    </message>
-    <message>
-        <source>Rejected</source>
-        <translation>Zählt nicht</translation>
-    </message>
-    <message>
-        <source>Waiting for the camera…</source>
-        <translation>Warten auf die Kamera…</translation>
-    </message>
-    <message>
-        <source>Detecting the board…</source>
-        <translation>Tafel wird gesucht…</translation>
-    </message>
-    <message>
-        <source>Hold the board before the camera</source>
-        <translation>Halten Sie die Tafel vor die Kamera</translation>
-    </message>
-    <message>
-        <source>Detecting the board</source>
-        <translation>Tafel wird gesucht</translation>
-    </message>
-    <message>
-        <source>Odograph takes an image whenever the board is still, sharp and in a new position.</source>
-        <translation>Ein Bild wird von selbst aufgenommen, sobald die Tafel ruhig, scharf und an einer neuen Stelle ist.</translation>
-    </message>
-    <message>
-        <source>Taken</source>
-        <translation>Aufgenommen</translation>
-    </message>
-    <message>
-        <source>Now the dashed outline shows where the board would help most.</source>
-        <translation>Jetzt zeigt der gestrichelte Umriss, wo die Tafel am meisten helfen würde.</translation>
-    </message>
-    <message>
-        <source>%1 to go</source>
-        <translation>noch %1</translation>
-    </message>
-    <message>
-        <source>No image accepted</source>
-        <translation>Kein Bild zählt</translation>
-    </message>
-    <message>
-        <source>See the reasons on the right. Drop other images here to add them.</source>
-        <translation>Die Gründe stehen rechts. Weitere fügen Sie hinzu, indem Sie sie hier ablegen.</translation>
-    </message>
-    <message>
-        <source>All images checked</source>
-        <translation>Alle angesehen</translation>
-    </message>
-    <message>
-        <source>They are enough.</source>
-        <translation>Sie genügen.</translation>
-    </message>
-    <message>
-        <source>Drop more images here; the bars show what is missing.</source>
-        <translation>Weitere Bilder können hier abgelegt werden; die Balken zeigen, was fehlt.</translation>
-    </message>
-</context>
-<context>
-    <name>odo::CalibrationResultPage</name>
-    <message>
-        <source>ordinary</source>
-        <translation>gewöhnlich</translation>
-    </message>
-    <message>
-        <source>wide (rational)</source>
-        <translation>Weitwinkel (rational)</translation>
-    </message>
-    <message>
-        <source>fisheye</source>
-        <translation>Fischauge</translation>
-    </message>
-    <message>
-        <source>%1 px</source>
-        <translation>%1 px</translation>
-    </message>
-    <message>
-        <source>%1 ± %2 px</source>
-        <translation>%1 ± %2 px</translation>
-    </message>
-    <message>
-        <source>Verdict</source>
-        <translation>Urteil</translation>
-    </message>
-    <message>
-        <source>Solving</source>
-        <translation>Berechnung</translation>
-    </message>
-    <message>
-        <source>Automatic choice of the lens model</source>
-        <translation>Objektivmodell automatisch</translation>
-    </message>
-    <message>
-        <source>Ordinary lens</source>
-        <translation>Gewöhnliches Objektiv</translation>
-    </message>
-    <message>
-        <source>Wide lens (rational model)</source>
-        <translation>Weitwinkelobjektiv (rationales Modell)</translation>
-    </message>
-    <message>
-        <source>Fisheye</source>
-        <translation>Fischauge</translation>
-    </message>
-    <message>
-        <source>Lens model</source>
-        <translation>Objektivmodell</translation>
-    </message>
-    <message>
-        <source>Select a bar to see its image.</source>
-        <translation>Wählen Sie einen Balken, um sein Bild zu sehen.</translation>
-    </message>
-    <message>
-        <source>Appears here after the calibration.</source>
-        <translation>Steht hier, sobald das Objektiv bekannt ist.</translation>
-    </message>
-    <message>
-        <source>Image and &amp;residuals</source>
-        <translation>Bild und &amp;Residuen</translation>
-    </message>
-    <message>
-        <source>&amp;Straightened</source>
-        <translation>&amp;Entzerrt</translation>
-    </message>
-    <message>
-        <source>Error by image</source>
-        <translation>Fehler je Bild</translation>
-    </message>
-    <message>
-        <source>Calibration</source>
-        <translation>Objektiv</translation>
-    </message>
-    <message>
-        <source>Lens calibration</source>
-        <translation>Was vom Objektiv bekannt ist</translation>
-    </message>
-    <message>
-        <source>Solving…</source>
-        <translation>Wird berechnet…</translation>
-    </message>
-    <message>
-        <source>straight edges must be straight</source>
-        <translation>gerade Kanten müssen gerade sein</translation>
-    </message>
-    <message>
-        <source>Storing the lens calibration and its images…</source>
-        <translation>Objektiv und Bilder werden gespeichert…</translation>
-    </message>
-    <message>
-        <source>The lens calibration was not stored. %1</source>
-        <translation>Das Objektiv wurde nicht gespeichert. %1</translation>
-    </message>
-    <message>
-        <source>Model</source>
-        <translation>Modell</translation>
-    </message>
-    <message>
-        <source>%1: %2</source>
-        <translation>%1: %2</translation>
-    </message>
-    <message>
-        <source>Images</source>
-        <translation>Bilder</translation>
-    </message>
-    <message>
-        <source>%1 of %2</source>
-        <translation>%1 von %2</translation>
-    </message>
-    <message>
-        <source>Board error</source>
-        <translation>Tafelfehler</translation>
-    </message>
-    <message>
-        <source>Held-out error</source>
-        <translation>Kontrollfehler</translation>
-    </message>
-    <message>
-        <source>needs six images</source>
-        <translation>braucht sechs Bilder</translation>
-    </message>
-    <message>
-        <source>Corners left out</source>
-        <translation>Ausgelassene Ecken</translation>
-    </message>
-    <message>
-        <source>Focal length</source>
-        <translation>Brennweite</translation>
-    </message>
-    <message>
-        <source>Centre x</source>
-        <translation>Mitte x</translation>
-    </message>
-    <message>
-        <source>Centre y</source>
-        <translation>Mitte y</translation>
-    </message>
-</context>
-<context>
-    <name>odo::CalibrationSourcePage</name>
-    <message>
-        <source>&amp;From the camera: hold up the board, Odograph takes the images</source>
-        <translation>&amp;Vor der Kamera: Tafel halten, Bilder werden von selbst aufgenommen</translation>
-    </message>
-    <message>
-        <source>From existing images or a &amp;video</source>
-        <translation>Aus eigenen &amp;Bildern oder einem Video</translation>
-    </message>
-    <message>
-        <source> mm</source>
-        <translation> mm</translation>
-    </message>
-    <message>
-        <source>Prin&amp;t a board…</source>
-        <translation>&amp;Tafel drucken…</translation>
-    </message>
-    <message>
-        <source>Show a flat calibration board from many sides to calibrate the lens. Odograph recognises checkerboard and ChArUco boards of any size. Measure one square on the paper: every later length depends on it. Do not refocus or zoom afterwards.</source>
-        <translation>Eine ebene Tafel mit Quadraten, von vielen Seiten gesehen, verrät, wie das Objektiv abbildet. Schachbrett oder ChArUco, in jeder Größe: Was es ist, wird erkannt. Messen Sie ein Quadrat auf dem Papier; es entscheidet über jede spätere Länge. Danach darf das Objektiv nicht mehr neu fokussiert oder gezoomt werden.</translation>
-    </message>
-    <message>
-        <source>&amp;Camera</source>
-        <translation>&amp;Kamera</translation>
-    </message>
-    <message>
-        <source>Side of a &amp;square, measured</source>
-        <translation>&amp;Quadratseite, gemessen</translation>
-    </message>
-    <message>
-        <source>Source of the board images</source>
-        <translation>Woher die Bilder der Tafel kommen</translation>
-    </message>
-    <message>
-        <source>Images and videos of the board</source>
-        <translation>Bilder und Videos der Tafel</translation>
-    </message>
-    <message>
-        <source>&amp;Add…</source>
-        <translation>&amp;Hinzufügen…</translation>
-    </message>
-    <message>
-        <source>&amp;Remove</source>
-        <translation>&amp;Entfernen</translation>
-    </message>
-    <message>
-        <source>Images and videos (*.png *.jpg *.jpeg *.tif *.tiff *.bmp *.mp4 *.mkv *.avi *.mov *.webm);;All files (*)</source>
-        <translation>Bilder und Videos (*.png *.jpg *.jpeg *.tif *.tiff *.bmp *.mp4 *.mkv *.avi *.mov *.webm);;Alle Dateien (*)</translation>
-    </message>
-    <message>
-        <source>You can also drop files here.</source>
-        <translation>Dateien können auch hier abgelegt werden.</translation>
-    </message>
-</context>
-<context>
     <name>odo::LensWizard</name>
     <message>
         <source>Calibrate camera</source>
@@ -11048,6 +11419,17 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
 </context>
 <context>
+    <name>odo::MetricGrid</name>
+    <message>
+        <source>Metrics</source>
+        <translation>Kennwerte</translation>
+    </message>
+    <message>
+        <source>No result yet: track the trial</source>
+        <translation>Noch kein Ergebnis: zuerst den Roboter verfolgen</translation>
+    </message>
+</context>
+<context>
     <name>odo::MetricModel</name>
     <message>
         <source>Metric</source>
@@ -11063,97 +11445,6 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>Modes</source>
         <translation>Modi</translation>
-    </message>
-</context>
-<context>
-    <name>odo::CameraPositionDialog</name>
-    <message>
-        <source>moved %1</source>
-        <translation>um %1 bewegt</translation>
-    </message>
-    <message>
-        <source>marker moved %1</source>
-        <translation>Marker um %1 bewegt</translation>
-    </message>
-    <message>
-        <source>has not moved</source>
-        <translation>nicht bewegt</translation>
-    </message>
-    <message>
-        <source>&amp;Check</source>
-        <translation>&amp;Prüfen</translation>
-    </message>
-    <message>
-        <source>&amp;Register again…</source>
-        <translation>Neu &amp;einmessen…</translation>
-    </message>
-    <message>
-        <source>Check camera positions</source>
-        <translation>Kameras prüfen</translation>
-    </message>
-    <message>
-        <source>Camera</source>
-        <translation>Kamera</translation>
-    </message>
-    <message>
-        <source>New image</source>
-        <translation>Neues Bild</translation>
-    </message>
-    <message>
-        <source>Result</source>
-        <translation>Ergebnis</translation>
-    </message>
-    <message>
-        <source>Registered cameras</source>
-        <translation>Eingemessene Kameras</translation>
-    </message>
-    <message>
-        <source>A camera that someone has pushed measures wrong positions without any sign of it. Before the robots run, check each camera&apos;s markers in a new image.</source>
-        <translation>Eine angestoßene Kamera misst falsch, und nichts verrät es. Bevor die Roboter fahren, werden die Marker jeder Kamera in einem neuen Bild noch einmal gesucht.</translation>
-    </message>
-    <message>
-        <source>Close</source>
-        <translation>Schließen</translation>
-    </message>
-    <message>
-        <source>Results of the check</source>
-        <translation>Was gefunden wurde</translation>
-    </message>
-    <message>
-        <source>New image of camera %1</source>
-        <translation>Neues Bild von Kamera %1</translation>
-    </message>
-    <message>
-        <source>Its newest recording</source>
-        <translation>Ihre neueste Aufnahme</translation>
-    </message>
-    <message>
-        <source>Not checked</source>
-        <translation>Nicht geprüft</translation>
-    </message>
-    <message>
-        <source>An image or video…</source>
-        <translation>Ein Bild oder Video…</translation>
-    </message>
-    <message>
-        <source>Images and videos (*.png *.jpg *.jpeg *.tif *.tiff *.bmp *.mp4 *.mkv *.avi *.mov *.webm);;All files (*)</source>
-        <translation>Bilder und Videos (*.png *.jpg *.jpeg *.tif *.tiff *.bmp *.mp4 *.mkv *.avi *.mov *.webm);;Alle Dateien (*)</translation>
-    </message>
-    <message>
-        <source>detecting…</source>
-        <translation>wird gesucht…</translation>
-    </message>
-    <message>
-        <source>undetermined</source>
-        <translation>unklar</translation>
-    </message>
-    <message>
-        <source>At least two markers must be visible. The check changes nothing.</source>
-        <translation>Mindestens zwei Marker müssen zu sehen sein. Die Prüfung bewegt und ändert nichts.</translation>
-    </message>
-    <message>
-        <source>&amp;Register %1 again…</source>
-        <translation>%1 neu &amp;einmessen…</translation>
     </message>
 </context>
 <context>
@@ -11205,6 +11496,13 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>Anyone on that network can read the robots&apos; positions.</source>
         <translation>Wer in diesem Netz ist, kann lesen, wo die Roboter sind.</translation>
+    </message>
+</context>
+<context>
+    <name>odo::NumberText</name>
+    <message>
+        <source>points</source>
+        <translation>Punkte</translation>
     </message>
 </context>
 <context>
@@ -11267,51 +11565,6 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>%1, camera %2</source>
         <translation>%1, Kamera %2</translation>
-    </message>
-</context>
-<context>
-    <name>odo::ImageArea</name>
-    <message>
-        <source>No view</source>
-        <translation>Keine Sicht</translation>
-    </message>
-    <message>
-        <source>This camera was not recording at this time</source>
-        <translation>Diese Kamera nahm zu dieser Zeit nicht auf</translation>
-    </message>
-</context>
-<context>
-    <name>odo::ImageBars</name>
-    <message>
-        <source>Error of each image, with a threshold</source>
-        <translation>Fehler jedes Bilds, mit einer Schwelle</translation>
-    </message>
-    <message>
-        <source>%1: %2 px</source>
-        <translation>%1: %2 px</translation>
-    </message>
-    <message>
-        <source>images; rejected above %1 px</source>
-        <translation>Bilder; über %1 px zählen sie nicht</translation>
-    </message>
-</context>
-<context>
-    <name>odo::ImageChoice</name>
-    <message>
-        <source>The camera&apos;s &amp;newest recording</source>
-        <translation>In der &amp;neuesten Aufnahme der Kamera</translation>
-    </message>
-    <message>
-        <source>The current image of a &amp;connected camera</source>
-        <translation>In dem, was eine an&amp;geschlossene Kamera jetzt sieht</translation>
-    </message>
-    <message>
-        <source>An image or a &amp;video</source>
-        <translation>In einem &amp;Bild oder Video</translation>
-    </message>
-    <message>
-        <source>Images and videos (*.png *.jpg *.jpeg *.tif *.tiff *.bmp *.mp4 *.mkv *.avi *.mov *.webm);;All files (*)</source>
-        <translation>Bilder und Videos (*.png *.jpg *.jpeg *.tif *.tiff *.bmp *.mp4 *.mkv *.avi *.mov *.webm);;Alle Dateien (*)</translation>
     </message>
 </context>
 <context>
@@ -11571,6 +11824,72 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>Give the trial a name</source>
         <translation>Geben Sie dem Versuch einen Namen</translation>
+    </message>
+</context>
+<context>
+    <name>odo::ReferenceCameraPage</name>
+    <message>
+        <source>Image or video of the camera to register</source>
+        <translation>Bild oder Video der einzumessenden Kamera</translation>
+    </message>
+    <message>
+        <source>Image or video of the registered camera</source>
+        <translation>Bild oder Video der eingemessenen Kamera</translation>
+    </message>
+    <message>
+        <source>A camera cannot be registered via itself: choose two different ones.</source>
+        <translation>Eine Kamera lässt sich nicht über sich selbst einmessen: Wählen Sie zwei verschiedene.</translation>
+    </message>
+    <message>
+        <source>Camera to register</source>
+        <translation>Einzumessende Kamera</translation>
+    </message>
+    <message>
+        <source>Registered camera</source>
+        <translation>Eingemessene Kamera</translation>
+    </message>
+    <message>
+        <source>Register a camera that sees no markers by floor points that a registered camera also sees: corners of tiles, ends of tape, screws. Four are enough; six or more, spread over the common area, are better. Do not move either camera afterwards.</source>
+        <translation>Eine Kamera, die keine Marker sieht, lässt sich über Punkte des Bodens einmessen, die auch eine eingemessene Kamera sieht: Ecken von Fliesen, Enden von Klebeband, Schrauben. Vier genügen, sechs oder mehr, über den gemeinsamen Teil verteilt, sind besser. Danach darf keine der beiden Kameras bewegt werden.</translation>
+    </message>
+    <message>
+        <source>C&amp;amera to register</source>
+        <translation>Einzumessende &amp;Kamera</translation>
+    </message>
+    <message>
+        <source>&amp;Via camera</source>
+        <translation>Ü&amp;ber Kamera</translation>
+    </message>
+    <message>
+        <source>Its image</source>
+        <translation>Ihr Bild</translation>
+    </message>
+    <message>
+        <source>The registered camera&apos;s image</source>
+        <translation>Das Bild der eingemessenen Kamera</translation>
+    </message>
+</context>
+<context>
+    <name>odo::RegisterViaCameraWizard</name>
+    <message>
+        <source>Register via another camera</source>
+        <translation>Über andere Kamera einmessen</translation>
+    </message>
+    <message>
+        <source>&amp;Save</source>
+        <translation>&amp;Speichern</translation>
+    </message>
+    <message>
+        <source>Two cameras and their images</source>
+        <translation>Zwei Kameras und ihre Bilder</translation>
+    </message>
+    <message>
+        <source>The same points in both images</source>
+        <translation>Dieselben Punkte in beiden Bildern</translation>
+    </message>
+    <message>
+        <source>Loading the images…</source>
+        <translation>Bilder werden geholt…</translation>
     </message>
 </context>
 <context>
@@ -13641,72 +13960,6 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
 </context>
 <context>
-    <name>odo::ReferenceCameraPage</name>
-    <message>
-        <source>Image or video of the camera to register</source>
-        <translation>Bild oder Video der einzumessenden Kamera</translation>
-    </message>
-    <message>
-        <source>Image or video of the registered camera</source>
-        <translation>Bild oder Video der eingemessenen Kamera</translation>
-    </message>
-    <message>
-        <source>A camera cannot be registered via itself: choose two different ones.</source>
-        <translation>Eine Kamera lässt sich nicht über sich selbst einmessen: Wählen Sie zwei verschiedene.</translation>
-    </message>
-    <message>
-        <source>Camera to register</source>
-        <translation>Einzumessende Kamera</translation>
-    </message>
-    <message>
-        <source>Registered camera</source>
-        <translation>Eingemessene Kamera</translation>
-    </message>
-    <message>
-        <source>Register a camera that sees no markers by floor points that a registered camera also sees: corners of tiles, ends of tape, screws. Four are enough; six or more, spread over the common area, are better. Do not move either camera afterwards.</source>
-        <translation>Eine Kamera, die keine Marker sieht, lässt sich über Punkte des Bodens einmessen, die auch eine eingemessene Kamera sieht: Ecken von Fliesen, Enden von Klebeband, Schrauben. Vier genügen, sechs oder mehr, über den gemeinsamen Teil verteilt, sind besser. Danach darf keine der beiden Kameras bewegt werden.</translation>
-    </message>
-    <message>
-        <source>C&amp;amera to register</source>
-        <translation>Einzumessende &amp;Kamera</translation>
-    </message>
-    <message>
-        <source>&amp;Via camera</source>
-        <translation>Ü&amp;ber Kamera</translation>
-    </message>
-    <message>
-        <source>Its image</source>
-        <translation>Ihr Bild</translation>
-    </message>
-    <message>
-        <source>The registered camera&apos;s image</source>
-        <translation>Das Bild der eingemessenen Kamera</translation>
-    </message>
-</context>
-<context>
-    <name>odo::RegisterViaCameraWizard</name>
-    <message>
-        <source>Register via another camera</source>
-        <translation>Über andere Kamera einmessen</translation>
-    </message>
-    <message>
-        <source>&amp;Save</source>
-        <translation>&amp;Speichern</translation>
-    </message>
-    <message>
-        <source>Two cameras and their images</source>
-        <translation>Zwei Kameras und ihre Bilder</translation>
-    </message>
-    <message>
-        <source>The same points in both images</source>
-        <translation>Dieselben Punkte in beiden Bildern</translation>
-    </message>
-    <message>
-        <source>Loading the images…</source>
-        <translation>Bilder werden geholt…</translation>
-    </message>
-</context>
-<context>
     <name>odo::TimeSlider</name>
     <message>
         <source>Time of the trial</source>
@@ -14315,17 +14568,6 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
 </context>
 <context>
-    <name>odo::WarningBar</name>
-    <message>
-        <source>Problem</source>
-        <translation>Was los ist</translation>
-    </message>
-    <message>
-        <source>Fix</source>
-        <translation>Beheben</translation>
-    </message>
-</context>
-<context>
     <name>odo::UndoActions</name>
     <message>
         <source>Undone: %1.</source>
@@ -14459,6 +14701,17 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>View %1</source>
         <translation>Sicht %1</translation>
+    </message>
+</context>
+<context>
+    <name>odo::WarningBar</name>
+    <message>
+        <source>Problem</source>
+        <translation>Was los ist</translation>
+    </message>
+    <message>
+        <source>Fix</source>
+        <translation>Beheben</translation>
     </message>
 </context>
 <context>

@@ -426,209 +426,10 @@
     </message>
 </context>
 <context>
-    <name>UncertainIntervals</name>
-    <message>
-        <source>Which robot? Until %1</source>
-        <translation>¿Qué robot? Hasta %1</translation>
-    </message>
-    <message>
-        <source>%1 (%2 to %3)</source>
-        <translation>%1 (de %2 a %3)</translation>
-    </message>
-</context>
-<context>
     <name>Explanation</name>
-    <message>
-        <source>that of the smoothed curve there, and the calibration&apos;s scale uncertainty</source>
-        <translation>el de la curva suavizada allí, y el error de escala de la calibración</translation>
-    </message>
-    <message>
-        <source>From the onset of motion to the last stop. Moving means faster than 20 mm/s and than three σ of the speed, for at least three frames; the moment between two frames is interpolated.</source>
-        <translation>Del inicio del movimiento a la última parada. Moverse significa ir a más de 20 mm/s y de tres σ de la velocidad, durante al menos tres fotogramas; el instante entre dos fotogramas se interpola.</translation>
-    </message>
-    <message>
-        <source>of both moments: σ of the speed divided by its slope there</source>
-        <translation>de ambos instantes: σ de la velocidad dividida por su pendiente allí</translation>
-    </message>
-    <message>
-        <source>∫|v|dt while it moves, by the trapezoidal rule over the smoothed speed. A gap that is not bridged counts as straight.</source>
-        <translation>∫|v|dt mientras se mueve, por la regla del trapecio sobre la velocidad suavizada. Un hueco sin puentear cuenta como recta.</translation>
-    </message>
-    <message>
-        <source>of the end positions, of lateral errors where the path turns, and the calibration&apos;s scale uncertainty</source>
-        <translation>de las posiciones de los extremos, de los errores transversales a la trayectoria donde esta gira, y el error de escala de la calibración</translation>
-    </message>
-    <message>
-        <source>path length / time</source>
-        <translation>distancia recorrida / tiempo</translation>
-    </message>
-    <message>
-        <source>of both, treated as independent</source>
-        <translation>de ambos, tomados como independientes</translation>
-    </message>
-    <message>
-        <source>The speed |v| of the smoothed curve where |v| − 2σ is largest. A point does not win only because its uncertainty is large.</source>
-        <translation>La velocidad |v| de la curva suavizada donde |v| − 2σ es máxima, para que un punto mal conocido no gane por su error.</translation>
-    </message>
-    <message>
-        <source>√(mean of |v|²) while it moves</source>
-        <translation>√(media de |v|²) mientras se mueve</translation>
-    </message>
-    <message>
-        <source>the bound for fully correlated errors, and the calibration&apos;s scale uncertainty</source>
-        <translation>la cota para errores totalmente correlacionados, y el error de escala de la calibración</translation>
-    </message>
-    <message>
-        <source>The acceleration |a| of the smoothed curve where |a| − 2σ is largest.</source>
-        <translation>La aceleración |a| de la curva suavizada donde |a| − 2σ es máxima.</translation>
-    </message>
-    <message>
-        <source>√(mean of |a|²) while it moves</source>
-        <translation>√(media de |a|²) mientras se mueve</translation>
-    </message>
-    <message>
-        <source>distance from the first to the last position of the motion / path length</source>
-        <translation>distancia de la primera a la última posición del movimiento / distancia recorrida</translation>
-    </message>
-    <message>
-        <source>of the end positions</source>
-        <translation>de las posiciones de los extremos</translation>
-    </message>
-    <message>
-        <source>The time in which it moves: faster than 20 mm/s and than three σ of the speed.</source>
-        <translation>El tiempo durante el cual se mueve: a más de 20 mm/s y de tres σ de la velocidad.</translation>
-    </message>
-    <message>
-        <source>of each start and stop: σ of the speed divided by its slope</source>
-        <translation>de cada arranque y parada: σ de la velocidad dividida por su pendiente</translation>
-    </message>
-    <message>
-        <source>The pauses between the onset of motion and the last stop, counted.</source>
-        <translation>El número de pausas entre el inicio del movimiento y la última parada.</translation>
-    </message>
-    <message>
-        <source>time − time in motion</source>
-        <translation>tiempo − tiempo en movimiento</translation>
-    </message>
-    <message>
-        <source>of each start and stop</source>
-        <translation>de cada arranque y parada</translation>
-    </message>
-    <message>
-        <source>The speed that half of the time in motion stays below.</source>
-        <translation>La velocidad que no se supera durante la mitad del tiempo en movimiento.</translation>
-    </message>
-    <message>
-        <source>of the intervals within 1.5 σ of it, each by its mean</source>
-        <translation>de los tramos a menos de 1,5 σ de ella, cada uno por su media</translation>
-    </message>
-    <message>
-        <source>The speed that 95 % of the time in motion stays below.</source>
-        <translation>La velocidad que no se supera durante el 95 % del tiempo en movimiento.</translation>
-    </message>
-    <message>
-        <source>The acceleration that 95 % of the time in motion stays below.</source>
-        <translation>La aceleración que no se supera durante el 95 % del tiempo en movimiento.</translation>
-    </message>
-    <message>
-        <source>(vx·ay − vy·ax)/|v|² of the smoothed curve, to the left or right, where its amount minus 2σ is largest.</source>
-        <translation>(vx·ay − vy·ax)/|v|² de la curva suavizada, en uno u otro sentido, donde su valor menos 2σ es máximo.</translation>
-    </message>
     <message>
         <source>σ² = σa²/|v|² + |a|²σv²/|v|⁴, first order</source>
         <translation>σ² = σa²/|v|² + |a|²σv²/|v|⁴, primer orden</translation>
-    </message>
-    <message>
-        <source>The least-squares circle through the positions of the motion.</source>
-        <translation>La circunferencia con la menor suma de cuadrados de las distancias a las posiciones del movimiento.</translation>
-    </message>
-    <message>
-        <source>of the scatter of the distances, with their number divided by 1 + 2Σρ for correlated neighbours, and the calibration&apos;s scale uncertainty</source>
-        <translation>de la dispersión de las distancias, con el número efectivo de puntos reducido por 1 + 2Σρ, y el error de escala de la calibración</translation>
-    </message>
-    <message>
-        <source>From passing the start gate to passing the finish, each interpolated between frames.</source>
-        <translation>Del paso por la puerta de salida al paso por la meta, ambos interpolados entre fotogramas.</translation>
-    </message>
-    <message>
-        <source>of both passages: σ of the position across the gate divided by the speed</source>
-        <translation>de ambos pasos: σ de la posición perpendicular a la puerta dividida por la velocidad</translation>
-    </message>
-    <message>
-        <source>Complete laps or runs, counted by the passages of the gates.</source>
-        <translation>Vueltas o recorridos completos, contados por los pasos por las puertas.</translation>
-    </message>
-    <message>
-        <source>The shortest lap.</source>
-        <translation>La vuelta más rápida.</translation>
-    </message>
-    <message>
-        <source>of its two passages; the calibration uncertainty of a gate passed twice cancels</source>
-        <translation>de sus dos pasos; el error de calibración de una puerta por la que se pasa dos veces se cancela</translation>
-    </message>
-    <message>
-        <source>The mean of the laps&apos; times.</source>
-        <translation>La media de los tiempos de las vueltas.</translation>
-    </message>
-    <message>
-        <source>of the first and the last passage, over the number of laps</source>
-        <translation>del primer y el último paso, dividido por el número de vueltas</translation>
-    </message>
-    <message>
-        <source>The distance from the reference path, averaged along the path.</source>
-        <translation>La media, a lo largo del camino, de la distancia a la trayectoria de referencia.</translation>
-    </message>
-    <message>
-        <source>of the position across the path, and of its noise: the distance has no sign, so noise does not cancel</source>
-        <translation>de la posición transversal a la trayectoria, y de su ruido, que allí no tiene signo</translation>
-    </message>
-    <message>
-        <source>√(mean of the squared distance from the reference path), averaged along the path</source>
-        <translation>√(media del cuadrado de la distancia a la trayectoria de referencia), a lo largo del camino</translation>
-    </message>
-    <message>
-        <source>of the position across the path</source>
-        <translation>de la posición transversal a la trayectoria</translation>
-    </message>
-    <message>
-        <source>The largest distance from the reference path.</source>
-        <translation>La mayor distancia a la trayectoria de referencia.</translation>
-    </message>
-    <message>
-        <source>of the position across the path, there</source>
-        <translation>de la posición transversal a la trayectoria, allí</translation>
-    </message>
-    <message>
-        <source>The mean of the distance from the reference path, to the left positive.</source>
-        <translation>La media de la distancia a la trayectoria de referencia, positiva hacia la izquierda.</translation>
-    </message>
-    <message>
-        <source>of the position across the path, mostly the calibration&apos;s</source>
-        <translation>de la posición transversal a la trayectoria, sobre todo la de la calibración</translation>
-    </message>
-    <message>
-        <source>The share of the reference path that the robot followed.</source>
-        <translation>La parte de la trayectoria de referencia que se siguió.</translation>
-    </message>
-    <message>
-        <source>How often the robot&apos;s reference point left a zone to stay in or entered a zone to keep out of. It counts if the point is beyond the edge by more than three σ of the track&apos;s noise.</source>
-        <translation>Cuántas veces el centro del robot salió de una zona de permanencia o entró en una zona prohibida. Cuenta cuando rebasa el borde en más de tres σ del ruido propio de la traza.</translation>
-    </message>
-    <message>
-        <source>The time for which the robot&apos;s reference point was beyond the edge of a zone, interpolated between frames; in two zones at once it counts twice.</source>
-        <translation>El tiempo durante el cual el centro del robot rebasó el borde de una zona, interpolado entre fotogramas; en dos zonas a la vez cuenta doble.</translation>
-    </message>
-    <message>
-        <source>of each crossing of an edge: σ of the position across it divided by the speed; and the change of the time when the calibration uncertainty shifts the track</source>
-        <translation>de cada instante en un borde: σ de la posición perpendicular a él dividida por la velocidad; y lo que cambia el tiempo cuando la calibración acerca o aleja la traza</translation>
-    </message>
-    <message>
-        <source>The largest distance of the robot&apos;s reference point beyond the edge of a zone.</source>
-        <translation>Cuánto rebasó como máximo el centro del robot el borde de una zona.</translation>
-    </message>
-    <message>
-        <source>of the position across the edge, there</source>
-        <translation>de la posición perpendicular al borde, allí</translation>
     </message>
     <message>
         <source>smoothed by Kalman filter and RTS smoother, noise by maximum likelihood (Rauch, Tung, Striebel 1965; Bar-Shalom et al. 2001)</source>
@@ -2194,6 +1995,17 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     </message>
 </context>
 <context>
+    <name>UncertainIntervals</name>
+    <message>
+        <source>Which robot? Until %1</source>
+        <translation>¿Qué robot? Hasta %1</translation>
+    </message>
+    <message>
+        <source>%1 (%2 to %3)</source>
+        <translation>%1 (de %2 a %3)</translation>
+    </message>
+</context>
+<context>
     <name>WindowTitle</name>
     <message>
         <source>Team %1</source>
@@ -2387,6 +2199,202 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     </message>
 </context>
 <context>
+    <name>analysis.formula_best_lap</name>
+    <message>
+        <source>The shortest lap.</source>
+        <translation>La vuelta más rápida.</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.formula_circle_radius</name>
+    <message>
+        <source>The least-squares circle through the positions of the motion.</source>
+        <translation>La circunferencia con la menor suma de cuadrados de las distancias a las posiciones del movimiento.</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.formula_cross_track_bias</name>
+    <message>
+        <source>The mean of the distance from the reference path, to the left positive.</source>
+        <translation>La media de la distancia a la trayectoria de referencia, positiva hacia la izquierda.</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.formula_cross_track_max</name>
+    <message>
+        <source>The largest distance from the reference path.</source>
+        <translation>La mayor distancia a la trayectoria de referencia.</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.formula_cross_track_mean</name>
+    <message>
+        <source>The distance from the reference path, averaged along the path.</source>
+        <translation>La media, a lo largo del camino, de la distancia a la trayectoria de referencia.</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.formula_cross_track_rms</name>
+    <message>
+        <source>√(mean of the squared distance from the reference path), averaged along the path</source>
+        <translation>√(media del cuadrado de la distancia a la trayectoria de referencia), a lo largo del camino</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.formula_duration</name>
+    <message>
+        <source>From the onset of motion to the last stop. Moving means faster than 20 mm/s and than three σ of the speed, for at least three frames; the moment between two frames is interpolated.</source>
+        <translation>Del inicio del movimiento a la última parada. Moverse significa ir a más de 20 mm/s y de tres σ de la velocidad, durante al menos tres fotogramas; el instante entre dos fotogramas se interpola.</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.formula_gate_time</name>
+    <message>
+        <source>From passing the start gate to passing the finish, each interpolated between frames.</source>
+        <translation>Del paso por la puerta de salida al paso por la meta, ambos interpolados entre fotogramas.</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.formula_laps</name>
+    <message>
+        <source>Complete laps or runs, counted by the passages of the gates.</source>
+        <translation>Vueltas o recorridos completos, contados por los pasos por las puertas.</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.formula_max_accel</name>
+    <message>
+        <source>The acceleration |a| of the smoothed curve where |a| − 2σ is largest.</source>
+        <translation>La aceleración |a| de la curva suavizada donde |a| − 2σ es máxima.</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.formula_max_speed</name>
+    <message>
+        <source>The speed |v| of the smoothed curve where |v| − 2σ is largest. A point does not win only because its uncertainty is large.</source>
+        <translation>La velocidad |v| de la curva suavizada donde |v| − 2σ es máxima, para que un punto mal conocido no gane por su error.</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.formula_max_turn_rate</name>
+    <message>
+        <source>(vx·ay − vy·ax)/|v|² of the smoothed curve, to the left or right, where its amount minus 2σ is largest.</source>
+        <translation>(vx·ay − vy·ax)/|v|² de la curva suavizada, en uno u otro sentido, donde su valor menos 2σ es máximo.</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.formula_mean_lap</name>
+    <message>
+        <source>The mean of the laps&apos; times.</source>
+        <translation>La media de los tiempos de las vueltas.</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.formula_mean_speed</name>
+    <message>
+        <source>path length / time</source>
+        <translation>distancia recorrida / tiempo</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.formula_median_speed</name>
+    <message>
+        <source>The speed that half of the time in motion stays below.</source>
+        <translation>La velocidad que no se supera durante la mitad del tiempo en movimiento.</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.formula_moving_time</name>
+    <message>
+        <source>The time in which it moves: faster than 20 mm/s and than three σ of the speed.</source>
+        <translation>El tiempo durante el cual se mueve: a más de 20 mm/s y de tres σ de la velocidad.</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.formula_p95_accel</name>
+    <message>
+        <source>The acceleration that 95 % of the time in motion stays below.</source>
+        <translation>La aceleración que no se supera durante el 95 % del tiempo en movimiento.</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.formula_p95_speed</name>
+    <message>
+        <source>The speed that 95 % of the time in motion stays below.</source>
+        <translation>La velocidad que no se supera durante el 95 % del tiempo en movimiento.</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.formula_path_completed</name>
+    <message>
+        <source>The share of the reference path that the robot followed.</source>
+        <translation>La parte de la trayectoria de referencia que se siguió.</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.formula_path_length</name>
+    <message>
+        <source>∫|v|dt while it moves, by the trapezoidal rule over the smoothed speed. A gap that is not bridged adds nothing.</source>
+        <translation>∫|v|dt mientras se mueve, por la regla del trapecio sobre la velocidad suavizada. Un hueco sin puentear no aporta nada.</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.formula_rms_accel</name>
+    <message>
+        <source>√(mean of |a|²) while it moves</source>
+        <translation>√(media de |a|²) mientras se mueve</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.formula_rms_speed</name>
+    <message>
+        <source>√(mean of |v|²) while it moves</source>
+        <translation>√(media de |v|²) mientras se mueve</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.formula_standing_time</name>
+    <message>
+        <source>time − time in motion</source>
+        <translation>tiempo − tiempo en movimiento</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.formula_stops</name>
+    <message>
+        <source>The pauses between the onset of motion and the last stop, counted.</source>
+        <translation>El número de pausas entre el inicio del movimiento y la última parada.</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.formula_straightness</name>
+    <message>
+        <source>distance from the first to the last position of the motion / path length</source>
+        <translation>distancia de la primera a la última posición del movimiento / distancia recorrida</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.formula_zone_breaches</name>
+    <message>
+        <source>How often the robot&apos;s reference point left a zone to stay in or entered a zone to keep out of. It counts if the point is beyond the edge by more than three σ of the track&apos;s noise.</source>
+        <translation>Cuántas veces el centro del robot salió de una zona de permanencia o entró en una zona prohibida. Cuenta cuando rebasa el borde en más de tres σ del ruido propio de la traza.</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.formula_zone_depth</name>
+    <message>
+        <source>The largest distance of the robot&apos;s reference point beyond the edge of a zone.</source>
+        <translation>Cuánto rebasó como máximo el centro del robot el borde de una zona.</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.formula_zone_time</name>
+    <message>
+        <source>The time for which the robot&apos;s reference point was beyond the edge of a zone, interpolated between frames; in two zones at once it counts twice.</source>
+        <translation>El tiempo durante el cual el centro del robot rebasó el borde de una zona, interpolado entre fotogramas; en dos zonas a la vez cuenta doble.</translation>
+    </message>
+</context>
+<context>
     <name>analysis.gate</name>
     <message>
         <source>gate &apos;%1&apos;</source>
@@ -2531,6 +2539,251 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <message>
         <source>the task already has %1 zones</source>
         <translation>la tarea ya tiene %1 zonas</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.metric_best_lap</name>
+    <message>
+        <source>Best lap</source>
+        <translation>Mejor vuelta</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.metric_circle_radius</name>
+    <message>
+        <source>Circle&apos;s radius</source>
+        <translation>Radio del círculo</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.metric_cross_track_bias</name>
+    <message>
+        <source>Left of the path</source>
+        <translation>Desvío a la izquierda</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.metric_cross_track_max</name>
+    <message>
+        <source>Off the path (most)</source>
+        <translation>Desvío máximo</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.metric_cross_track_mean</name>
+    <message>
+        <source>Off the path (mean)</source>
+        <translation>Desvío medio</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.metric_cross_track_rms</name>
+    <message>
+        <source>Off the path (RMS)</source>
+        <translation>Desvío RMS</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.metric_displacement</name>
+    <message>
+        <source>Displacement</source>
+        <translation>Desplazamiento</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.metric_duration</name>
+    <message>
+        <source>Time</source>
+        <translation>Tiempo</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.metric_gate_time</name>
+    <message>
+        <source>Start to finish</source>
+        <translation>De salida a meta</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.metric_gates_passed</name>
+    <message>
+        <source>Gates passed</source>
+        <translation>Puertas pasadas</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.metric_height</name>
+    <message>
+        <source>Robot&apos;s height</source>
+        <translation>Altura del robot</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.metric_laps</name>
+    <message>
+        <source>Laps</source>
+        <translation>Vueltas</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.metric_limit_breaches</name>
+    <message>
+        <source>Limits broken</source>
+        <translation>Límites superados</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.metric_max_accel</name>
+    <message>
+        <source>Top acceleration</source>
+        <translation>Aceleración máxima</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.metric_max_speed</name>
+    <message>
+        <source>Top speed</source>
+        <translation>Velocidad máxima</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.metric_max_turn_rate</name>
+    <message>
+        <source>Fastest turn</source>
+        <translation>Giro más rápido</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.metric_mean_lap</name>
+    <message>
+        <source>Mean lap</source>
+        <translation>Vuelta media</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.metric_mean_speed</name>
+    <message>
+        <source>Mean speed</source>
+        <translation>Velocidad media</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.metric_mean_view_disagreement</name>
+    <message>
+        <source>Views disagree by</source>
+        <translation>Discrepancia entre vistas</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.metric_median_speed</name>
+    <message>
+        <source>Median speed</source>
+        <translation>Velocidad mediana</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.metric_moving_time</name>
+    <message>
+        <source>Time in motion</source>
+        <translation>Tiempo en movimiento</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.metric_p95_accel</name>
+    <message>
+        <source>P95 acceleration</source>
+        <translation>Aceleración (P95)</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.metric_p95_speed</name>
+    <message>
+        <source>P95 speed</source>
+        <translation>Velocidad (P95)</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.metric_path_completed</name>
+    <message>
+        <source>Path completed</source>
+        <translation>Trayectoria completada</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.metric_path_length</name>
+    <message>
+        <source>Path</source>
+        <translation>Distancia recorrida</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.metric_rms_accel</name>
+    <message>
+        <source>Acceleration (RMS)</source>
+        <translation>Aceleración (RMS)</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.metric_rms_speed</name>
+    <message>
+        <source>Speed (RMS)</source>
+        <translation>Velocidad (RMS)</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.metric_score</name>
+    <message>
+        <source>Score</source>
+        <translation>Puntuación</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.metric_spikes</name>
+    <message>
+        <source>Spikes</source>
+        <translation>Valores atípicos</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.metric_standing_time</name>
+    <message>
+        <source>Standing time</source>
+        <translation>Tiempo parado</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.metric_stops</name>
+    <message>
+        <source>Stops</source>
+        <translation>Paradas</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.metric_straightness</name>
+    <message>
+        <source>Straightness</source>
+        <translation>Rectitud</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.metric_zone_breaches</name>
+    <message>
+        <source>Zones broken</source>
+        <translation>Zonas infringidas</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.metric_zone_depth</name>
+    <message>
+        <source>Beyond zones (most)</source>
+        <translation>Infracción máxima</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.metric_zone_time</name>
+    <message>
+        <source>Time beyond zones</source>
+        <translation>Tiempo en infracción</translation>
     </message>
 </context>
 <context>
@@ -2797,6 +3050,146 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <message>
         <source>template of a task</source>
         <translation>plantilla de una tarea</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.uncertainty_best_lap</name>
+    <message>
+        <source>of its two passages; the calibration uncertainty of a gate passed twice cancels</source>
+        <translation>de sus dos pasos; el error de calibración de una puerta por la que se pasa dos veces se cancela</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.uncertainty_circle_radius</name>
+    <message>
+        <source>of the scatter of the distances, with their number divided by 1 + 2Σρ for correlated neighbours, and the calibration&apos;s scale uncertainty</source>
+        <translation>de la dispersión de las distancias, con el número efectivo de puntos reducido por 1 + 2Σρ, y el error de escala de la calibración</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.uncertainty_correlated</name>
+    <message>
+        <source>the bound for fully correlated errors, and the calibration&apos;s scale uncertainty</source>
+        <translation>la cota para errores totalmente correlacionados, y el error de escala de la calibración</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.uncertainty_cross_track_bias</name>
+    <message>
+        <source>of the position across the path, mostly the calibration&apos;s</source>
+        <translation>de la posición transversal a la trayectoria, sobre todo la de la calibración</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.uncertainty_cross_track_max</name>
+    <message>
+        <source>of the position across the path, there</source>
+        <translation>de la posición transversal a la trayectoria, allí</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.uncertainty_cross_track_mean</name>
+    <message>
+        <source>of the position across the path, and of its noise: the distance has no sign, so noise does not cancel</source>
+        <translation>de la posición transversal a la trayectoria, y de su ruido, que allí no tiene signo</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.uncertainty_cross_track_rms</name>
+    <message>
+        <source>of the position across the path</source>
+        <translation>de la posición transversal a la trayectoria</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.uncertainty_duration</name>
+    <message>
+        <source>of both moments: σ of the speed divided by its slope there</source>
+        <translation>de ambos instantes: σ de la velocidad dividida por su pendiente allí</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.uncertainty_gate_time</name>
+    <message>
+        <source>of both passages: σ of the position across the gate divided by the speed</source>
+        <translation>de ambos pasos: σ de la posición perpendicular a la puerta dividida por la velocidad</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.uncertainty_max_turn_rate</name>
+    <message>
+        <source>σ² = σa²/|v|² + |a|²σv²/|v|⁴, first order</source>
+        <translation>σ² = σa²/|v|² + |a|²σv²/|v|⁴, primer orden</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.uncertainty_mean_lap</name>
+    <message>
+        <source>of the first and the last passage, over the number of laps</source>
+        <translation>del primer y el último paso, dividido por el número de vueltas</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.uncertainty_mean_speed</name>
+    <message>
+        <source>of both, treated as independent</source>
+        <translation>de ambos, tomados como independientes</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.uncertainty_moving_time</name>
+    <message>
+        <source>of each start and stop: σ of the speed divided by its slope</source>
+        <translation>de cada arranque y parada: σ de la velocidad dividida por su pendiente</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.uncertainty_of_curve</name>
+    <message>
+        <source>that of the smoothed curve there, and the calibration&apos;s scale uncertainty</source>
+        <translation>el de la curva suavizada allí, y el error de escala de la calibración</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.uncertainty_of_intervals</name>
+    <message>
+        <source>of the intervals within 1.5 σ of it, each by its mean</source>
+        <translation>de los tramos a menos de 1,5 σ de ella, cada uno por su media</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.uncertainty_path_length</name>
+    <message>
+        <source>of the end positions, of lateral errors where the path turns, and the calibration&apos;s scale uncertainty</source>
+        <translation>de las posiciones de los extremos, de los errores transversales a la trayectoria donde esta gira, y el error de escala de la calibración</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.uncertainty_standing_time</name>
+    <message>
+        <source>of each start and stop</source>
+        <translation>de cada arranque y parada</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.uncertainty_straightness</name>
+    <message>
+        <source>of the end positions</source>
+        <translation>de las posiciones de los extremos</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.uncertainty_zone_depth</name>
+    <message>
+        <source>of the position across the edge, there</source>
+        <translation>de la posición perpendicular al borde, allí</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.uncertainty_zone_time</name>
+    <message>
+        <source>of each crossing of an edge: σ of the position across it divided by the speed; and the change of the time when the calibration uncertainty shifts the track</source>
+        <translation>de cada instante en un borde: σ de la posición perpendicular a él dividida por la velocidad; y lo que cambia el tiempo cuando la calibración acerca o aleja la traza</translation>
     </message>
 </context>
 <context>
@@ -8284,6 +8677,129 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     </message>
 </context>
 <context>
+    <name>odo::BoardImagesPage</name>
+    <message>
+        <source>Move it to the left of the image</source>
+        <translation>Muévalo hacia la izquierda de la imagen</translation>
+    </message>
+    <message>
+        <source>Move it to the right of the image</source>
+        <translation>Muévalo hacia la derecha de la imagen</translation>
+    </message>
+    <message>
+        <source>Move it up</source>
+        <translation>Muévalo hacia arriba</translation>
+    </message>
+    <message>
+        <source>Move it down</source>
+        <translation>Muévalo hacia abajo</translation>
+    </message>
+    <message>
+        <source>Closer to the camera</source>
+        <translation>Más cerca de la cámara</translation>
+    </message>
+    <message>
+        <source>Farther from the camera</source>
+        <translation>Más lejos de la cámara</translation>
+    </message>
+    <message>
+        <source>Tilt it: the left side away from the camera</source>
+        <translation>Inclínelo: el lado izquierdo alejándose de la cámara</translation>
+    </message>
+    <message>
+        <source>Tilt it: the right side away from the camera</source>
+        <translation>Inclínelo: el lado derecho alejándose de la cámara</translation>
+    </message>
+    <message>
+        <source>Tilt it: the upper side away from the camera</source>
+        <translation>Inclínelo: el lado superior alejándose de la cámara</translation>
+    </message>
+    <message>
+        <source>Tilt it: the lower side away from the camera</source>
+        <translation>Inclínelo: el lado inferior alejándose de la cámara</translation>
+    </message>
+    <message>
+        <source>Hold it still</source>
+        <translation>Manténgalo quieto</translation>
+    </message>
+    <message>
+        <source>&amp;Take an image now</source>
+        <translation>&amp;Tomar imagen ahora</translation>
+    </message>
+    <message>
+        <source>What to do</source>
+        <translation>Qué hacer</translation>
+    </message>
+    <message>
+        <source>No image from the camera</source>
+        <translation>Sin imagen de la cámara</translation>
+    </message>
+    <message>
+        <source>Rejected images</source>
+        <translation>Imágenes que no cuentan</translation>
+    </message>
+    <message>
+        <source>Coverage of the images</source>
+        <translation>Lo que cubren las imágenes</translation>
+    </message>
+    <message>
+        <source>Rejected</source>
+        <translation>No cuentan</translation>
+    </message>
+    <message>
+        <source>Waiting for the camera…</source>
+        <translation>Esperando a la cámara…</translation>
+    </message>
+    <message>
+        <source>Detecting the board…</source>
+        <translation>Buscando el tablero…</translation>
+    </message>
+    <message>
+        <source>Hold the board before the camera</source>
+        <translation>Sostenga el tablero ante la cámara</translation>
+    </message>
+    <message>
+        <source>Detecting the board</source>
+        <translation>Buscando el tablero</translation>
+    </message>
+    <message>
+        <source>Odograph takes an image whenever the board is still, sharp and in a new position.</source>
+        <translation>Se toma una imagen automáticamente cada vez que el tablero está quieto, nítido y en un lugar nuevo.</translation>
+    </message>
+    <message>
+        <source>Taken</source>
+        <translation>Tomada</translation>
+    </message>
+    <message>
+        <source>Now the dashed outline shows where the board would help most.</source>
+        <translation>Ahora el contorno discontinuo muestra dónde sería más útil el tablero.</translation>
+    </message>
+    <message>
+        <source>%1 to go</source>
+        <translation>faltan %1</translation>
+    </message>
+    <message>
+        <source>No image accepted</source>
+        <translation>Ninguna imagen cuenta</translation>
+    </message>
+    <message>
+        <source>See the reasons on the right. Drop other images here to add them.</source>
+        <translation>Los motivos están a la derecha. Añada otras soltándolas aquí.</translation>
+    </message>
+    <message>
+        <source>All images checked</source>
+        <translation>Todas revisadas</translation>
+    </message>
+    <message>
+        <source>They are enough.</source>
+        <translation>Son suficientes.</translation>
+    </message>
+    <message>
+        <source>Drop more images here; the bars show what is missing.</source>
+        <translation>Se pueden soltar más imágenes aquí; las barras muestran lo que falta.</translation>
+    </message>
+</context>
+<context>
     <name>odo::BoardSearchWorker</name>
     <message>
         <source>image %1</source>
@@ -8299,6 +8815,200 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <message>
         <source>Video frame; arrow keys move the box round the robot, Shift + arrow keys resize it</source>
         <translation>Imagen; las flechas mueven el recuadro del robot, con Mayús cambian su tamaño</translation>
+    </message>
+</context>
+<context>
+    <name>odo::CalibrationResultPage</name>
+    <message>
+        <source>ordinary</source>
+        <translation>normal</translation>
+    </message>
+    <message>
+        <source>wide (rational)</source>
+        <translation>gran angular (racional)</translation>
+    </message>
+    <message>
+        <source>fisheye</source>
+        <translation>ojo de pez</translation>
+    </message>
+    <message>
+        <source>%1 px</source>
+        <translation>%1 px</translation>
+    </message>
+    <message>
+        <source>%1 ± %2 px</source>
+        <translation>%1 ± %2 px</translation>
+    </message>
+    <message>
+        <source>Verdict</source>
+        <translation>Veredicto</translation>
+    </message>
+    <message>
+        <source>Solving</source>
+        <translation>Calculando</translation>
+    </message>
+    <message>
+        <source>Automatic choice of the lens model</source>
+        <translation>Modelo de lente elegido automáticamente</translation>
+    </message>
+    <message>
+        <source>Ordinary lens</source>
+        <translation>Lente normal</translation>
+    </message>
+    <message>
+        <source>Wide lens (rational model)</source>
+        <translation>Gran angular (modelo racional)</translation>
+    </message>
+    <message>
+        <source>Fisheye</source>
+        <translation>Ojo de pez</translation>
+    </message>
+    <message>
+        <source>Lens model</source>
+        <translation>Modelo de lente</translation>
+    </message>
+    <message>
+        <source>Select a bar to see its image.</source>
+        <translation>Elija una barra para ver su imagen.</translation>
+    </message>
+    <message>
+        <source>Appears here after the calibration.</source>
+        <translation>Aparece aquí cuando se conoce la lente.</translation>
+    </message>
+    <message>
+        <source>Image and &amp;residuals</source>
+        <translation>Imagen y &amp;residuos</translation>
+    </message>
+    <message>
+        <source>&amp;Straightened</source>
+        <translation>Sin &amp;distorsión</translation>
+    </message>
+    <message>
+        <source>Error by image</source>
+        <translation>Error por imagen</translation>
+    </message>
+    <message>
+        <source>Calibration</source>
+        <translation>Lente</translation>
+    </message>
+    <message>
+        <source>Lens calibration</source>
+        <translation>Lo que se sabe de la lente</translation>
+    </message>
+    <message>
+        <source>Solving…</source>
+        <translation>Calculando…</translation>
+    </message>
+    <message>
+        <source>straight edges must be straight</source>
+        <translation>los bordes rectos deben verse rectos</translation>
+    </message>
+    <message>
+        <source>Storing the lens calibration and its images…</source>
+        <translation>Guardando la lente y sus imágenes…</translation>
+    </message>
+    <message>
+        <source>The lens calibration was not stored. %1</source>
+        <translation>La lente no se guardó. %1</translation>
+    </message>
+    <message>
+        <source>Model</source>
+        <translation>Modelo</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>Images</source>
+        <translation>Imágenes</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 de %2</translation>
+    </message>
+    <message>
+        <source>Board error</source>
+        <translation>Error del tablero</translation>
+    </message>
+    <message>
+        <source>Held-out error</source>
+        <translation>Error de validación</translation>
+    </message>
+    <message>
+        <source>needs six images</source>
+        <translation>requiere seis imágenes</translation>
+    </message>
+    <message>
+        <source>Corners left out</source>
+        <translation>Esquinas omitidas</translation>
+    </message>
+    <message>
+        <source>Focal length</source>
+        <translation>Distancia focal</translation>
+    </message>
+    <message>
+        <source>Centre x</source>
+        <translation>Centro x</translation>
+    </message>
+    <message>
+        <source>Centre y</source>
+        <translation>Centro y</translation>
+    </message>
+</context>
+<context>
+    <name>odo::CalibrationSourcePage</name>
+    <message>
+        <source>&amp;From the camera: hold up the board, Odograph takes the images</source>
+        <translation>An&amp;te la cámara: sostenga el tablero y las imágenes se toman automáticamente</translation>
+    </message>
+    <message>
+        <source>From existing images or a &amp;video</source>
+        <translation>De &amp;imágenes o un video ya tomados</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>Prin&amp;t a board…</source>
+        <translation>Im&amp;primir tablero…</translation>
+    </message>
+    <message>
+        <source>Show a flat calibration board from many sides to calibrate the lens. Odograph recognises checkerboard and ChArUco boards of any size. Measure one square on the paper: every later length depends on it. Do not refocus or zoom afterwards.</source>
+        <translation>Un tablero plano de casillas, visto desde muchos lados, revela cómo proyecta la lente. De ajedrez o ChArUco, de cualquier tamaño: se reconoce automáticamente. Mida una casilla en el papel; de ella dependen todas las longitudes posteriores. Después no se debe cambiar el enfoque ni el zoom de la lente.</translation>
+    </message>
+    <message>
+        <source>&amp;Camera</source>
+        <translation>Cá&amp;mara</translation>
+    </message>
+    <message>
+        <source>Side of a &amp;square, measured</source>
+        <translation>Lado de una &amp;casilla, medido</translation>
+    </message>
+    <message>
+        <source>Source of the board images</source>
+        <translation>De dónde vienen las imágenes del tablero</translation>
+    </message>
+    <message>
+        <source>Images and videos of the board</source>
+        <translation>Imágenes y videos del tablero</translation>
+    </message>
+    <message>
+        <source>&amp;Add…</source>
+        <translation>Aña&amp;dir…</translation>
+    </message>
+    <message>
+        <source>&amp;Remove</source>
+        <translation>&amp;Quitar</translation>
+    </message>
+    <message>
+        <source>Images and videos (*.png *.jpg *.jpeg *.tif *.tiff *.bmp *.mp4 *.mkv *.avi *.mov *.webm);;All files (*)</source>
+        <translation>Imágenes y videos (*.png *.jpg *.jpeg *.tif *.tiff *.bmp *.mp4 *.mkv *.avi *.mov *.webm);;Todos los archivos (*)</translation>
+    </message>
+    <message>
+        <source>You can also drop files here.</source>
+        <translation>También se pueden soltar archivos aquí.</translation>
     </message>
 </context>
 <context>
@@ -8396,38 +9106,94 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     </message>
 </context>
 <context>
-    <name>odo::CameraView</name>
+    <name>odo::CameraPositionDialog</name>
     <message>
-        <source>synchronised to %1 ms</source>
-        <translation>sincronizada a %1 ms</translation>
+        <source>moved %1</source>
+        <translation>movida %1</translation>
     </message>
     <message>
-        <source>manual offset</source>
-        <translation>desfase a mano</translation>
+        <source>marker moved %1</source>
+        <translation>marcador movido %1</translation>
     </message>
     <message>
-        <source>not synchronised</source>
-        <translation>sin sincronizar</translation>
+        <source>has not moved</source>
+        <translation>no se ha movido</translation>
     </message>
     <message>
-        <source>%1 /s</source>
-        <translation>%1 /s</translation>
+        <source>&amp;Check</source>
+        <translation>&amp;Comprobar</translation>
     </message>
     <message>
-        <source>Camera %1</source>
-        <translation>Cámara %1</translation>
+        <source>&amp;Register again…</source>
+        <translation>&amp;Registrar de nuevo…</translation>
+    </message>
+    <message>
+        <source>Check camera positions</source>
+        <translation>Comprobar las cámaras</translation>
     </message>
     <message>
         <source>Camera</source>
         <translation>Cámara</translation>
     </message>
     <message>
-        <source>Camera image</source>
-        <translation>Imagen de la cámara</translation>
+        <source>New image</source>
+        <translation>Imagen nueva</translation>
     </message>
     <message>
-        <source>Image of %1</source>
-        <translation>Imagen de %1</translation>
+        <source>Result</source>
+        <translation>Resultado</translation>
+    </message>
+    <message>
+        <source>Registered cameras</source>
+        <translation>Cámaras registradas</translation>
+    </message>
+    <message>
+        <source>A camera that someone has pushed measures wrong positions without any sign of it. Before the robots run, check each camera&apos;s markers in a new image.</source>
+        <translation>Una cámara que recibió un empujón mide mal y nada lo delata. Antes de los recorridos se vuelven a buscar los marcadores de cada cámara en una imagen nueva.</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Cerrar</translation>
+    </message>
+    <message>
+        <source>Results of the check</source>
+        <translation>Lo que se encontró</translation>
+    </message>
+    <message>
+        <source>New image of camera %1</source>
+        <translation>Imagen nueva de la cámara %1</translation>
+    </message>
+    <message>
+        <source>Its newest recording</source>
+        <translation>Su última grabación</translation>
+    </message>
+    <message>
+        <source>Not checked</source>
+        <translation>Sin comprobar</translation>
+    </message>
+    <message>
+        <source>An image or video…</source>
+        <translation>Una imagen o un video…</translation>
+    </message>
+    <message>
+        <source>Images and videos (*.png *.jpg *.jpeg *.tif *.tiff *.bmp *.mp4 *.mkv *.avi *.mov *.webm);;All files (*)</source>
+        <translation>Imágenes y videos (*.png *.jpg *.jpeg *.tif *.tiff *.bmp *.mp4 *.mkv *.avi *.mov *.webm);;Todos los archivos (*)</translation>
+    </message>
+    <message>
+        <source>detecting…</source>
+        <translation>buscando…</translation>
+    </message>
+    <message>
+        <source>undetermined</source>
+        <translation>sin respuesta</translation>
+    </message>
+    <message>
+        <source>At least two markers must be visible. The check changes nothing.</source>
+        <translation>Deben verse al menos dos marcadores. La comprobación no mueve ni cambia nada.</translation>
+    </message>
+    <message>
+        <source>&amp;Register %1 again…</source>
+        <translation>&amp;Registrar %1 de nuevo…</translation>
     </message>
 </context>
 <context>
@@ -8495,6 +9261,41 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <message>
         <source>best for tracking</source>
         <translation>lo mejor para rastrear</translation>
+    </message>
+</context>
+<context>
+    <name>odo::CameraView</name>
+    <message>
+        <source>synchronised to %1 ms</source>
+        <translation>sincronizada a %1 ms</translation>
+    </message>
+    <message>
+        <source>manual offset</source>
+        <translation>desfase a mano</translation>
+    </message>
+    <message>
+        <source>not synchronised</source>
+        <translation>sin sincronizar</translation>
+    </message>
+    <message>
+        <source>%1 /s</source>
+        <translation>%1 /s</translation>
+    </message>
+    <message>
+        <source>Camera %1</source>
+        <translation>Cámara %1</translation>
+    </message>
+    <message>
+        <source>Camera</source>
+        <translation>Cámara</translation>
+    </message>
+    <message>
+        <source>Camera image</source>
+        <translation>Imagen de la cámara</translation>
+    </message>
+    <message>
+        <source>Image of %1</source>
+        <translation>Imagen de %1</translation>
     </message>
 </context>
 <context>
@@ -9120,164 +9921,6 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     </message>
 </context>
 <context>
-    <name>odo::MetricGrid</name>
-    <message>
-        <source>Metrics</source>
-        <translation>Indicadores</translation>
-    </message>
-    <message>
-        <source>No result yet: track the trial</source>
-        <translation>Aún sin resultado: rastree el ensayo</translation>
-    </message>
-</context>
-<context>
-    <name>odo::NumberText</name>
-    <message>
-        <source>points</source>
-        <translation>puntos</translation>
-    </message>
-    <message>
-        <source>Time</source>
-        <translation>Tiempo</translation>
-    </message>
-    <message>
-        <source>Path</source>
-        <translation>Distancia recorrida</translation>
-    </message>
-    <message>
-        <source>Top speed</source>
-        <translation>Velocidad máxima</translation>
-    </message>
-    <message>
-        <source>Mean speed</source>
-        <translation>Velocidad media</translation>
-    </message>
-    <message>
-        <source>Speed (RMS)</source>
-        <translation>Velocidad (RMS)</translation>
-    </message>
-    <message>
-        <source>Top acceleration</source>
-        <translation>Aceleración máxima</translation>
-    </message>
-    <message>
-        <source>Acceleration (RMS)</source>
-        <translation>Aceleración (RMS)</translation>
-    </message>
-    <message>
-        <source>Straightness</source>
-        <translation>Rectitud</translation>
-    </message>
-    <message>
-        <source>Stops</source>
-        <translation>Paradas</translation>
-    </message>
-    <message>
-        <source>Fastest turn</source>
-        <translation>Giro más rápido</translation>
-    </message>
-    <message>
-        <source>Start to finish</source>
-        <translation>De salida a meta</translation>
-    </message>
-    <message>
-        <source>Laps</source>
-        <translation>Vueltas</translation>
-    </message>
-    <message>
-        <source>Best lap</source>
-        <translation>Mejor vuelta</translation>
-    </message>
-    <message>
-        <source>Mean lap</source>
-        <translation>Vuelta media</translation>
-    </message>
-    <message>
-        <source>Off the path (mean)</source>
-        <translation>Desvío medio</translation>
-    </message>
-    <message>
-        <source>Off the path (RMS)</source>
-        <translation>Desvío RMS</translation>
-    </message>
-    <message>
-        <source>Off the path (most)</source>
-        <translation>Desvío máximo</translation>
-    </message>
-    <message>
-        <source>Left of the path</source>
-        <translation>Desvío a la izquierda</translation>
-    </message>
-    <message>
-        <source>Path completed</source>
-        <translation>Trayectoria completada</translation>
-    </message>
-    <message>
-        <source>Zones broken</source>
-        <translation>Zonas infringidas</translation>
-    </message>
-    <message>
-        <source>Time beyond zones</source>
-        <translation>Tiempo en infracción</translation>
-    </message>
-    <message>
-        <source>Beyond zones (most)</source>
-        <translation>Infracción máxima</translation>
-    </message>
-    <message>
-        <source>Displacement</source>
-        <translation>Desplazamiento</translation>
-    </message>
-    <message>
-        <source>Time in motion</source>
-        <translation>Tiempo en movimiento</translation>
-    </message>
-    <message>
-        <source>Views disagree by</source>
-        <translation>Discrepancia entre vistas</translation>
-    </message>
-    <message>
-        <source>Score</source>
-        <translation>Puntuación</translation>
-    </message>
-    <message>
-        <source>Spikes</source>
-        <translation>Valores atípicos</translation>
-    </message>
-    <message>
-        <source>Limits broken</source>
-        <translation>Límites superados</translation>
-    </message>
-    <message>
-        <source>Gates passed</source>
-        <translation>Puertas pasadas</translation>
-    </message>
-    <message>
-        <source>Robot&apos;s height</source>
-        <translation>Altura del robot</translation>
-    </message>
-    <message>
-        <source>Standing time</source>
-        <translation>Tiempo parado</translation>
-    </message>
-    <message>
-        <source>Median speed</source>
-        <translation>Velocidad mediana</translation>
-    </message>
-    <message>
-        <source>P95 speed</source>
-        <translation>Velocidad (P95)</translation>
-    </message>
-    <message>
-        <source>P95 acceleration</source>
-        <translation>Aceleración (P95)</translation>
-    </message>
-    <message>
-        <source>Circle&apos;s radius</source>
-        <translation>Radio del círculo</translation>
-    </message>
-</context>
-<context>
     <name>odo::FileActions</name>
     <message>
         <source>&amp;New project…</source>
@@ -9809,6 +10452,51 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
             <numerusform>%1 de %n ensayo</numerusform>
             <numerusform>%1 de %n ensayos</numerusform>
         </translation>
+    </message>
+</context>
+<context>
+    <name>odo::ImageArea</name>
+    <message>
+        <source>No view</source>
+        <translation>Sin vista</translation>
+    </message>
+    <message>
+        <source>This camera was not recording at this time</source>
+        <translation>Esta cámara no estaba grabando en este momento</translation>
+    </message>
+</context>
+<context>
+    <name>odo::ImageBars</name>
+    <message>
+        <source>Error of each image, with a threshold</source>
+        <translation>Error de cada imagen, con un umbral</translation>
+    </message>
+    <message>
+        <source>%1: %2 px</source>
+        <translation>%1: %2 px</translation>
+    </message>
+    <message>
+        <source>images; rejected above %1 px</source>
+        <translation>imágenes; por encima de %1 px no cuentan</translation>
+    </message>
+</context>
+<context>
+    <name>odo::ImageChoice</name>
+    <message>
+        <source>The camera&apos;s &amp;newest recording</source>
+        <translation>En la última g&amp;rabación de la cámara</translation>
+    </message>
+    <message>
+        <source>The current image of a &amp;connected camera</source>
+        <translation>En lo que ve ahora una cámara &amp;conectada</translation>
+    </message>
+    <message>
+        <source>An image or a &amp;video</source>
+        <translation>En una &amp;imagen o un video</translation>
+    </message>
+    <message>
+        <source>Images and videos (*.png *.jpg *.jpeg *.tif *.tiff *.bmp *.mp4 *.mkv *.avi *.mov *.webm);;All files (*)</source>
+        <translation>Imágenes y videos (*.png *.jpg *.jpeg *.tif *.tiff *.bmp *.mp4 *.mkv *.avi *.mov *.webm);;Todos los archivos (*)</translation>
     </message>
 </context>
 <context>
@@ -10407,323 +11095,6 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     </message>
 </context>
 <context>
-    <name>odo::BoardImagesPage</name>
-    <message>
-        <source>Move it to the left of the image</source>
-        <translation>Muévalo hacia la izquierda de la imagen</translation>
-    </message>
-    <message>
-        <source>Move it to the right of the image</source>
-        <translation>Muévalo hacia la derecha de la imagen</translation>
-    </message>
-    <message>
-        <source>Move it up</source>
-        <translation>Muévalo hacia arriba</translation>
-    </message>
-    <message>
-        <source>Move it down</source>
-        <translation>Muévalo hacia abajo</translation>
-    </message>
-    <message>
-        <source>Closer to the camera</source>
-        <translation>Más cerca de la cámara</translation>
-    </message>
-    <message>
-        <source>Farther from the camera</source>
-        <translation>Más lejos de la cámara</translation>
-    </message>
-    <message>
-        <source>Tilt it: the left side away from the camera</source>
-        <translation>Inclínelo: el lado izquierdo alejándose de la cámara</translation>
-    </message>
-    <message>
-        <source>Tilt it: the right side away from the camera</source>
-        <translation>Inclínelo: el lado derecho alejándose de la cámara</translation>
-    </message>
-    <message>
-        <source>Tilt it: the upper side away from the camera</source>
-        <translation>Inclínelo: el lado superior alejándose de la cámara</translation>
-    </message>
-    <message>
-        <source>Tilt it: the lower side away from the camera</source>
-        <translation>Inclínelo: el lado inferior alejándose de la cámara</translation>
-    </message>
-    <message>
-        <source>Hold it still</source>
-        <translation>Manténgalo quieto</translation>
-    </message>
-    <message>
-        <source>&amp;Take an image now</source>
-        <translation>&amp;Tomar imagen ahora</translation>
-    </message>
-    <message>
-        <source>What to do</source>
-        <translation>Qué hacer</translation>
-    </message>
-    <message>
-        <source>No image from the camera</source>
-        <translation>Sin imagen de la cámara</translation>
-    </message>
-    <message>
-        <source>Rejected images</source>
-        <translation>Imágenes que no cuentan</translation>
-    </message>
-    <message>
-        <source>Coverage of the images</source>
-        <translation>Lo que cubren las imágenes</translation>
-    </message>
-    <message>
-        <source>Rejected</source>
-        <translation>No cuentan</translation>
-    </message>
-    <message>
-        <source>Waiting for the camera…</source>
-        <translation>Esperando a la cámara…</translation>
-    </message>
-    <message>
-        <source>Detecting the board…</source>
-        <translation>Buscando el tablero…</translation>
-    </message>
-    <message>
-        <source>Hold the board before the camera</source>
-        <translation>Sostenga el tablero ante la cámara</translation>
-    </message>
-    <message>
-        <source>Detecting the board</source>
-        <translation>Buscando el tablero</translation>
-    </message>
-    <message>
-        <source>Odograph takes an image whenever the board is still, sharp and in a new position.</source>
-        <translation>Se toma una imagen automáticamente cada vez que el tablero está quieto, nítido y en un lugar nuevo.</translation>
-    </message>
-    <message>
-        <source>Taken</source>
-        <translation>Tomada</translation>
-    </message>
-    <message>
-        <source>Now the dashed outline shows where the board would help most.</source>
-        <translation>Ahora el contorno discontinuo muestra dónde sería más útil el tablero.</translation>
-    </message>
-    <message>
-        <source>%1 to go</source>
-        <translation>faltan %1</translation>
-    </message>
-    <message>
-        <source>No image accepted</source>
-        <translation>Ninguna imagen cuenta</translation>
-    </message>
-    <message>
-        <source>See the reasons on the right. Drop other images here to add them.</source>
-        <translation>Los motivos están a la derecha. Añada otras soltándolas aquí.</translation>
-    </message>
-    <message>
-        <source>All images checked</source>
-        <translation>Todas revisadas</translation>
-    </message>
-    <message>
-        <source>They are enough.</source>
-        <translation>Son suficientes.</translation>
-    </message>
-    <message>
-        <source>Drop more images here; the bars show what is missing.</source>
-        <translation>Se pueden soltar más imágenes aquí; las barras muestran lo que falta.</translation>
-    </message>
-</context>
-<context>
-    <name>odo::CalibrationResultPage</name>
-    <message>
-        <source>ordinary</source>
-        <translation>normal</translation>
-    </message>
-    <message>
-        <source>wide (rational)</source>
-        <translation>gran angular (racional)</translation>
-    </message>
-    <message>
-        <source>fisheye</source>
-        <translation>ojo de pez</translation>
-    </message>
-    <message>
-        <source>%1 px</source>
-        <translation>%1 px</translation>
-    </message>
-    <message>
-        <source>%1 ± %2 px</source>
-        <translation>%1 ± %2 px</translation>
-    </message>
-    <message>
-        <source>Verdict</source>
-        <translation>Veredicto</translation>
-    </message>
-    <message>
-        <source>Solving</source>
-        <translation>Calculando</translation>
-    </message>
-    <message>
-        <source>Automatic choice of the lens model</source>
-        <translation>Modelo de lente elegido automáticamente</translation>
-    </message>
-    <message>
-        <source>Ordinary lens</source>
-        <translation>Lente normal</translation>
-    </message>
-    <message>
-        <source>Wide lens (rational model)</source>
-        <translation>Gran angular (modelo racional)</translation>
-    </message>
-    <message>
-        <source>Fisheye</source>
-        <translation>Ojo de pez</translation>
-    </message>
-    <message>
-        <source>Lens model</source>
-        <translation>Modelo de lente</translation>
-    </message>
-    <message>
-        <source>Select a bar to see its image.</source>
-        <translation>Elija una barra para ver su imagen.</translation>
-    </message>
-    <message>
-        <source>Appears here after the calibration.</source>
-        <translation>Aparece aquí cuando se conoce la lente.</translation>
-    </message>
-    <message>
-        <source>Image and &amp;residuals</source>
-        <translation>Imagen y &amp;residuos</translation>
-    </message>
-    <message>
-        <source>&amp;Straightened</source>
-        <translation>Sin &amp;distorsión</translation>
-    </message>
-    <message>
-        <source>Error by image</source>
-        <translation>Error por imagen</translation>
-    </message>
-    <message>
-        <source>Calibration</source>
-        <translation>Lente</translation>
-    </message>
-    <message>
-        <source>Lens calibration</source>
-        <translation>Lo que se sabe de la lente</translation>
-    </message>
-    <message>
-        <source>Solving…</source>
-        <translation>Calculando…</translation>
-    </message>
-    <message>
-        <source>straight edges must be straight</source>
-        <translation>los bordes rectos deben verse rectos</translation>
-    </message>
-    <message>
-        <source>Storing the lens calibration and its images…</source>
-        <translation>Guardando la lente y sus imágenes…</translation>
-    </message>
-    <message>
-        <source>The lens calibration was not stored. %1</source>
-        <translation>La lente no se guardó. %1</translation>
-    </message>
-    <message>
-        <source>Model</source>
-        <translation>Modelo</translation>
-    </message>
-    <message>
-        <source>%1: %2</source>
-        <translation>%1: %2</translation>
-    </message>
-    <message>
-        <source>Images</source>
-        <translation>Imágenes</translation>
-    </message>
-    <message>
-        <source>%1 of %2</source>
-        <translation>%1 de %2</translation>
-    </message>
-    <message>
-        <source>Board error</source>
-        <translation>Error del tablero</translation>
-    </message>
-    <message>
-        <source>Held-out error</source>
-        <translation>Error de validación</translation>
-    </message>
-    <message>
-        <source>needs six images</source>
-        <translation>requiere seis imágenes</translation>
-    </message>
-    <message>
-        <source>Corners left out</source>
-        <translation>Esquinas omitidas</translation>
-    </message>
-    <message>
-        <source>Focal length</source>
-        <translation>Distancia focal</translation>
-    </message>
-    <message>
-        <source>Centre x</source>
-        <translation>Centro x</translation>
-    </message>
-    <message>
-        <source>Centre y</source>
-        <translation>Centro y</translation>
-    </message>
-</context>
-<context>
-    <name>odo::CalibrationSourcePage</name>
-    <message>
-        <source>&amp;From the camera: hold up the board, Odograph takes the images</source>
-        <translation>An&amp;te la cámara: sostenga el tablero y las imágenes se toman automáticamente</translation>
-    </message>
-    <message>
-        <source>From existing images or a &amp;video</source>
-        <translation>De &amp;imágenes o un video ya tomados</translation>
-    </message>
-    <message>
-        <source> mm</source>
-        <translation> mm</translation>
-    </message>
-    <message>
-        <source>Prin&amp;t a board…</source>
-        <translation>Im&amp;primir tablero…</translation>
-    </message>
-    <message>
-        <source>Show a flat calibration board from many sides to calibrate the lens. Odograph recognises checkerboard and ChArUco boards of any size. Measure one square on the paper: every later length depends on it. Do not refocus or zoom afterwards.</source>
-        <translation>Un tablero plano de casillas, visto desde muchos lados, revela cómo proyecta la lente. De ajedrez o ChArUco, de cualquier tamaño: se reconoce automáticamente. Mida una casilla en el papel; de ella dependen todas las longitudes posteriores. Después no se debe cambiar el enfoque ni el zoom de la lente.</translation>
-    </message>
-    <message>
-        <source>&amp;Camera</source>
-        <translation>Cá&amp;mara</translation>
-    </message>
-    <message>
-        <source>Side of a &amp;square, measured</source>
-        <translation>Lado de una &amp;casilla, medido</translation>
-    </message>
-    <message>
-        <source>Source of the board images</source>
-        <translation>De dónde vienen las imágenes del tablero</translation>
-    </message>
-    <message>
-        <source>Images and videos of the board</source>
-        <translation>Imágenes y videos del tablero</translation>
-    </message>
-    <message>
-        <source>&amp;Add…</source>
-        <translation>Aña&amp;dir…</translation>
-    </message>
-    <message>
-        <source>&amp;Remove</source>
-        <translation>&amp;Quitar</translation>
-    </message>
-    <message>
-        <source>Images and videos (*.png *.jpg *.jpeg *.tif *.tiff *.bmp *.mp4 *.mkv *.avi *.mov *.webm);;All files (*)</source>
-        <translation>Imágenes y videos (*.png *.jpg *.jpeg *.tif *.tiff *.bmp *.mp4 *.mkv *.avi *.mov *.webm);;Todos los archivos (*)</translation>
-    </message>
-    <message>
-        <source>You can also drop files here.</source>
-        <translation>También se pueden soltar archivos aquí.</translation>
-    </message>
-</context>
-<context>
     <name>odo::LensWizard</name>
     <message>
         <source>Calibrate camera</source>
@@ -11048,6 +11419,17 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     </message>
 </context>
 <context>
+    <name>odo::MetricGrid</name>
+    <message>
+        <source>Metrics</source>
+        <translation>Indicadores</translation>
+    </message>
+    <message>
+        <source>No result yet: track the trial</source>
+        <translation>Aún sin resultado: rastree el ensayo</translation>
+    </message>
+</context>
+<context>
     <name>odo::MetricModel</name>
     <message>
         <source>Metric</source>
@@ -11063,97 +11445,6 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <message>
         <source>Modes</source>
         <translation>Modos</translation>
-    </message>
-</context>
-<context>
-    <name>odo::CameraPositionDialog</name>
-    <message>
-        <source>moved %1</source>
-        <translation>movida %1</translation>
-    </message>
-    <message>
-        <source>marker moved %1</source>
-        <translation>marcador movido %1</translation>
-    </message>
-    <message>
-        <source>has not moved</source>
-        <translation>no se ha movido</translation>
-    </message>
-    <message>
-        <source>&amp;Check</source>
-        <translation>&amp;Comprobar</translation>
-    </message>
-    <message>
-        <source>&amp;Register again…</source>
-        <translation>&amp;Registrar de nuevo…</translation>
-    </message>
-    <message>
-        <source>Check camera positions</source>
-        <translation>Comprobar las cámaras</translation>
-    </message>
-    <message>
-        <source>Camera</source>
-        <translation>Cámara</translation>
-    </message>
-    <message>
-        <source>New image</source>
-        <translation>Imagen nueva</translation>
-    </message>
-    <message>
-        <source>Result</source>
-        <translation>Resultado</translation>
-    </message>
-    <message>
-        <source>Registered cameras</source>
-        <translation>Cámaras registradas</translation>
-    </message>
-    <message>
-        <source>A camera that someone has pushed measures wrong positions without any sign of it. Before the robots run, check each camera&apos;s markers in a new image.</source>
-        <translation>Una cámara que recibió un empujón mide mal y nada lo delata. Antes de los recorridos se vuelven a buscar los marcadores de cada cámara en una imagen nueva.</translation>
-    </message>
-    <message>
-        <source>Close</source>
-        <translation>Cerrar</translation>
-    </message>
-    <message>
-        <source>Results of the check</source>
-        <translation>Lo que se encontró</translation>
-    </message>
-    <message>
-        <source>New image of camera %1</source>
-        <translation>Imagen nueva de la cámara %1</translation>
-    </message>
-    <message>
-        <source>Its newest recording</source>
-        <translation>Su última grabación</translation>
-    </message>
-    <message>
-        <source>Not checked</source>
-        <translation>Sin comprobar</translation>
-    </message>
-    <message>
-        <source>An image or video…</source>
-        <translation>Una imagen o un video…</translation>
-    </message>
-    <message>
-        <source>Images and videos (*.png *.jpg *.jpeg *.tif *.tiff *.bmp *.mp4 *.mkv *.avi *.mov *.webm);;All files (*)</source>
-        <translation>Imágenes y videos (*.png *.jpg *.jpeg *.tif *.tiff *.bmp *.mp4 *.mkv *.avi *.mov *.webm);;Todos los archivos (*)</translation>
-    </message>
-    <message>
-        <source>detecting…</source>
-        <translation>buscando…</translation>
-    </message>
-    <message>
-        <source>undetermined</source>
-        <translation>sin respuesta</translation>
-    </message>
-    <message>
-        <source>At least two markers must be visible. The check changes nothing.</source>
-        <translation>Deben verse al menos dos marcadores. La comprobación no mueve ni cambia nada.</translation>
-    </message>
-    <message>
-        <source>&amp;Register %1 again…</source>
-        <translation>&amp;Registrar %1 de nuevo…</translation>
     </message>
 </context>
 <context>
@@ -11205,6 +11496,13 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <message>
         <source>Anyone on that network can read the robots&apos; positions.</source>
         <translation>Cualquiera que esté en esa red puede leer dónde están los robots.</translation>
+    </message>
+</context>
+<context>
+    <name>odo::NumberText</name>
+    <message>
+        <source>points</source>
+        <translation>puntos</translation>
     </message>
 </context>
 <context>
@@ -11267,51 +11565,6 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <message>
         <source>%1, camera %2</source>
         <translation>%1, cámara %2</translation>
-    </message>
-</context>
-<context>
-    <name>odo::ImageArea</name>
-    <message>
-        <source>No view</source>
-        <translation>Sin vista</translation>
-    </message>
-    <message>
-        <source>This camera was not recording at this time</source>
-        <translation>Esta cámara no estaba grabando en este momento</translation>
-    </message>
-</context>
-<context>
-    <name>odo::ImageBars</name>
-    <message>
-        <source>Error of each image, with a threshold</source>
-        <translation>Error de cada imagen, con un umbral</translation>
-    </message>
-    <message>
-        <source>%1: %2 px</source>
-        <translation>%1: %2 px</translation>
-    </message>
-    <message>
-        <source>images; rejected above %1 px</source>
-        <translation>imágenes; por encima de %1 px no cuentan</translation>
-    </message>
-</context>
-<context>
-    <name>odo::ImageChoice</name>
-    <message>
-        <source>The camera&apos;s &amp;newest recording</source>
-        <translation>En la última g&amp;rabación de la cámara</translation>
-    </message>
-    <message>
-        <source>The current image of a &amp;connected camera</source>
-        <translation>En lo que ve ahora una cámara &amp;conectada</translation>
-    </message>
-    <message>
-        <source>An image or a &amp;video</source>
-        <translation>En una &amp;imagen o un video</translation>
-    </message>
-    <message>
-        <source>Images and videos (*.png *.jpg *.jpeg *.tif *.tiff *.bmp *.mp4 *.mkv *.avi *.mov *.webm);;All files (*)</source>
-        <translation>Imágenes y videos (*.png *.jpg *.jpeg *.tif *.tiff *.bmp *.mp4 *.mkv *.avi *.mov *.webm);;Todos los archivos (*)</translation>
     </message>
 </context>
 <context>
@@ -11571,6 +11824,72 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <message>
         <source>Give the trial a name</source>
         <translation>Dé un nombre al ensayo</translation>
+    </message>
+</context>
+<context>
+    <name>odo::ReferenceCameraPage</name>
+    <message>
+        <source>Image or video of the camera to register</source>
+        <translation>Imagen o video de la cámara por registrar</translation>
+    </message>
+    <message>
+        <source>Image or video of the registered camera</source>
+        <translation>Imagen o video de la cámara registrada</translation>
+    </message>
+    <message>
+        <source>A camera cannot be registered via itself: choose two different ones.</source>
+        <translation>Una cámara no se puede registrar mediante sí misma: elija dos distintas.</translation>
+    </message>
+    <message>
+        <source>Camera to register</source>
+        <translation>Cámara por registrar</translation>
+    </message>
+    <message>
+        <source>Registered camera</source>
+        <translation>Cámara registrada</translation>
+    </message>
+    <message>
+        <source>Register a camera that sees no markers by floor points that a registered camera also sees: corners of tiles, ends of tape, screws. Four are enough; six or more, spread over the common area, are better. Do not move either camera afterwards.</source>
+        <translation>Una cámara que no ve marcadores se puede registrar con puntos del suelo que también ve una cámara registrada: esquinas de baldosas, extremos de cinta, tornillos. Bastan cuatro; seis o más repartidos por la parte común son mejores. Después no se debe mover ninguna de las dos cámaras.</translation>
+    </message>
+    <message>
+        <source>C&amp;amera to register</source>
+        <translation>Cá&amp;mara por registrar</translation>
+    </message>
+    <message>
+        <source>&amp;Via camera</source>
+        <translation>Median&amp;te la cámara</translation>
+    </message>
+    <message>
+        <source>Its image</source>
+        <translation>Su imagen</translation>
+    </message>
+    <message>
+        <source>The registered camera&apos;s image</source>
+        <translation>La imagen de la cámara registrada</translation>
+    </message>
+</context>
+<context>
+    <name>odo::RegisterViaCameraWizard</name>
+    <message>
+        <source>Register via another camera</source>
+        <translation>Registrar mediante otra cámara</translation>
+    </message>
+    <message>
+        <source>&amp;Save</source>
+        <translation>&amp;Guardar</translation>
+    </message>
+    <message>
+        <source>Two cameras and their images</source>
+        <translation>Dos cámaras y sus imágenes</translation>
+    </message>
+    <message>
+        <source>The same points in both images</source>
+        <translation>Los mismos puntos en ambas imágenes</translation>
+    </message>
+    <message>
+        <source>Loading the images…</source>
+        <translation>Obteniendo las imágenes…</translation>
     </message>
 </context>
 <context>
@@ -13641,72 +13960,6 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     </message>
 </context>
 <context>
-    <name>odo::ReferenceCameraPage</name>
-    <message>
-        <source>Image or video of the camera to register</source>
-        <translation>Imagen o video de la cámara por registrar</translation>
-    </message>
-    <message>
-        <source>Image or video of the registered camera</source>
-        <translation>Imagen o video de la cámara registrada</translation>
-    </message>
-    <message>
-        <source>A camera cannot be registered via itself: choose two different ones.</source>
-        <translation>Una cámara no se puede registrar mediante sí misma: elija dos distintas.</translation>
-    </message>
-    <message>
-        <source>Camera to register</source>
-        <translation>Cámara por registrar</translation>
-    </message>
-    <message>
-        <source>Registered camera</source>
-        <translation>Cámara registrada</translation>
-    </message>
-    <message>
-        <source>Register a camera that sees no markers by floor points that a registered camera also sees: corners of tiles, ends of tape, screws. Four are enough; six or more, spread over the common area, are better. Do not move either camera afterwards.</source>
-        <translation>Una cámara que no ve marcadores se puede registrar con puntos del suelo que también ve una cámara registrada: esquinas de baldosas, extremos de cinta, tornillos. Bastan cuatro; seis o más repartidos por la parte común son mejores. Después no se debe mover ninguna de las dos cámaras.</translation>
-    </message>
-    <message>
-        <source>C&amp;amera to register</source>
-        <translation>Cá&amp;mara por registrar</translation>
-    </message>
-    <message>
-        <source>&amp;Via camera</source>
-        <translation>Median&amp;te la cámara</translation>
-    </message>
-    <message>
-        <source>Its image</source>
-        <translation>Su imagen</translation>
-    </message>
-    <message>
-        <source>The registered camera&apos;s image</source>
-        <translation>La imagen de la cámara registrada</translation>
-    </message>
-</context>
-<context>
-    <name>odo::RegisterViaCameraWizard</name>
-    <message>
-        <source>Register via another camera</source>
-        <translation>Registrar mediante otra cámara</translation>
-    </message>
-    <message>
-        <source>&amp;Save</source>
-        <translation>&amp;Guardar</translation>
-    </message>
-    <message>
-        <source>Two cameras and their images</source>
-        <translation>Dos cámaras y sus imágenes</translation>
-    </message>
-    <message>
-        <source>The same points in both images</source>
-        <translation>Los mismos puntos en ambas imágenes</translation>
-    </message>
-    <message>
-        <source>Loading the images…</source>
-        <translation>Obteniendo las imágenes…</translation>
-    </message>
-</context>
-<context>
     <name>odo::TimeSlider</name>
     <message>
         <source>Time of the trial</source>
@@ -14315,17 +14568,6 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     </message>
 </context>
 <context>
-    <name>odo::WarningBar</name>
-    <message>
-        <source>Problem</source>
-        <translation>Qué ocurre</translation>
-    </message>
-    <message>
-        <source>Fix</source>
-        <translation>Corregirlo</translation>
-    </message>
-</context>
-<context>
     <name>odo::UndoActions</name>
     <message>
         <source>Undone: %1.</source>
@@ -14459,6 +14701,17 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <message>
         <source>View %1</source>
         <translation>Vista %1</translation>
+    </message>
+</context>
+<context>
+    <name>odo::WarningBar</name>
+    <message>
+        <source>Problem</source>
+        <translation>Qué ocurre</translation>
+    </message>
+    <message>
+        <source>Fix</source>
+        <translation>Corregirlo</translation>
     </message>
 </context>
 <context>

@@ -426,209 +426,10 @@
     </message>
 </context>
 <context>
-    <name>UncertainIntervals</name>
-    <message>
-        <source>Which robot? Until %1</source>
-        <translation>Quel robot&#xa0;? Jusqu’à %1</translation>
-    </message>
-    <message>
-        <source>%1 (%2 to %3)</source>
-        <translation>%1 (de %2 à %3)</translation>
-    </message>
-</context>
-<context>
     <name>Explanation</name>
-    <message>
-        <source>that of the smoothed curve there, and the calibration&apos;s scale uncertainty</source>
-        <translation>celui de la courbe lissée à cet endroit, et l’erreur d’échelle de l’étalonnage</translation>
-    </message>
-    <message>
-        <source>From the onset of motion to the last stop. Moving means faster than 20 mm/s and than three σ of the speed, for at least three frames; the moment between two frames is interpolated.</source>
-        <translation>Du début du mouvement au dernier arrêt. Être en mouvement, c’est aller plus vite que 20 mm/s et que trois σ de la vitesse, pendant au moins trois images&#xa0;; l’instant entre deux images est interpolé.</translation>
-    </message>
-    <message>
-        <source>of both moments: σ of the speed divided by its slope there</source>
-        <translation>des deux instants&#xa0;: σ de la vitesse, divisé par sa pente à cet instant</translation>
-    </message>
-    <message>
-        <source>∫|v|dt while it moves, by the trapezoidal rule over the smoothed speed. A gap that is not bridged counts as straight.</source>
-        <translation>∫|v|dt pendant le mouvement, par la méthode des trapèzes sur la vitesse lissée. Un trou non comblé est compté en ligne droite.</translation>
-    </message>
-    <message>
-        <source>of the end positions, of lateral errors where the path turns, and the calibration&apos;s scale uncertainty</source>
-        <translation>des positions des extrémités, des erreurs en travers de la trajectoire là où elle tourne, et l’erreur d’échelle de l’étalonnage</translation>
-    </message>
-    <message>
-        <source>path length / time</source>
-        <translation>distance parcourue / temps</translation>
-    </message>
-    <message>
-        <source>of both, treated as independent</source>
-        <translation>des deux, pris comme indépendants</translation>
-    </message>
-    <message>
-        <source>The speed |v| of the smoothed curve where |v| − 2σ is largest. A point does not win only because its uncertainty is large.</source>
-        <translation>La vitesse |v| de la courbe lissée là où |v| − 2σ est maximal, pour qu’un point mal connu ne l’emporte pas par son erreur.</translation>
-    </message>
-    <message>
-        <source>√(mean of |v|²) while it moves</source>
-        <translation>√(moyenne de |v|²) pendant le mouvement</translation>
-    </message>
-    <message>
-        <source>the bound for fully correlated errors, and the calibration&apos;s scale uncertainty</source>
-        <translation>la borne pour des erreurs toutes de même sens, et l’erreur d’échelle de l’étalonnage</translation>
-    </message>
-    <message>
-        <source>The acceleration |a| of the smoothed curve where |a| − 2σ is largest.</source>
-        <translation>L’accélération |a| de la courbe lissée là où |a| − 2σ est maximal.</translation>
-    </message>
-    <message>
-        <source>√(mean of |a|²) while it moves</source>
-        <translation>√(moyenne de |a|²) pendant le mouvement</translation>
-    </message>
-    <message>
-        <source>distance from the first to the last position of the motion / path length</source>
-        <translation>distance du premier au dernier point du mouvement / distance parcourue</translation>
-    </message>
-    <message>
-        <source>of the end positions</source>
-        <translation>des positions des extrémités</translation>
-    </message>
-    <message>
-        <source>The time in which it moves: faster than 20 mm/s and than three σ of the speed.</source>
-        <translation>Le temps pendant lequel il est en mouvement&#xa0;: plus rapide que 20 mm/s et que trois σ de la vitesse.</translation>
-    </message>
-    <message>
-        <source>of each start and stop: σ of the speed divided by its slope</source>
-        <translation>de chaque démarrage et arrêt&#xa0;: σ de la vitesse, divisé par sa pente</translation>
-    </message>
-    <message>
-        <source>The pauses between the onset of motion and the last stop, counted.</source>
-        <translation>Le nombre de pauses entre le début du mouvement et le dernier arrêt.</translation>
-    </message>
-    <message>
-        <source>time − time in motion</source>
-        <translation>temps − temps en mouvement</translation>
-    </message>
-    <message>
-        <source>of each start and stop</source>
-        <translation>de chaque démarrage et arrêt</translation>
-    </message>
-    <message>
-        <source>The speed that half of the time in motion stays below.</source>
-        <translation>La vitesse qui n’est pas dépassée pendant la moitié du temps en mouvement.</translation>
-    </message>
-    <message>
-        <source>of the intervals within 1.5 σ of it, each by its mean</source>
-        <translation>des intervalles à moins de 1,5 σ de cette valeur, chacun par sa moyenne</translation>
-    </message>
-    <message>
-        <source>The speed that 95 % of the time in motion stays below.</source>
-        <translation>La vitesse qui n’est pas dépassée pendant 95&#xa0;% du temps en mouvement.</translation>
-    </message>
-    <message>
-        <source>The acceleration that 95 % of the time in motion stays below.</source>
-        <translation>L’accélération qui n’est pas dépassée pendant 95&#xa0;% du temps en mouvement.</translation>
-    </message>
-    <message>
-        <source>(vx·ay − vy·ax)/|v|² of the smoothed curve, to the left or right, where its amount minus 2σ is largest.</source>
-        <translation>(vx·ay − vy·ax)/|v|² de la courbe lissée, dans un sens ou dans l’autre, là où sa valeur moins 2σ est maximale.</translation>
-    </message>
     <message>
         <source>σ² = σa²/|v|² + |a|²σv²/|v|⁴, first order</source>
         <translation>σ² = σa²/|v|² + |a|²σv²/|v|⁴, au premier ordre</translation>
-    </message>
-    <message>
-        <source>The least-squares circle through the positions of the motion.</source>
-        <translation>Le cercle dont les carrés des distances aux points du mouvement ont la plus petite somme.</translation>
-    </message>
-    <message>
-        <source>of the scatter of the distances, with their number divided by 1 + 2Σρ for correlated neighbours, and the calibration&apos;s scale uncertainty</source>
-        <translation>de la dispersion des distances, le nombre de points voisins étant réduit du facteur 1 + 2Σρ, et l’erreur d’échelle de l’étalonnage</translation>
-    </message>
-    <message>
-        <source>From passing the start gate to passing the finish, each interpolated between frames.</source>
-        <translation>Du franchissement de la porte de départ à celui de l’arrivée, chacun interpolé entre les images.</translation>
-    </message>
-    <message>
-        <source>of both passages: σ of the position across the gate divided by the speed</source>
-        <translation>des deux franchissements&#xa0;: σ de la position en travers de la porte, divisé par la vitesse</translation>
-    </message>
-    <message>
-        <source>Complete laps or runs, counted by the passages of the gates.</source>
-        <translation>Tours ou passages complets, comptés par les franchissements des portes.</translation>
-    </message>
-    <message>
-        <source>The shortest lap.</source>
-        <translation>Le tour le plus court.</translation>
-    </message>
-    <message>
-        <source>of its two passages; the calibration uncertainty of a gate passed twice cancels</source>
-        <translation>de ses deux franchissements&#xa0;; l’erreur d’étalonnage d’une porte franchie deux fois se compense</translation>
-    </message>
-    <message>
-        <source>The mean of the laps&apos; times.</source>
-        <translation>La moyenne des temps au tour.</translation>
-    </message>
-    <message>
-        <source>of the first and the last passage, over the number of laps</source>
-        <translation>du premier et du dernier franchissement, divisé par le nombre de tours</translation>
-    </message>
-    <message>
-        <source>The distance from the reference path, averaged along the path.</source>
-        <translation>La distance moyenne au tracé de référence, sur tout le trajet.</translation>
-    </message>
-    <message>
-        <source>of the position across the path, and of its noise: the distance has no sign, so noise does not cancel</source>
-        <translation>de la position en travers du tracé, et de son bruit, qui n’y a pas de signe</translation>
-    </message>
-    <message>
-        <source>√(mean of the squared distance from the reference path), averaged along the path</source>
-        <translation>√(moyenne du carré de la distance au tracé de référence), sur tout le trajet</translation>
-    </message>
-    <message>
-        <source>of the position across the path</source>
-        <translation>de la position en travers du tracé</translation>
-    </message>
-    <message>
-        <source>The largest distance from the reference path.</source>
-        <translation>La plus grande distance au tracé de référence.</translation>
-    </message>
-    <message>
-        <source>of the position across the path, there</source>
-        <translation>de la position en travers du tracé, à cet endroit</translation>
-    </message>
-    <message>
-        <source>The mean of the distance from the reference path, to the left positive.</source>
-        <translation>La moyenne de la distance au tracé de référence, comptée positive à gauche.</translation>
-    </message>
-    <message>
-        <source>of the position across the path, mostly the calibration&apos;s</source>
-        <translation>de la position en travers du tracé, surtout la part de l’étalonnage</translation>
-    </message>
-    <message>
-        <source>The share of the reference path that the robot followed.</source>
-        <translation>La part du tracé de référence qui a été suivie.</translation>
-    </message>
-    <message>
-        <source>How often the robot&apos;s reference point left a zone to stay in or entered a zone to keep out of. It counts if the point is beyond the edge by more than three σ of the track&apos;s noise.</source>
-        <translation>Combien de fois le centre du robot a quitté une zone où rester, ou est entré dans une zone à éviter. Cela compte s’il dépasse le bord de plus de trois σ du bruit propre à la trajectoire.</translation>
-    </message>
-    <message>
-        <source>The time for which the robot&apos;s reference point was beyond the edge of a zone, interpolated between frames; in two zones at once it counts twice.</source>
-        <translation>Le temps pendant lequel le centre du robot était au-delà du bord d’une zone, interpolé entre les images&#xa0;; dans deux zones à la fois, il compte double.</translation>
-    </message>
-    <message>
-        <source>of each crossing of an edge: σ of the position across it divided by the speed; and the change of the time when the calibration uncertainty shifts the track</source>
-        <translation>de chaque instant à un bord&#xa0;: σ de la position en travers de celui-ci, divisé par la vitesse&#xa0;; et ce dont le temps change quand l’étalonnage rapproche ou éloigne la trajectoire</translation>
-    </message>
-    <message>
-        <source>The largest distance of the robot&apos;s reference point beyond the edge of a zone.</source>
-        <translation>De combien, au plus, le centre du robot a dépassé le bord d’une zone.</translation>
-    </message>
-    <message>
-        <source>of the position across the edge, there</source>
-        <translation>de la position en travers du bord, à cet endroit</translation>
     </message>
     <message>
         <source>smoothed by Kalman filter and RTS smoother, noise by maximum likelihood (Rauch, Tung, Striebel 1965; Bar-Shalom et al. 2001)</source>
@@ -2194,6 +1995,17 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
 </context>
 <context>
+    <name>UncertainIntervals</name>
+    <message>
+        <source>Which robot? Until %1</source>
+        <translation>Quel robot&#xa0;? Jusqu’à %1</translation>
+    </message>
+    <message>
+        <source>%1 (%2 to %3)</source>
+        <translation>%1 (de %2 à %3)</translation>
+    </message>
+</context>
+<context>
     <name>WindowTitle</name>
     <message>
         <source>Team %1</source>
@@ -2387,6 +2199,202 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
 </context>
 <context>
+    <name>analysis.formula_best_lap</name>
+    <message>
+        <source>The shortest lap.</source>
+        <translation>Le tour le plus court.</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.formula_circle_radius</name>
+    <message>
+        <source>The least-squares circle through the positions of the motion.</source>
+        <translation>Le cercle dont les carrés des distances aux points du mouvement ont la plus petite somme.</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.formula_cross_track_bias</name>
+    <message>
+        <source>The mean of the distance from the reference path, to the left positive.</source>
+        <translation>La moyenne de la distance au tracé de référence, comptée positive à gauche.</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.formula_cross_track_max</name>
+    <message>
+        <source>The largest distance from the reference path.</source>
+        <translation>La plus grande distance au tracé de référence.</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.formula_cross_track_mean</name>
+    <message>
+        <source>The distance from the reference path, averaged along the path.</source>
+        <translation>La distance moyenne au tracé de référence, sur tout le trajet.</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.formula_cross_track_rms</name>
+    <message>
+        <source>√(mean of the squared distance from the reference path), averaged along the path</source>
+        <translation>√(moyenne du carré de la distance au tracé de référence), sur tout le trajet</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.formula_duration</name>
+    <message>
+        <source>From the onset of motion to the last stop. Moving means faster than 20 mm/s and than three σ of the speed, for at least three frames; the moment between two frames is interpolated.</source>
+        <translation>Du début du mouvement au dernier arrêt. Être en mouvement, c’est aller plus vite que 20 mm/s et que trois σ de la vitesse, pendant au moins trois images&#xa0;; l’instant entre deux images est interpolé.</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.formula_gate_time</name>
+    <message>
+        <source>From passing the start gate to passing the finish, each interpolated between frames.</source>
+        <translation>Du franchissement de la porte de départ à celui de l’arrivée, chacun interpolé entre les images.</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.formula_laps</name>
+    <message>
+        <source>Complete laps or runs, counted by the passages of the gates.</source>
+        <translation>Tours ou passages complets, comptés par les franchissements des portes.</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.formula_max_accel</name>
+    <message>
+        <source>The acceleration |a| of the smoothed curve where |a| − 2σ is largest.</source>
+        <translation>L’accélération |a| de la courbe lissée là où |a| − 2σ est maximal.</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.formula_max_speed</name>
+    <message>
+        <source>The speed |v| of the smoothed curve where |v| − 2σ is largest. A point does not win only because its uncertainty is large.</source>
+        <translation>La vitesse |v| de la courbe lissée là où |v| − 2σ est maximal, pour qu’un point mal connu ne l’emporte pas par son erreur.</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.formula_max_turn_rate</name>
+    <message>
+        <source>(vx·ay − vy·ax)/|v|² of the smoothed curve, to the left or right, where its amount minus 2σ is largest.</source>
+        <translation>(vx·ay − vy·ax)/|v|² de la courbe lissée, dans un sens ou dans l’autre, là où sa valeur moins 2σ est maximale.</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.formula_mean_lap</name>
+    <message>
+        <source>The mean of the laps&apos; times.</source>
+        <translation>La moyenne des temps au tour.</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.formula_mean_speed</name>
+    <message>
+        <source>path length / time</source>
+        <translation>distance parcourue / temps</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.formula_median_speed</name>
+    <message>
+        <source>The speed that half of the time in motion stays below.</source>
+        <translation>La vitesse qui n’est pas dépassée pendant la moitié du temps en mouvement.</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.formula_moving_time</name>
+    <message>
+        <source>The time in which it moves: faster than 20 mm/s and than three σ of the speed.</source>
+        <translation>Le temps pendant lequel il est en mouvement&#xa0;: plus rapide que 20 mm/s et que trois σ de la vitesse.</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.formula_p95_accel</name>
+    <message>
+        <source>The acceleration that 95 % of the time in motion stays below.</source>
+        <translation>L’accélération qui n’est pas dépassée pendant 95&#xa0;% du temps en mouvement.</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.formula_p95_speed</name>
+    <message>
+        <source>The speed that 95 % of the time in motion stays below.</source>
+        <translation>La vitesse qui n’est pas dépassée pendant 95&#xa0;% du temps en mouvement.</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.formula_path_completed</name>
+    <message>
+        <source>The share of the reference path that the robot followed.</source>
+        <translation>La part du tracé de référence qui a été suivie.</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.formula_path_length</name>
+    <message>
+        <source>∫|v|dt while it moves, by the trapezoidal rule over the smoothed speed. A gap that is not bridged adds nothing.</source>
+        <translation>∫|v|dt pendant le mouvement, par la méthode des trapèzes sur la vitesse lissée. Un trou non comblé n&apos;ajoute rien.</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.formula_rms_accel</name>
+    <message>
+        <source>√(mean of |a|²) while it moves</source>
+        <translation>√(moyenne de |a|²) pendant le mouvement</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.formula_rms_speed</name>
+    <message>
+        <source>√(mean of |v|²) while it moves</source>
+        <translation>√(moyenne de |v|²) pendant le mouvement</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.formula_standing_time</name>
+    <message>
+        <source>time − time in motion</source>
+        <translation>temps − temps en mouvement</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.formula_stops</name>
+    <message>
+        <source>The pauses between the onset of motion and the last stop, counted.</source>
+        <translation>Le nombre de pauses entre le début du mouvement et le dernier arrêt.</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.formula_straightness</name>
+    <message>
+        <source>distance from the first to the last position of the motion / path length</source>
+        <translation>distance du premier au dernier point du mouvement / distance parcourue</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.formula_zone_breaches</name>
+    <message>
+        <source>How often the robot&apos;s reference point left a zone to stay in or entered a zone to keep out of. It counts if the point is beyond the edge by more than three σ of the track&apos;s noise.</source>
+        <translation>Combien de fois le centre du robot a quitté une zone où rester, ou est entré dans une zone à éviter. Cela compte s’il dépasse le bord de plus de trois σ du bruit propre à la trajectoire.</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.formula_zone_depth</name>
+    <message>
+        <source>The largest distance of the robot&apos;s reference point beyond the edge of a zone.</source>
+        <translation>De combien, au plus, le centre du robot a dépassé le bord d’une zone.</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.formula_zone_time</name>
+    <message>
+        <source>The time for which the robot&apos;s reference point was beyond the edge of a zone, interpolated between frames; in two zones at once it counts twice.</source>
+        <translation>Le temps pendant lequel le centre du robot était au-delà du bord d’une zone, interpolé entre les images&#xa0;; dans deux zones à la fois, il compte double.</translation>
+    </message>
+</context>
+<context>
     <name>analysis.gate</name>
     <message>
         <source>gate &apos;%1&apos;</source>
@@ -2531,6 +2539,251 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>the task already has %1 zones</source>
         <translation>l’épreuve a déjà %1 zones</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.metric_best_lap</name>
+    <message>
+        <source>Best lap</source>
+        <translation>Meilleur tour</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.metric_circle_radius</name>
+    <message>
+        <source>Circle&apos;s radius</source>
+        <translation>Rayon du cercle</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.metric_cross_track_bias</name>
+    <message>
+        <source>Left of the path</source>
+        <translation>À gauche du tracé</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.metric_cross_track_max</name>
+    <message>
+        <source>Off the path (most)</source>
+        <translation>Écart au tracé (max.)</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.metric_cross_track_mean</name>
+    <message>
+        <source>Off the path (mean)</source>
+        <translation>Écart au tracé (moyen)</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.metric_cross_track_rms</name>
+    <message>
+        <source>Off the path (RMS)</source>
+        <translation>Écart au tracé (RMS)</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.metric_displacement</name>
+    <message>
+        <source>Displacement</source>
+        <translation>Déplacement</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.metric_duration</name>
+    <message>
+        <source>Time</source>
+        <translation>Temps</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.metric_gate_time</name>
+    <message>
+        <source>Start to finish</source>
+        <translation>Du départ à l’arrivée</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.metric_gates_passed</name>
+    <message>
+        <source>Gates passed</source>
+        <translation>Portes franchies</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.metric_height</name>
+    <message>
+        <source>Robot&apos;s height</source>
+        <translation>Hauteur du robot</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.metric_laps</name>
+    <message>
+        <source>Laps</source>
+        <translation>Tours</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.metric_limit_breaches</name>
+    <message>
+        <source>Limits broken</source>
+        <translation>Limites enfreintes</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.metric_max_accel</name>
+    <message>
+        <source>Top acceleration</source>
+        <translation>Accélération max.</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.metric_max_speed</name>
+    <message>
+        <source>Top speed</source>
+        <translation>Vitesse max.</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.metric_max_turn_rate</name>
+    <message>
+        <source>Fastest turn</source>
+        <translation>Rotation max.</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.metric_mean_lap</name>
+    <message>
+        <source>Mean lap</source>
+        <translation>Tour moyen</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.metric_mean_speed</name>
+    <message>
+        <source>Mean speed</source>
+        <translation>Vitesse moyenne</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.metric_mean_view_disagreement</name>
+    <message>
+        <source>Views disagree by</source>
+        <translation>Désaccord des vues</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.metric_median_speed</name>
+    <message>
+        <source>Median speed</source>
+        <translation>Vitesse médiane</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.metric_moving_time</name>
+    <message>
+        <source>Time in motion</source>
+        <translation>Temps en mouvement</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.metric_p95_accel</name>
+    <message>
+        <source>P95 acceleration</source>
+        <translation>Accélération (P95)</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.metric_p95_speed</name>
+    <message>
+        <source>P95 speed</source>
+        <translation>Vitesse (P95)</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.metric_path_completed</name>
+    <message>
+        <source>Path completed</source>
+        <translation>Tracé accompli</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.metric_path_length</name>
+    <message>
+        <source>Path</source>
+        <translation>Distance</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.metric_rms_accel</name>
+    <message>
+        <source>Acceleration (RMS)</source>
+        <translation>Accélération (RMS)</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.metric_rms_speed</name>
+    <message>
+        <source>Speed (RMS)</source>
+        <translation>Vitesse (RMS)</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.metric_score</name>
+    <message>
+        <source>Score</source>
+        <translation>Score</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.metric_spikes</name>
+    <message>
+        <source>Spikes</source>
+        <translation>Pics aberrants</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.metric_standing_time</name>
+    <message>
+        <source>Standing time</source>
+        <translation>Temps à l’arrêt</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.metric_stops</name>
+    <message>
+        <source>Stops</source>
+        <translation>Arrêts</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.metric_straightness</name>
+    <message>
+        <source>Straightness</source>
+        <translation>Rectitude</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.metric_zone_breaches</name>
+    <message>
+        <source>Zones broken</source>
+        <translation>Zones enfreintes</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.metric_zone_depth</name>
+    <message>
+        <source>Beyond zones (most)</source>
+        <translation>Hors zones (max.)</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.metric_zone_time</name>
+    <message>
+        <source>Time beyond zones</source>
+        <translation>Temps hors zones</translation>
     </message>
 </context>
 <context>
@@ -2797,6 +3050,146 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>template of a task</source>
         <translation>modèle d’une épreuve</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.uncertainty_best_lap</name>
+    <message>
+        <source>of its two passages; the calibration uncertainty of a gate passed twice cancels</source>
+        <translation>de ses deux franchissements&#xa0;; l’erreur d’étalonnage d’une porte franchie deux fois se compense</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.uncertainty_circle_radius</name>
+    <message>
+        <source>of the scatter of the distances, with their number divided by 1 + 2Σρ for correlated neighbours, and the calibration&apos;s scale uncertainty</source>
+        <translation>de la dispersion des distances, le nombre de points voisins étant réduit du facteur 1 + 2Σρ, et l’erreur d’échelle de l’étalonnage</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.uncertainty_correlated</name>
+    <message>
+        <source>the bound for fully correlated errors, and the calibration&apos;s scale uncertainty</source>
+        <translation>la borne pour des erreurs toutes de même sens, et l’erreur d’échelle de l’étalonnage</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.uncertainty_cross_track_bias</name>
+    <message>
+        <source>of the position across the path, mostly the calibration&apos;s</source>
+        <translation>de la position en travers du tracé, surtout la part de l’étalonnage</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.uncertainty_cross_track_max</name>
+    <message>
+        <source>of the position across the path, there</source>
+        <translation>de la position en travers du tracé, à cet endroit</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.uncertainty_cross_track_mean</name>
+    <message>
+        <source>of the position across the path, and of its noise: the distance has no sign, so noise does not cancel</source>
+        <translation>de la position en travers du tracé, et de son bruit, qui n’y a pas de signe</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.uncertainty_cross_track_rms</name>
+    <message>
+        <source>of the position across the path</source>
+        <translation>de la position en travers du tracé</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.uncertainty_duration</name>
+    <message>
+        <source>of both moments: σ of the speed divided by its slope there</source>
+        <translation>des deux instants&#xa0;: σ de la vitesse, divisé par sa pente à cet instant</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.uncertainty_gate_time</name>
+    <message>
+        <source>of both passages: σ of the position across the gate divided by the speed</source>
+        <translation>des deux franchissements&#xa0;: σ de la position en travers de la porte, divisé par la vitesse</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.uncertainty_max_turn_rate</name>
+    <message>
+        <source>σ² = σa²/|v|² + |a|²σv²/|v|⁴, first order</source>
+        <translation>σ² = σa²/|v|² + |a|²σv²/|v|⁴, au premier ordre</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.uncertainty_mean_lap</name>
+    <message>
+        <source>of the first and the last passage, over the number of laps</source>
+        <translation>du premier et du dernier franchissement, divisé par le nombre de tours</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.uncertainty_mean_speed</name>
+    <message>
+        <source>of both, treated as independent</source>
+        <translation>des deux, pris comme indépendants</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.uncertainty_moving_time</name>
+    <message>
+        <source>of each start and stop: σ of the speed divided by its slope</source>
+        <translation>de chaque démarrage et arrêt&#xa0;: σ de la vitesse, divisé par sa pente</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.uncertainty_of_curve</name>
+    <message>
+        <source>that of the smoothed curve there, and the calibration&apos;s scale uncertainty</source>
+        <translation>celui de la courbe lissée à cet endroit, et l’erreur d’échelle de l’étalonnage</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.uncertainty_of_intervals</name>
+    <message>
+        <source>of the intervals within 1.5 σ of it, each by its mean</source>
+        <translation>des intervalles à moins de 1,5 σ de cette valeur, chacun par sa moyenne</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.uncertainty_path_length</name>
+    <message>
+        <source>of the end positions, of lateral errors where the path turns, and the calibration&apos;s scale uncertainty</source>
+        <translation>des positions des extrémités, des erreurs en travers de la trajectoire là où elle tourne, et l’erreur d’échelle de l’étalonnage</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.uncertainty_standing_time</name>
+    <message>
+        <source>of each start and stop</source>
+        <translation>de chaque démarrage et arrêt</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.uncertainty_straightness</name>
+    <message>
+        <source>of the end positions</source>
+        <translation>des positions des extrémités</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.uncertainty_zone_depth</name>
+    <message>
+        <source>of the position across the edge, there</source>
+        <translation>de la position en travers du bord, à cet endroit</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.uncertainty_zone_time</name>
+    <message>
+        <source>of each crossing of an edge: σ of the position across it divided by the speed; and the change of the time when the calibration uncertainty shifts the track</source>
+        <translation>de chaque instant à un bord&#xa0;: σ de la position en travers de celui-ci, divisé par la vitesse&#xa0;; et ce dont le temps change quand l’étalonnage rapproche ou éloigne la trajectoire</translation>
     </message>
 </context>
 <context>
@@ -8284,6 +8677,129 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
 </context>
 <context>
+    <name>odo::BoardImagesPage</name>
+    <message>
+        <source>Move it to the left of the image</source>
+        <translation>Déplacez-la vers la gauche de l’image</translation>
+    </message>
+    <message>
+        <source>Move it to the right of the image</source>
+        <translation>Déplacez-la vers la droite de l’image</translation>
+    </message>
+    <message>
+        <source>Move it up</source>
+        <translation>Déplacez-la vers le haut</translation>
+    </message>
+    <message>
+        <source>Move it down</source>
+        <translation>Déplacez-la vers le bas</translation>
+    </message>
+    <message>
+        <source>Closer to the camera</source>
+        <translation>Plus près de la caméra</translation>
+    </message>
+    <message>
+        <source>Farther from the camera</source>
+        <translation>Plus loin de la caméra</translation>
+    </message>
+    <message>
+        <source>Tilt it: the left side away from the camera</source>
+        <translation>Inclinez-la&#xa0;: le côté gauche à l’opposé de la caméra</translation>
+    </message>
+    <message>
+        <source>Tilt it: the right side away from the camera</source>
+        <translation>Inclinez-la&#xa0;: le côté droit à l’opposé de la caméra</translation>
+    </message>
+    <message>
+        <source>Tilt it: the upper side away from the camera</source>
+        <translation>Inclinez-la&#xa0;: le haut à l’opposé de la caméra</translation>
+    </message>
+    <message>
+        <source>Tilt it: the lower side away from the camera</source>
+        <translation>Inclinez-la&#xa0;: le bas à l’opposé de la caméra</translation>
+    </message>
+    <message>
+        <source>Hold it still</source>
+        <translation>Tenez-la immobile</translation>
+    </message>
+    <message>
+        <source>&amp;Take an image now</source>
+        <translation>&amp;Prendre une photo</translation>
+    </message>
+    <message>
+        <source>What to do</source>
+        <translation>Que faire</translation>
+    </message>
+    <message>
+        <source>No image from the camera</source>
+        <translation>Aucune image de la caméra</translation>
+    </message>
+    <message>
+        <source>Rejected images</source>
+        <translation>Photos non prises en compte</translation>
+    </message>
+    <message>
+        <source>Coverage of the images</source>
+        <translation>Ce que couvrent les photos</translation>
+    </message>
+    <message>
+        <source>Rejected</source>
+        <translation>Non prises en compte</translation>
+    </message>
+    <message>
+        <source>Waiting for the camera…</source>
+        <translation>En attente de la caméra…</translation>
+    </message>
+    <message>
+        <source>Detecting the board…</source>
+        <translation>Recherche de la mire…</translation>
+    </message>
+    <message>
+        <source>Hold the board before the camera</source>
+        <translation>Tenez la mire devant la caméra</translation>
+    </message>
+    <message>
+        <source>Detecting the board</source>
+        <translation>Recherche de la mire</translation>
+    </message>
+    <message>
+        <source>Odograph takes an image whenever the board is still, sharp and in a new position.</source>
+        <translation>Une photo se prend d’elle-même chaque fois que la mire est immobile, nette et à une nouvelle place.</translation>
+    </message>
+    <message>
+        <source>Taken</source>
+        <translation>Prise</translation>
+    </message>
+    <message>
+        <source>Now the dashed outline shows where the board would help most.</source>
+        <translation>Le contour en tirets montre maintenant où la mire serait le plus utile.</translation>
+    </message>
+    <message>
+        <source>%1 to go</source>
+        <translation>encore %1</translation>
+    </message>
+    <message>
+        <source>No image accepted</source>
+        <translation>Aucune photo ne compte</translation>
+    </message>
+    <message>
+        <source>See the reasons on the right. Drop other images here to add them.</source>
+        <translation>Les raisons sont indiquées à droite. Ajoutez-en d’autres en les déposant ici.</translation>
+    </message>
+    <message>
+        <source>All images checked</source>
+        <translation>Toutes examinées</translation>
+    </message>
+    <message>
+        <source>They are enough.</source>
+        <translation>C’est assez.</translation>
+    </message>
+    <message>
+        <source>Drop more images here; the bars show what is missing.</source>
+        <translation>D’autres photos peuvent être déposées ici&#xa0;; les barres montrent ce qui manque.</translation>
+    </message>
+</context>
+<context>
     <name>odo::BoardSearchWorker</name>
     <message>
         <source>image %1</source>
@@ -8299,6 +8815,200 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>Video frame; arrow keys move the box round the robot, Shift + arrow keys resize it</source>
         <translation>Image&#xa0;; les flèches déplacent le cadre autour du robot, avec Maj elles changent sa taille</translation>
+    </message>
+</context>
+<context>
+    <name>odo::CalibrationResultPage</name>
+    <message>
+        <source>ordinary</source>
+        <translation>ordinaire</translation>
+    </message>
+    <message>
+        <source>wide (rational)</source>
+        <translation>grand-angle (rationnel)</translation>
+    </message>
+    <message>
+        <source>fisheye</source>
+        <translation>fisheye</translation>
+    </message>
+    <message>
+        <source>%1 px</source>
+        <translation>%1 px</translation>
+    </message>
+    <message>
+        <source>%1 ± %2 px</source>
+        <translation>%1 ± %2 px</translation>
+    </message>
+    <message>
+        <source>Verdict</source>
+        <translation>Verdict</translation>
+    </message>
+    <message>
+        <source>Solving</source>
+        <translation>Calcul</translation>
+    </message>
+    <message>
+        <source>Automatic choice of the lens model</source>
+        <translation>Modèle choisi automatiquement</translation>
+    </message>
+    <message>
+        <source>Ordinary lens</source>
+        <translation>Objectif ordinaire</translation>
+    </message>
+    <message>
+        <source>Wide lens (rational model)</source>
+        <translation>Grand-angle (modèle rationnel)</translation>
+    </message>
+    <message>
+        <source>Fisheye</source>
+        <translation>Fisheye</translation>
+    </message>
+    <message>
+        <source>Lens model</source>
+        <translation>Modèle d’objectif</translation>
+    </message>
+    <message>
+        <source>Select a bar to see its image.</source>
+        <translation>Choisissez une barre pour voir sa photo.</translation>
+    </message>
+    <message>
+        <source>Appears here after the calibration.</source>
+        <translation>S’affiche ici dès que l’objectif est connu.</translation>
+    </message>
+    <message>
+        <source>Image and &amp;residuals</source>
+        <translation>Photo et rés&amp;idus</translation>
+    </message>
+    <message>
+        <source>&amp;Straightened</source>
+        <translation>Re&amp;dressée</translation>
+    </message>
+    <message>
+        <source>Error by image</source>
+        <translation>Erreur par photo</translation>
+    </message>
+    <message>
+        <source>Calibration</source>
+        <translation>Objectif</translation>
+    </message>
+    <message>
+        <source>Lens calibration</source>
+        <translation>Ce que l’on sait de l’objectif</translation>
+    </message>
+    <message>
+        <source>Solving…</source>
+        <translation>Calcul…</translation>
+    </message>
+    <message>
+        <source>straight edges must be straight</source>
+        <translation>les bords droits doivent être droits</translation>
+    </message>
+    <message>
+        <source>Storing the lens calibration and its images…</source>
+        <translation>Enregistrement de l’objectif et de ses photos…</translation>
+    </message>
+    <message>
+        <source>The lens calibration was not stored. %1</source>
+        <translation>L’objectif n’a pas été enregistré. %1</translation>
+    </message>
+    <message>
+        <source>Model</source>
+        <translation>Modèle</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1&#xa0;: %2</translation>
+    </message>
+    <message>
+        <source>Images</source>
+        <translation>Photos</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 sur %2</translation>
+    </message>
+    <message>
+        <source>Board error</source>
+        <translation>Erreur sur la mire</translation>
+    </message>
+    <message>
+        <source>Held-out error</source>
+        <translation>Erreur de validation</translation>
+    </message>
+    <message>
+        <source>needs six images</source>
+        <translation>exige six photos</translation>
+    </message>
+    <message>
+        <source>Corners left out</source>
+        <translation>Coins exclus</translation>
+    </message>
+    <message>
+        <source>Focal length</source>
+        <translation>Distance focale</translation>
+    </message>
+    <message>
+        <source>Centre x</source>
+        <translation>Centre x</translation>
+    </message>
+    <message>
+        <source>Centre y</source>
+        <translation>Centre y</translation>
+    </message>
+</context>
+<context>
+    <name>odo::CalibrationSourcePage</name>
+    <message>
+        <source>&amp;From the camera: hold up the board, Odograph takes the images</source>
+        <translation>De&amp;vant la caméra&#xa0;: tenez la mire, les photos se prennent d’elles-mêmes</translation>
+    </message>
+    <message>
+        <source>From existing images or a &amp;video</source>
+        <translation>D’après des &amp;photos ou une vidéo que vous avez prises</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>Prin&amp;t a board…</source>
+        <translation>&amp;Imprimer une mire…</translation>
+    </message>
+    <message>
+        <source>Show a flat calibration board from many sides to calibrate the lens. Odograph recognises checkerboard and ChArUco boards of any size. Measure one square on the paper: every later length depends on it. Do not refocus or zoom afterwards.</source>
+        <translation>Une mire plane de carrés, vue de plusieurs côtés, dit comment l’objectif dessine. Damier ou ChArUco, de toute taille&#xa0;: le type est reconnu. Mesurez un carré sur le papier&#xa0;; il détermine toutes les longueurs ensuite. La mise au point et le zoom ne doivent plus changer après.</translation>
+    </message>
+    <message>
+        <source>&amp;Camera</source>
+        <translation>&amp;Caméra</translation>
+    </message>
+    <message>
+        <source>Side of a &amp;square, measured</source>
+        <translation>Côté d’un carré, &amp;mesuré</translation>
+    </message>
+    <message>
+        <source>Source of the board images</source>
+        <translation>D’où viennent les photos de la mire</translation>
+    </message>
+    <message>
+        <source>Images and videos of the board</source>
+        <translation>Photos et vidéos de la mire</translation>
+    </message>
+    <message>
+        <source>&amp;Add…</source>
+        <translation>A&amp;jouter…</translation>
+    </message>
+    <message>
+        <source>&amp;Remove</source>
+        <translation>Re&amp;tirer</translation>
+    </message>
+    <message>
+        <source>Images and videos (*.png *.jpg *.jpeg *.tif *.tiff *.bmp *.mp4 *.mkv *.avi *.mov *.webm);;All files (*)</source>
+        <translation>Photos et vidéos (*.png *.jpg *.jpeg *.tif *.tiff *.bmp *.mp4 *.mkv *.avi *.mov *.webm);;Tous les fichiers (*)</translation>
+    </message>
+    <message>
+        <source>You can also drop files here.</source>
+        <translation>Des fichiers peuvent aussi être déposés ici.</translation>
     </message>
 </context>
 <context>
@@ -8396,38 +9106,94 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
 </context>
 <context>
-    <name>odo::CameraView</name>
+    <name>odo::CameraPositionDialog</name>
     <message>
-        <source>synchronised to %1 ms</source>
-        <translation>synchronisée à %1 ms près</translation>
+        <source>moved %1</source>
+        <translation>a bougé de %1</translation>
     </message>
     <message>
-        <source>manual offset</source>
-        <translation>décalage manuel</translation>
+        <source>marker moved %1</source>
+        <translation>marqueur déplacé de %1</translation>
     </message>
     <message>
-        <source>not synchronised</source>
-        <translation>non synchronisée</translation>
+        <source>has not moved</source>
+        <translation>n’a pas bougé</translation>
     </message>
     <message>
-        <source>%1 /s</source>
-        <translation>%1 /s</translation>
+        <source>&amp;Check</source>
+        <translation>&amp;Vérifier</translation>
     </message>
     <message>
-        <source>Camera %1</source>
-        <translation>Caméra %1</translation>
+        <source>&amp;Register again…</source>
+        <translation>&amp;Relocaliser…</translation>
+    </message>
+    <message>
+        <source>Check camera positions</source>
+        <translation>Vérifier les caméras</translation>
     </message>
     <message>
         <source>Camera</source>
         <translation>Caméra</translation>
     </message>
     <message>
-        <source>Camera image</source>
-        <translation>Image de la caméra</translation>
+        <source>New image</source>
+        <translation>Nouvelle image</translation>
     </message>
     <message>
-        <source>Image of %1</source>
-        <translation>Image de %1</translation>
+        <source>Result</source>
+        <translation>Résultat</translation>
+    </message>
+    <message>
+        <source>Registered cameras</source>
+        <translation>Caméras localisées</translation>
+    </message>
+    <message>
+        <source>A camera that someone has pushed measures wrong positions without any sign of it. Before the robots run, check each camera&apos;s markers in a new image.</source>
+        <translation>Une caméra bousculée mesure faux sans que rien ne le montre. Avant que les robots roulent, les marqueurs de chaque caméra sont recherchés dans une nouvelle image.</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Fermer</translation>
+    </message>
+    <message>
+        <source>Results of the check</source>
+        <translation>Ce qui a été trouvé</translation>
+    </message>
+    <message>
+        <source>New image of camera %1</source>
+        <translation>Nouvelle image de la caméra %1</translation>
+    </message>
+    <message>
+        <source>Its newest recording</source>
+        <translation>Son dernier enregistrement</translation>
+    </message>
+    <message>
+        <source>Not checked</source>
+        <translation>Non vérifiée</translation>
+    </message>
+    <message>
+        <source>An image or video…</source>
+        <translation>Une photo ou une vidéo…</translation>
+    </message>
+    <message>
+        <source>Images and videos (*.png *.jpg *.jpeg *.tif *.tiff *.bmp *.mp4 *.mkv *.avi *.mov *.webm);;All files (*)</source>
+        <translation>Photos et vidéos (*.png *.jpg *.jpeg *.tif *.tiff *.bmp *.mp4 *.mkv *.avi *.mov *.webm);;Tous les fichiers (*)</translation>
+    </message>
+    <message>
+        <source>detecting…</source>
+        <translation>recherche…</translation>
+    </message>
+    <message>
+        <source>undetermined</source>
+        <translation>indéterminé</translation>
+    </message>
+    <message>
+        <source>At least two markers must be visible. The check changes nothing.</source>
+        <translation>Il faut voir au moins deux marqueurs. La vérification ne déplace et ne modifie rien.</translation>
+    </message>
+    <message>
+        <source>&amp;Register %1 again…</source>
+        <translation>&amp;Relocaliser %1…</translation>
     </message>
 </context>
 <context>
@@ -8495,6 +9261,41 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>best for tracking</source>
         <translation>le mieux pour le suivi</translation>
+    </message>
+</context>
+<context>
+    <name>odo::CameraView</name>
+    <message>
+        <source>synchronised to %1 ms</source>
+        <translation>synchronisée à %1 ms près</translation>
+    </message>
+    <message>
+        <source>manual offset</source>
+        <translation>décalage manuel</translation>
+    </message>
+    <message>
+        <source>not synchronised</source>
+        <translation>non synchronisée</translation>
+    </message>
+    <message>
+        <source>%1 /s</source>
+        <translation>%1 /s</translation>
+    </message>
+    <message>
+        <source>Camera %1</source>
+        <translation>Caméra %1</translation>
+    </message>
+    <message>
+        <source>Camera</source>
+        <translation>Caméra</translation>
+    </message>
+    <message>
+        <source>Camera image</source>
+        <translation>Image de la caméra</translation>
+    </message>
+    <message>
+        <source>Image of %1</source>
+        <translation>Image de %1</translation>
     </message>
 </context>
 <context>
@@ -9120,164 +9921,6 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
 </context>
 <context>
-    <name>odo::MetricGrid</name>
-    <message>
-        <source>Metrics</source>
-        <translation>Grandeurs</translation>
-    </message>
-    <message>
-        <source>No result yet: track the trial</source>
-        <translation>Pas encore de résultat&#xa0;: suivez l’essai</translation>
-    </message>
-</context>
-<context>
-    <name>odo::NumberText</name>
-    <message>
-        <source>points</source>
-        <translation>points</translation>
-    </message>
-    <message>
-        <source>Time</source>
-        <translation>Temps</translation>
-    </message>
-    <message>
-        <source>Path</source>
-        <translation>Distance</translation>
-    </message>
-    <message>
-        <source>Top speed</source>
-        <translation>Vitesse max.</translation>
-    </message>
-    <message>
-        <source>Mean speed</source>
-        <translation>Vitesse moyenne</translation>
-    </message>
-    <message>
-        <source>Speed (RMS)</source>
-        <translation>Vitesse (RMS)</translation>
-    </message>
-    <message>
-        <source>Top acceleration</source>
-        <translation>Accélération max.</translation>
-    </message>
-    <message>
-        <source>Acceleration (RMS)</source>
-        <translation>Accélération (RMS)</translation>
-    </message>
-    <message>
-        <source>Straightness</source>
-        <translation>Rectitude</translation>
-    </message>
-    <message>
-        <source>Stops</source>
-        <translation>Arrêts</translation>
-    </message>
-    <message>
-        <source>Fastest turn</source>
-        <translation>Rotation max.</translation>
-    </message>
-    <message>
-        <source>Start to finish</source>
-        <translation>Du départ à l’arrivée</translation>
-    </message>
-    <message>
-        <source>Laps</source>
-        <translation>Tours</translation>
-    </message>
-    <message>
-        <source>Best lap</source>
-        <translation>Meilleur tour</translation>
-    </message>
-    <message>
-        <source>Mean lap</source>
-        <translation>Tour moyen</translation>
-    </message>
-    <message>
-        <source>Off the path (mean)</source>
-        <translation>Écart au tracé (moyen)</translation>
-    </message>
-    <message>
-        <source>Off the path (RMS)</source>
-        <translation>Écart au tracé (RMS)</translation>
-    </message>
-    <message>
-        <source>Off the path (most)</source>
-        <translation>Écart au tracé (max.)</translation>
-    </message>
-    <message>
-        <source>Left of the path</source>
-        <translation>À gauche du tracé</translation>
-    </message>
-    <message>
-        <source>Path completed</source>
-        <translation>Tracé accompli</translation>
-    </message>
-    <message>
-        <source>Zones broken</source>
-        <translation>Zones enfreintes</translation>
-    </message>
-    <message>
-        <source>Time beyond zones</source>
-        <translation>Temps hors zones</translation>
-    </message>
-    <message>
-        <source>Beyond zones (most)</source>
-        <translation>Hors zones (max.)</translation>
-    </message>
-    <message>
-        <source>Displacement</source>
-        <translation>Déplacement</translation>
-    </message>
-    <message>
-        <source>Time in motion</source>
-        <translation>Temps en mouvement</translation>
-    </message>
-    <message>
-        <source>Views disagree by</source>
-        <translation>Désaccord des vues</translation>
-    </message>
-    <message>
-        <source>Score</source>
-        <translation>Score</translation>
-    </message>
-    <message>
-        <source>Spikes</source>
-        <translation>Pics aberrants</translation>
-    </message>
-    <message>
-        <source>Limits broken</source>
-        <translation>Limites enfreintes</translation>
-    </message>
-    <message>
-        <source>Gates passed</source>
-        <translation>Portes franchies</translation>
-    </message>
-    <message>
-        <source>Robot&apos;s height</source>
-        <translation>Hauteur du robot</translation>
-    </message>
-    <message>
-        <source>Standing time</source>
-        <translation>Temps à l’arrêt</translation>
-    </message>
-    <message>
-        <source>Median speed</source>
-        <translation>Vitesse médiane</translation>
-    </message>
-    <message>
-        <source>P95 speed</source>
-        <translation>Vitesse (P95)</translation>
-    </message>
-    <message>
-        <source>P95 acceleration</source>
-        <translation>Accélération (P95)</translation>
-    </message>
-    <message>
-        <source>Circle&apos;s radius</source>
-        <translation>Rayon du cercle</translation>
-    </message>
-</context>
-<context>
     <name>odo::FileActions</name>
     <message>
         <source>&amp;New project…</source>
@@ -9809,6 +10452,51 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
             <numerusform>%1 sur %n essai</numerusform>
             <numerusform>%1 sur %n essais</numerusform>
         </translation>
+    </message>
+</context>
+<context>
+    <name>odo::ImageArea</name>
+    <message>
+        <source>No view</source>
+        <translation>Aucune vue</translation>
+    </message>
+    <message>
+        <source>This camera was not recording at this time</source>
+        <translation>Cette caméra n’enregistrait pas à cet instant</translation>
+    </message>
+</context>
+<context>
+    <name>odo::ImageBars</name>
+    <message>
+        <source>Error of each image, with a threshold</source>
+        <translation>Erreur de chaque photo, avec un seuil</translation>
+    </message>
+    <message>
+        <source>%1: %2 px</source>
+        <translation>%1&#xa0;: %2 px</translation>
+    </message>
+    <message>
+        <source>images; rejected above %1 px</source>
+        <translation>photos&#xa0;; au-delà de %1 px, elles ne comptent pas</translation>
+    </message>
+</context>
+<context>
+    <name>odo::ImageChoice</name>
+    <message>
+        <source>The camera&apos;s &amp;newest recording</source>
+        <translation>Dans le &amp;dernier enregistrement de la caméra</translation>
+    </message>
+    <message>
+        <source>The current image of a &amp;connected camera</source>
+        <translation>Dans ce que voit maintenant une caméra c&amp;onnectée</translation>
+    </message>
+    <message>
+        <source>An image or a &amp;video</source>
+        <translation>Dans une &amp;photo ou une vidéo</translation>
+    </message>
+    <message>
+        <source>Images and videos (*.png *.jpg *.jpeg *.tif *.tiff *.bmp *.mp4 *.mkv *.avi *.mov *.webm);;All files (*)</source>
+        <translation>Photos et vidéos (*.png *.jpg *.jpeg *.tif *.tiff *.bmp *.mp4 *.mkv *.avi *.mov *.webm);;Tous les fichiers (*)</translation>
     </message>
 </context>
 <context>
@@ -10407,323 +11095,6 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
 </context>
 <context>
-    <name>odo::BoardImagesPage</name>
-    <message>
-        <source>Move it to the left of the image</source>
-        <translation>Déplacez-la vers la gauche de l’image</translation>
-    </message>
-    <message>
-        <source>Move it to the right of the image</source>
-        <translation>Déplacez-la vers la droite de l’image</translation>
-    </message>
-    <message>
-        <source>Move it up</source>
-        <translation>Déplacez-la vers le haut</translation>
-    </message>
-    <message>
-        <source>Move it down</source>
-        <translation>Déplacez-la vers le bas</translation>
-    </message>
-    <message>
-        <source>Closer to the camera</source>
-        <translation>Plus près de la caméra</translation>
-    </message>
-    <message>
-        <source>Farther from the camera</source>
-        <translation>Plus loin de la caméra</translation>
-    </message>
-    <message>
-        <source>Tilt it: the left side away from the camera</source>
-        <translation>Inclinez-la&#xa0;: le côté gauche à l’opposé de la caméra</translation>
-    </message>
-    <message>
-        <source>Tilt it: the right side away from the camera</source>
-        <translation>Inclinez-la&#xa0;: le côté droit à l’opposé de la caméra</translation>
-    </message>
-    <message>
-        <source>Tilt it: the upper side away from the camera</source>
-        <translation>Inclinez-la&#xa0;: le haut à l’opposé de la caméra</translation>
-    </message>
-    <message>
-        <source>Tilt it: the lower side away from the camera</source>
-        <translation>Inclinez-la&#xa0;: le bas à l’opposé de la caméra</translation>
-    </message>
-    <message>
-        <source>Hold it still</source>
-        <translation>Tenez-la immobile</translation>
-    </message>
-    <message>
-        <source>&amp;Take an image now</source>
-        <translation>&amp;Prendre une photo</translation>
-    </message>
-    <message>
-        <source>What to do</source>
-        <translation>Que faire</translation>
-    </message>
-    <message>
-        <source>No image from the camera</source>
-        <translation>Aucune image de la caméra</translation>
-    </message>
-    <message>
-        <source>Rejected images</source>
-        <translation>Photos non prises en compte</translation>
-    </message>
-    <message>
-        <source>Coverage of the images</source>
-        <translation>Ce que couvrent les photos</translation>
-    </message>
-    <message>
-        <source>Rejected</source>
-        <translation>Non prises en compte</translation>
-    </message>
-    <message>
-        <source>Waiting for the camera…</source>
-        <translation>En attente de la caméra…</translation>
-    </message>
-    <message>
-        <source>Detecting the board…</source>
-        <translation>Recherche de la mire…</translation>
-    </message>
-    <message>
-        <source>Hold the board before the camera</source>
-        <translation>Tenez la mire devant la caméra</translation>
-    </message>
-    <message>
-        <source>Detecting the board</source>
-        <translation>Recherche de la mire</translation>
-    </message>
-    <message>
-        <source>Odograph takes an image whenever the board is still, sharp and in a new position.</source>
-        <translation>Une photo se prend d’elle-même chaque fois que la mire est immobile, nette et à une nouvelle place.</translation>
-    </message>
-    <message>
-        <source>Taken</source>
-        <translation>Prise</translation>
-    </message>
-    <message>
-        <source>Now the dashed outline shows where the board would help most.</source>
-        <translation>Le contour en tirets montre maintenant où la mire serait le plus utile.</translation>
-    </message>
-    <message>
-        <source>%1 to go</source>
-        <translation>encore %1</translation>
-    </message>
-    <message>
-        <source>No image accepted</source>
-        <translation>Aucune photo ne compte</translation>
-    </message>
-    <message>
-        <source>See the reasons on the right. Drop other images here to add them.</source>
-        <translation>Les raisons sont indiquées à droite. Ajoutez-en d’autres en les déposant ici.</translation>
-    </message>
-    <message>
-        <source>All images checked</source>
-        <translation>Toutes examinées</translation>
-    </message>
-    <message>
-        <source>They are enough.</source>
-        <translation>C’est assez.</translation>
-    </message>
-    <message>
-        <source>Drop more images here; the bars show what is missing.</source>
-        <translation>D’autres photos peuvent être déposées ici&#xa0;; les barres montrent ce qui manque.</translation>
-    </message>
-</context>
-<context>
-    <name>odo::CalibrationResultPage</name>
-    <message>
-        <source>ordinary</source>
-        <translation>ordinaire</translation>
-    </message>
-    <message>
-        <source>wide (rational)</source>
-        <translation>grand-angle (rationnel)</translation>
-    </message>
-    <message>
-        <source>fisheye</source>
-        <translation>fisheye</translation>
-    </message>
-    <message>
-        <source>%1 px</source>
-        <translation>%1 px</translation>
-    </message>
-    <message>
-        <source>%1 ± %2 px</source>
-        <translation>%1 ± %2 px</translation>
-    </message>
-    <message>
-        <source>Verdict</source>
-        <translation>Verdict</translation>
-    </message>
-    <message>
-        <source>Solving</source>
-        <translation>Calcul</translation>
-    </message>
-    <message>
-        <source>Automatic choice of the lens model</source>
-        <translation>Modèle choisi automatiquement</translation>
-    </message>
-    <message>
-        <source>Ordinary lens</source>
-        <translation>Objectif ordinaire</translation>
-    </message>
-    <message>
-        <source>Wide lens (rational model)</source>
-        <translation>Grand-angle (modèle rationnel)</translation>
-    </message>
-    <message>
-        <source>Fisheye</source>
-        <translation>Fisheye</translation>
-    </message>
-    <message>
-        <source>Lens model</source>
-        <translation>Modèle d’objectif</translation>
-    </message>
-    <message>
-        <source>Select a bar to see its image.</source>
-        <translation>Choisissez une barre pour voir sa photo.</translation>
-    </message>
-    <message>
-        <source>Appears here after the calibration.</source>
-        <translation>S’affiche ici dès que l’objectif est connu.</translation>
-    </message>
-    <message>
-        <source>Image and &amp;residuals</source>
-        <translation>Photo et rés&amp;idus</translation>
-    </message>
-    <message>
-        <source>&amp;Straightened</source>
-        <translation>Re&amp;dressée</translation>
-    </message>
-    <message>
-        <source>Error by image</source>
-        <translation>Erreur par photo</translation>
-    </message>
-    <message>
-        <source>Calibration</source>
-        <translation>Objectif</translation>
-    </message>
-    <message>
-        <source>Lens calibration</source>
-        <translation>Ce que l’on sait de l’objectif</translation>
-    </message>
-    <message>
-        <source>Solving…</source>
-        <translation>Calcul…</translation>
-    </message>
-    <message>
-        <source>straight edges must be straight</source>
-        <translation>les bords droits doivent être droits</translation>
-    </message>
-    <message>
-        <source>Storing the lens calibration and its images…</source>
-        <translation>Enregistrement de l’objectif et de ses photos…</translation>
-    </message>
-    <message>
-        <source>The lens calibration was not stored. %1</source>
-        <translation>L’objectif n’a pas été enregistré. %1</translation>
-    </message>
-    <message>
-        <source>Model</source>
-        <translation>Modèle</translation>
-    </message>
-    <message>
-        <source>%1: %2</source>
-        <translation>%1&#xa0;: %2</translation>
-    </message>
-    <message>
-        <source>Images</source>
-        <translation>Photos</translation>
-    </message>
-    <message>
-        <source>%1 of %2</source>
-        <translation>%1 sur %2</translation>
-    </message>
-    <message>
-        <source>Board error</source>
-        <translation>Erreur sur la mire</translation>
-    </message>
-    <message>
-        <source>Held-out error</source>
-        <translation>Erreur de validation</translation>
-    </message>
-    <message>
-        <source>needs six images</source>
-        <translation>exige six photos</translation>
-    </message>
-    <message>
-        <source>Corners left out</source>
-        <translation>Coins exclus</translation>
-    </message>
-    <message>
-        <source>Focal length</source>
-        <translation>Distance focale</translation>
-    </message>
-    <message>
-        <source>Centre x</source>
-        <translation>Centre x</translation>
-    </message>
-    <message>
-        <source>Centre y</source>
-        <translation>Centre y</translation>
-    </message>
-</context>
-<context>
-    <name>odo::CalibrationSourcePage</name>
-    <message>
-        <source>&amp;From the camera: hold up the board, Odograph takes the images</source>
-        <translation>De&amp;vant la caméra&#xa0;: tenez la mire, les photos se prennent d’elles-mêmes</translation>
-    </message>
-    <message>
-        <source>From existing images or a &amp;video</source>
-        <translation>D’après des &amp;photos ou une vidéo que vous avez prises</translation>
-    </message>
-    <message>
-        <source> mm</source>
-        <translation> mm</translation>
-    </message>
-    <message>
-        <source>Prin&amp;t a board…</source>
-        <translation>&amp;Imprimer une mire…</translation>
-    </message>
-    <message>
-        <source>Show a flat calibration board from many sides to calibrate the lens. Odograph recognises checkerboard and ChArUco boards of any size. Measure one square on the paper: every later length depends on it. Do not refocus or zoom afterwards.</source>
-        <translation>Une mire plane de carrés, vue de plusieurs côtés, dit comment l’objectif dessine. Damier ou ChArUco, de toute taille&#xa0;: le type est reconnu. Mesurez un carré sur le papier&#xa0;; il détermine toutes les longueurs ensuite. La mise au point et le zoom ne doivent plus changer après.</translation>
-    </message>
-    <message>
-        <source>&amp;Camera</source>
-        <translation>&amp;Caméra</translation>
-    </message>
-    <message>
-        <source>Side of a &amp;square, measured</source>
-        <translation>Côté d’un carré, &amp;mesuré</translation>
-    </message>
-    <message>
-        <source>Source of the board images</source>
-        <translation>D’où viennent les photos de la mire</translation>
-    </message>
-    <message>
-        <source>Images and videos of the board</source>
-        <translation>Photos et vidéos de la mire</translation>
-    </message>
-    <message>
-        <source>&amp;Add…</source>
-        <translation>A&amp;jouter…</translation>
-    </message>
-    <message>
-        <source>&amp;Remove</source>
-        <translation>Re&amp;tirer</translation>
-    </message>
-    <message>
-        <source>Images and videos (*.png *.jpg *.jpeg *.tif *.tiff *.bmp *.mp4 *.mkv *.avi *.mov *.webm);;All files (*)</source>
-        <translation>Photos et vidéos (*.png *.jpg *.jpeg *.tif *.tiff *.bmp *.mp4 *.mkv *.avi *.mov *.webm);;Tous les fichiers (*)</translation>
-    </message>
-    <message>
-        <source>You can also drop files here.</source>
-        <translation>Des fichiers peuvent aussi être déposés ici.</translation>
-    </message>
-</context>
-<context>
     <name>odo::LensWizard</name>
     <message>
         <source>Calibrate camera</source>
@@ -11048,6 +11419,17 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
 </context>
 <context>
+    <name>odo::MetricGrid</name>
+    <message>
+        <source>Metrics</source>
+        <translation>Grandeurs</translation>
+    </message>
+    <message>
+        <source>No result yet: track the trial</source>
+        <translation>Pas encore de résultat&#xa0;: suivez l’essai</translation>
+    </message>
+</context>
+<context>
     <name>odo::MetricModel</name>
     <message>
         <source>Metric</source>
@@ -11063,97 +11445,6 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>Modes</source>
         <translation>Modes</translation>
-    </message>
-</context>
-<context>
-    <name>odo::CameraPositionDialog</name>
-    <message>
-        <source>moved %1</source>
-        <translation>a bougé de %1</translation>
-    </message>
-    <message>
-        <source>marker moved %1</source>
-        <translation>marqueur déplacé de %1</translation>
-    </message>
-    <message>
-        <source>has not moved</source>
-        <translation>n’a pas bougé</translation>
-    </message>
-    <message>
-        <source>&amp;Check</source>
-        <translation>&amp;Vérifier</translation>
-    </message>
-    <message>
-        <source>&amp;Register again…</source>
-        <translation>&amp;Relocaliser…</translation>
-    </message>
-    <message>
-        <source>Check camera positions</source>
-        <translation>Vérifier les caméras</translation>
-    </message>
-    <message>
-        <source>Camera</source>
-        <translation>Caméra</translation>
-    </message>
-    <message>
-        <source>New image</source>
-        <translation>Nouvelle image</translation>
-    </message>
-    <message>
-        <source>Result</source>
-        <translation>Résultat</translation>
-    </message>
-    <message>
-        <source>Registered cameras</source>
-        <translation>Caméras localisées</translation>
-    </message>
-    <message>
-        <source>A camera that someone has pushed measures wrong positions without any sign of it. Before the robots run, check each camera&apos;s markers in a new image.</source>
-        <translation>Une caméra bousculée mesure faux sans que rien ne le montre. Avant que les robots roulent, les marqueurs de chaque caméra sont recherchés dans une nouvelle image.</translation>
-    </message>
-    <message>
-        <source>Close</source>
-        <translation>Fermer</translation>
-    </message>
-    <message>
-        <source>Results of the check</source>
-        <translation>Ce qui a été trouvé</translation>
-    </message>
-    <message>
-        <source>New image of camera %1</source>
-        <translation>Nouvelle image de la caméra %1</translation>
-    </message>
-    <message>
-        <source>Its newest recording</source>
-        <translation>Son dernier enregistrement</translation>
-    </message>
-    <message>
-        <source>Not checked</source>
-        <translation>Non vérifiée</translation>
-    </message>
-    <message>
-        <source>An image or video…</source>
-        <translation>Une photo ou une vidéo…</translation>
-    </message>
-    <message>
-        <source>Images and videos (*.png *.jpg *.jpeg *.tif *.tiff *.bmp *.mp4 *.mkv *.avi *.mov *.webm);;All files (*)</source>
-        <translation>Photos et vidéos (*.png *.jpg *.jpeg *.tif *.tiff *.bmp *.mp4 *.mkv *.avi *.mov *.webm);;Tous les fichiers (*)</translation>
-    </message>
-    <message>
-        <source>detecting…</source>
-        <translation>recherche…</translation>
-    </message>
-    <message>
-        <source>undetermined</source>
-        <translation>indéterminé</translation>
-    </message>
-    <message>
-        <source>At least two markers must be visible. The check changes nothing.</source>
-        <translation>Il faut voir au moins deux marqueurs. La vérification ne déplace et ne modifie rien.</translation>
-    </message>
-    <message>
-        <source>&amp;Register %1 again…</source>
-        <translation>&amp;Relocaliser %1…</translation>
     </message>
 </context>
 <context>
@@ -11205,6 +11496,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>Anyone on that network can read the robots&apos; positions.</source>
         <translation>Quiconque est sur ce réseau peut lire où sont les robots.</translation>
+    </message>
+</context>
+<context>
+    <name>odo::NumberText</name>
+    <message>
+        <source>points</source>
+        <translation>points</translation>
     </message>
 </context>
 <context>
@@ -11267,51 +11565,6 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>%1, camera %2</source>
         <translation>%1, caméra %2</translation>
-    </message>
-</context>
-<context>
-    <name>odo::ImageArea</name>
-    <message>
-        <source>No view</source>
-        <translation>Aucune vue</translation>
-    </message>
-    <message>
-        <source>This camera was not recording at this time</source>
-        <translation>Cette caméra n’enregistrait pas à cet instant</translation>
-    </message>
-</context>
-<context>
-    <name>odo::ImageBars</name>
-    <message>
-        <source>Error of each image, with a threshold</source>
-        <translation>Erreur de chaque photo, avec un seuil</translation>
-    </message>
-    <message>
-        <source>%1: %2 px</source>
-        <translation>%1&#xa0;: %2 px</translation>
-    </message>
-    <message>
-        <source>images; rejected above %1 px</source>
-        <translation>photos&#xa0;; au-delà de %1 px, elles ne comptent pas</translation>
-    </message>
-</context>
-<context>
-    <name>odo::ImageChoice</name>
-    <message>
-        <source>The camera&apos;s &amp;newest recording</source>
-        <translation>Dans le &amp;dernier enregistrement de la caméra</translation>
-    </message>
-    <message>
-        <source>The current image of a &amp;connected camera</source>
-        <translation>Dans ce que voit maintenant une caméra c&amp;onnectée</translation>
-    </message>
-    <message>
-        <source>An image or a &amp;video</source>
-        <translation>Dans une &amp;photo ou une vidéo</translation>
-    </message>
-    <message>
-        <source>Images and videos (*.png *.jpg *.jpeg *.tif *.tiff *.bmp *.mp4 *.mkv *.avi *.mov *.webm);;All files (*)</source>
-        <translation>Photos et vidéos (*.png *.jpg *.jpeg *.tif *.tiff *.bmp *.mp4 *.mkv *.avi *.mov *.webm);;Tous les fichiers (*)</translation>
     </message>
 </context>
 <context>
@@ -11571,6 +11824,72 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>Give the trial a name</source>
         <translation>Donnez un nom à l’essai</translation>
+    </message>
+</context>
+<context>
+    <name>odo::ReferenceCameraPage</name>
+    <message>
+        <source>Image or video of the camera to register</source>
+        <translation>Photo ou vidéo de la caméra à localiser</translation>
+    </message>
+    <message>
+        <source>Image or video of the registered camera</source>
+        <translation>Photo ou vidéo de la caméra localisée</translation>
+    </message>
+    <message>
+        <source>A camera cannot be registered via itself: choose two different ones.</source>
+        <translation>Une caméra ne peut pas être localisée par elle-même&#xa0;: choisissez deux caméras différentes.</translation>
+    </message>
+    <message>
+        <source>Camera to register</source>
+        <translation>Caméra à localiser</translation>
+    </message>
+    <message>
+        <source>Registered camera</source>
+        <translation>Caméra localisée</translation>
+    </message>
+    <message>
+        <source>Register a camera that sees no markers by floor points that a registered camera also sees: corners of tiles, ends of tape, screws. Four are enough; six or more, spread over the common area, are better. Do not move either camera afterwards.</source>
+        <translation>Une caméra qui ne voit pas de marqueurs peut être localisée par des points du sol qu’une caméra localisée voit aussi&#xa0;: coins de carreaux, bouts d’adhésif, vis. Quatre suffisent, six ou plus répartis sur la partie commune valent mieux. Aucune des deux caméras ne doit être déplacée ensuite.</translation>
+    </message>
+    <message>
+        <source>C&amp;amera to register</source>
+        <translation>C&amp;améra à localiser</translation>
+    </message>
+    <message>
+        <source>&amp;Via camera</source>
+        <translation>Par &amp;la caméra</translation>
+    </message>
+    <message>
+        <source>Its image</source>
+        <translation>Son image</translation>
+    </message>
+    <message>
+        <source>The registered camera&apos;s image</source>
+        <translation>L’image de la caméra localisée</translation>
+    </message>
+</context>
+<context>
+    <name>odo::RegisterViaCameraWizard</name>
+    <message>
+        <source>Register via another camera</source>
+        <translation>Localiser par une autre caméra</translation>
+    </message>
+    <message>
+        <source>&amp;Save</source>
+        <translation>&amp;Enregistrer</translation>
+    </message>
+    <message>
+        <source>Two cameras and their images</source>
+        <translation>Deux caméras et leurs images</translation>
+    </message>
+    <message>
+        <source>The same points in both images</source>
+        <translation>Les mêmes points dans les deux images</translation>
+    </message>
+    <message>
+        <source>Loading the images…</source>
+        <translation>Lecture des images…</translation>
     </message>
 </context>
 <context>
@@ -13641,72 +13960,6 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
 </context>
 <context>
-    <name>odo::ReferenceCameraPage</name>
-    <message>
-        <source>Image or video of the camera to register</source>
-        <translation>Photo ou vidéo de la caméra à localiser</translation>
-    </message>
-    <message>
-        <source>Image or video of the registered camera</source>
-        <translation>Photo ou vidéo de la caméra localisée</translation>
-    </message>
-    <message>
-        <source>A camera cannot be registered via itself: choose two different ones.</source>
-        <translation>Une caméra ne peut pas être localisée par elle-même&#xa0;: choisissez deux caméras différentes.</translation>
-    </message>
-    <message>
-        <source>Camera to register</source>
-        <translation>Caméra à localiser</translation>
-    </message>
-    <message>
-        <source>Registered camera</source>
-        <translation>Caméra localisée</translation>
-    </message>
-    <message>
-        <source>Register a camera that sees no markers by floor points that a registered camera also sees: corners of tiles, ends of tape, screws. Four are enough; six or more, spread over the common area, are better. Do not move either camera afterwards.</source>
-        <translation>Une caméra qui ne voit pas de marqueurs peut être localisée par des points du sol qu’une caméra localisée voit aussi&#xa0;: coins de carreaux, bouts d’adhésif, vis. Quatre suffisent, six ou plus répartis sur la partie commune valent mieux. Aucune des deux caméras ne doit être déplacée ensuite.</translation>
-    </message>
-    <message>
-        <source>C&amp;amera to register</source>
-        <translation>C&amp;améra à localiser</translation>
-    </message>
-    <message>
-        <source>&amp;Via camera</source>
-        <translation>Par &amp;la caméra</translation>
-    </message>
-    <message>
-        <source>Its image</source>
-        <translation>Son image</translation>
-    </message>
-    <message>
-        <source>The registered camera&apos;s image</source>
-        <translation>L’image de la caméra localisée</translation>
-    </message>
-</context>
-<context>
-    <name>odo::RegisterViaCameraWizard</name>
-    <message>
-        <source>Register via another camera</source>
-        <translation>Localiser par une autre caméra</translation>
-    </message>
-    <message>
-        <source>&amp;Save</source>
-        <translation>&amp;Enregistrer</translation>
-    </message>
-    <message>
-        <source>Two cameras and their images</source>
-        <translation>Deux caméras et leurs images</translation>
-    </message>
-    <message>
-        <source>The same points in both images</source>
-        <translation>Les mêmes points dans les deux images</translation>
-    </message>
-    <message>
-        <source>Loading the images…</source>
-        <translation>Lecture des images…</translation>
-    </message>
-</context>
-<context>
     <name>odo::TimeSlider</name>
     <message>
         <source>Time of the trial</source>
@@ -14315,17 +14568,6 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
 </context>
 <context>
-    <name>odo::WarningBar</name>
-    <message>
-        <source>Problem</source>
-        <translation>Ce qui ne va pas</translation>
-    </message>
-    <message>
-        <source>Fix</source>
-        <translation>Corriger</translation>
-    </message>
-</context>
-<context>
     <name>odo::UndoActions</name>
     <message>
         <source>Undone: %1.</source>
@@ -14459,6 +14701,17 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>View %1</source>
         <translation>Vue %1</translation>
+    </message>
+</context>
+<context>
+    <name>odo::WarningBar</name>
+    <message>
+        <source>Problem</source>
+        <translation>Ce qui ne va pas</translation>
+    </message>
+    <message>
+        <source>Fix</source>
+        <translation>Corriger</translation>
     </message>
 </context>
 <context>

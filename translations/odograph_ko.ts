@@ -424,209 +424,10 @@
     </message>
 </context>
 <context>
-    <name>UncertainIntervals</name>
-    <message>
-        <source>Which robot? Until %1</source>
-        <translation>어느 로봇? %1까지</translation>
-    </message>
-    <message>
-        <source>%1 (%2 to %3)</source>
-        <translation>%1(%2~%3)</translation>
-    </message>
-</context>
-<context>
     <name>Explanation</name>
-    <message>
-        <source>that of the smoothed curve there, and the calibration&apos;s scale uncertainty</source>
-        <translation>그 지점에서 평활화된 곡선의 오차와 보정의 축척 오차</translation>
-    </message>
-    <message>
-        <source>From the onset of motion to the last stop. Moving means faster than 20 mm/s and than three σ of the speed, for at least three frames; the moment between two frames is interpolated.</source>
-        <translation>움직이기 시작한 때부터 마지막으로 멈춘 때까지입니다. 속력이 20 mm/s보다 크고 속력의 3 σ보다도 큰 상태가 3프레임 이상 이어지면 움직이는 것으로 봅니다. 두 프레임 사이의 시각은 보간합니다.</translation>
-    </message>
-    <message>
-        <source>of both moments: σ of the speed divided by its slope there</source>
-        <translation>두 시각의 오차: 속력의 σ를 그 지점에서 속력 곡선의 기울기로 나눈 값</translation>
-    </message>
-    <message>
-        <source>∫|v|dt while it moves, by the trapezoidal rule over the smoothed speed. A gap that is not bridged counts as straight.</source>
-        <translation>움직이는 동안의 ∫|v|dt를 평활화된 속력에 사다리꼴 공식을 적용하여 구합니다. 이어지지 않은 빈 곳은 직선으로 칩니다.</translation>
-    </message>
-    <message>
-        <source>of the end positions, of lateral errors where the path turns, and the calibration&apos;s scale uncertainty</source>
-        <translation>양 끝 위치의 오차, 경로가 꺾이는 곳에서 경로에 수직인 방향의 오차, 보정의 축척 오차</translation>
-    </message>
-    <message>
-        <source>path length / time</source>
-        <translation>이동 거리 / 시간</translation>
-    </message>
-    <message>
-        <source>of both, treated as independent</source>
-        <translation>둘의 오차, 서로 독립으로 봄</translation>
-    </message>
-    <message>
-        <source>The speed |v| of the smoothed curve where |v| − 2σ is largest. A point does not win only because its uncertainty is large.</source>
-        <translation>평활화된 곡선에서 |v| − 2σ가 가장 큰 곳의 속력 |v|입니다. 부정확한 점이 오차 때문에 최댓값이 되는 일을 막습니다.</translation>
-    </message>
-    <message>
-        <source>√(mean of |v|²) while it moves</source>
-        <translation>움직이는 동안 √(|v|²의 평균)</translation>
-    </message>
-    <message>
-        <source>the bound for fully correlated errors, and the calibration&apos;s scale uncertainty</source>
-        <translation>모든 오차가 같은 방향으로 겹칠 때의 상한과 보정의 축척 오차</translation>
-    </message>
-    <message>
-        <source>The acceleration |a| of the smoothed curve where |a| − 2σ is largest.</source>
-        <translation>평활화된 곡선에서 |a| − 2σ가 가장 큰 곳의 가속도 |a|입니다.</translation>
-    </message>
-    <message>
-        <source>√(mean of |a|²) while it moves</source>
-        <translation>움직이는 동안 √(|a|²의 평균)</translation>
-    </message>
-    <message>
-        <source>distance from the first to the last position of the motion / path length</source>
-        <translation>움직임의 처음 위치와 마지막 위치 사이의 거리 / 이동 거리</translation>
-    </message>
-    <message>
-        <source>of the end positions</source>
-        <translation>양 끝 위치의 오차</translation>
-    </message>
-    <message>
-        <source>The time in which it moves: faster than 20 mm/s and than three σ of the speed.</source>
-        <translation>움직인 시간, 곧 속력이 20 mm/s보다 크고 속력의 3 σ보다도 큰 시간입니다.</translation>
-    </message>
-    <message>
-        <source>of each start and stop: σ of the speed divided by its slope</source>
-        <translation>각 출발과 정지의 오차: 속력의 σ를 속력 곡선의 기울기로 나눈 값</translation>
-    </message>
-    <message>
-        <source>The pauses between the onset of motion and the last stop, counted.</source>
-        <translation>움직이기 시작한 때부터 마지막으로 멈춘 때까지 멈춘 횟수입니다.</translation>
-    </message>
-    <message>
-        <source>time − time in motion</source>
-        <translation>시간 − 움직인 시간</translation>
-    </message>
-    <message>
-        <source>of each start and stop</source>
-        <translation>각 출발과 정지의 오차</translation>
-    </message>
-    <message>
-        <source>The speed that half of the time in motion stays below.</source>
-        <translation>움직인 시간의 절반 동안 속력이 이 값보다 작습니다.</translation>
-    </message>
-    <message>
-        <source>of the intervals within 1.5 σ of it, each by its mean</source>
-        <translation>이 값에서 1.5 σ 이내인 부분들의 오차, 각 부분은 평균으로 계산</translation>
-    </message>
-    <message>
-        <source>The speed that 95 % of the time in motion stays below.</source>
-        <translation>움직인 시간의 95 % 동안 속력이 이 값보다 작습니다.</translation>
-    </message>
-    <message>
-        <source>The acceleration that 95 % of the time in motion stays below.</source>
-        <translation>움직인 시간의 95 % 동안 가속도가 이 값보다 작습니다.</translation>
-    </message>
-    <message>
-        <source>(vx·ay − vy·ax)/|v|² of the smoothed curve, to the left or right, where its amount minus 2σ is largest.</source>
-        <translation>평활화된 곡선의 (vx·ay − vy·ax)/|v|²로, 방향에 관계없이 크기에서 2σ를 뺀 값이 가장 큰 곳의 값입니다.</translation>
-    </message>
     <message>
         <source>σ² = σa²/|v|² + |a|²σv²/|v|⁴, first order</source>
         <translation>σ² = σa²/|v|² + |a|²σv²/|v|⁴, 1차 근사</translation>
-    </message>
-    <message>
-        <source>The least-squares circle through the positions of the motion.</source>
-        <translation>움직인 위치들까지 거리의 제곱합이 가장 작은 원입니다.</translation>
-    </message>
-    <message>
-        <source>of the scatter of the distances, with their number divided by 1 + 2Σρ for correlated neighbours, and the calibration&apos;s scale uncertainty</source>
-        <translation>거리의 흩어짐(이웃한 점의 상관을 고려하여 점의 수를 1 + 2Σρ로 나눔)과 보정의 축척 오차</translation>
-    </message>
-    <message>
-        <source>From passing the start gate to passing the finish, each interpolated between frames.</source>
-        <translation>출발 게이트를 지난 때부터 도착 게이트를 지난 때까지이며, 각 시각은 프레임 사이를 보간합니다.</translation>
-    </message>
-    <message>
-        <source>of both passages: σ of the position across the gate divided by the speed</source>
-        <translation>두 통과 시각의 오차: 게이트에 수직인 방향 위치의 σ를 속력으로 나눈 값</translation>
-    </message>
-    <message>
-        <source>Complete laps or runs, counted by the passages of the gates.</source>
-        <translation>게이트 통과로 센 완주한 랩 또는 주행의 수입니다.</translation>
-    </message>
-    <message>
-        <source>The shortest lap.</source>
-        <translation>가장 짧은 랩입니다.</translation>
-    </message>
-    <message>
-        <source>of its two passages; the calibration uncertainty of a gate passed twice cancels</source>
-        <translation>두 통과 시각의 오차; 같은 게이트를 두 번 지나면 보정 오차는 상쇄됨</translation>
-    </message>
-    <message>
-        <source>The mean of the laps&apos; times.</source>
-        <translation>랩 시간의 평균입니다.</translation>
-    </message>
-    <message>
-        <source>of the first and the last passage, over the number of laps</source>
-        <translation>처음과 마지막 통과 시각의 오차를 랩 수로 나눈 값</translation>
-    </message>
-    <message>
-        <source>The distance from the reference path, averaged along the path.</source>
-        <translation>기준 경로에서 떨어진 거리를 경로에 걸쳐 평균한 값입니다.</translation>
-    </message>
-    <message>
-        <source>of the position across the path, and of its noise: the distance has no sign, so noise does not cancel</source>
-        <translation>경로에 수직인 방향 위치의 오차와, 거리에는 부호가 없어 평균에 남는 잡음의 영향</translation>
-    </message>
-    <message>
-        <source>√(mean of the squared distance from the reference path), averaged along the path</source>
-        <translation>√(기준 경로에서 떨어진 거리의 제곱 평균), 경로 전체</translation>
-    </message>
-    <message>
-        <source>of the position across the path</source>
-        <translation>경로에 수직인 방향 위치의 오차</translation>
-    </message>
-    <message>
-        <source>The largest distance from the reference path.</source>
-        <translation>기준 경로에서 가장 멀리 떨어진 거리입니다.</translation>
-    </message>
-    <message>
-        <source>of the position across the path, there</source>
-        <translation>그 지점에서 경로에 수직인 방향 위치의 오차</translation>
-    </message>
-    <message>
-        <source>The mean of the distance from the reference path, to the left positive.</source>
-        <translation>기준 경로에서 떨어진 거리를 왼쪽을 양으로 하여 평균한 값입니다.</translation>
-    </message>
-    <message>
-        <source>of the position across the path, mostly the calibration&apos;s</source>
-        <translation>경로에 수직인 방향 위치의 오차, 대부분 보정에서 옴</translation>
-    </message>
-    <message>
-        <source>The share of the reference path that the robot followed.</source>
-        <translation>기준 경로 가운데 따라간 비율입니다.</translation>
-    </message>
-    <message>
-        <source>How often the robot&apos;s reference point left a zone to stay in or entered a zone to keep out of. It counts if the point is beyond the edge by more than three σ of the track&apos;s noise.</source>
-        <translation>로봇의 중심이 벗어나면 안 되는 구역을 나가거나 들어가면 안 되는 구역에 들어간 횟수입니다. 궤적 자체 잡음의 3 σ보다 더 경계를 넘었을 때 셉니다.</translation>
-    </message>
-    <message>
-        <source>The time for which the robot&apos;s reference point was beyond the edge of a zone, interpolated between frames; in two zones at once it counts twice.</source>
-        <translation>로봇의 중심이 구역의 경계를 넘어 있던 시간이며 프레임 사이를 보간합니다. 두 구역을 동시에 어기면 두 번 셉니다.</translation>
-    </message>
-    <message>
-        <source>of each crossing of an edge: σ of the position across it divided by the speed; and the change of the time when the calibration uncertainty shifts the track</source>
-        <translation>경계를 지난 각 시각의 오차: 경계에 수직인 방향 위치의 σ를 속력으로 나눈 값; 그리고 보정에 따라 궤적이 더 가깝거나 멀게 놓일 때 생기는 시간의 차이</translation>
-    </message>
-    <message>
-        <source>The largest distance of the robot&apos;s reference point beyond the edge of a zone.</source>
-        <translation>로봇의 중심이 구역의 경계를 가장 멀리 넘은 거리입니다.</translation>
-    </message>
-    <message>
-        <source>of the position across the edge, there</source>
-        <translation>그 지점에서 경계에 수직인 방향 위치의 오차</translation>
     </message>
     <message>
         <source>smoothed by Kalman filter and RTS smoother, noise by maximum likelihood (Rauch, Tung, Striebel 1965; Bar-Shalom et al. 2001)</source>
@@ -2188,6 +1989,17 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>UncertainIntervals</name>
+    <message>
+        <source>Which robot? Until %1</source>
+        <translation>어느 로봇? %1까지</translation>
+    </message>
+    <message>
+        <source>%1 (%2 to %3)</source>
+        <translation>%1(%2~%3)</translation>
+    </message>
+</context>
+<context>
     <name>WindowTitle</name>
     <message>
         <source>Team %1</source>
@@ -2381,6 +2193,202 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>analysis.formula_best_lap</name>
+    <message>
+        <source>The shortest lap.</source>
+        <translation>가장 짧은 랩입니다.</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.formula_circle_radius</name>
+    <message>
+        <source>The least-squares circle through the positions of the motion.</source>
+        <translation>움직인 위치들까지 거리의 제곱합이 가장 작은 원입니다.</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.formula_cross_track_bias</name>
+    <message>
+        <source>The mean of the distance from the reference path, to the left positive.</source>
+        <translation>기준 경로에서 떨어진 거리를 왼쪽을 양으로 하여 평균한 값입니다.</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.formula_cross_track_max</name>
+    <message>
+        <source>The largest distance from the reference path.</source>
+        <translation>기준 경로에서 가장 멀리 떨어진 거리입니다.</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.formula_cross_track_mean</name>
+    <message>
+        <source>The distance from the reference path, averaged along the path.</source>
+        <translation>기준 경로에서 떨어진 거리를 경로에 걸쳐 평균한 값입니다.</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.formula_cross_track_rms</name>
+    <message>
+        <source>√(mean of the squared distance from the reference path), averaged along the path</source>
+        <translation>√(기준 경로에서 떨어진 거리의 제곱 평균), 경로 전체</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.formula_duration</name>
+    <message>
+        <source>From the onset of motion to the last stop. Moving means faster than 20 mm/s and than three σ of the speed, for at least three frames; the moment between two frames is interpolated.</source>
+        <translation>움직이기 시작한 때부터 마지막으로 멈춘 때까지입니다. 속력이 20 mm/s보다 크고 속력의 3 σ보다도 큰 상태가 3프레임 이상 이어지면 움직이는 것으로 봅니다. 두 프레임 사이의 시각은 보간합니다.</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.formula_gate_time</name>
+    <message>
+        <source>From passing the start gate to passing the finish, each interpolated between frames.</source>
+        <translation>출발 게이트를 지난 때부터 도착 게이트를 지난 때까지이며, 각 시각은 프레임 사이를 보간합니다.</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.formula_laps</name>
+    <message>
+        <source>Complete laps or runs, counted by the passages of the gates.</source>
+        <translation>게이트 통과로 센 완주한 랩 또는 주행의 수입니다.</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.formula_max_accel</name>
+    <message>
+        <source>The acceleration |a| of the smoothed curve where |a| − 2σ is largest.</source>
+        <translation>평활화된 곡선에서 |a| − 2σ가 가장 큰 곳의 가속도 |a|입니다.</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.formula_max_speed</name>
+    <message>
+        <source>The speed |v| of the smoothed curve where |v| − 2σ is largest. A point does not win only because its uncertainty is large.</source>
+        <translation>평활화된 곡선에서 |v| − 2σ가 가장 큰 곳의 속력 |v|입니다. 부정확한 점이 오차 때문에 최댓값이 되는 일을 막습니다.</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.formula_max_turn_rate</name>
+    <message>
+        <source>(vx·ay − vy·ax)/|v|² of the smoothed curve, to the left or right, where its amount minus 2σ is largest.</source>
+        <translation>평활화된 곡선의 (vx·ay − vy·ax)/|v|²로, 방향에 관계없이 크기에서 2σ를 뺀 값이 가장 큰 곳의 값입니다.</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.formula_mean_lap</name>
+    <message>
+        <source>The mean of the laps&apos; times.</source>
+        <translation>랩 시간의 평균입니다.</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.formula_mean_speed</name>
+    <message>
+        <source>path length / time</source>
+        <translation>이동 거리 / 시간</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.formula_median_speed</name>
+    <message>
+        <source>The speed that half of the time in motion stays below.</source>
+        <translation>움직인 시간의 절반 동안 속력이 이 값보다 작습니다.</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.formula_moving_time</name>
+    <message>
+        <source>The time in which it moves: faster than 20 mm/s and than three σ of the speed.</source>
+        <translation>움직인 시간, 곧 속력이 20 mm/s보다 크고 속력의 3 σ보다도 큰 시간입니다.</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.formula_p95_accel</name>
+    <message>
+        <source>The acceleration that 95 % of the time in motion stays below.</source>
+        <translation>움직인 시간의 95 % 동안 가속도가 이 값보다 작습니다.</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.formula_p95_speed</name>
+    <message>
+        <source>The speed that 95 % of the time in motion stays below.</source>
+        <translation>움직인 시간의 95 % 동안 속력이 이 값보다 작습니다.</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.formula_path_completed</name>
+    <message>
+        <source>The share of the reference path that the robot followed.</source>
+        <translation>기준 경로 가운데 따라간 비율입니다.</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.formula_path_length</name>
+    <message>
+        <source>∫|v|dt while it moves, by the trapezoidal rule over the smoothed speed. A gap that is not bridged adds nothing.</source>
+        <translation>움직이는 동안의 ∫|v|dt를 평활화된 속력에 사다리꼴 공식을 적용하여 구합니다. 이어지지 않은 빈 곳은 더하지 않습니다.</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.formula_rms_accel</name>
+    <message>
+        <source>√(mean of |a|²) while it moves</source>
+        <translation>움직이는 동안 √(|a|²의 평균)</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.formula_rms_speed</name>
+    <message>
+        <source>√(mean of |v|²) while it moves</source>
+        <translation>움직이는 동안 √(|v|²의 평균)</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.formula_standing_time</name>
+    <message>
+        <source>time − time in motion</source>
+        <translation>시간 − 움직인 시간</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.formula_stops</name>
+    <message>
+        <source>The pauses between the onset of motion and the last stop, counted.</source>
+        <translation>움직이기 시작한 때부터 마지막으로 멈춘 때까지 멈춘 횟수입니다.</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.formula_straightness</name>
+    <message>
+        <source>distance from the first to the last position of the motion / path length</source>
+        <translation>움직임의 처음 위치와 마지막 위치 사이의 거리 / 이동 거리</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.formula_zone_breaches</name>
+    <message>
+        <source>How often the robot&apos;s reference point left a zone to stay in or entered a zone to keep out of. It counts if the point is beyond the edge by more than three σ of the track&apos;s noise.</source>
+        <translation>로봇의 중심이 벗어나면 안 되는 구역을 나가거나 들어가면 안 되는 구역에 들어간 횟수입니다. 궤적 자체 잡음의 3 σ보다 더 경계를 넘었을 때 셉니다.</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.formula_zone_depth</name>
+    <message>
+        <source>The largest distance of the robot&apos;s reference point beyond the edge of a zone.</source>
+        <translation>로봇의 중심이 구역의 경계를 가장 멀리 넘은 거리입니다.</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.formula_zone_time</name>
+    <message>
+        <source>The time for which the robot&apos;s reference point was beyond the edge of a zone, interpolated between frames; in two zones at once it counts twice.</source>
+        <translation>로봇의 중심이 구역의 경계를 넘어 있던 시간이며 프레임 사이를 보간합니다. 두 구역을 동시에 어기면 두 번 셉니다.</translation>
+    </message>
+</context>
+<context>
     <name>analysis.gate</name>
     <message>
         <source>gate &apos;%1&apos;</source>
@@ -2525,6 +2533,251 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>the task already has %1 zones</source>
         <translation>과제에 구역이 이미 %1개 있습니다</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.metric_best_lap</name>
+    <message>
+        <source>Best lap</source>
+        <translation>최고 랩</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.metric_circle_radius</name>
+    <message>
+        <source>Circle&apos;s radius</source>
+        <translation>원의 반지름</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.metric_cross_track_bias</name>
+    <message>
+        <source>Left of the path</source>
+        <translation>경로 왼쪽 치우침</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.metric_cross_track_max</name>
+    <message>
+        <source>Off the path (most)</source>
+        <translation>경로 이탈(최대)</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.metric_cross_track_mean</name>
+    <message>
+        <source>Off the path (mean)</source>
+        <translation>경로 이탈(평균)</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.metric_cross_track_rms</name>
+    <message>
+        <source>Off the path (RMS)</source>
+        <translation>경로 이탈(RMS)</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.metric_displacement</name>
+    <message>
+        <source>Displacement</source>
+        <translation>변위</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.metric_duration</name>
+    <message>
+        <source>Time</source>
+        <translation>시간</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.metric_gate_time</name>
+    <message>
+        <source>Start to finish</source>
+        <translation>출발~도착 시간</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.metric_gates_passed</name>
+    <message>
+        <source>Gates passed</source>
+        <translation>게이트 통과</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.metric_height</name>
+    <message>
+        <source>Robot&apos;s height</source>
+        <translation>로봇 높이</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.metric_laps</name>
+    <message>
+        <source>Laps</source>
+        <translation>랩 수</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.metric_limit_breaches</name>
+    <message>
+        <source>Limits broken</source>
+        <translation>한계 초과</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.metric_max_accel</name>
+    <message>
+        <source>Top acceleration</source>
+        <translation>최대 가속도</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.metric_max_speed</name>
+    <message>
+        <source>Top speed</source>
+        <translation>최고 속력</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.metric_max_turn_rate</name>
+    <message>
+        <source>Fastest turn</source>
+        <translation>최대 선회율</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.metric_mean_lap</name>
+    <message>
+        <source>Mean lap</source>
+        <translation>평균 랩</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.metric_mean_speed</name>
+    <message>
+        <source>Mean speed</source>
+        <translation>평균 속력</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.metric_mean_view_disagreement</name>
+    <message>
+        <source>Views disagree by</source>
+        <translation>뷰 간 불일치</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.metric_median_speed</name>
+    <message>
+        <source>Median speed</source>
+        <translation>속력 중앙값</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.metric_moving_time</name>
+    <message>
+        <source>Time in motion</source>
+        <translation>움직인 시간</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.metric_p95_accel</name>
+    <message>
+        <source>P95 acceleration</source>
+        <translation>가속도(P95)</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.metric_p95_speed</name>
+    <message>
+        <source>P95 speed</source>
+        <translation>속력(P95)</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.metric_path_completed</name>
+    <message>
+        <source>Path completed</source>
+        <translation>경로 완주율</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.metric_path_length</name>
+    <message>
+        <source>Path</source>
+        <translation>이동 거리</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.metric_rms_accel</name>
+    <message>
+        <source>Acceleration (RMS)</source>
+        <translation>가속도(RMS)</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.metric_rms_speed</name>
+    <message>
+        <source>Speed (RMS)</source>
+        <translation>속력(RMS)</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.metric_score</name>
+    <message>
+        <source>Score</source>
+        <translation>점수</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.metric_spikes</name>
+    <message>
+        <source>Spikes</source>
+        <translation>이상점</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.metric_standing_time</name>
+    <message>
+        <source>Standing time</source>
+        <translation>정지 시간</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.metric_stops</name>
+    <message>
+        <source>Stops</source>
+        <translation>정지 횟수</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.metric_straightness</name>
+    <message>
+        <source>Straightness</source>
+        <translation>직진성</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.metric_zone_breaches</name>
+    <message>
+        <source>Zones broken</source>
+        <translation>구역 위반 횟수</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.metric_zone_depth</name>
+    <message>
+        <source>Beyond zones (most)</source>
+        <translation>구역 위반(최대)</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.metric_zone_time</name>
+    <message>
+        <source>Time beyond zones</source>
+        <translation>구역 위반 시간</translation>
     </message>
 </context>
 <context>
@@ -2791,6 +3044,146 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>template of a task</source>
         <translation>과제의 템플릿</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.uncertainty_best_lap</name>
+    <message>
+        <source>of its two passages; the calibration uncertainty of a gate passed twice cancels</source>
+        <translation>두 통과 시각의 오차; 같은 게이트를 두 번 지나면 보정 오차는 상쇄됨</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.uncertainty_circle_radius</name>
+    <message>
+        <source>of the scatter of the distances, with their number divided by 1 + 2Σρ for correlated neighbours, and the calibration&apos;s scale uncertainty</source>
+        <translation>거리의 흩어짐(이웃한 점의 상관을 고려하여 점의 수를 1 + 2Σρ로 나눔)과 보정의 축척 오차</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.uncertainty_correlated</name>
+    <message>
+        <source>the bound for fully correlated errors, and the calibration&apos;s scale uncertainty</source>
+        <translation>모든 오차가 같은 방향으로 겹칠 때의 상한과 보정의 축척 오차</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.uncertainty_cross_track_bias</name>
+    <message>
+        <source>of the position across the path, mostly the calibration&apos;s</source>
+        <translation>경로에 수직인 방향 위치의 오차, 대부분 보정에서 옴</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.uncertainty_cross_track_max</name>
+    <message>
+        <source>of the position across the path, there</source>
+        <translation>그 지점에서 경로에 수직인 방향 위치의 오차</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.uncertainty_cross_track_mean</name>
+    <message>
+        <source>of the position across the path, and of its noise: the distance has no sign, so noise does not cancel</source>
+        <translation>경로에 수직인 방향 위치의 오차와, 거리에는 부호가 없어 평균에 남는 잡음의 영향</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.uncertainty_cross_track_rms</name>
+    <message>
+        <source>of the position across the path</source>
+        <translation>경로에 수직인 방향 위치의 오차</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.uncertainty_duration</name>
+    <message>
+        <source>of both moments: σ of the speed divided by its slope there</source>
+        <translation>두 시각의 오차: 속력의 σ를 그 지점에서 속력 곡선의 기울기로 나눈 값</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.uncertainty_gate_time</name>
+    <message>
+        <source>of both passages: σ of the position across the gate divided by the speed</source>
+        <translation>두 통과 시각의 오차: 게이트에 수직인 방향 위치의 σ를 속력으로 나눈 값</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.uncertainty_max_turn_rate</name>
+    <message>
+        <source>σ² = σa²/|v|² + |a|²σv²/|v|⁴, first order</source>
+        <translation>σ² = σa²/|v|² + |a|²σv²/|v|⁴, 1차 근사</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.uncertainty_mean_lap</name>
+    <message>
+        <source>of the first and the last passage, over the number of laps</source>
+        <translation>처음과 마지막 통과 시각의 오차를 랩 수로 나눈 값</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.uncertainty_mean_speed</name>
+    <message>
+        <source>of both, treated as independent</source>
+        <translation>둘의 오차, 서로 독립으로 봄</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.uncertainty_moving_time</name>
+    <message>
+        <source>of each start and stop: σ of the speed divided by its slope</source>
+        <translation>각 출발과 정지의 오차: 속력의 σ를 속력 곡선의 기울기로 나눈 값</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.uncertainty_of_curve</name>
+    <message>
+        <source>that of the smoothed curve there, and the calibration&apos;s scale uncertainty</source>
+        <translation>그 지점에서 평활화된 곡선의 오차와 보정의 축척 오차</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.uncertainty_of_intervals</name>
+    <message>
+        <source>of the intervals within 1.5 σ of it, each by its mean</source>
+        <translation>이 값에서 1.5 σ 이내인 부분들의 오차, 각 부분은 평균으로 계산</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.uncertainty_path_length</name>
+    <message>
+        <source>of the end positions, of lateral errors where the path turns, and the calibration&apos;s scale uncertainty</source>
+        <translation>양 끝 위치의 오차, 경로가 꺾이는 곳에서 경로에 수직인 방향의 오차, 보정의 축척 오차</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.uncertainty_standing_time</name>
+    <message>
+        <source>of each start and stop</source>
+        <translation>각 출발과 정지의 오차</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.uncertainty_straightness</name>
+    <message>
+        <source>of the end positions</source>
+        <translation>양 끝 위치의 오차</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.uncertainty_zone_depth</name>
+    <message>
+        <source>of the position across the edge, there</source>
+        <translation>그 지점에서 경계에 수직인 방향 위치의 오차</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.uncertainty_zone_time</name>
+    <message>
+        <source>of each crossing of an edge: σ of the position across it divided by the speed; and the change of the time when the calibration uncertainty shifts the track</source>
+        <translation>경계를 지난 각 시각의 오차: 경계에 수직인 방향 위치의 σ를 속력으로 나눈 값; 그리고 보정에 따라 궤적이 더 가깝거나 멀게 놓일 때 생기는 시간의 차이</translation>
     </message>
 </context>
 <context>
@@ -8278,6 +8671,129 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>odo::BoardImagesPage</name>
+    <message>
+        <source>Move it to the left of the image</source>
+        <translation>화면 왼쪽으로 옮기십시오</translation>
+    </message>
+    <message>
+        <source>Move it to the right of the image</source>
+        <translation>화면 오른쪽으로 옮기십시오</translation>
+    </message>
+    <message>
+        <source>Move it up</source>
+        <translation>위로 옮기십시오</translation>
+    </message>
+    <message>
+        <source>Move it down</source>
+        <translation>아래로 옮기십시오</translation>
+    </message>
+    <message>
+        <source>Closer to the camera</source>
+        <translation>카메라에 더 가까이</translation>
+    </message>
+    <message>
+        <source>Farther from the camera</source>
+        <translation>카메라에서 더 멀리</translation>
+    </message>
+    <message>
+        <source>Tilt it: the left side away from the camera</source>
+        <translation>기울이십시오: 왼쪽을 카메라에서 멀리</translation>
+    </message>
+    <message>
+        <source>Tilt it: the right side away from the camera</source>
+        <translation>기울이십시오: 오른쪽을 카메라에서 멀리</translation>
+    </message>
+    <message>
+        <source>Tilt it: the upper side away from the camera</source>
+        <translation>기울이십시오: 위쪽을 카메라에서 멀리</translation>
+    </message>
+    <message>
+        <source>Tilt it: the lower side away from the camera</source>
+        <translation>기울이십시오: 아래쪽을 카메라에서 멀리</translation>
+    </message>
+    <message>
+        <source>Hold it still</source>
+        <translation>움직이지 말고 들고 계십시오</translation>
+    </message>
+    <message>
+        <source>&amp;Take an image now</source>
+        <translation>지금 사진 찍기(&amp;T)</translation>
+    </message>
+    <message>
+        <source>What to do</source>
+        <translation>할 일</translation>
+    </message>
+    <message>
+        <source>No image from the camera</source>
+        <translation>카메라 영상이 없습니다</translation>
+    </message>
+    <message>
+        <source>Rejected images</source>
+        <translation>계산에 넣지 않는 사진</translation>
+    </message>
+    <message>
+        <source>Coverage of the images</source>
+        <translation>사진이 덮은 범위</translation>
+    </message>
+    <message>
+        <source>Rejected</source>
+        <translation>제외됨</translation>
+    </message>
+    <message>
+        <source>Waiting for the camera…</source>
+        <translation>카메라를 기다리는 중…</translation>
+    </message>
+    <message>
+        <source>Detecting the board…</source>
+        <translation>보드를 찾는 중…</translation>
+    </message>
+    <message>
+        <source>Hold the board before the camera</source>
+        <translation>보드를 카메라 앞에 드십시오</translation>
+    </message>
+    <message>
+        <source>Detecting the board</source>
+        <translation>보드를 찾는 중</translation>
+    </message>
+    <message>
+        <source>Odograph takes an image whenever the board is still, sharp and in a new position.</source>
+        <translation>보드가 정지해 있고 선명하며 새로운 위치에 있을 때마다 저절로 사진을 찍습니다.</translation>
+    </message>
+    <message>
+        <source>Taken</source>
+        <translation>찍음</translation>
+    </message>
+    <message>
+        <source>Now the dashed outline shows where the board would help most.</source>
+        <translation>이제 점선 윤곽이 보드를 두면 가장 도움이 되는 곳을 나타냅니다.</translation>
+    </message>
+    <message>
+        <source>%1 to go</source>
+        <translation>%1장 남음</translation>
+    </message>
+    <message>
+        <source>No image accepted</source>
+        <translation>쓸 수 있는 사진이 없습니다</translation>
+    </message>
+    <message>
+        <source>See the reasons on the right. Drop other images here to add them.</source>
+        <translation>이유는 오른쪽에 있습니다. 다른 사진을 여기에 끌어다 놓으십시오.</translation>
+    </message>
+    <message>
+        <source>All images checked</source>
+        <translation>모두 살펴봄</translation>
+    </message>
+    <message>
+        <source>They are enough.</source>
+        <translation>충분합니다.</translation>
+    </message>
+    <message>
+        <source>Drop more images here; the bars show what is missing.</source>
+        <translation>사진을 여기에 더 끌어다 놓을 수 있습니다. 막대는 무엇이 모자라는지 나타냅니다.</translation>
+    </message>
+</context>
+<context>
     <name>odo::BoardSearchWorker</name>
     <message>
         <source>image %1</source>
@@ -8293,6 +8809,200 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>Video frame; arrow keys move the box round the robot, Shift + arrow keys resize it</source>
         <translation>영상; 화살표 키로 로봇을 둘러싼 상자를 옮기고 Shift와 함께 누르면 크기를 바꿉니다</translation>
+    </message>
+</context>
+<context>
+    <name>odo::CalibrationResultPage</name>
+    <message>
+        <source>ordinary</source>
+        <translation>일반</translation>
+    </message>
+    <message>
+        <source>wide (rational)</source>
+        <translation>광각(유리 함수)</translation>
+    </message>
+    <message>
+        <source>fisheye</source>
+        <translation>어안</translation>
+    </message>
+    <message>
+        <source>%1 px</source>
+        <translation>%1 px</translation>
+    </message>
+    <message>
+        <source>%1 ± %2 px</source>
+        <translation>%1 ± %2 px</translation>
+    </message>
+    <message>
+        <source>Verdict</source>
+        <translation>판정</translation>
+    </message>
+    <message>
+        <source>Solving</source>
+        <translation>계산 중</translation>
+    </message>
+    <message>
+        <source>Automatic choice of the lens model</source>
+        <translation>렌즈 모델 자동 선택</translation>
+    </message>
+    <message>
+        <source>Ordinary lens</source>
+        <translation>일반 렌즈</translation>
+    </message>
+    <message>
+        <source>Wide lens (rational model)</source>
+        <translation>광각 렌즈(유리 함수 모델)</translation>
+    </message>
+    <message>
+        <source>Fisheye</source>
+        <translation>어안 렌즈</translation>
+    </message>
+    <message>
+        <source>Lens model</source>
+        <translation>렌즈 모델</translation>
+    </message>
+    <message>
+        <source>Select a bar to see its image.</source>
+        <translation>막대를 선택하면 그 사진이 나옵니다.</translation>
+    </message>
+    <message>
+        <source>Appears here after the calibration.</source>
+        <translation>렌즈를 알게 되면 여기에 나옵니다.</translation>
+    </message>
+    <message>
+        <source>Image and &amp;residuals</source>
+        <translation>사진과 잔차(&amp;R)</translation>
+    </message>
+    <message>
+        <source>&amp;Straightened</source>
+        <translation>왜곡 제거(&amp;S)</translation>
+    </message>
+    <message>
+        <source>Error by image</source>
+        <translation>사진별 오차</translation>
+    </message>
+    <message>
+        <source>Calibration</source>
+        <translation>렌즈</translation>
+    </message>
+    <message>
+        <source>Lens calibration</source>
+        <translation>렌즈 정보</translation>
+    </message>
+    <message>
+        <source>Solving…</source>
+        <translation>계산 중…</translation>
+    </message>
+    <message>
+        <source>straight edges must be straight</source>
+        <translation>곧은 모서리는 곧게 보여야 합니다</translation>
+    </message>
+    <message>
+        <source>Storing the lens calibration and its images…</source>
+        <translation>렌즈와 사진을 저장하는 중…</translation>
+    </message>
+    <message>
+        <source>The lens calibration was not stored. %1</source>
+        <translation>렌즈를 저장하지 못했습니다. %1</translation>
+    </message>
+    <message>
+        <source>Model</source>
+        <translation>모델</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>Images</source>
+        <translation>사진</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%2장 중 %1장</translation>
+    </message>
+    <message>
+        <source>Board error</source>
+        <translation>보드 오차</translation>
+    </message>
+    <message>
+        <source>Held-out error</source>
+        <translation>교차 검증 오차</translation>
+    </message>
+    <message>
+        <source>needs six images</source>
+        <translation>사진이 여섯 장 필요함</translation>
+    </message>
+    <message>
+        <source>Corners left out</source>
+        <translation>제외한 꼭짓점</translation>
+    </message>
+    <message>
+        <source>Focal length</source>
+        <translation>초점 거리</translation>
+    </message>
+    <message>
+        <source>Centre x</source>
+        <translation>중심 x</translation>
+    </message>
+    <message>
+        <source>Centre y</source>
+        <translation>중심 y</translation>
+    </message>
+</context>
+<context>
+    <name>odo::CalibrationSourcePage</name>
+    <message>
+        <source>&amp;From the camera: hold up the board, Odograph takes the images</source>
+        <translation>카메라 앞에서: 보드를 들고 있으면 저절로 사진을 찍음(&amp;F)</translation>
+    </message>
+    <message>
+        <source>From existing images or a &amp;video</source>
+        <translation>찍어 둔 사진이나 동영상에서(&amp;P)</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>Prin&amp;t a board…</source>
+        <translation>보드 인쇄(&amp;T)…</translation>
+    </message>
+    <message>
+        <source>Show a flat calibration board from many sides to calibrate the lens. Odograph recognises checkerboard and ChArUco boards of any size. Measure one square on the paper: every later length depends on it. Do not refocus or zoom afterwards.</source>
+        <translation>정사각형이 그려진 평평한 보드를 여러 방향에서 보면 렌즈가 상을 맺는 방식을 알 수 있습니다. 체커보드든 ChArUco든 크기에 관계없이 종류는 자동으로 알아냅니다. 종이 위의 정사각형 하나를 재십시오. 이후의 모든 길이가 이 값으로 정해집니다. 그 뒤에는 렌즈의 초점이나 줌을 바꾸면 안 됩니다.</translation>
+    </message>
+    <message>
+        <source>&amp;Camera</source>
+        <translation>카메라(&amp;C)</translation>
+    </message>
+    <message>
+        <source>Side of a &amp;square, measured</source>
+        <translation>잰 정사각형 한 변(&amp;S)</translation>
+    </message>
+    <message>
+        <source>Source of the board images</source>
+        <translation>보드 사진을 얻을 곳</translation>
+    </message>
+    <message>
+        <source>Images and videos of the board</source>
+        <translation>보드의 사진과 동영상</translation>
+    </message>
+    <message>
+        <source>&amp;Add…</source>
+        <translation>추가(&amp;A)…</translation>
+    </message>
+    <message>
+        <source>&amp;Remove</source>
+        <translation>제거(&amp;R)</translation>
+    </message>
+    <message>
+        <source>Images and videos (*.png *.jpg *.jpeg *.tif *.tiff *.bmp *.mp4 *.mkv *.avi *.mov *.webm);;All files (*)</source>
+        <translation>사진과 동영상 (*.png *.jpg *.jpeg *.tif *.tiff *.bmp *.mp4 *.mkv *.avi *.mov *.webm);;모든 파일 (*)</translation>
+    </message>
+    <message>
+        <source>You can also drop files here.</source>
+        <translation>파일을 여기에 끌어다 놓을 수도 있습니다.</translation>
     </message>
 </context>
 <context>
@@ -8390,38 +9100,94 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
-    <name>odo::CameraView</name>
+    <name>odo::CameraPositionDialog</name>
     <message>
-        <source>synchronised to %1 ms</source>
-        <translation>동기 오차 %1 ms</translation>
+        <source>moved %1</source>
+        <translation>%1 이동함</translation>
     </message>
     <message>
-        <source>manual offset</source>
-        <translation>오프셋 직접 지정</translation>
+        <source>marker moved %1</source>
+        <translation>마커 %1 이동함</translation>
     </message>
     <message>
-        <source>not synchronised</source>
-        <translation>동기화 안 됨</translation>
+        <source>has not moved</source>
+        <translation>이동하지 않음</translation>
     </message>
     <message>
-        <source>%1 /s</source>
-        <translation>%1 /s</translation>
+        <source>&amp;Check</source>
+        <translation>점검(&amp;C)</translation>
     </message>
     <message>
-        <source>Camera %1</source>
-        <translation>카메라 %1</translation>
+        <source>&amp;Register again…</source>
+        <translation>다시 정합(&amp;R)…</translation>
+    </message>
+    <message>
+        <source>Check camera positions</source>
+        <translation>카메라 점검</translation>
     </message>
     <message>
         <source>Camera</source>
         <translation>카메라</translation>
     </message>
     <message>
-        <source>Camera image</source>
-        <translation>카메라 영상</translation>
+        <source>New image</source>
+        <translation>새 사진</translation>
     </message>
     <message>
-        <source>Image of %1</source>
-        <translation>%1의 영상</translation>
+        <source>Result</source>
+        <translation>결과</translation>
+    </message>
+    <message>
+        <source>Registered cameras</source>
+        <translation>정합된 카메라</translation>
+    </message>
+    <message>
+        <source>A camera that someone has pushed measures wrong positions without any sign of it. Before the robots run, check each camera&apos;s markers in a new image.</source>
+        <translation>부딪혀 밀린 카메라는 틀리게 측정하지만 겉으로는 드러나지 않습니다. 로봇이 주행하기 전에 새 사진에서 각 카메라의 마커를 다시 찾습니다.</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>닫기</translation>
+    </message>
+    <message>
+        <source>Results of the check</source>
+        <translation>점검 결과</translation>
+    </message>
+    <message>
+        <source>New image of camera %1</source>
+        <translation>카메라 %1의 새 사진</translation>
+    </message>
+    <message>
+        <source>Its newest recording</source>
+        <translation>최근 녹화</translation>
+    </message>
+    <message>
+        <source>Not checked</source>
+        <translation>점검 안 함</translation>
+    </message>
+    <message>
+        <source>An image or video…</source>
+        <translation>사진 또는 동영상…</translation>
+    </message>
+    <message>
+        <source>Images and videos (*.png *.jpg *.jpeg *.tif *.tiff *.bmp *.mp4 *.mkv *.avi *.mov *.webm);;All files (*)</source>
+        <translation>사진과 동영상 (*.png *.jpg *.jpeg *.tif *.tiff *.bmp *.mp4 *.mkv *.avi *.mov *.webm);;모든 파일 (*)</translation>
+    </message>
+    <message>
+        <source>detecting…</source>
+        <translation>찾는 중…</translation>
+    </message>
+    <message>
+        <source>undetermined</source>
+        <translation>판정 불가</translation>
+    </message>
+    <message>
+        <source>At least two markers must be visible. The check changes nothing.</source>
+        <translation>마커가 두 개 이상 보여야 합니다. 점검으로 옮겨지거나 바뀌는 것은 없습니다.</translation>
+    </message>
+    <message>
+        <source>&amp;Register %1 again…</source>
+        <translation>%1 다시 정합(&amp;R)…</translation>
     </message>
 </context>
 <context>
@@ -8489,6 +9255,41 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>best for tracking</source>
         <translation>추적에 가장 적합</translation>
+    </message>
+</context>
+<context>
+    <name>odo::CameraView</name>
+    <message>
+        <source>synchronised to %1 ms</source>
+        <translation>동기 오차 %1 ms</translation>
+    </message>
+    <message>
+        <source>manual offset</source>
+        <translation>오프셋 직접 지정</translation>
+    </message>
+    <message>
+        <source>not synchronised</source>
+        <translation>동기화 안 됨</translation>
+    </message>
+    <message>
+        <source>%1 /s</source>
+        <translation>%1 /s</translation>
+    </message>
+    <message>
+        <source>Camera %1</source>
+        <translation>카메라 %1</translation>
+    </message>
+    <message>
+        <source>Camera</source>
+        <translation>카메라</translation>
+    </message>
+    <message>
+        <source>Camera image</source>
+        <translation>카메라 영상</translation>
+    </message>
+    <message>
+        <source>Image of %1</source>
+        <translation>%1의 영상</translation>
     </message>
 </context>
 <context>
@@ -9112,164 +9913,6 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
-    <name>odo::MetricGrid</name>
-    <message>
-        <source>Metrics</source>
-        <translation>지표</translation>
-    </message>
-    <message>
-        <source>No result yet: track the trial</source>
-        <translation>아직 결과 없음: 시행을 추적하십시오</translation>
-    </message>
-</context>
-<context>
-    <name>odo::NumberText</name>
-    <message>
-        <source>points</source>
-        <translation>점</translation>
-    </message>
-    <message>
-        <source>Time</source>
-        <translation>시간</translation>
-    </message>
-    <message>
-        <source>Path</source>
-        <translation>이동 거리</translation>
-    </message>
-    <message>
-        <source>Top speed</source>
-        <translation>최고 속력</translation>
-    </message>
-    <message>
-        <source>Mean speed</source>
-        <translation>평균 속력</translation>
-    </message>
-    <message>
-        <source>Speed (RMS)</source>
-        <translation>속력(RMS)</translation>
-    </message>
-    <message>
-        <source>Top acceleration</source>
-        <translation>최대 가속도</translation>
-    </message>
-    <message>
-        <source>Acceleration (RMS)</source>
-        <translation>가속도(RMS)</translation>
-    </message>
-    <message>
-        <source>Straightness</source>
-        <translation>직진성</translation>
-    </message>
-    <message>
-        <source>Stops</source>
-        <translation>정지 횟수</translation>
-    </message>
-    <message>
-        <source>Fastest turn</source>
-        <translation>최대 선회율</translation>
-    </message>
-    <message>
-        <source>Start to finish</source>
-        <translation>출발~도착 시간</translation>
-    </message>
-    <message>
-        <source>Laps</source>
-        <translation>랩 수</translation>
-    </message>
-    <message>
-        <source>Best lap</source>
-        <translation>최고 랩</translation>
-    </message>
-    <message>
-        <source>Mean lap</source>
-        <translation>평균 랩</translation>
-    </message>
-    <message>
-        <source>Off the path (mean)</source>
-        <translation>경로 이탈(평균)</translation>
-    </message>
-    <message>
-        <source>Off the path (RMS)</source>
-        <translation>경로 이탈(RMS)</translation>
-    </message>
-    <message>
-        <source>Off the path (most)</source>
-        <translation>경로 이탈(최대)</translation>
-    </message>
-    <message>
-        <source>Left of the path</source>
-        <translation>경로 왼쪽 치우침</translation>
-    </message>
-    <message>
-        <source>Path completed</source>
-        <translation>경로 완주율</translation>
-    </message>
-    <message>
-        <source>Zones broken</source>
-        <translation>구역 위반 횟수</translation>
-    </message>
-    <message>
-        <source>Time beyond zones</source>
-        <translation>구역 위반 시간</translation>
-    </message>
-    <message>
-        <source>Beyond zones (most)</source>
-        <translation>구역 위반(최대)</translation>
-    </message>
-    <message>
-        <source>Displacement</source>
-        <translation>변위</translation>
-    </message>
-    <message>
-        <source>Time in motion</source>
-        <translation>움직인 시간</translation>
-    </message>
-    <message>
-        <source>Views disagree by</source>
-        <translation>뷰 간 불일치</translation>
-    </message>
-    <message>
-        <source>Score</source>
-        <translation>점수</translation>
-    </message>
-    <message>
-        <source>Spikes</source>
-        <translation>이상점</translation>
-    </message>
-    <message>
-        <source>Limits broken</source>
-        <translation>한계 초과</translation>
-    </message>
-    <message>
-        <source>Gates passed</source>
-        <translation>게이트 통과</translation>
-    </message>
-    <message>
-        <source>Robot&apos;s height</source>
-        <translation>로봇 높이</translation>
-    </message>
-    <message>
-        <source>Standing time</source>
-        <translation>정지 시간</translation>
-    </message>
-    <message>
-        <source>Median speed</source>
-        <translation>속력 중앙값</translation>
-    </message>
-    <message>
-        <source>P95 speed</source>
-        <translation>속력(P95)</translation>
-    </message>
-    <message>
-        <source>P95 acceleration</source>
-        <translation>가속도(P95)</translation>
-    </message>
-    <message>
-        <source>Circle&apos;s radius</source>
-        <translation>원의 반지름</translation>
-    </message>
-</context>
-<context>
     <name>odo::FileActions</name>
     <message>
         <source>&amp;New project…</source>
@@ -9795,6 +10438,51 @@ Much more than expected means that a setting is wrong: the views are not synchro
         <translation>
             <numerusform>시행 %n개 중 %1개</numerusform>
         </translation>
+    </message>
+</context>
+<context>
+    <name>odo::ImageArea</name>
+    <message>
+        <source>No view</source>
+        <translation>뷰 없음</translation>
+    </message>
+    <message>
+        <source>This camera was not recording at this time</source>
+        <translation>이 카메라는 이때 녹화하고 있지 않았습니다</translation>
+    </message>
+</context>
+<context>
+    <name>odo::ImageBars</name>
+    <message>
+        <source>Error of each image, with a threshold</source>
+        <translation>사진별 오차와 기준값</translation>
+    </message>
+    <message>
+        <source>%1: %2 px</source>
+        <translation>%1: %2 px</translation>
+    </message>
+    <message>
+        <source>images; rejected above %1 px</source>
+        <translation>사진; %1 px를 넘으면 계산에서 뺍니다</translation>
+    </message>
+</context>
+<context>
+    <name>odo::ImageChoice</name>
+    <message>
+        <source>The camera&apos;s &amp;newest recording</source>
+        <translation>카메라의 최근 녹화에서(&amp;N)</translation>
+    </message>
+    <message>
+        <source>The current image of a &amp;connected camera</source>
+        <translation>연결된 카메라의 현재 영상에서(&amp;C)</translation>
+    </message>
+    <message>
+        <source>An image or a &amp;video</source>
+        <translation>사진 또는 동영상에서(&amp;P)</translation>
+    </message>
+    <message>
+        <source>Images and videos (*.png *.jpg *.jpeg *.tif *.tiff *.bmp *.mp4 *.mkv *.avi *.mov *.webm);;All files (*)</source>
+        <translation>사진과 동영상 (*.png *.jpg *.jpeg *.tif *.tiff *.bmp *.mp4 *.mkv *.avi *.mov *.webm);;모든 파일 (*)</translation>
     </message>
 </context>
 <context>
@@ -10393,323 +11081,6 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
-    <name>odo::BoardImagesPage</name>
-    <message>
-        <source>Move it to the left of the image</source>
-        <translation>화면 왼쪽으로 옮기십시오</translation>
-    </message>
-    <message>
-        <source>Move it to the right of the image</source>
-        <translation>화면 오른쪽으로 옮기십시오</translation>
-    </message>
-    <message>
-        <source>Move it up</source>
-        <translation>위로 옮기십시오</translation>
-    </message>
-    <message>
-        <source>Move it down</source>
-        <translation>아래로 옮기십시오</translation>
-    </message>
-    <message>
-        <source>Closer to the camera</source>
-        <translation>카메라에 더 가까이</translation>
-    </message>
-    <message>
-        <source>Farther from the camera</source>
-        <translation>카메라에서 더 멀리</translation>
-    </message>
-    <message>
-        <source>Tilt it: the left side away from the camera</source>
-        <translation>기울이십시오: 왼쪽을 카메라에서 멀리</translation>
-    </message>
-    <message>
-        <source>Tilt it: the right side away from the camera</source>
-        <translation>기울이십시오: 오른쪽을 카메라에서 멀리</translation>
-    </message>
-    <message>
-        <source>Tilt it: the upper side away from the camera</source>
-        <translation>기울이십시오: 위쪽을 카메라에서 멀리</translation>
-    </message>
-    <message>
-        <source>Tilt it: the lower side away from the camera</source>
-        <translation>기울이십시오: 아래쪽을 카메라에서 멀리</translation>
-    </message>
-    <message>
-        <source>Hold it still</source>
-        <translation>움직이지 말고 들고 계십시오</translation>
-    </message>
-    <message>
-        <source>&amp;Take an image now</source>
-        <translation>지금 사진 찍기(&amp;T)</translation>
-    </message>
-    <message>
-        <source>What to do</source>
-        <translation>할 일</translation>
-    </message>
-    <message>
-        <source>No image from the camera</source>
-        <translation>카메라 영상이 없습니다</translation>
-    </message>
-    <message>
-        <source>Rejected images</source>
-        <translation>계산에 넣지 않는 사진</translation>
-    </message>
-    <message>
-        <source>Coverage of the images</source>
-        <translation>사진이 덮은 범위</translation>
-    </message>
-    <message>
-        <source>Rejected</source>
-        <translation>제외됨</translation>
-    </message>
-    <message>
-        <source>Waiting for the camera…</source>
-        <translation>카메라를 기다리는 중…</translation>
-    </message>
-    <message>
-        <source>Detecting the board…</source>
-        <translation>보드를 찾는 중…</translation>
-    </message>
-    <message>
-        <source>Hold the board before the camera</source>
-        <translation>보드를 카메라 앞에 드십시오</translation>
-    </message>
-    <message>
-        <source>Detecting the board</source>
-        <translation>보드를 찾는 중</translation>
-    </message>
-    <message>
-        <source>Odograph takes an image whenever the board is still, sharp and in a new position.</source>
-        <translation>보드가 정지해 있고 선명하며 새로운 위치에 있을 때마다 저절로 사진을 찍습니다.</translation>
-    </message>
-    <message>
-        <source>Taken</source>
-        <translation>찍음</translation>
-    </message>
-    <message>
-        <source>Now the dashed outline shows where the board would help most.</source>
-        <translation>이제 점선 윤곽이 보드를 두면 가장 도움이 되는 곳을 나타냅니다.</translation>
-    </message>
-    <message>
-        <source>%1 to go</source>
-        <translation>%1장 남음</translation>
-    </message>
-    <message>
-        <source>No image accepted</source>
-        <translation>쓸 수 있는 사진이 없습니다</translation>
-    </message>
-    <message>
-        <source>See the reasons on the right. Drop other images here to add them.</source>
-        <translation>이유는 오른쪽에 있습니다. 다른 사진을 여기에 끌어다 놓으십시오.</translation>
-    </message>
-    <message>
-        <source>All images checked</source>
-        <translation>모두 살펴봄</translation>
-    </message>
-    <message>
-        <source>They are enough.</source>
-        <translation>충분합니다.</translation>
-    </message>
-    <message>
-        <source>Drop more images here; the bars show what is missing.</source>
-        <translation>사진을 여기에 더 끌어다 놓을 수 있습니다. 막대는 무엇이 모자라는지 나타냅니다.</translation>
-    </message>
-</context>
-<context>
-    <name>odo::CalibrationResultPage</name>
-    <message>
-        <source>ordinary</source>
-        <translation>일반</translation>
-    </message>
-    <message>
-        <source>wide (rational)</source>
-        <translation>광각(유리 함수)</translation>
-    </message>
-    <message>
-        <source>fisheye</source>
-        <translation>어안</translation>
-    </message>
-    <message>
-        <source>%1 px</source>
-        <translation>%1 px</translation>
-    </message>
-    <message>
-        <source>%1 ± %2 px</source>
-        <translation>%1 ± %2 px</translation>
-    </message>
-    <message>
-        <source>Verdict</source>
-        <translation>판정</translation>
-    </message>
-    <message>
-        <source>Solving</source>
-        <translation>계산 중</translation>
-    </message>
-    <message>
-        <source>Automatic choice of the lens model</source>
-        <translation>렌즈 모델 자동 선택</translation>
-    </message>
-    <message>
-        <source>Ordinary lens</source>
-        <translation>일반 렌즈</translation>
-    </message>
-    <message>
-        <source>Wide lens (rational model)</source>
-        <translation>광각 렌즈(유리 함수 모델)</translation>
-    </message>
-    <message>
-        <source>Fisheye</source>
-        <translation>어안 렌즈</translation>
-    </message>
-    <message>
-        <source>Lens model</source>
-        <translation>렌즈 모델</translation>
-    </message>
-    <message>
-        <source>Select a bar to see its image.</source>
-        <translation>막대를 선택하면 그 사진이 나옵니다.</translation>
-    </message>
-    <message>
-        <source>Appears here after the calibration.</source>
-        <translation>렌즈를 알게 되면 여기에 나옵니다.</translation>
-    </message>
-    <message>
-        <source>Image and &amp;residuals</source>
-        <translation>사진과 잔차(&amp;R)</translation>
-    </message>
-    <message>
-        <source>&amp;Straightened</source>
-        <translation>왜곡 제거(&amp;S)</translation>
-    </message>
-    <message>
-        <source>Error by image</source>
-        <translation>사진별 오차</translation>
-    </message>
-    <message>
-        <source>Calibration</source>
-        <translation>렌즈</translation>
-    </message>
-    <message>
-        <source>Lens calibration</source>
-        <translation>렌즈 정보</translation>
-    </message>
-    <message>
-        <source>Solving…</source>
-        <translation>계산 중…</translation>
-    </message>
-    <message>
-        <source>straight edges must be straight</source>
-        <translation>곧은 모서리는 곧게 보여야 합니다</translation>
-    </message>
-    <message>
-        <source>Storing the lens calibration and its images…</source>
-        <translation>렌즈와 사진을 저장하는 중…</translation>
-    </message>
-    <message>
-        <source>The lens calibration was not stored. %1</source>
-        <translation>렌즈를 저장하지 못했습니다. %1</translation>
-    </message>
-    <message>
-        <source>Model</source>
-        <translation>모델</translation>
-    </message>
-    <message>
-        <source>%1: %2</source>
-        <translation>%1: %2</translation>
-    </message>
-    <message>
-        <source>Images</source>
-        <translation>사진</translation>
-    </message>
-    <message>
-        <source>%1 of %2</source>
-        <translation>%2장 중 %1장</translation>
-    </message>
-    <message>
-        <source>Board error</source>
-        <translation>보드 오차</translation>
-    </message>
-    <message>
-        <source>Held-out error</source>
-        <translation>교차 검증 오차</translation>
-    </message>
-    <message>
-        <source>needs six images</source>
-        <translation>사진이 여섯 장 필요함</translation>
-    </message>
-    <message>
-        <source>Corners left out</source>
-        <translation>제외한 꼭짓점</translation>
-    </message>
-    <message>
-        <source>Focal length</source>
-        <translation>초점 거리</translation>
-    </message>
-    <message>
-        <source>Centre x</source>
-        <translation>중심 x</translation>
-    </message>
-    <message>
-        <source>Centre y</source>
-        <translation>중심 y</translation>
-    </message>
-</context>
-<context>
-    <name>odo::CalibrationSourcePage</name>
-    <message>
-        <source>&amp;From the camera: hold up the board, Odograph takes the images</source>
-        <translation>카메라 앞에서: 보드를 들고 있으면 저절로 사진을 찍음(&amp;F)</translation>
-    </message>
-    <message>
-        <source>From existing images or a &amp;video</source>
-        <translation>찍어 둔 사진이나 동영상에서(&amp;P)</translation>
-    </message>
-    <message>
-        <source> mm</source>
-        <translation> mm</translation>
-    </message>
-    <message>
-        <source>Prin&amp;t a board…</source>
-        <translation>보드 인쇄(&amp;T)…</translation>
-    </message>
-    <message>
-        <source>Show a flat calibration board from many sides to calibrate the lens. Odograph recognises checkerboard and ChArUco boards of any size. Measure one square on the paper: every later length depends on it. Do not refocus or zoom afterwards.</source>
-        <translation>정사각형이 그려진 평평한 보드를 여러 방향에서 보면 렌즈가 상을 맺는 방식을 알 수 있습니다. 체커보드든 ChArUco든 크기에 관계없이 종류는 자동으로 알아냅니다. 종이 위의 정사각형 하나를 재십시오. 이후의 모든 길이가 이 값으로 정해집니다. 그 뒤에는 렌즈의 초점이나 줌을 바꾸면 안 됩니다.</translation>
-    </message>
-    <message>
-        <source>&amp;Camera</source>
-        <translation>카메라(&amp;C)</translation>
-    </message>
-    <message>
-        <source>Side of a &amp;square, measured</source>
-        <translation>잰 정사각형 한 변(&amp;S)</translation>
-    </message>
-    <message>
-        <source>Source of the board images</source>
-        <translation>보드 사진을 얻을 곳</translation>
-    </message>
-    <message>
-        <source>Images and videos of the board</source>
-        <translation>보드의 사진과 동영상</translation>
-    </message>
-    <message>
-        <source>&amp;Add…</source>
-        <translation>추가(&amp;A)…</translation>
-    </message>
-    <message>
-        <source>&amp;Remove</source>
-        <translation>제거(&amp;R)</translation>
-    </message>
-    <message>
-        <source>Images and videos (*.png *.jpg *.jpeg *.tif *.tiff *.bmp *.mp4 *.mkv *.avi *.mov *.webm);;All files (*)</source>
-        <translation>사진과 동영상 (*.png *.jpg *.jpeg *.tif *.tiff *.bmp *.mp4 *.mkv *.avi *.mov *.webm);;모든 파일 (*)</translation>
-    </message>
-    <message>
-        <source>You can also drop files here.</source>
-        <translation>파일을 여기에 끌어다 놓을 수도 있습니다.</translation>
-    </message>
-</context>
-<context>
     <name>odo::LensWizard</name>
     <message>
         <source>Calibrate camera</source>
@@ -11033,6 +11404,17 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>odo::MetricGrid</name>
+    <message>
+        <source>Metrics</source>
+        <translation>지표</translation>
+    </message>
+    <message>
+        <source>No result yet: track the trial</source>
+        <translation>아직 결과 없음: 시행을 추적하십시오</translation>
+    </message>
+</context>
+<context>
     <name>odo::MetricModel</name>
     <message>
         <source>Metric</source>
@@ -11048,97 +11430,6 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>Modes</source>
         <translation>모드</translation>
-    </message>
-</context>
-<context>
-    <name>odo::CameraPositionDialog</name>
-    <message>
-        <source>moved %1</source>
-        <translation>%1 이동함</translation>
-    </message>
-    <message>
-        <source>marker moved %1</source>
-        <translation>마커 %1 이동함</translation>
-    </message>
-    <message>
-        <source>has not moved</source>
-        <translation>이동하지 않음</translation>
-    </message>
-    <message>
-        <source>&amp;Check</source>
-        <translation>점검(&amp;C)</translation>
-    </message>
-    <message>
-        <source>&amp;Register again…</source>
-        <translation>다시 정합(&amp;R)…</translation>
-    </message>
-    <message>
-        <source>Check camera positions</source>
-        <translation>카메라 점검</translation>
-    </message>
-    <message>
-        <source>Camera</source>
-        <translation>카메라</translation>
-    </message>
-    <message>
-        <source>New image</source>
-        <translation>새 사진</translation>
-    </message>
-    <message>
-        <source>Result</source>
-        <translation>결과</translation>
-    </message>
-    <message>
-        <source>Registered cameras</source>
-        <translation>정합된 카메라</translation>
-    </message>
-    <message>
-        <source>A camera that someone has pushed measures wrong positions without any sign of it. Before the robots run, check each camera&apos;s markers in a new image.</source>
-        <translation>부딪혀 밀린 카메라는 틀리게 측정하지만 겉으로는 드러나지 않습니다. 로봇이 주행하기 전에 새 사진에서 각 카메라의 마커를 다시 찾습니다.</translation>
-    </message>
-    <message>
-        <source>Close</source>
-        <translation>닫기</translation>
-    </message>
-    <message>
-        <source>Results of the check</source>
-        <translation>점검 결과</translation>
-    </message>
-    <message>
-        <source>New image of camera %1</source>
-        <translation>카메라 %1의 새 사진</translation>
-    </message>
-    <message>
-        <source>Its newest recording</source>
-        <translation>최근 녹화</translation>
-    </message>
-    <message>
-        <source>Not checked</source>
-        <translation>점검 안 함</translation>
-    </message>
-    <message>
-        <source>An image or video…</source>
-        <translation>사진 또는 동영상…</translation>
-    </message>
-    <message>
-        <source>Images and videos (*.png *.jpg *.jpeg *.tif *.tiff *.bmp *.mp4 *.mkv *.avi *.mov *.webm);;All files (*)</source>
-        <translation>사진과 동영상 (*.png *.jpg *.jpeg *.tif *.tiff *.bmp *.mp4 *.mkv *.avi *.mov *.webm);;모든 파일 (*)</translation>
-    </message>
-    <message>
-        <source>detecting…</source>
-        <translation>찾는 중…</translation>
-    </message>
-    <message>
-        <source>undetermined</source>
-        <translation>판정 불가</translation>
-    </message>
-    <message>
-        <source>At least two markers must be visible. The check changes nothing.</source>
-        <translation>마커가 두 개 이상 보여야 합니다. 점검으로 옮겨지거나 바뀌는 것은 없습니다.</translation>
-    </message>
-    <message>
-        <source>&amp;Register %1 again…</source>
-        <translation>%1 다시 정합(&amp;R)…</translation>
     </message>
 </context>
 <context>
@@ -11190,6 +11481,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>Anyone on that network can read the robots&apos; positions.</source>
         <translation>해당 네트워크에 있는 사람은 누구나 로봇의 위치를 읽을 수 있습니다.</translation>
+    </message>
+</context>
+<context>
+    <name>odo::NumberText</name>
+    <message>
+        <source>points</source>
+        <translation>점</translation>
     </message>
 </context>
 <context>
@@ -11252,51 +11550,6 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>%1, camera %2</source>
         <translation>%1, 카메라 %2</translation>
-    </message>
-</context>
-<context>
-    <name>odo::ImageArea</name>
-    <message>
-        <source>No view</source>
-        <translation>뷰 없음</translation>
-    </message>
-    <message>
-        <source>This camera was not recording at this time</source>
-        <translation>이 카메라는 이때 녹화하고 있지 않았습니다</translation>
-    </message>
-</context>
-<context>
-    <name>odo::ImageBars</name>
-    <message>
-        <source>Error of each image, with a threshold</source>
-        <translation>사진별 오차와 기준값</translation>
-    </message>
-    <message>
-        <source>%1: %2 px</source>
-        <translation>%1: %2 px</translation>
-    </message>
-    <message>
-        <source>images; rejected above %1 px</source>
-        <translation>사진; %1 px를 넘으면 계산에서 뺍니다</translation>
-    </message>
-</context>
-<context>
-    <name>odo::ImageChoice</name>
-    <message>
-        <source>The camera&apos;s &amp;newest recording</source>
-        <translation>카메라의 최근 녹화에서(&amp;N)</translation>
-    </message>
-    <message>
-        <source>The current image of a &amp;connected camera</source>
-        <translation>연결된 카메라의 현재 영상에서(&amp;C)</translation>
-    </message>
-    <message>
-        <source>An image or a &amp;video</source>
-        <translation>사진 또는 동영상에서(&amp;P)</translation>
-    </message>
-    <message>
-        <source>Images and videos (*.png *.jpg *.jpeg *.tif *.tiff *.bmp *.mp4 *.mkv *.avi *.mov *.webm);;All files (*)</source>
-        <translation>사진과 동영상 (*.png *.jpg *.jpeg *.tif *.tiff *.bmp *.mp4 *.mkv *.avi *.mov *.webm);;모든 파일 (*)</translation>
     </message>
 </context>
 <context>
@@ -11556,6 +11809,72 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>Give the trial a name</source>
         <translation>시행의 이름을 지정하십시오</translation>
+    </message>
+</context>
+<context>
+    <name>odo::ReferenceCameraPage</name>
+    <message>
+        <source>Image or video of the camera to register</source>
+        <translation>정합할 카메라의 사진 또는 동영상</translation>
+    </message>
+    <message>
+        <source>Image or video of the registered camera</source>
+        <translation>정합된 카메라의 사진 또는 동영상</translation>
+    </message>
+    <message>
+        <source>A camera cannot be registered via itself: choose two different ones.</source>
+        <translation>카메라를 자신을 통해 정합할 수는 없습니다. 서로 다른 두 카메라를 선택하십시오.</translation>
+    </message>
+    <message>
+        <source>Camera to register</source>
+        <translation>정합할 카메라</translation>
+    </message>
+    <message>
+        <source>Registered camera</source>
+        <translation>정합된 카메라</translation>
+    </message>
+    <message>
+        <source>Register a camera that sees no markers by floor points that a registered camera also sees: corners of tiles, ends of tape, screws. Four are enough; six or more, spread over the common area, are better. Do not move either camera afterwards.</source>
+        <translation>마커가 보이지 않는 카메라는 정합된 카메라에도 보이는 바닥의 점, 곧 타일 모서리, 테이프 끝, 나사 등으로 정합할 수 있습니다. 네 개면 충분하고, 함께 보이는 영역에 고루 퍼진 여섯 개 이상이면 더 좋습니다. 이후에는 두 카메라 모두 움직이면 안 됩니다.</translation>
+    </message>
+    <message>
+        <source>C&amp;amera to register</source>
+        <translation>정합할 카메라(&amp;A)</translation>
+    </message>
+    <message>
+        <source>&amp;Via camera</source>
+        <translation>통할 카메라(&amp;T)</translation>
+    </message>
+    <message>
+        <source>Its image</source>
+        <translation>그 카메라의 사진</translation>
+    </message>
+    <message>
+        <source>The registered camera&apos;s image</source>
+        <translation>정합된 카메라의 사진</translation>
+    </message>
+</context>
+<context>
+    <name>odo::RegisterViaCameraWizard</name>
+    <message>
+        <source>Register via another camera</source>
+        <translation>다른 카메라를 통해 정합</translation>
+    </message>
+    <message>
+        <source>&amp;Save</source>
+        <translation>저장(&amp;S)</translation>
+    </message>
+    <message>
+        <source>Two cameras and their images</source>
+        <translation>두 카메라와 사진</translation>
+    </message>
+    <message>
+        <source>The same points in both images</source>
+        <translation>두 사진의 같은 점</translation>
+    </message>
+    <message>
+        <source>Loading the images…</source>
+        <translation>사진을 가져오는 중…</translation>
     </message>
 </context>
 <context>
@@ -13612,72 +13931,6 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
-    <name>odo::ReferenceCameraPage</name>
-    <message>
-        <source>Image or video of the camera to register</source>
-        <translation>정합할 카메라의 사진 또는 동영상</translation>
-    </message>
-    <message>
-        <source>Image or video of the registered camera</source>
-        <translation>정합된 카메라의 사진 또는 동영상</translation>
-    </message>
-    <message>
-        <source>A camera cannot be registered via itself: choose two different ones.</source>
-        <translation>카메라를 자신을 통해 정합할 수는 없습니다. 서로 다른 두 카메라를 선택하십시오.</translation>
-    </message>
-    <message>
-        <source>Camera to register</source>
-        <translation>정합할 카메라</translation>
-    </message>
-    <message>
-        <source>Registered camera</source>
-        <translation>정합된 카메라</translation>
-    </message>
-    <message>
-        <source>Register a camera that sees no markers by floor points that a registered camera also sees: corners of tiles, ends of tape, screws. Four are enough; six or more, spread over the common area, are better. Do not move either camera afterwards.</source>
-        <translation>마커가 보이지 않는 카메라는 정합된 카메라에도 보이는 바닥의 점, 곧 타일 모서리, 테이프 끝, 나사 등으로 정합할 수 있습니다. 네 개면 충분하고, 함께 보이는 영역에 고루 퍼진 여섯 개 이상이면 더 좋습니다. 이후에는 두 카메라 모두 움직이면 안 됩니다.</translation>
-    </message>
-    <message>
-        <source>C&amp;amera to register</source>
-        <translation>정합할 카메라(&amp;A)</translation>
-    </message>
-    <message>
-        <source>&amp;Via camera</source>
-        <translation>통할 카메라(&amp;T)</translation>
-    </message>
-    <message>
-        <source>Its image</source>
-        <translation>그 카메라의 사진</translation>
-    </message>
-    <message>
-        <source>The registered camera&apos;s image</source>
-        <translation>정합된 카메라의 사진</translation>
-    </message>
-</context>
-<context>
-    <name>odo::RegisterViaCameraWizard</name>
-    <message>
-        <source>Register via another camera</source>
-        <translation>다른 카메라를 통해 정합</translation>
-    </message>
-    <message>
-        <source>&amp;Save</source>
-        <translation>저장(&amp;S)</translation>
-    </message>
-    <message>
-        <source>Two cameras and their images</source>
-        <translation>두 카메라와 사진</translation>
-    </message>
-    <message>
-        <source>The same points in both images</source>
-        <translation>두 사진의 같은 점</translation>
-    </message>
-    <message>
-        <source>Loading the images…</source>
-        <translation>사진을 가져오는 중…</translation>
-    </message>
-</context>
-<context>
     <name>odo::TimeSlider</name>
     <message>
         <source>Time of the trial</source>
@@ -14282,17 +14535,6 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
-    <name>odo::WarningBar</name>
-    <message>
-        <source>Problem</source>
-        <translation>문제 내용</translation>
-    </message>
-    <message>
-        <source>Fix</source>
-        <translation>문제 해결</translation>
-    </message>
-</context>
-<context>
     <name>odo::UndoActions</name>
     <message>
         <source>Undone: %1.</source>
@@ -14426,6 +14668,17 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>View %1</source>
         <translation>뷰 %1</translation>
+    </message>
+</context>
+<context>
+    <name>odo::WarningBar</name>
+    <message>
+        <source>Problem</source>
+        <translation>문제 내용</translation>
+    </message>
+    <message>
+        <source>Fix</source>
+        <translation>문제 해결</translation>
     </message>
 </context>
 <context>

@@ -424,209 +424,10 @@
     </message>
 </context>
 <context>
-    <name>UncertainIntervals</name>
-    <message>
-        <source>Which robot? Until %1</source>
-        <translation>哪台机器人？至 %1</translation>
-    </message>
-    <message>
-        <source>%1 (%2 to %3)</source>
-        <translation>%1（%2 至 %3）</translation>
-    </message>
-</context>
-<context>
     <name>Explanation</name>
-    <message>
-        <source>that of the smoothed curve there, and the calibration&apos;s scale uncertainty</source>
-        <translation>平滑曲线在该处的误差，以及标定的尺度误差</translation>
-    </message>
-    <message>
-        <source>From the onset of motion to the last stop. Moving means faster than 20 mm/s and than three σ of the speed, for at least three frames; the moment between two frames is interpolated.</source>
-        <translation>从开始运动到最后一次停下。运动是指速度大于 20 mm/s 且大于速度的三个 σ，并持续至少三帧；两帧之间的时刻由插值得出。</translation>
-    </message>
-    <message>
-        <source>of both moments: σ of the speed divided by its slope there</source>
-        <translation>两个时刻的误差：速度的 σ 除以速度曲线在该处的斜率</translation>
-    </message>
-    <message>
-        <source>∫|v|dt while it moves, by the trapezoidal rule over the smoothed speed. A gap that is not bridged counts as straight.</source>
-        <translation>运动期间的 ∫|v|dt，对平滑后的速度用梯形法计算。未补接的间断按直线计。</translation>
-    </message>
-    <message>
-        <source>of the end positions, of lateral errors where the path turns, and the calibration&apos;s scale uncertainty</source>
-        <translation>两端位置的误差、转弯处垂直于路径方向的误差，以及标定的尺度误差</translation>
-    </message>
-    <message>
-        <source>path length / time</source>
-        <translation>路程 / 用时</translation>
-    </message>
-    <message>
-        <source>of both, treated as independent</source>
-        <translation>两者的误差，视为相互独立</translation>
-    </message>
-    <message>
-        <source>The speed |v| of the smoothed curve where |v| − 2σ is largest. A point does not win only because its uncertainty is large.</source>
-        <translation>平滑曲线上 |v| − 2σ 最大处的速度 |v|，这样误差大的点不会因误差而成为最大值。</translation>
-    </message>
-    <message>
-        <source>√(mean of |v|²) while it moves</source>
-        <translation>运动期间的 √(|v|² 的平均值)</translation>
-    </message>
-    <message>
-        <source>the bound for fully correlated errors, and the calibration&apos;s scale uncertainty</source>
-        <translation>所有误差同向时的上限，以及标定的尺度误差</translation>
-    </message>
-    <message>
-        <source>The acceleration |a| of the smoothed curve where |a| − 2σ is largest.</source>
-        <translation>平滑曲线上 |a| − 2σ 最大处的加速度 |a|。</translation>
-    </message>
-    <message>
-        <source>√(mean of |a|²) while it moves</source>
-        <translation>运动期间的 √(|a|² 的平均值)</translation>
-    </message>
-    <message>
-        <source>distance from the first to the last position of the motion / path length</source>
-        <translation>运动的起点到终点的距离 / 路程</translation>
-    </message>
-    <message>
-        <source>of the end positions</source>
-        <translation>两端位置的误差</translation>
-    </message>
-    <message>
-        <source>The time in which it moves: faster than 20 mm/s and than three σ of the speed.</source>
-        <translation>处于运动中的时间：速度大于 20 mm/s 且大于速度的三个 σ。</translation>
-    </message>
-    <message>
-        <source>of each start and stop: σ of the speed divided by its slope</source>
-        <translation>每次起动和停下的误差：速度的 σ 除以速度曲线的斜率</translation>
-    </message>
-    <message>
-        <source>The pauses between the onset of motion and the last stop, counted.</source>
-        <translation>从开始运动到最后一次停下之间的停顿次数。</translation>
-    </message>
-    <message>
-        <source>time − time in motion</source>
-        <translation>用时 − 运动时间</translation>
-    </message>
-    <message>
-        <source>of each start and stop</source>
-        <translation>每次起动和停下的误差</translation>
-    </message>
-    <message>
-        <source>The speed that half of the time in motion stays below.</source>
-        <translation>运动时间的一半低于此速度。</translation>
-    </message>
-    <message>
-        <source>of the intervals within 1.5 σ of it, each by its mean</source>
-        <translation>与其相差不到 1.5 σ 的各段的误差，每段取平均值</translation>
-    </message>
-    <message>
-        <source>The speed that 95 % of the time in motion stays below.</source>
-        <translation>运动时间的 95 % 低于此速度。</translation>
-    </message>
-    <message>
-        <source>The acceleration that 95 % of the time in motion stays below.</source>
-        <translation>运动时间的 95 % 低于此加速度。</translation>
-    </message>
-    <message>
-        <source>(vx·ay − vy·ax)/|v|² of the smoothed curve, to the left or right, where its amount minus 2σ is largest.</source>
-        <translation>平滑曲线的 (vx·ay − vy·ax)/|v|²，左转或右转均可，取其减去 2σ 后最大处。</translation>
-    </message>
     <message>
         <source>σ² = σa²/|v|² + |a|²σv²/|v|⁴, first order</source>
         <translation>σ² = σa²/|v|² + |a|²σv²/|v|⁴，一阶近似</translation>
-    </message>
-    <message>
-        <source>The least-squares circle through the positions of the motion.</source>
-        <translation>到运动中各位置的距离平方和最小的圆。</translation>
-    </message>
-    <message>
-        <source>of the scatter of the distances, with their number divided by 1 + 2Σρ for correlated neighbours, and the calibration&apos;s scale uncertainty</source>
-        <translation>距离离散的误差，相邻点因相关而按 1 + 2Σρ 折减个数；以及标定的尺度误差</translation>
-    </message>
-    <message>
-        <source>From passing the start gate to passing the finish, each interpolated between frames.</source>
-        <translation>从通过起点门到通过终点门，各自在帧与帧之间插值。</translation>
-    </message>
-    <message>
-        <source>of both passages: σ of the position across the gate divided by the speed</source>
-        <translation>两次通过的误差：垂直于计时门方向位置的 σ 除以速度</translation>
-    </message>
-    <message>
-        <source>Complete laps or runs, counted by the passages of the gates.</source>
-        <translation>完整的圈数或运行次数，按通过计时门计数。</translation>
-    </message>
-    <message>
-        <source>The shortest lap.</source>
-        <translation>用时最短的一圈。</translation>
-    </message>
-    <message>
-        <source>of its two passages; the calibration uncertainty of a gate passed twice cancels</source>
-        <translation>两次通过的误差；同一计时门通过两次，标定误差相互抵消</translation>
-    </message>
-    <message>
-        <source>The mean of the laps&apos; times.</source>
-        <translation>各圈用时的平均值。</translation>
-    </message>
-    <message>
-        <source>of the first and the last passage, over the number of laps</source>
-        <translation>首次和末次通过的误差除以圈数</translation>
-    </message>
-    <message>
-        <source>The distance from the reference path, averaged along the path.</source>
-        <translation>到参考路径的平均距离，按路程平均。</translation>
-    </message>
-    <message>
-        <source>of the position across the path, and of its noise: the distance has no sign, so noise does not cancel</source>
-        <translation>垂直于路径方向位置的误差，以及其噪声（在此不分正负）的误差</translation>
-    </message>
-    <message>
-        <source>√(mean of the squared distance from the reference path), averaged along the path</source>
-        <translation>√(到参考路径距离平方的平均值)，按路程平均</translation>
-    </message>
-    <message>
-        <source>of the position across the path</source>
-        <translation>垂直于路径方向位置的误差</translation>
-    </message>
-    <message>
-        <source>The largest distance from the reference path.</source>
-        <translation>到参考路径的最大距离。</translation>
-    </message>
-    <message>
-        <source>of the position across the path, there</source>
-        <translation>该处垂直于路径方向位置的误差</translation>
-    </message>
-    <message>
-        <source>The mean of the distance from the reference path, to the left positive.</source>
-        <translation>到参考路径距离的平均值，偏左为正。</translation>
-    </message>
-    <message>
-        <source>of the position across the path, mostly the calibration&apos;s</source>
-        <translation>垂直于路径方向位置的误差，主要来自标定</translation>
-    </message>
-    <message>
-        <source>The share of the reference path that the robot followed.</source>
-        <translation>参考路径中已走过的比例。</translation>
-    </message>
-    <message>
-        <source>How often the robot&apos;s reference point left a zone to stay in or entered a zone to keep out of. It counts if the point is beyond the edge by more than three σ of the track&apos;s noise.</source>
-        <translation>机器人中心离开应留区域或进入禁入区域的次数。超出边界多于轨迹自身噪声的三个 σ 时才计入。</translation>
-    </message>
-    <message>
-        <source>The time for which the robot&apos;s reference point was beyond the edge of a zone, interpolated between frames; in two zones at once it counts twice.</source>
-        <translation>机器人中心超出区域边界的时间，帧与帧之间插值；同时涉及两个区域时计两次。</translation>
-    </message>
-    <message>
-        <source>of each crossing of an edge: σ of the position across it divided by the speed; and the change of the time when the calibration uncertainty shifts the track</source>
-        <translation>每个越界时刻的误差：垂直于边界方向位置的 σ 除以速度；以及标定使轨迹移近或移远时该时间的变化</translation>
-    </message>
-    <message>
-        <source>The largest distance of the robot&apos;s reference point beyond the edge of a zone.</source>
-        <translation>机器人中心超出区域边界的最大距离。</translation>
-    </message>
-    <message>
-        <source>of the position across the edge, there</source>
-        <translation>该处垂直于边界方向位置的误差</translation>
     </message>
     <message>
         <source>smoothed by Kalman filter and RTS smoother, noise by maximum likelihood (Rauch, Tung, Striebel 1965; Bar-Shalom et al. 2001)</source>
@@ -2188,6 +1989,17 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>UncertainIntervals</name>
+    <message>
+        <source>Which robot? Until %1</source>
+        <translation>哪台机器人？至 %1</translation>
+    </message>
+    <message>
+        <source>%1 (%2 to %3)</source>
+        <translation>%1（%2 至 %3）</translation>
+    </message>
+</context>
+<context>
     <name>WindowTitle</name>
     <message>
         <source>Team %1</source>
@@ -2381,6 +2193,202 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>analysis.formula_best_lap</name>
+    <message>
+        <source>The shortest lap.</source>
+        <translation>用时最短的一圈。</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.formula_circle_radius</name>
+    <message>
+        <source>The least-squares circle through the positions of the motion.</source>
+        <translation>到运动中各位置的距离平方和最小的圆。</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.formula_cross_track_bias</name>
+    <message>
+        <source>The mean of the distance from the reference path, to the left positive.</source>
+        <translation>到参考路径距离的平均值，偏左为正。</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.formula_cross_track_max</name>
+    <message>
+        <source>The largest distance from the reference path.</source>
+        <translation>到参考路径的最大距离。</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.formula_cross_track_mean</name>
+    <message>
+        <source>The distance from the reference path, averaged along the path.</source>
+        <translation>到参考路径的平均距离，按路程平均。</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.formula_cross_track_rms</name>
+    <message>
+        <source>√(mean of the squared distance from the reference path), averaged along the path</source>
+        <translation>√(到参考路径距离平方的平均值)，按路程平均</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.formula_duration</name>
+    <message>
+        <source>From the onset of motion to the last stop. Moving means faster than 20 mm/s and than three σ of the speed, for at least three frames; the moment between two frames is interpolated.</source>
+        <translation>从开始运动到最后一次停下。运动是指速度大于 20 mm/s 且大于速度的三个 σ，并持续至少三帧；两帧之间的时刻由插值得出。</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.formula_gate_time</name>
+    <message>
+        <source>From passing the start gate to passing the finish, each interpolated between frames.</source>
+        <translation>从通过起点门到通过终点门，各自在帧与帧之间插值。</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.formula_laps</name>
+    <message>
+        <source>Complete laps or runs, counted by the passages of the gates.</source>
+        <translation>完整的圈数或运行次数，按通过计时门计数。</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.formula_max_accel</name>
+    <message>
+        <source>The acceleration |a| of the smoothed curve where |a| − 2σ is largest.</source>
+        <translation>平滑曲线上 |a| − 2σ 最大处的加速度 |a|。</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.formula_max_speed</name>
+    <message>
+        <source>The speed |v| of the smoothed curve where |v| − 2σ is largest. A point does not win only because its uncertainty is large.</source>
+        <translation>平滑曲线上 |v| − 2σ 最大处的速度 |v|，这样误差大的点不会因误差而成为最大值。</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.formula_max_turn_rate</name>
+    <message>
+        <source>(vx·ay − vy·ax)/|v|² of the smoothed curve, to the left or right, where its amount minus 2σ is largest.</source>
+        <translation>平滑曲线的 (vx·ay − vy·ax)/|v|²，左转或右转均可，取其减去 2σ 后最大处。</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.formula_mean_lap</name>
+    <message>
+        <source>The mean of the laps&apos; times.</source>
+        <translation>各圈用时的平均值。</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.formula_mean_speed</name>
+    <message>
+        <source>path length / time</source>
+        <translation>路程 / 用时</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.formula_median_speed</name>
+    <message>
+        <source>The speed that half of the time in motion stays below.</source>
+        <translation>运动时间的一半低于此速度。</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.formula_moving_time</name>
+    <message>
+        <source>The time in which it moves: faster than 20 mm/s and than three σ of the speed.</source>
+        <translation>处于运动中的时间：速度大于 20 mm/s 且大于速度的三个 σ。</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.formula_p95_accel</name>
+    <message>
+        <source>The acceleration that 95 % of the time in motion stays below.</source>
+        <translation>运动时间的 95 % 低于此加速度。</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.formula_p95_speed</name>
+    <message>
+        <source>The speed that 95 % of the time in motion stays below.</source>
+        <translation>运动时间的 95 % 低于此速度。</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.formula_path_completed</name>
+    <message>
+        <source>The share of the reference path that the robot followed.</source>
+        <translation>参考路径中已走过的比例。</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.formula_path_length</name>
+    <message>
+        <source>∫|v|dt while it moves, by the trapezoidal rule over the smoothed speed. A gap that is not bridged adds nothing.</source>
+        <translation>运动期间的 ∫|v|dt，对平滑后的速度用梯形法计算。未补接的间断不计入。</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.formula_rms_accel</name>
+    <message>
+        <source>√(mean of |a|²) while it moves</source>
+        <translation>运动期间的 √(|a|² 的平均值)</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.formula_rms_speed</name>
+    <message>
+        <source>√(mean of |v|²) while it moves</source>
+        <translation>运动期间的 √(|v|² 的平均值)</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.formula_standing_time</name>
+    <message>
+        <source>time − time in motion</source>
+        <translation>用时 − 运动时间</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.formula_stops</name>
+    <message>
+        <source>The pauses between the onset of motion and the last stop, counted.</source>
+        <translation>从开始运动到最后一次停下之间的停顿次数。</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.formula_straightness</name>
+    <message>
+        <source>distance from the first to the last position of the motion / path length</source>
+        <translation>运动的起点到终点的距离 / 路程</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.formula_zone_breaches</name>
+    <message>
+        <source>How often the robot&apos;s reference point left a zone to stay in or entered a zone to keep out of. It counts if the point is beyond the edge by more than three σ of the track&apos;s noise.</source>
+        <translation>机器人中心离开应留区域或进入禁入区域的次数。超出边界多于轨迹自身噪声的三个 σ 时才计入。</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.formula_zone_depth</name>
+    <message>
+        <source>The largest distance of the robot&apos;s reference point beyond the edge of a zone.</source>
+        <translation>机器人中心超出区域边界的最大距离。</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.formula_zone_time</name>
+    <message>
+        <source>The time for which the robot&apos;s reference point was beyond the edge of a zone, interpolated between frames; in two zones at once it counts twice.</source>
+        <translation>机器人中心超出区域边界的时间，帧与帧之间插值；同时涉及两个区域时计两次。</translation>
+    </message>
+</context>
+<context>
     <name>analysis.gate</name>
     <message>
         <source>gate &apos;%1&apos;</source>
@@ -2525,6 +2533,251 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>the task already has %1 zones</source>
         <translation>任务已有 %1 个区域</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.metric_best_lap</name>
+    <message>
+        <source>Best lap</source>
+        <translation>最快圈</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.metric_circle_radius</name>
+    <message>
+        <source>Circle&apos;s radius</source>
+        <translation>圆的半径</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.metric_cross_track_bias</name>
+    <message>
+        <source>Left of the path</source>
+        <translation>路径偏左</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.metric_cross_track_max</name>
+    <message>
+        <source>Off the path (most)</source>
+        <translation>路径偏离（最大）</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.metric_cross_track_mean</name>
+    <message>
+        <source>Off the path (mean)</source>
+        <translation>路径偏离（平均）</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.metric_cross_track_rms</name>
+    <message>
+        <source>Off the path (RMS)</source>
+        <translation>路径偏离 (RMS)</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.metric_displacement</name>
+    <message>
+        <source>Displacement</source>
+        <translation>位移</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.metric_duration</name>
+    <message>
+        <source>Time</source>
+        <translation>用时</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.metric_gate_time</name>
+    <message>
+        <source>Start to finish</source>
+        <translation>起点到终点</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.metric_gates_passed</name>
+    <message>
+        <source>Gates passed</source>
+        <translation>通过的计时门</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.metric_height</name>
+    <message>
+        <source>Robot&apos;s height</source>
+        <translation>机器人高度</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.metric_laps</name>
+    <message>
+        <source>Laps</source>
+        <translation>圈数</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.metric_limit_breaches</name>
+    <message>
+        <source>Limits broken</source>
+        <translation>超限次数</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.metric_max_accel</name>
+    <message>
+        <source>Top acceleration</source>
+        <translation>最大加速度</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.metric_max_speed</name>
+    <message>
+        <source>Top speed</source>
+        <translation>最大速度</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.metric_max_turn_rate</name>
+    <message>
+        <source>Fastest turn</source>
+        <translation>最大转向角速度</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.metric_mean_lap</name>
+    <message>
+        <source>Mean lap</source>
+        <translation>平均圈时</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.metric_mean_speed</name>
+    <message>
+        <source>Mean speed</source>
+        <translation>平均速度</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.metric_mean_view_disagreement</name>
+    <message>
+        <source>Views disagree by</source>
+        <translation>视角差异</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.metric_median_speed</name>
+    <message>
+        <source>Median speed</source>
+        <translation>速度中位数</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.metric_moving_time</name>
+    <message>
+        <source>Time in motion</source>
+        <translation>运动时间</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.metric_p95_accel</name>
+    <message>
+        <source>P95 acceleration</source>
+        <translation>加速度 (P95)</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.metric_p95_speed</name>
+    <message>
+        <source>P95 speed</source>
+        <translation>速度 (P95)</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.metric_path_completed</name>
+    <message>
+        <source>Path completed</source>
+        <translation>路径完成度</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.metric_path_length</name>
+    <message>
+        <source>Path</source>
+        <translation>路程</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.metric_rms_accel</name>
+    <message>
+        <source>Acceleration (RMS)</source>
+        <translation>加速度 (RMS)</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.metric_rms_speed</name>
+    <message>
+        <source>Speed (RMS)</source>
+        <translation>速度 (RMS)</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.metric_score</name>
+    <message>
+        <source>Score</source>
+        <translation>得分</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.metric_spikes</name>
+    <message>
+        <source>Spikes</source>
+        <translation>异常点</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.metric_standing_time</name>
+    <message>
+        <source>Standing time</source>
+        <translation>静止时间</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.metric_stops</name>
+    <message>
+        <source>Stops</source>
+        <translation>停车次数</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.metric_straightness</name>
+    <message>
+        <source>Straightness</source>
+        <translation>直线度</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.metric_zone_breaches</name>
+    <message>
+        <source>Zones broken</source>
+        <translation>越界次数</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.metric_zone_depth</name>
+    <message>
+        <source>Beyond zones (most)</source>
+        <translation>最大越界距离</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.metric_zone_time</name>
+    <message>
+        <source>Time beyond zones</source>
+        <translation>越界时间</translation>
     </message>
 </context>
 <context>
@@ -2791,6 +3044,146 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>template of a task</source>
         <translation>任务的模板</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.uncertainty_best_lap</name>
+    <message>
+        <source>of its two passages; the calibration uncertainty of a gate passed twice cancels</source>
+        <translation>两次通过的误差；同一计时门通过两次，标定误差相互抵消</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.uncertainty_circle_radius</name>
+    <message>
+        <source>of the scatter of the distances, with their number divided by 1 + 2Σρ for correlated neighbours, and the calibration&apos;s scale uncertainty</source>
+        <translation>距离离散的误差，相邻点因相关而按 1 + 2Σρ 折减个数；以及标定的尺度误差</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.uncertainty_correlated</name>
+    <message>
+        <source>the bound for fully correlated errors, and the calibration&apos;s scale uncertainty</source>
+        <translation>所有误差同向时的上限，以及标定的尺度误差</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.uncertainty_cross_track_bias</name>
+    <message>
+        <source>of the position across the path, mostly the calibration&apos;s</source>
+        <translation>垂直于路径方向位置的误差，主要来自标定</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.uncertainty_cross_track_max</name>
+    <message>
+        <source>of the position across the path, there</source>
+        <translation>该处垂直于路径方向位置的误差</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.uncertainty_cross_track_mean</name>
+    <message>
+        <source>of the position across the path, and of its noise: the distance has no sign, so noise does not cancel</source>
+        <translation>垂直于路径方向位置的误差，以及其噪声（在此不分正负）的误差</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.uncertainty_cross_track_rms</name>
+    <message>
+        <source>of the position across the path</source>
+        <translation>垂直于路径方向位置的误差</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.uncertainty_duration</name>
+    <message>
+        <source>of both moments: σ of the speed divided by its slope there</source>
+        <translation>两个时刻的误差：速度的 σ 除以速度曲线在该处的斜率</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.uncertainty_gate_time</name>
+    <message>
+        <source>of both passages: σ of the position across the gate divided by the speed</source>
+        <translation>两次通过的误差：垂直于计时门方向位置的 σ 除以速度</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.uncertainty_max_turn_rate</name>
+    <message>
+        <source>σ² = σa²/|v|² + |a|²σv²/|v|⁴, first order</source>
+        <translation>σ² = σa²/|v|² + |a|²σv²/|v|⁴，一阶近似</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.uncertainty_mean_lap</name>
+    <message>
+        <source>of the first and the last passage, over the number of laps</source>
+        <translation>首次和末次通过的误差除以圈数</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.uncertainty_mean_speed</name>
+    <message>
+        <source>of both, treated as independent</source>
+        <translation>两者的误差，视为相互独立</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.uncertainty_moving_time</name>
+    <message>
+        <source>of each start and stop: σ of the speed divided by its slope</source>
+        <translation>每次起动和停下的误差：速度的 σ 除以速度曲线的斜率</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.uncertainty_of_curve</name>
+    <message>
+        <source>that of the smoothed curve there, and the calibration&apos;s scale uncertainty</source>
+        <translation>平滑曲线在该处的误差，以及标定的尺度误差</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.uncertainty_of_intervals</name>
+    <message>
+        <source>of the intervals within 1.5 σ of it, each by its mean</source>
+        <translation>与其相差不到 1.5 σ 的各段的误差，每段取平均值</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.uncertainty_path_length</name>
+    <message>
+        <source>of the end positions, of lateral errors where the path turns, and the calibration&apos;s scale uncertainty</source>
+        <translation>两端位置的误差、转弯处垂直于路径方向的误差，以及标定的尺度误差</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.uncertainty_standing_time</name>
+    <message>
+        <source>of each start and stop</source>
+        <translation>每次起动和停下的误差</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.uncertainty_straightness</name>
+    <message>
+        <source>of the end positions</source>
+        <translation>两端位置的误差</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.uncertainty_zone_depth</name>
+    <message>
+        <source>of the position across the edge, there</source>
+        <translation>该处垂直于边界方向位置的误差</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.uncertainty_zone_time</name>
+    <message>
+        <source>of each crossing of an edge: σ of the position across it divided by the speed; and the change of the time when the calibration uncertainty shifts the track</source>
+        <translation>每个越界时刻的误差：垂直于边界方向位置的 σ 除以速度；以及标定使轨迹移近或移远时该时间的变化</translation>
     </message>
 </context>
 <context>
@@ -8278,6 +8671,129 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>odo::BoardImagesPage</name>
+    <message>
+        <source>Move it to the left of the image</source>
+        <translation>移向画面左侧</translation>
+    </message>
+    <message>
+        <source>Move it to the right of the image</source>
+        <translation>移向画面右侧</translation>
+    </message>
+    <message>
+        <source>Move it up</source>
+        <translation>向上移</translation>
+    </message>
+    <message>
+        <source>Move it down</source>
+        <translation>向下移</translation>
+    </message>
+    <message>
+        <source>Closer to the camera</source>
+        <translation>靠近相机</translation>
+    </message>
+    <message>
+        <source>Farther from the camera</source>
+        <translation>远离相机</translation>
+    </message>
+    <message>
+        <source>Tilt it: the left side away from the camera</source>
+        <translation>倾斜：左侧远离相机</translation>
+    </message>
+    <message>
+        <source>Tilt it: the right side away from the camera</source>
+        <translation>倾斜：右侧远离相机</translation>
+    </message>
+    <message>
+        <source>Tilt it: the upper side away from the camera</source>
+        <translation>倾斜：上侧远离相机</translation>
+    </message>
+    <message>
+        <source>Tilt it: the lower side away from the camera</source>
+        <translation>倾斜：下侧远离相机</translation>
+    </message>
+    <message>
+        <source>Hold it still</source>
+        <translation>保持不动</translation>
+    </message>
+    <message>
+        <source>&amp;Take an image now</source>
+        <translation>立即拍一张(&amp;T)</translation>
+    </message>
+    <message>
+        <source>What to do</source>
+        <translation>操作提示</translation>
+    </message>
+    <message>
+        <source>No image from the camera</source>
+        <translation>没有来自相机的画面</translation>
+    </message>
+    <message>
+        <source>Rejected images</source>
+        <translation>不参与计算的图片</translation>
+    </message>
+    <message>
+        <source>Coverage of the images</source>
+        <translation>图片的覆盖情况</translation>
+    </message>
+    <message>
+        <source>Rejected</source>
+        <translation>不计入</translation>
+    </message>
+    <message>
+        <source>Waiting for the camera…</source>
+        <translation>正在等待相机…</translation>
+    </message>
+    <message>
+        <source>Detecting the board…</source>
+        <translation>正在查找标定板…</translation>
+    </message>
+    <message>
+        <source>Hold the board before the camera</source>
+        <translation>请将标定板举在相机前</translation>
+    </message>
+    <message>
+        <source>Detecting the board</source>
+        <translation>正在查找标定板</translation>
+    </message>
+    <message>
+        <source>Odograph takes an image whenever the board is still, sharp and in a new position.</source>
+        <translation>只要标定板静止、清晰且处于新位置，就会自动拍摄一张图片。</translation>
+    </message>
+    <message>
+        <source>Taken</source>
+        <translation>已拍摄</translation>
+    </message>
+    <message>
+        <source>Now the dashed outline shows where the board would help most.</source>
+        <translation>现在，虚线框表示标定板放在何处最有帮助。</translation>
+    </message>
+    <message>
+        <source>%1 to go</source>
+        <translation>还需 %1 张</translation>
+    </message>
+    <message>
+        <source>No image accepted</source>
+        <translation>没有可用的图片</translation>
+    </message>
+    <message>
+        <source>See the reasons on the right. Drop other images here to add them.</source>
+        <translation>原因见右侧。可把其他图片拖放到此处来添加。</translation>
+    </message>
+    <message>
+        <source>All images checked</source>
+        <translation>已全部检查</translation>
+    </message>
+    <message>
+        <source>They are enough.</source>
+        <translation>已足够。</translation>
+    </message>
+    <message>
+        <source>Drop more images here; the bars show what is missing.</source>
+        <translation>可把更多图片拖放到此处；条形图显示还缺什么。</translation>
+    </message>
+</context>
+<context>
     <name>odo::BoardSearchWorker</name>
     <message>
         <source>image %1</source>
@@ -8293,6 +8809,200 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>Video frame; arrow keys move the box round the robot, Shift + arrow keys resize it</source>
         <translation>画面；方向键移动机器人周围的框，按住 Shift 则改变框的大小</translation>
+    </message>
+</context>
+<context>
+    <name>odo::CalibrationResultPage</name>
+    <message>
+        <source>ordinary</source>
+        <translation>普通</translation>
+    </message>
+    <message>
+        <source>wide (rational)</source>
+        <translation>广角（有理）</translation>
+    </message>
+    <message>
+        <source>fisheye</source>
+        <translation>鱼眼</translation>
+    </message>
+    <message>
+        <source>%1 px</source>
+        <translation>%1 px</translation>
+    </message>
+    <message>
+        <source>%1 ± %2 px</source>
+        <translation>%1 ± %2 px</translation>
+    </message>
+    <message>
+        <source>Verdict</source>
+        <translation>评定</translation>
+    </message>
+    <message>
+        <source>Solving</source>
+        <translation>正在求解</translation>
+    </message>
+    <message>
+        <source>Automatic choice of the lens model</source>
+        <translation>自动选择镜头模型</translation>
+    </message>
+    <message>
+        <source>Ordinary lens</source>
+        <translation>普通镜头</translation>
+    </message>
+    <message>
+        <source>Wide lens (rational model)</source>
+        <translation>广角镜头（有理模型）</translation>
+    </message>
+    <message>
+        <source>Fisheye</source>
+        <translation>鱼眼</translation>
+    </message>
+    <message>
+        <source>Lens model</source>
+        <translation>镜头模型</translation>
+    </message>
+    <message>
+        <source>Select a bar to see its image.</source>
+        <translation>选择一个条形以查看其图片。</translation>
+    </message>
+    <message>
+        <source>Appears here after the calibration.</source>
+        <translation>镜头求解后显示在此处。</translation>
+    </message>
+    <message>
+        <source>Image and &amp;residuals</source>
+        <translation>图片与残差(&amp;R)</translation>
+    </message>
+    <message>
+        <source>&amp;Straightened</source>
+        <translation>校正后(&amp;S)</translation>
+    </message>
+    <message>
+        <source>Error by image</source>
+        <translation>各图片的误差</translation>
+    </message>
+    <message>
+        <source>Calibration</source>
+        <translation>镜头</translation>
+    </message>
+    <message>
+        <source>Lens calibration</source>
+        <translation>镜头的已知参数</translation>
+    </message>
+    <message>
+        <source>Solving…</source>
+        <translation>正在求解…</translation>
+    </message>
+    <message>
+        <source>straight edges must be straight</source>
+        <translation>直边应当是直的</translation>
+    </message>
+    <message>
+        <source>Storing the lens calibration and its images…</source>
+        <translation>正在存储镜头及其图片…</translation>
+    </message>
+    <message>
+        <source>The lens calibration was not stored. %1</source>
+        <translation>镜头未能存储。%1</translation>
+    </message>
+    <message>
+        <source>Model</source>
+        <translation>模型</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1：%2</translation>
+    </message>
+    <message>
+        <source>Images</source>
+        <translation>图片</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1，共 %2</translation>
+    </message>
+    <message>
+        <source>Board error</source>
+        <translation>标定板误差</translation>
+    </message>
+    <message>
+        <source>Held-out error</source>
+        <translation>留出验证误差</translation>
+    </message>
+    <message>
+        <source>needs six images</source>
+        <translation>需要六张图片</translation>
+    </message>
+    <message>
+        <source>Corners left out</source>
+        <translation>剔除的角点</translation>
+    </message>
+    <message>
+        <source>Focal length</source>
+        <translation>焦距</translation>
+    </message>
+    <message>
+        <source>Centre x</source>
+        <translation>中心 x</translation>
+    </message>
+    <message>
+        <source>Centre y</source>
+        <translation>中心 y</translation>
+    </message>
+</context>
+<context>
+    <name>odo::CalibrationSourcePage</name>
+    <message>
+        <source>&amp;From the camera: hold up the board, Odograph takes the images</source>
+        <translation>相机实拍：手持标定板，自动拍摄图片(&amp;F)</translation>
+    </message>
+    <message>
+        <source>From existing images or a &amp;video</source>
+        <translation>使用已拍好的图片或视频(&amp;P)</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>Prin&amp;t a board…</source>
+        <translation>打印标定板(&amp;T)…</translation>
+    </message>
+    <message>
+        <source>Show a flat calibration board from many sides to calibrate the lens. Odograph recognises checkerboard and ChArUco boards of any size. Measure one square on the paper: every later length depends on it. Do not refocus or zoom afterwards.</source>
+        <translation>从多个方向拍摄一块带方格的平板，即可得知镜头的成像规律。棋盘格或 ChArUco 均可，大小不限：种类会自动识别。请测量纸上一个方格的边长，此后的一切长度都以它为准。之后不得再对镜头重新对焦或变焦。</translation>
+    </message>
+    <message>
+        <source>&amp;Camera</source>
+        <translation>相机(&amp;C)</translation>
+    </message>
+    <message>
+        <source>Side of a &amp;square, measured</source>
+        <translation>实测方格边长(&amp;S)</translation>
+    </message>
+    <message>
+        <source>Source of the board images</source>
+        <translation>标定板图片的来源</translation>
+    </message>
+    <message>
+        <source>Images and videos of the board</source>
+        <translation>标定板的图片和视频</translation>
+    </message>
+    <message>
+        <source>&amp;Add…</source>
+        <translation>添加(&amp;A)…</translation>
+    </message>
+    <message>
+        <source>&amp;Remove</source>
+        <translation>移除(&amp;R)</translation>
+    </message>
+    <message>
+        <source>Images and videos (*.png *.jpg *.jpeg *.tif *.tiff *.bmp *.mp4 *.mkv *.avi *.mov *.webm);;All files (*)</source>
+        <translation>图片和视频 (*.png *.jpg *.jpeg *.tif *.tiff *.bmp *.mp4 *.mkv *.avi *.mov *.webm);;所有文件 (*)</translation>
+    </message>
+    <message>
+        <source>You can also drop files here.</source>
+        <translation>也可将文件拖放到此处。</translation>
     </message>
 </context>
 <context>
@@ -8390,38 +9100,94 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
-    <name>odo::CameraView</name>
+    <name>odo::CameraPositionDialog</name>
     <message>
-        <source>synchronised to %1 ms</source>
-        <translation>同步至 %1 ms</translation>
+        <source>moved %1</source>
+        <translation>移动了 %1</translation>
     </message>
     <message>
-        <source>manual offset</source>
-        <translation>手动偏移</translation>
+        <source>marker moved %1</source>
+        <translation>标记移动了 %1</translation>
     </message>
     <message>
-        <source>not synchronised</source>
-        <translation>未同步</translation>
+        <source>has not moved</source>
+        <translation>未移动</translation>
     </message>
     <message>
-        <source>%1 /s</source>
-        <translation>%1 /s</translation>
+        <source>&amp;Check</source>
+        <translation>检查(&amp;C)</translation>
     </message>
     <message>
-        <source>Camera %1</source>
-        <translation>相机 %1</translation>
+        <source>&amp;Register again…</source>
+        <translation>重新配准(&amp;R)…</translation>
+    </message>
+    <message>
+        <source>Check camera positions</source>
+        <translation>检查相机</translation>
     </message>
     <message>
         <source>Camera</source>
         <translation>相机</translation>
     </message>
     <message>
-        <source>Camera image</source>
-        <translation>相机画面</translation>
+        <source>New image</source>
+        <translation>新图片</translation>
     </message>
     <message>
-        <source>Image of %1</source>
-        <translation>%1 的画面</translation>
+        <source>Result</source>
+        <translation>结果</translation>
+    </message>
+    <message>
+        <source>Registered cameras</source>
+        <translation>已配准的相机</translation>
+    </message>
+    <message>
+        <source>A camera that someone has pushed measures wrong positions without any sign of it. Before the robots run, check each camera&apos;s markers in a new image.</source>
+        <translation>相机被碰动后会测错，而且看不出来。在机器人运行之前，会在新图片中重新查找每台相机的标记。</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>关闭</translation>
+    </message>
+    <message>
+        <source>Results of the check</source>
+        <translation>检查结果</translation>
+    </message>
+    <message>
+        <source>New image of camera %1</source>
+        <translation>相机 %1 的新图片</translation>
+    </message>
+    <message>
+        <source>Its newest recording</source>
+        <translation>其最新录像</translation>
+    </message>
+    <message>
+        <source>Not checked</source>
+        <translation>不检查</translation>
+    </message>
+    <message>
+        <source>An image or video…</source>
+        <translation>图片或视频…</translation>
+    </message>
+    <message>
+        <source>Images and videos (*.png *.jpg *.jpeg *.tif *.tiff *.bmp *.mp4 *.mkv *.avi *.mov *.webm);;All files (*)</source>
+        <translation>图片和视频 (*.png *.jpg *.jpeg *.tif *.tiff *.bmp *.mp4 *.mkv *.avi *.mov *.webm);;所有文件 (*)</translation>
+    </message>
+    <message>
+        <source>detecting…</source>
+        <translation>正在检查…</translation>
+    </message>
+    <message>
+        <source>undetermined</source>
+        <translation>未能确定</translation>
+    </message>
+    <message>
+        <source>At least two markers must be visible. The check changes nothing.</source>
+        <translation>至少要能看到两个标记。检查不会移动或更改任何内容。</translation>
+    </message>
+    <message>
+        <source>&amp;Register %1 again…</source>
+        <translation>重新配准 %1(&amp;R)…</translation>
     </message>
 </context>
 <context>
@@ -8489,6 +9255,41 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>best for tracking</source>
         <translation>最适合跟踪的设置</translation>
+    </message>
+</context>
+<context>
+    <name>odo::CameraView</name>
+    <message>
+        <source>synchronised to %1 ms</source>
+        <translation>同步至 %1 ms</translation>
+    </message>
+    <message>
+        <source>manual offset</source>
+        <translation>手动偏移</translation>
+    </message>
+    <message>
+        <source>not synchronised</source>
+        <translation>未同步</translation>
+    </message>
+    <message>
+        <source>%1 /s</source>
+        <translation>%1 /s</translation>
+    </message>
+    <message>
+        <source>Camera %1</source>
+        <translation>相机 %1</translation>
+    </message>
+    <message>
+        <source>Camera</source>
+        <translation>相机</translation>
+    </message>
+    <message>
+        <source>Camera image</source>
+        <translation>相机画面</translation>
+    </message>
+    <message>
+        <source>Image of %1</source>
+        <translation>%1 的画面</translation>
     </message>
 </context>
 <context>
@@ -9112,164 +9913,6 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
-    <name>odo::MetricGrid</name>
-    <message>
-        <source>Metrics</source>
-        <translation>指标</translation>
-    </message>
-    <message>
-        <source>No result yet: track the trial</source>
-        <translation>尚无结果：请跟踪该试验</translation>
-    </message>
-</context>
-<context>
-    <name>odo::NumberText</name>
-    <message>
-        <source>points</source>
-        <translation>分</translation>
-    </message>
-    <message>
-        <source>Time</source>
-        <translation>用时</translation>
-    </message>
-    <message>
-        <source>Path</source>
-        <translation>路程</translation>
-    </message>
-    <message>
-        <source>Top speed</source>
-        <translation>最大速度</translation>
-    </message>
-    <message>
-        <source>Mean speed</source>
-        <translation>平均速度</translation>
-    </message>
-    <message>
-        <source>Speed (RMS)</source>
-        <translation>速度 (RMS)</translation>
-    </message>
-    <message>
-        <source>Top acceleration</source>
-        <translation>最大加速度</translation>
-    </message>
-    <message>
-        <source>Acceleration (RMS)</source>
-        <translation>加速度 (RMS)</translation>
-    </message>
-    <message>
-        <source>Straightness</source>
-        <translation>直线度</translation>
-    </message>
-    <message>
-        <source>Stops</source>
-        <translation>停车次数</translation>
-    </message>
-    <message>
-        <source>Fastest turn</source>
-        <translation>最大转向角速度</translation>
-    </message>
-    <message>
-        <source>Start to finish</source>
-        <translation>起点到终点</translation>
-    </message>
-    <message>
-        <source>Laps</source>
-        <translation>圈数</translation>
-    </message>
-    <message>
-        <source>Best lap</source>
-        <translation>最快圈</translation>
-    </message>
-    <message>
-        <source>Mean lap</source>
-        <translation>平均圈时</translation>
-    </message>
-    <message>
-        <source>Off the path (mean)</source>
-        <translation>路径偏离（平均）</translation>
-    </message>
-    <message>
-        <source>Off the path (RMS)</source>
-        <translation>路径偏离 (RMS)</translation>
-    </message>
-    <message>
-        <source>Off the path (most)</source>
-        <translation>路径偏离（最大）</translation>
-    </message>
-    <message>
-        <source>Left of the path</source>
-        <translation>路径偏左</translation>
-    </message>
-    <message>
-        <source>Path completed</source>
-        <translation>路径完成度</translation>
-    </message>
-    <message>
-        <source>Zones broken</source>
-        <translation>越界次数</translation>
-    </message>
-    <message>
-        <source>Time beyond zones</source>
-        <translation>越界时间</translation>
-    </message>
-    <message>
-        <source>Beyond zones (most)</source>
-        <translation>最大越界距离</translation>
-    </message>
-    <message>
-        <source>Displacement</source>
-        <translation>位移</translation>
-    </message>
-    <message>
-        <source>Time in motion</source>
-        <translation>运动时间</translation>
-    </message>
-    <message>
-        <source>Views disagree by</source>
-        <translation>视角差异</translation>
-    </message>
-    <message>
-        <source>Score</source>
-        <translation>得分</translation>
-    </message>
-    <message>
-        <source>Spikes</source>
-        <translation>异常点</translation>
-    </message>
-    <message>
-        <source>Limits broken</source>
-        <translation>超限次数</translation>
-    </message>
-    <message>
-        <source>Gates passed</source>
-        <translation>通过的计时门</translation>
-    </message>
-    <message>
-        <source>Robot&apos;s height</source>
-        <translation>机器人高度</translation>
-    </message>
-    <message>
-        <source>Standing time</source>
-        <translation>静止时间</translation>
-    </message>
-    <message>
-        <source>Median speed</source>
-        <translation>速度中位数</translation>
-    </message>
-    <message>
-        <source>P95 speed</source>
-        <translation>速度 (P95)</translation>
-    </message>
-    <message>
-        <source>P95 acceleration</source>
-        <translation>加速度 (P95)</translation>
-    </message>
-    <message>
-        <source>Circle&apos;s radius</source>
-        <translation>圆的半径</translation>
-    </message>
-</context>
-<context>
     <name>odo::FileActions</name>
     <message>
         <source>&amp;New project…</source>
@@ -9795,6 +10438,51 @@ Much more than expected means that a setting is wrong: the views are not synchro
         <translation>
             <numerusform>%n 次试验中的 %1 次</numerusform>
         </translation>
+    </message>
+</context>
+<context>
+    <name>odo::ImageArea</name>
+    <message>
+        <source>No view</source>
+        <translation>无视角</translation>
+    </message>
+    <message>
+        <source>This camera was not recording at this time</source>
+        <translation>此时该相机没有在录制</translation>
+    </message>
+</context>
+<context>
+    <name>odo::ImageBars</name>
+    <message>
+        <source>Error of each image, with a threshold</source>
+        <translation>各图片的误差，含阈值</translation>
+    </message>
+    <message>
+        <source>%1: %2 px</source>
+        <translation>%1：%2 px</translation>
+    </message>
+    <message>
+        <source>images; rejected above %1 px</source>
+        <translation>图片；超过 %1 px 的不计入</translation>
+    </message>
+</context>
+<context>
+    <name>odo::ImageChoice</name>
+    <message>
+        <source>The camera&apos;s &amp;newest recording</source>
+        <translation>相机的最新录像(&amp;N)</translation>
+    </message>
+    <message>
+        <source>The current image of a &amp;connected camera</source>
+        <translation>已连接相机的当前画面(&amp;C)</translation>
+    </message>
+    <message>
+        <source>An image or a &amp;video</source>
+        <translation>图片或视频(&amp;P)</translation>
+    </message>
+    <message>
+        <source>Images and videos (*.png *.jpg *.jpeg *.tif *.tiff *.bmp *.mp4 *.mkv *.avi *.mov *.webm);;All files (*)</source>
+        <translation>图片和视频 (*.png *.jpg *.jpeg *.tif *.tiff *.bmp *.mp4 *.mkv *.avi *.mov *.webm);;所有文件 (*)</translation>
     </message>
 </context>
 <context>
@@ -10393,323 +11081,6 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
-    <name>odo::BoardImagesPage</name>
-    <message>
-        <source>Move it to the left of the image</source>
-        <translation>移向画面左侧</translation>
-    </message>
-    <message>
-        <source>Move it to the right of the image</source>
-        <translation>移向画面右侧</translation>
-    </message>
-    <message>
-        <source>Move it up</source>
-        <translation>向上移</translation>
-    </message>
-    <message>
-        <source>Move it down</source>
-        <translation>向下移</translation>
-    </message>
-    <message>
-        <source>Closer to the camera</source>
-        <translation>靠近相机</translation>
-    </message>
-    <message>
-        <source>Farther from the camera</source>
-        <translation>远离相机</translation>
-    </message>
-    <message>
-        <source>Tilt it: the left side away from the camera</source>
-        <translation>倾斜：左侧远离相机</translation>
-    </message>
-    <message>
-        <source>Tilt it: the right side away from the camera</source>
-        <translation>倾斜：右侧远离相机</translation>
-    </message>
-    <message>
-        <source>Tilt it: the upper side away from the camera</source>
-        <translation>倾斜：上侧远离相机</translation>
-    </message>
-    <message>
-        <source>Tilt it: the lower side away from the camera</source>
-        <translation>倾斜：下侧远离相机</translation>
-    </message>
-    <message>
-        <source>Hold it still</source>
-        <translation>保持不动</translation>
-    </message>
-    <message>
-        <source>&amp;Take an image now</source>
-        <translation>立即拍一张(&amp;T)</translation>
-    </message>
-    <message>
-        <source>What to do</source>
-        <translation>操作提示</translation>
-    </message>
-    <message>
-        <source>No image from the camera</source>
-        <translation>没有来自相机的画面</translation>
-    </message>
-    <message>
-        <source>Rejected images</source>
-        <translation>不参与计算的图片</translation>
-    </message>
-    <message>
-        <source>Coverage of the images</source>
-        <translation>图片的覆盖情况</translation>
-    </message>
-    <message>
-        <source>Rejected</source>
-        <translation>不计入</translation>
-    </message>
-    <message>
-        <source>Waiting for the camera…</source>
-        <translation>正在等待相机…</translation>
-    </message>
-    <message>
-        <source>Detecting the board…</source>
-        <translation>正在查找标定板…</translation>
-    </message>
-    <message>
-        <source>Hold the board before the camera</source>
-        <translation>请将标定板举在相机前</translation>
-    </message>
-    <message>
-        <source>Detecting the board</source>
-        <translation>正在查找标定板</translation>
-    </message>
-    <message>
-        <source>Odograph takes an image whenever the board is still, sharp and in a new position.</source>
-        <translation>只要标定板静止、清晰且处于新位置，就会自动拍摄一张图片。</translation>
-    </message>
-    <message>
-        <source>Taken</source>
-        <translation>已拍摄</translation>
-    </message>
-    <message>
-        <source>Now the dashed outline shows where the board would help most.</source>
-        <translation>现在，虚线框表示标定板放在何处最有帮助。</translation>
-    </message>
-    <message>
-        <source>%1 to go</source>
-        <translation>还需 %1 张</translation>
-    </message>
-    <message>
-        <source>No image accepted</source>
-        <translation>没有可用的图片</translation>
-    </message>
-    <message>
-        <source>See the reasons on the right. Drop other images here to add them.</source>
-        <translation>原因见右侧。可把其他图片拖放到此处来添加。</translation>
-    </message>
-    <message>
-        <source>All images checked</source>
-        <translation>已全部检查</translation>
-    </message>
-    <message>
-        <source>They are enough.</source>
-        <translation>已足够。</translation>
-    </message>
-    <message>
-        <source>Drop more images here; the bars show what is missing.</source>
-        <translation>可把更多图片拖放到此处；条形图显示还缺什么。</translation>
-    </message>
-</context>
-<context>
-    <name>odo::CalibrationResultPage</name>
-    <message>
-        <source>ordinary</source>
-        <translation>普通</translation>
-    </message>
-    <message>
-        <source>wide (rational)</source>
-        <translation>广角（有理）</translation>
-    </message>
-    <message>
-        <source>fisheye</source>
-        <translation>鱼眼</translation>
-    </message>
-    <message>
-        <source>%1 px</source>
-        <translation>%1 px</translation>
-    </message>
-    <message>
-        <source>%1 ± %2 px</source>
-        <translation>%1 ± %2 px</translation>
-    </message>
-    <message>
-        <source>Verdict</source>
-        <translation>评定</translation>
-    </message>
-    <message>
-        <source>Solving</source>
-        <translation>正在求解</translation>
-    </message>
-    <message>
-        <source>Automatic choice of the lens model</source>
-        <translation>自动选择镜头模型</translation>
-    </message>
-    <message>
-        <source>Ordinary lens</source>
-        <translation>普通镜头</translation>
-    </message>
-    <message>
-        <source>Wide lens (rational model)</source>
-        <translation>广角镜头（有理模型）</translation>
-    </message>
-    <message>
-        <source>Fisheye</source>
-        <translation>鱼眼</translation>
-    </message>
-    <message>
-        <source>Lens model</source>
-        <translation>镜头模型</translation>
-    </message>
-    <message>
-        <source>Select a bar to see its image.</source>
-        <translation>选择一个条形以查看其图片。</translation>
-    </message>
-    <message>
-        <source>Appears here after the calibration.</source>
-        <translation>镜头求解后显示在此处。</translation>
-    </message>
-    <message>
-        <source>Image and &amp;residuals</source>
-        <translation>图片与残差(&amp;R)</translation>
-    </message>
-    <message>
-        <source>&amp;Straightened</source>
-        <translation>校正后(&amp;S)</translation>
-    </message>
-    <message>
-        <source>Error by image</source>
-        <translation>各图片的误差</translation>
-    </message>
-    <message>
-        <source>Calibration</source>
-        <translation>镜头</translation>
-    </message>
-    <message>
-        <source>Lens calibration</source>
-        <translation>镜头的已知参数</translation>
-    </message>
-    <message>
-        <source>Solving…</source>
-        <translation>正在求解…</translation>
-    </message>
-    <message>
-        <source>straight edges must be straight</source>
-        <translation>直边应当是直的</translation>
-    </message>
-    <message>
-        <source>Storing the lens calibration and its images…</source>
-        <translation>正在存储镜头及其图片…</translation>
-    </message>
-    <message>
-        <source>The lens calibration was not stored. %1</source>
-        <translation>镜头未能存储。%1</translation>
-    </message>
-    <message>
-        <source>Model</source>
-        <translation>模型</translation>
-    </message>
-    <message>
-        <source>%1: %2</source>
-        <translation>%1：%2</translation>
-    </message>
-    <message>
-        <source>Images</source>
-        <translation>图片</translation>
-    </message>
-    <message>
-        <source>%1 of %2</source>
-        <translation>%1，共 %2</translation>
-    </message>
-    <message>
-        <source>Board error</source>
-        <translation>标定板误差</translation>
-    </message>
-    <message>
-        <source>Held-out error</source>
-        <translation>留出验证误差</translation>
-    </message>
-    <message>
-        <source>needs six images</source>
-        <translation>需要六张图片</translation>
-    </message>
-    <message>
-        <source>Corners left out</source>
-        <translation>剔除的角点</translation>
-    </message>
-    <message>
-        <source>Focal length</source>
-        <translation>焦距</translation>
-    </message>
-    <message>
-        <source>Centre x</source>
-        <translation>中心 x</translation>
-    </message>
-    <message>
-        <source>Centre y</source>
-        <translation>中心 y</translation>
-    </message>
-</context>
-<context>
-    <name>odo::CalibrationSourcePage</name>
-    <message>
-        <source>&amp;From the camera: hold up the board, Odograph takes the images</source>
-        <translation>相机实拍：手持标定板，自动拍摄图片(&amp;F)</translation>
-    </message>
-    <message>
-        <source>From existing images or a &amp;video</source>
-        <translation>使用已拍好的图片或视频(&amp;P)</translation>
-    </message>
-    <message>
-        <source> mm</source>
-        <translation> mm</translation>
-    </message>
-    <message>
-        <source>Prin&amp;t a board…</source>
-        <translation>打印标定板(&amp;T)…</translation>
-    </message>
-    <message>
-        <source>Show a flat calibration board from many sides to calibrate the lens. Odograph recognises checkerboard and ChArUco boards of any size. Measure one square on the paper: every later length depends on it. Do not refocus or zoom afterwards.</source>
-        <translation>从多个方向拍摄一块带方格的平板，即可得知镜头的成像规律。棋盘格或 ChArUco 均可，大小不限：种类会自动识别。请测量纸上一个方格的边长，此后的一切长度都以它为准。之后不得再对镜头重新对焦或变焦。</translation>
-    </message>
-    <message>
-        <source>&amp;Camera</source>
-        <translation>相机(&amp;C)</translation>
-    </message>
-    <message>
-        <source>Side of a &amp;square, measured</source>
-        <translation>实测方格边长(&amp;S)</translation>
-    </message>
-    <message>
-        <source>Source of the board images</source>
-        <translation>标定板图片的来源</translation>
-    </message>
-    <message>
-        <source>Images and videos of the board</source>
-        <translation>标定板的图片和视频</translation>
-    </message>
-    <message>
-        <source>&amp;Add…</source>
-        <translation>添加(&amp;A)…</translation>
-    </message>
-    <message>
-        <source>&amp;Remove</source>
-        <translation>移除(&amp;R)</translation>
-    </message>
-    <message>
-        <source>Images and videos (*.png *.jpg *.jpeg *.tif *.tiff *.bmp *.mp4 *.mkv *.avi *.mov *.webm);;All files (*)</source>
-        <translation>图片和视频 (*.png *.jpg *.jpeg *.tif *.tiff *.bmp *.mp4 *.mkv *.avi *.mov *.webm);;所有文件 (*)</translation>
-    </message>
-    <message>
-        <source>You can also drop files here.</source>
-        <translation>也可将文件拖放到此处。</translation>
-    </message>
-</context>
-<context>
     <name>odo::LensWizard</name>
     <message>
         <source>Calibrate camera</source>
@@ -11033,6 +11404,17 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>odo::MetricGrid</name>
+    <message>
+        <source>Metrics</source>
+        <translation>指标</translation>
+    </message>
+    <message>
+        <source>No result yet: track the trial</source>
+        <translation>尚无结果：请跟踪该试验</translation>
+    </message>
+</context>
+<context>
     <name>odo::MetricModel</name>
     <message>
         <source>Metric</source>
@@ -11048,97 +11430,6 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>Modes</source>
         <translation>模式</translation>
-    </message>
-</context>
-<context>
-    <name>odo::CameraPositionDialog</name>
-    <message>
-        <source>moved %1</source>
-        <translation>移动了 %1</translation>
-    </message>
-    <message>
-        <source>marker moved %1</source>
-        <translation>标记移动了 %1</translation>
-    </message>
-    <message>
-        <source>has not moved</source>
-        <translation>未移动</translation>
-    </message>
-    <message>
-        <source>&amp;Check</source>
-        <translation>检查(&amp;C)</translation>
-    </message>
-    <message>
-        <source>&amp;Register again…</source>
-        <translation>重新配准(&amp;R)…</translation>
-    </message>
-    <message>
-        <source>Check camera positions</source>
-        <translation>检查相机</translation>
-    </message>
-    <message>
-        <source>Camera</source>
-        <translation>相机</translation>
-    </message>
-    <message>
-        <source>New image</source>
-        <translation>新图片</translation>
-    </message>
-    <message>
-        <source>Result</source>
-        <translation>结果</translation>
-    </message>
-    <message>
-        <source>Registered cameras</source>
-        <translation>已配准的相机</translation>
-    </message>
-    <message>
-        <source>A camera that someone has pushed measures wrong positions without any sign of it. Before the robots run, check each camera&apos;s markers in a new image.</source>
-        <translation>相机被碰动后会测错，而且看不出来。在机器人运行之前，会在新图片中重新查找每台相机的标记。</translation>
-    </message>
-    <message>
-        <source>Close</source>
-        <translation>关闭</translation>
-    </message>
-    <message>
-        <source>Results of the check</source>
-        <translation>检查结果</translation>
-    </message>
-    <message>
-        <source>New image of camera %1</source>
-        <translation>相机 %1 的新图片</translation>
-    </message>
-    <message>
-        <source>Its newest recording</source>
-        <translation>其最新录像</translation>
-    </message>
-    <message>
-        <source>Not checked</source>
-        <translation>不检查</translation>
-    </message>
-    <message>
-        <source>An image or video…</source>
-        <translation>图片或视频…</translation>
-    </message>
-    <message>
-        <source>Images and videos (*.png *.jpg *.jpeg *.tif *.tiff *.bmp *.mp4 *.mkv *.avi *.mov *.webm);;All files (*)</source>
-        <translation>图片和视频 (*.png *.jpg *.jpeg *.tif *.tiff *.bmp *.mp4 *.mkv *.avi *.mov *.webm);;所有文件 (*)</translation>
-    </message>
-    <message>
-        <source>detecting…</source>
-        <translation>正在检查…</translation>
-    </message>
-    <message>
-        <source>undetermined</source>
-        <translation>未能确定</translation>
-    </message>
-    <message>
-        <source>At least two markers must be visible. The check changes nothing.</source>
-        <translation>至少要能看到两个标记。检查不会移动或更改任何内容。</translation>
-    </message>
-    <message>
-        <source>&amp;Register %1 again…</source>
-        <translation>重新配准 %1(&amp;R)…</translation>
     </message>
 </context>
 <context>
@@ -11190,6 +11481,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>Anyone on that network can read the robots&apos; positions.</source>
         <translation>该网络上的任何人都能读到机器人的位置。</translation>
+    </message>
+</context>
+<context>
+    <name>odo::NumberText</name>
+    <message>
+        <source>points</source>
+        <translation>分</translation>
     </message>
 </context>
 <context>
@@ -11252,51 +11550,6 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>%1, camera %2</source>
         <translation>%1，相机 %2</translation>
-    </message>
-</context>
-<context>
-    <name>odo::ImageArea</name>
-    <message>
-        <source>No view</source>
-        <translation>无视角</translation>
-    </message>
-    <message>
-        <source>This camera was not recording at this time</source>
-        <translation>此时该相机没有在录制</translation>
-    </message>
-</context>
-<context>
-    <name>odo::ImageBars</name>
-    <message>
-        <source>Error of each image, with a threshold</source>
-        <translation>各图片的误差，含阈值</translation>
-    </message>
-    <message>
-        <source>%1: %2 px</source>
-        <translation>%1：%2 px</translation>
-    </message>
-    <message>
-        <source>images; rejected above %1 px</source>
-        <translation>图片；超过 %1 px 的不计入</translation>
-    </message>
-</context>
-<context>
-    <name>odo::ImageChoice</name>
-    <message>
-        <source>The camera&apos;s &amp;newest recording</source>
-        <translation>相机的最新录像(&amp;N)</translation>
-    </message>
-    <message>
-        <source>The current image of a &amp;connected camera</source>
-        <translation>已连接相机的当前画面(&amp;C)</translation>
-    </message>
-    <message>
-        <source>An image or a &amp;video</source>
-        <translation>图片或视频(&amp;P)</translation>
-    </message>
-    <message>
-        <source>Images and videos (*.png *.jpg *.jpeg *.tif *.tiff *.bmp *.mp4 *.mkv *.avi *.mov *.webm);;All files (*)</source>
-        <translation>图片和视频 (*.png *.jpg *.jpeg *.tif *.tiff *.bmp *.mp4 *.mkv *.avi *.mov *.webm);;所有文件 (*)</translation>
     </message>
 </context>
 <context>
@@ -11556,6 +11809,72 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>Give the trial a name</source>
         <translation>请给试验取一个名称</translation>
+    </message>
+</context>
+<context>
+    <name>odo::ReferenceCameraPage</name>
+    <message>
+        <source>Image or video of the camera to register</source>
+        <translation>待配准相机的图片或视频</translation>
+    </message>
+    <message>
+        <source>Image or video of the registered camera</source>
+        <translation>已配准相机的图片或视频</translation>
+    </message>
+    <message>
+        <source>A camera cannot be registered via itself: choose two different ones.</source>
+        <translation>相机不能通过自身配准：请选择两台不同的相机。</translation>
+    </message>
+    <message>
+        <source>Camera to register</source>
+        <translation>待配准相机</translation>
+    </message>
+    <message>
+        <source>Registered camera</source>
+        <translation>已配准相机</translation>
+    </message>
+    <message>
+        <source>Register a camera that sees no markers by floor points that a registered camera also sees: corners of tiles, ends of tape, screws. Four are enough; six or more, spread over the common area, are better. Do not move either camera afterwards.</source>
+        <translation>看不到标记的相机，可以用已配准相机也能看到的地面上的点来配准：地砖的角、胶带的端头、螺钉。四个就够，六个或更多且分散在公共部分更好。此后两台相机都不得移动。</translation>
+    </message>
+    <message>
+        <source>C&amp;amera to register</source>
+        <translation>待配准相机(&amp;A)</translation>
+    </message>
+    <message>
+        <source>&amp;Via camera</source>
+        <translation>通过相机(&amp;T)</translation>
+    </message>
+    <message>
+        <source>Its image</source>
+        <translation>其画面</translation>
+    </message>
+    <message>
+        <source>The registered camera&apos;s image</source>
+        <translation>已配准相机的画面</translation>
+    </message>
+</context>
+<context>
+    <name>odo::RegisterViaCameraWizard</name>
+    <message>
+        <source>Register via another camera</source>
+        <translation>通过另一相机配准</translation>
+    </message>
+    <message>
+        <source>&amp;Save</source>
+        <translation>保存(&amp;S)</translation>
+    </message>
+    <message>
+        <source>Two cameras and their images</source>
+        <translation>两台相机及其画面</translation>
+    </message>
+    <message>
+        <source>The same points in both images</source>
+        <translation>两个画面中的相同点</translation>
+    </message>
+    <message>
+        <source>Loading the images…</source>
+        <translation>正在获取画面…</translation>
     </message>
 </context>
 <context>
@@ -13612,72 +13931,6 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
-    <name>odo::ReferenceCameraPage</name>
-    <message>
-        <source>Image or video of the camera to register</source>
-        <translation>待配准相机的图片或视频</translation>
-    </message>
-    <message>
-        <source>Image or video of the registered camera</source>
-        <translation>已配准相机的图片或视频</translation>
-    </message>
-    <message>
-        <source>A camera cannot be registered via itself: choose two different ones.</source>
-        <translation>相机不能通过自身配准：请选择两台不同的相机。</translation>
-    </message>
-    <message>
-        <source>Camera to register</source>
-        <translation>待配准相机</translation>
-    </message>
-    <message>
-        <source>Registered camera</source>
-        <translation>已配准相机</translation>
-    </message>
-    <message>
-        <source>Register a camera that sees no markers by floor points that a registered camera also sees: corners of tiles, ends of tape, screws. Four are enough; six or more, spread over the common area, are better. Do not move either camera afterwards.</source>
-        <translation>看不到标记的相机，可以用已配准相机也能看到的地面上的点来配准：地砖的角、胶带的端头、螺钉。四个就够，六个或更多且分散在公共部分更好。此后两台相机都不得移动。</translation>
-    </message>
-    <message>
-        <source>C&amp;amera to register</source>
-        <translation>待配准相机(&amp;A)</translation>
-    </message>
-    <message>
-        <source>&amp;Via camera</source>
-        <translation>通过相机(&amp;T)</translation>
-    </message>
-    <message>
-        <source>Its image</source>
-        <translation>其画面</translation>
-    </message>
-    <message>
-        <source>The registered camera&apos;s image</source>
-        <translation>已配准相机的画面</translation>
-    </message>
-</context>
-<context>
-    <name>odo::RegisterViaCameraWizard</name>
-    <message>
-        <source>Register via another camera</source>
-        <translation>通过另一相机配准</translation>
-    </message>
-    <message>
-        <source>&amp;Save</source>
-        <translation>保存(&amp;S)</translation>
-    </message>
-    <message>
-        <source>Two cameras and their images</source>
-        <translation>两台相机及其画面</translation>
-    </message>
-    <message>
-        <source>The same points in both images</source>
-        <translation>两个画面中的相同点</translation>
-    </message>
-    <message>
-        <source>Loading the images…</source>
-        <translation>正在获取画面…</translation>
-    </message>
-</context>
-<context>
     <name>odo::TimeSlider</name>
     <message>
         <source>Time of the trial</source>
@@ -14282,17 +14535,6 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
-    <name>odo::WarningBar</name>
-    <message>
-        <source>Problem</source>
-        <translation>问题所在</translation>
-    </message>
-    <message>
-        <source>Fix</source>
-        <translation>解决</translation>
-    </message>
-</context>
-<context>
     <name>odo::UndoActions</name>
     <message>
         <source>Undone: %1.</source>
@@ -14426,6 +14668,17 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>View %1</source>
         <translation>视角 %1</translation>
+    </message>
+</context>
+<context>
+    <name>odo::WarningBar</name>
+    <message>
+        <source>Problem</source>
+        <translation>问题所在</translation>
+    </message>
+    <message>
+        <source>Fix</source>
+        <translation>解决</translation>
     </message>
 </context>
 <context>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/analysis/metrics.h"
 
+#include "core/analysis/metric_table.h"
 #include "core/analysis/motion_stretches.h"
 #include "core/analysis/quantity_curve.h"
 
@@ -121,16 +122,6 @@ void addCircle(std::vector<Metric> &metrics, const std::vector<RunInstant> &inst
                            std::hypot(circle->sigmaRadiusM, scale * circle->radiusM)});
 }
 
-/// Whatever a robot does in a gap, it can only make these larger.
-bool growsInGaps(std::string_view name)
-{
-    static constexpr std::array<std::string_view, 13> names{
-        "path_length",     "max_speed",      "max_accel", "max_turn_rate", "moving_time",
-        "standing_time",   "stops",          "laps",      "zone_breaches", "zone_time",
-        "cross_track_max", "path_completed", "zone_depth"};
-    return std::ranges::find(names, name) != names.end();
-}
-
 /// The fastest significant turn: by its rate minus twice its σ, as of a curve's largest value.
 UncertainValue fastestTurn(const std::vector<RunInstant> &instants, const std::vector<MotionStretch> &motions)
 {
@@ -201,8 +192,10 @@ std::vector<Metric> measureRun(const std::vector<RunInstant> &instants)
 
 void markLowerBounds(std::vector<Metric> &metrics, const std::vector<TimeSpan> &gaps)
 {
-    for (Metric &metric : metrics)
-        metric.isAtLeast = !gaps.empty() && growsInGaps(metric.name);
+    for (Metric &metric : metrics) {
+        const MetricKind *kind = metricKind(metric.name);
+        metric.isAtLeast = !gaps.empty() && kind && kind->growsInGaps();
+    }
 }
 
 double sigmaOfScale(const std::vector<Sample> &samples, const std::vector<ProfilePoint> &points)

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/analysis/run_differences.h"
 
+#include "core/analysis/metric_table.h"
 #include "core/analysis/metrics.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 namespace odo {
@@ -178,9 +178,8 @@ namespace {
 
 bool isOfTask(const std::string &name)
 {
-    static constexpr std::array<std::string_view, 4> names{"gate_time", "laps", "best_lap", "mean_lap"};
-    return name.starts_with("cross_track") || name.starts_with("zone_") || name == "path_completed" ||
-           std::ranges::find(names, name) != names.end();
+    const MetricKind *kind = metricKind(name);
+    return kind && kind->isOfTask();
 }
 
 /// Whether a calibration's scale uncertainty is part of its σ.

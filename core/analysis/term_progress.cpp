@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/analysis/term_progress.h"
 
+#include "core/analysis/metric_table.h"
 #include "core/analysis/quantity_curve.h"
 #include "core/base/percentile.h"
 
@@ -115,11 +116,8 @@ void rankTeams(std::vector<TeamStatistics> &teams, bool isLessBetter)
 
 bool isLessBetter(const std::string &metric)
 {
-    static constexpr std::array<std::string_view, 14> less{
-        "duration",         "gate_time",     "best_lap",    "mean_lap",        "moving_time",
-        "standing_time",    "stops",         "path_length", "cross_track_rms", "cross_track_max",
-        "cross_track_mean", "zone_breaches", "zone_time",   "zone_depth"};
-    return std::ranges::find(less, metric) != less.end();
+    const MetricKind *kind = metricKind(metric);
+    return kind && kind->better == MetricKind::Better::Less;
 }
 
 } // namespace odo

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Every stated σ of a metric against the scatter of that metric over many noisy runs of known truth.
+#include "core/analysis/metric_table.h"
 #include "core/analysis/metrics.h"
 #include "core/analysis/motion_stretches.h"
+#include "core/analysis/task_metrics.h"
 #include "core/trajectory/internal/track_profile.h"
 
 #include "tests/support/registered_test.h"
@@ -166,6 +168,39 @@ private Q_SLOTS:
         QVERIFY(watch.joins(26));
         watch.skip();
         QVERIFY(!watch.joins(28));
+    }
+
+    /// Whatever a run and a task are measured by has its row, with the same unit.
+    void theTableHasEachMetric()
+    {
+        std::vector<Sample> samples;
+        const Course course = circleWithRests(0.5, 2, 0.8, 12);
+        for (int i = 0; i < 13 * 30; ++i) {
+            Sample sample;
+            sample.time = fromSeconds(i / 30.0);
+            sample.position = course(i / 30.0).position;
+            sample.covariance = Eigen::Matrix2d::Identity() * 1e-8;
+            samples.push_back(sample);
+        }
+        const auto points = makePoints(samples, {}, {}, {20, 1});
+        Task task;
+        task.gates = {{"line", GateRole::StartFinish, {-0.8, 0}, {-0.2, 0}}};
+        task.path.points = {{0.5, 0}, {0, 0.5}, {-0.5, 0}, {0, -0.5}};
+        task.path.closed = true;
+        task.zones = {{"field", ZoneRule::StayInside, {{-1, -1}, {1, -1}, {1, 1}, {-1, 1}}}};
+        std::vector<Metric> metrics = measureRun(samples, points);
+        const TaskMetrics ofTask = measureTask(task, samples, points);
+        metrics.insert(metrics.end(), ofTask.metrics.begin(), ofTask.metrics.end());
+        QVERIFY(metrics.size() > 20);
+        for (const Metric &metric : metrics) {
+            const MetricKind *kind = metricKind(metric.name);
+            QVERIFY2(kind, metric.name.c_str());
+            QCOMPARE(std::string(kind->unit), metric.unit);
+            QVERIFY2(metric.sigma.has_value() || kind->uncertainty.isEmpty(), metric.name.c_str());
+        }
+        for (const Metric &metric : ofTask.metrics)
+            QVERIFY2(metricKind(metric.name)->isOfTask(), metric.name.c_str());
+        QVERIFY(!metricKind("of a later version"));
     }
 
     void sigmasAgreeWithMonteCarlo_data()

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/models/explanation.h"
 
+#include "core/analysis/metric_table.h"
 #include "core/analysis/task_metrics.h"
 #include "core/video/frame_times.h"
 #include "ui/models/number_text.h"
@@ -86,143 +87,6 @@ class ExplanationWords
 {
     Q_DECLARE_TR_FUNCTIONS(Explanation)
 };
-
-struct MetricWords
-{
-    const char *name, *formula, *uncertainty, *source;
-};
-
-const char *const ofTheCurve = QT_TRANSLATE_NOOP(
-    "Explanation", "that of the smoothed curve there, and the calibration's scale uncertainty");
-
-constexpr const char *none = "";
-
-/// The formulas are those of core/analysis/metrics.h and task_metrics.h.
-const std::array<MetricWords, 28> &metricWords()
-{
-    static const std::array<MetricWords, 28> words{{
-        {"duration",
-         QT_TRANSLATE_NOOP(
-             "Explanation",
-             "From the onset of motion to the last stop. Moving means faster than 20 mm/s and than three σ "
-             "of the speed, for at least three frames; the moment between two frames is interpolated."),
-         QT_TRANSLATE_NOOP("Explanation", "of both moments: σ of the speed divided by its slope there"),
-         none},
-        {"path_length",
-         QT_TRANSLATE_NOOP("Explanation", "∫|v|dt while it moves, by the trapezoidal rule over the smoothed "
-                                          "speed. A gap that is not bridged counts as straight."),
-         QT_TRANSLATE_NOOP("Explanation", "of the end positions, of lateral errors where the path turns, and "
-                                          "the calibration's scale uncertainty"),
-         none},
-        {"mean_speed", QT_TRANSLATE_NOOP("Explanation", "path length / time"),
-         QT_TRANSLATE_NOOP("Explanation", "of both, treated as independent"), none},
-        {"max_speed",
-         QT_TRANSLATE_NOOP("Explanation", "The speed |v| of the smoothed curve where |v| − 2σ is largest. A "
-                                          "point does not win only because its uncertainty is large."),
-         ofTheCurve, none},
-        {"rms_speed", QT_TRANSLATE_NOOP("Explanation", "√(mean of |v|²) while it moves"),
-         QT_TRANSLATE_NOOP("Explanation",
-                           "the bound for fully correlated errors, and the calibration's scale uncertainty"),
-         none},
-        {"max_accel",
-         QT_TRANSLATE_NOOP("Explanation",
-                           "The acceleration |a| of the smoothed curve where |a| − 2σ is largest."),
-         ofTheCurve, none},
-        {"rms_accel", QT_TRANSLATE_NOOP("Explanation", "√(mean of |a|²) while it moves"),
-         QT_TRANSLATE_NOOP("Explanation",
-                           "the bound for fully correlated errors, and the calibration's scale uncertainty"),
-         none},
-        {"straightness",
-         QT_TRANSLATE_NOOP("Explanation",
-                           "distance from the first to the last position of the motion / path length"),
-         QT_TRANSLATE_NOOP("Explanation", "of the end positions"), none},
-        {"moving_time",
-         QT_TRANSLATE_NOOP("Explanation",
-                           "The time in which it moves: faster than 20 mm/s and than three σ of the speed."),
-         QT_TRANSLATE_NOOP("Explanation", "of each start and stop: σ of the speed divided by its slope"),
-         none},
-        {"stops",
-         QT_TRANSLATE_NOOP("Explanation",
-                           "The pauses between the onset of motion and the last stop, counted."),
-         none, none},
-        {"standing_time", QT_TRANSLATE_NOOP("Explanation", "time − time in motion"),
-         QT_TRANSLATE_NOOP("Explanation", "of each start and stop"), none},
-        {"median_speed",
-         QT_TRANSLATE_NOOP("Explanation", "The speed that half of the time in motion stays below."),
-         QT_TRANSLATE_NOOP("Explanation", "of the intervals within 1.5 σ of it, each by its mean"), none},
-        {"p95_speed",
-         QT_TRANSLATE_NOOP("Explanation", "The speed that 95 % of the time in motion stays below."),
-         QT_TRANSLATE_NOOP("Explanation", "of the intervals within 1.5 σ of it, each by its mean"), none},
-        {"p95_accel",
-         QT_TRANSLATE_NOOP("Explanation", "The acceleration that 95 % of the time in motion stays below."),
-         QT_TRANSLATE_NOOP("Explanation", "of the intervals within 1.5 σ of it, each by its mean"), none},
-        {"max_turn_rate",
-         QT_TRANSLATE_NOOP("Explanation", "(vx·ay − vy·ax)/|v|² of the smoothed curve, to the left or right, "
-                                          "where its amount minus 2σ is largest."),
-         QT_TRANSLATE_NOOP("Explanation", "σ² = σa²/|v|² + |a|²σv²/|v|⁴, first order"), none},
-        {"circle_radius",
-         QT_TRANSLATE_NOOP("Explanation", "The least-squares circle through the positions of the motion."),
-         QT_TRANSLATE_NOOP("Explanation",
-                           "of the scatter of the distances, with their number divided by 1 + 2Σρ for "
-                           "correlated neighbours, and the calibration's scale uncertainty"),
-         "Kåsa 1976; Gauss–Newton"},
-        {"gate_time",
-         QT_TRANSLATE_NOOP(
-             "Explanation",
-             "From passing the start gate to passing the finish, each interpolated between frames."),
-         QT_TRANSLATE_NOOP("Explanation",
-                           "of both passages: σ of the position across the gate divided by the speed"),
-         none},
-        {"laps",
-         QT_TRANSLATE_NOOP("Explanation", "Complete laps or runs, counted by the passages of the gates."),
-         none, none},
-        {"best_lap", QT_TRANSLATE_NOOP("Explanation", "The shortest lap."),
-         QT_TRANSLATE_NOOP("Explanation",
-                           "of its two passages; the calibration uncertainty of a gate passed twice cancels"),
-         none},
-        {"mean_lap", QT_TRANSLATE_NOOP("Explanation", "The mean of the laps' times."),
-         QT_TRANSLATE_NOOP("Explanation", "of the first and the last passage, over the number of laps"),
-         none},
-        {"cross_track_mean",
-         QT_TRANSLATE_NOOP("Explanation", "The distance from the reference path, averaged along the path."),
-         QT_TRANSLATE_NOOP("Explanation", "of the position across the path, and of its noise: the distance "
-                                          "has no sign, so noise does not cancel"),
-         none},
-        {"cross_track_rms",
-         QT_TRANSLATE_NOOP(
-             "Explanation",
-             "√(mean of the squared distance from the reference path), averaged along the path"),
-         QT_TRANSLATE_NOOP("Explanation", "of the position across the path"), none},
-        {"cross_track_max", QT_TRANSLATE_NOOP("Explanation", "The largest distance from the reference path."),
-         QT_TRANSLATE_NOOP("Explanation", "of the position across the path, there"), none},
-        {"cross_track_bias",
-         QT_TRANSLATE_NOOP("Explanation",
-                           "The mean of the distance from the reference path, to the left positive."),
-         QT_TRANSLATE_NOOP("Explanation", "of the position across the path, mostly the calibration's"), none},
-        {"path_completed",
-         QT_TRANSLATE_NOOP("Explanation", "The share of the reference path that the robot followed."), none,
-         none},
-        {"zone_breaches",
-         QT_TRANSLATE_NOOP(
-             "Explanation",
-             "How often the robot's reference point left a zone to stay in or entered a zone to keep out of. "
-             "It counts if the point is beyond the edge by more than three σ of the track's noise."),
-         none, none},
-        {"zone_time",
-         QT_TRANSLATE_NOOP("Explanation",
-                           "The time for which the robot's reference point was beyond the edge of a zone, "
-                           "interpolated between frames; in two zones at once it counts twice."),
-         QT_TRANSLATE_NOOP("Explanation",
-                           "of each crossing of an edge: σ of the position across it divided by the speed; "
-                           "and the change of the time when the calibration uncertainty shifts the track"),
-         none},
-        {"zone_depth",
-         QT_TRANSLATE_NOOP("Explanation",
-                           "The largest distance of the robot's reference point beyond the edge of a zone."),
-         QT_TRANSLATE_NOOP("Explanation", "of the position across the edge, there"), none},
-    }};
-    return words;
-}
 
 QString smootherSource(Smoother smoother)
 {
@@ -420,13 +284,12 @@ QStringList zoneBreachLines(const TrialScene &scene, std::size_t robot)
 Explanation explainMetric(const Metric &metric, const QStringList &inputs)
 {
     Explanation explanation{metricName(metric.name), metricNumber(metric).text(), {}, {}, inputs, {}};
-    for (const MetricWords &words : metricWords())
-        if (metric.name == words.name) {
-            explanation.formula = ExplanationWords::tr(words.formula);
-            if (metric.sigma && *words.uncertainty)
-                explanation.uncertainty = ExplanationWords::tr(words.uncertainty);
-            explanation.source = QString::fromUtf8(words.source);
-        }
+    if (const MetricKind *kind = metricKind(metric.name)) {
+        explanation.formula = shownWords(kind->formula);
+        if (metric.sigma)
+            explanation.uncertainty = shownWords(kind->uncertainty);
+        explanation.source = QString::fromUtf8(kind->source.data(), qsizetype(kind->source.size()));
+    }
     return explanation;
 }
 

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/models/number_text.h"
 
+#include "core/analysis/metric_table.h"
+#include "ui/models/shown_message.h"
+
 #include <QCoreApplication>
 #include <QRegularExpression>
 #include <QStringList>
@@ -219,51 +222,8 @@ NumberText metricNumber(const Metric &metric, const QLocale &locale)
 
 QString metricName(const std::string &name)
 {
-    struct Word
-    {
-        const char *name, *words;
-    };
-    static constexpr std::array<Word, 35> words = {{
-        {"duration", QT_TRANSLATE_NOOP("odo::NumberText", "Time")},
-        {"path_length", QT_TRANSLATE_NOOP("odo::NumberText", "Path")},
-        {"max_speed", QT_TRANSLATE_NOOP("odo::NumberText", "Top speed")},
-        {"mean_speed", QT_TRANSLATE_NOOP("odo::NumberText", "Mean speed")},
-        {"rms_speed", QT_TRANSLATE_NOOP("odo::NumberText", "Speed (RMS)")},
-        {"max_accel", QT_TRANSLATE_NOOP("odo::NumberText", "Top acceleration")},
-        {"rms_accel", QT_TRANSLATE_NOOP("odo::NumberText", "Acceleration (RMS)")},
-        {"straightness", QT_TRANSLATE_NOOP("odo::NumberText", "Straightness")},
-        {"stops", QT_TRANSLATE_NOOP("odo::NumberText", "Stops")},
-        {"max_turn_rate", QT_TRANSLATE_NOOP("odo::NumberText", "Fastest turn")},
-        {"gate_time", QT_TRANSLATE_NOOP("odo::NumberText", "Start to finish")},
-        {"laps", QT_TRANSLATE_NOOP("odo::NumberText", "Laps")},
-        {"best_lap", QT_TRANSLATE_NOOP("odo::NumberText", "Best lap")},
-        {"mean_lap", QT_TRANSLATE_NOOP("odo::NumberText", "Mean lap")},
-        {"cross_track_mean", QT_TRANSLATE_NOOP("odo::NumberText", "Off the path (mean)")},
-        {"cross_track_rms", QT_TRANSLATE_NOOP("odo::NumberText", "Off the path (RMS)")},
-        {"cross_track_max", QT_TRANSLATE_NOOP("odo::NumberText", "Off the path (most)")},
-        {"cross_track_bias", QT_TRANSLATE_NOOP("odo::NumberText", "Left of the path")},
-        {"path_completed", QT_TRANSLATE_NOOP("odo::NumberText", "Path completed")},
-        {"zone_breaches", QT_TRANSLATE_NOOP("odo::NumberText", "Zones broken")},
-        {"zone_time", QT_TRANSLATE_NOOP("odo::NumberText", "Time beyond zones")},
-        {"zone_depth", QT_TRANSLATE_NOOP("odo::NumberText", "Beyond zones (most)")},
-        {"displacement", QT_TRANSLATE_NOOP("odo::NumberText", "Displacement")},
-        {"moving_time", QT_TRANSLATE_NOOP("odo::NumberText", "Time in motion")},
-        {"mean_view_disagreement", QT_TRANSLATE_NOOP("odo::NumberText", "Views disagree by")},
-        {"score", QT_TRANSLATE_NOOP("odo::NumberText", "Score")},
-        {"spikes", QT_TRANSLATE_NOOP("odo::NumberText", "Spikes")},
-        {"limit_breaches", QT_TRANSLATE_NOOP("odo::NumberText", "Limits broken")},
-        {"gates_passed", QT_TRANSLATE_NOOP("odo::NumberText", "Gates passed")},
-        {"height", QT_TRANSLATE_NOOP("odo::NumberText", "Robot's height")},
-        {"standing_time", QT_TRANSLATE_NOOP("odo::NumberText", "Standing time")},
-        {"median_speed", QT_TRANSLATE_NOOP("odo::NumberText", "Median speed")},
-        {"p95_speed", QT_TRANSLATE_NOOP("odo::NumberText", "P95 speed")},
-        {"p95_accel", QT_TRANSLATE_NOOP("odo::NumberText", "P95 acceleration")},
-        {"circle_radius", QT_TRANSLATE_NOOP("odo::NumberText", "Circle's radius")},
-    }};
-    for (const Word &word : words) {
-        if (name == word.name)
-            return tr(word.words);
-    }
+    if (const MetricKind *kind = metricKind(name))
+        return shownWords(kind->name);
     QString readable = QString::fromStdString(name).replace(u'_', u' ');
     if (!readable.isEmpty())
         readable[0] = readable[0].toUpper();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/models/results.h"
 
+#include "core/analysis/metric_table.h"
 #include "ui/models/number_text.h"
 #include "ui/models/shown_names.h"
 #include "ui/models/trial_scene.h"
@@ -9,19 +10,15 @@
 #include <QLocale>
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <string>
 
 namespace odo {
 
 std::vector<Metric> informativeMetrics(const std::vector<Metric> &all, std::size_t count)
 {
-    static const std::vector<std::string> order = {"gate_time", "best_lap",    "laps",      "cross_track_rms",
-                                                   "duration",  "path_length", "max_speed", "mean_speed",
-                                                   "max_accel", "moving_time"};
     std::vector<Metric> chosen;
-    for (const std::string &name : order) {
-        const auto found = std::ranges::find(all, name, &Metric::name);
+    for (const MetricKind &kind : metricKinds()) {
+        const auto found = std::ranges::find(all, kind.id, &Metric::name);
         if (found != all.end())
             chosen.push_back(*found);
     }
@@ -95,26 +92,11 @@ QString lineText(const CriterionScore &line)
 
 BoundUnit boundUnit(const std::string &metric)
 {
-    const ShownUnits &shown = shownUnits();
-    const auto in = [](const ShownUnit &unit, double siPerStored) {
-        return BoundUnit{unit.name, unit.perSi * siPerStored};
-    };
-    const auto has = [&metric](const char *part) { return metric.find(part) != std::string::npos; };
-    if (has("path_completed"))
-        return {QStringLiteral("%"), 100};
-    if (has("cross_track") || has("zone_depth"))
-        return in(shown.length, 0.001); // stored in millimetres
-    if (has("path_length") || has("radius"))
-        return in(shown.distance, 1);
-    if (has("turn_rate"))
-        return {QStringLiteral("°/s"), 180 / std::numbers::pi};
-    if (has("speed"))
-        return in(shown.speed, 1);
-    if (has("accel"))
-        return in(shown.acceleration, 1);
-    if (has("time") || has("duration") || has("_lap"))
-        return {QStringLiteral("s"), 1};
-    return {};
+    const MetricKind *kind = metricKind(metric);
+    if (!kind)
+        return {};
+    const ShownUnit unit = metricUnit({metric, std::string(kind->unit), 0, {}});
+    return {unit.name, unit.perSi};
 }
 
 QString scoreText(const Score &score)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/testbed/tasks/tasks_dialog.h"
 
+#include "core/analysis/metric_table.h"
 #include "core/project/project.h"
 #include "core/project/records.h"
 #include "core/project/repositories.h"
@@ -54,16 +55,11 @@ TaskDraft draftOfTask(Project &project, const TaskRecord &task, const std::vecto
     for (const TaskRecord &each : all)
         if (each.id != task.id)
             draft.taken << QString::fromStdString(each.name);
-    const std::vector<std::string> usual{
-        "gate_time",      "best_lap",         "mean_lap",        "laps",
-        "gates_passed",   "cross_track_mean", "cross_track_rms", "cross_track_max",
-        "path_completed", "zone_breaches",    "zone_time",       "zone_depth",
-        "duration",       "max_speed",        "mean_speed",      "stops",
-        "standing_time",  "straightness",     "path_length",     "spikes",
-        "limit_breaches"};
-    draft.metrics = usual;
+    for (const MetricKind &kind : metricKinds())
+        if (kind.isScored())
+            draft.metrics.emplace_back(kind.id);
     for (const std::string &name : project.analyses().metricNames().value_or(std::vector<std::string>()))
-        if (std::ranges::find(usual, name) == usual.end())
+        if (std::ranges::find(draft.metrics, name) == draft.metrics.end())
             draft.metrics.push_back(name);
     if (task.id != 0)
         draft.scoring = project.tasks().scoring(task.id).value_or(std::vector<Criterion>());
