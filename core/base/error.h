@@ -4,6 +4,7 @@
 #include "core/base/message.h"
 
 #include <string>
+#include <system_error>
 #include <tl/expected.hpp>
 #include <type_traits>
 
@@ -45,6 +46,10 @@ Message wholeMessage(const Error &error);
 /// A value, or the Error that prevented it. Expected failures travel this way; broken invariants assert.
 template <class T>
 using Result = tl::expected<T, Error>;
+
+/// A value, or the system's reason why there is none; no words for a person are chosen yet.
+template <class T>
+using SystemResult = tl::expected<T, std::error_code>;
 
 /// Of a Result that is known to hold one.
 template <class T>

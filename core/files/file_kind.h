@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/base/error.h"
 #include "core/base/platform/file_handle.h"
-#include "core/base/platform/system_result.h"
 
 #include <cstddef>
 #include <string_view>

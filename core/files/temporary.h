@@ -3,7 +3,6 @@
 
 #include "core/base/error.h"
 #include "core/base/platform/file_handle.h"
-#include "core/base/platform/system_result.h"
 
 #include <cstddef>
 #include <cstdint>

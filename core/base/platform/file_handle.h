@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/base/error.h"
 #include "core/base/platform/file_status.h"
-#include "core/base/platform/system_result.h"
 
 #include <cstdint>
 #include <filesystem>
