@@ -33,13 +33,6 @@ std::optional<double> drivenHeadingAt(const Profile &profile, std::ptrdiff_t ind
 
 namespace {
 
-/// The value of a Result, or out of this function with its error.
-template <class T>
-tl::unexpected<Error> passOn(const Result<T> &result)
-{
-    return tl::make_unexpected(result.error());
-}
-
 /// The registration that a view's positions were made with, or else the one in force.
 Result<std::optional<RegistrationRecord>> registrationOf(Project &project, std::size_t view, RecordId camera,
                                                          const std::vector<AnalysisRecord> &analyses)
@@ -47,39 +40,29 @@ Result<std::optional<RegistrationRecord>> registrationOf(Project &project, std::
     for (const AnalysisRecord &analysis : analyses) {
         if (view >= analysis.registrations.size() || analysis.registrations[view] == 0)
             continue;
-        auto used = project.cameras().registration(analysis.registrations[view]);
-        if (!used)
-            return passOn(used);
-        return std::optional(std::move(*used));
+        auto used = ODO_TRY(project.cameras().registration(analysis.registrations[view]));
+        return std::optional(std::move(used));
     }
     return project.cameras().currentRegistration(camera);
 }
 
 Result<void> loadViews(Project &project, const std::vector<AnalysisRecord> &analyses, TrialScene &scene)
 {
-    auto recordings = project.trials().recordings(scene.trial.id);
-    if (!recordings)
-        return passOn(recordings);
-    for (RecordingRecord &recording : *recordings) {
+    auto recordings = ODO_TRY(project.trials().recordings(scene.trial.id));
+    for (RecordingRecord &recording : recordings) {
         SceneView view;
         view.camera = recording.cameraName;
         view.file = project.resolve(recording);
         view.startOffset = fromSeconds(recording.startOffsetS);
         view.clockRate = recording.clockRate;
-        auto registration = registrationOf(project, scene.views.size(), recording.camera, analyses);
-        if (!registration)
-            return passOn(registration);
-        if (*registration) {
-            auto floorView = floorViewOf(project, **registration);
-            if (!floorView)
-                return passOn(floorView);
-            view.floorView = std::move(*floorView);
-            view.registration = (*registration)->registration;
+        auto registration = ODO_TRY(registrationOf(project, scene.views.size(), recording.camera, analyses));
+        if (registration) {
+            auto floorView = ODO_TRY(floorViewOf(project, *registration));
+            view.floorView = std::move(floorView);
+            view.registration = registration->registration;
             if (!scene.layout) {
-                auto layout = project.layouts().get((*registration)->layout);
-                if (!layout)
-                    return passOn(layout);
-                scene.layout = std::move(layout->layout);
+                auto layout = ODO_TRY(project.layouts().get(registration->layout));
+                scene.layout = std::move(layout.layout);
             }
         }
         view.recording = std::move(recording);
@@ -92,21 +75,16 @@ Result<void> loadViews(Project &project, const std::vector<AnalysisRecord> &anal
 Result<SceneRobot> loadRobot(Project &project, const TrialScene &scene, RecordId id,
                              std::vector<AnalysisRecord> &analyses)
 {
-    auto robot = project.robots().get(id);
-    if (!robot)
-        return passOn(robot);
+    auto robot = ODO_TRY(project.robots().get(id));
     SceneRobot result;
-    result.robot = std::move(*robot);
+    result.robot = std::move(robot);
     const auto analysis = std::find_if(analyses.begin(), analyses.end(),
                                        [id](const AnalysisRecord &each) { return each.robot == id; });
     if (analysis != analyses.end())
         result.analysis = std::move(*analysis);
     for (const SceneView &view : scene.views) {
-        auto series = project.trials().currentObservations(view.recording.id, id);
-        if (!series)
-            return passOn(series);
-        result.observations.push_back(*series ? std::move((*series)->observations)
-                                              : std::vector<Observation>());
+        auto series = ODO_TRY(project.trials().currentObservations(view.recording.id, id));
+        result.observations.push_back(series ? std::move(series->observations) : std::vector<Observation>());
     }
     return result;
 }
@@ -252,41 +230,26 @@ std::optional<Eigen::Vector2d> TrialScene::marker(const std::string &label) cons
 Result<TrialScenePtr> loadTrialScene(Project &project, const std::string &trialName)
 {
     auto scene = std::make_shared<TrialScene>();
-    auto trial = project.trials().find(trialName);
-    if (!trial)
-        return passOn(trial);
-    scene->trial = std::move(*trial);
+    auto trial = ODO_TRY(project.trials().find(trialName));
+    scene->trial = std::move(trial);
     if (!scene->trial.task.empty()) {
-        auto task = project.tasks().find(scene->trial.task);
-        if (!task)
-            return passOn(task);
-        auto scoring = project.tasks().scoring(task->id);
-        if (!scoring)
-            return passOn(scoring);
-        scene->task = std::move(task->task);
-        scene->taskId = task->id;
-        scene->scoring = std::move(*scoring);
+        auto task = ODO_TRY(project.tasks().find(scene->trial.task));
+        auto scoring = ODO_TRY(project.tasks().scoring(task.id));
+        scene->task = std::move(task.task);
+        scene->taskId = task.id;
+        scene->scoring = std::move(scoring);
     }
-    auto analyses = project.analyses().current(scene->trial.id);
-    if (!analyses)
-        return passOn(analyses);
-    if (auto loaded = loadViews(project, *analyses, *scene); !loaded)
-        return passOn(loaded);
-    for (const RecordId id : robotsOf(scene->trial, *analyses)) {
-        auto robot = loadRobot(project, *scene, id, *analyses);
-        if (!robot)
-            return passOn(robot);
-        scene->robots.push_back(std::move(*robot));
+    auto analyses = ODO_TRY(project.analyses().current(scene->trial.id));
+    ODO_TRY(loadViews(project, analyses, *scene));
+    for (const RecordId id : robotsOf(scene->trial, analyses)) {
+        auto robot = ODO_TRY(loadRobot(project, *scene, id, analyses));
+        scene->robots.push_back(std::move(robot));
     }
     findOcclusionsIn(*scene);
-    auto pointedOut = project.trials().pointedOut(scene->trial.id);
-    if (!pointedOut)
-        return passOn(pointedOut);
-    scene->pointedOut = std::move(*pointedOut);
-    auto imported = importedTracksOf(project, scene->trial);
-    if (!imported)
-        return passOn(imported);
-    scene->imported = std::move(*imported);
+    auto pointedOut = ODO_TRY(project.trials().pointedOut(scene->trial.id));
+    scene->pointedOut = std::move(pointedOut);
+    auto imported = ODO_TRY(importedTracksOf(project, scene->trial));
+    scene->imported = std::move(imported);
     if (!scene->imported.empty())
         scene->importedTimes = timesOf(scene->robots);
     return TrialScenePtr(std::move(scene));
