@@ -307,8 +307,7 @@ Result<ReportOptions> readReportOptions(const CommandCall &call)
     options.withMethod = call.isSet(option::method);
     ODO_TRY(applyLanguage(call));
     if (call.isSet(option::logo)) {
-        auto image = ODO_TRY(readLogo(call.value(option::logo)));
-        options.letterhead.logo = std::move(image);
+        options.letterhead.logo = ODO_TRY(readLogo(call.value(option::logo)));
     }
     return options;
 }

@@ -101,8 +101,7 @@ Result<CalibrateSettings> calibrateSettings(const CommandCall &call)
                 ODO_TEXT("app.board_counts_corners", "--board counts inner corners, 3x3 to 100x100"));
     }
     if (call.isSet(option::square)) {
-        const auto side = ODO_TRY(call.lengthM(option::square));
-        settings.board.squareM = side;
+        settings.board.squareM = ODO_TRY(call.lengthM(option::square));
     }
     const std::string patternName = call.value(option::pattern);
     if (patternName == "charuco")

@@ -138,8 +138,7 @@ Result<AxesChange> changeOf(const CommandCall &call)
         change.turnDegrees = degrees;
     }
     if (call.isSet(option::xAxis)) {
-        auto pair = ODO_TRY(commaPair(call, option::xAxis));
-        change.xAlong = std::move(pair);
+        change.xAlong = ODO_TRY(commaPair(call, option::xAxis));
     }
     if (call.isSet(option::reverse)) {
         const std::string axes = call.value(option::reverse);
@@ -149,8 +148,7 @@ Result<AxesChange> changeOf(const CommandCall &call)
         change.reverseY = axes != "x";
     }
     if (call.isSet(option::unit)) {
-        const auto factor = ODO_TRY(lengthFactorFrom(call.value(option::unit)));
-        change.lengthFactor = factor;
+        change.lengthFactor = ODO_TRY(lengthFactorFrom(call.value(option::unit)));
     }
     return change;
 }

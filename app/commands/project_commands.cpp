@@ -365,14 +365,17 @@ Result<void> runShow(const QStringList &arguments, const CancelToken &cancel)
     if (analyses.empty())
         lines << QStringLiteral("Not tracked yet; run: odograph track %1 %2")
                      .arg(call.positional(0), call.positional(1));
-    std::vector<const RecordingRecord *> used;
-    for (std::size_t v = 0; !analyses.empty() && v < recordings.size(); ++v) {
+    std::vector<const RecordingRecord *> all, used;
+    for (std::size_t v = 0; v < recordings.size(); ++v) {
+        all.push_back(&recordings[v]);
+        if (analyses.empty())
+            continue;
         const std::vector<RecordId> &registrations = analyses.front().registrations;
         if (v < registrations.size() && registrations[v] != 0)
             used.push_back(&recordings[v]);
     }
     warnings = stepWarnings(trial.name, used);
-    const auto verdict = ODO_TRY(verdictOn(project, trial, recordings, analyses));
+    const auto verdict = ODO_TRY(verdictOn(project, trial, all, analyses));
     lines << verdictLines(verdict);
     const auto occlusions = ODO_TRY(trialOcclusions(project, trial.id, analyses));
     for (std::size_t a = 0; a < analyses.size(); ++a) {

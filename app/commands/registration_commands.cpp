@@ -95,8 +95,7 @@ Result<void> registerTogether(CommandCall &call)
 {
     RegisterJointSettings settings{call.value(option::layout)};
     if (call.isSet(option::tape)) {
-        const auto sigma = ODO_TRY(call.lengthM(option::tape));
-        settings.tapeSigmaM = sigma;
+        settings.tapeSigmaM = ODO_TRY(call.lengthM(option::tape));
     }
     const auto project = ODO_TRY(call.openProject(0, Project::Access::ReadWrite));
     RegisterJointJob job(settings);

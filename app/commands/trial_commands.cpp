@@ -258,8 +258,7 @@ Result<RecordSettings> recordSettings(const CommandCall &call)
         settings.seconds = *number;
     }
     if (call.isSet(option::sslVision)) {
-        auto target = ODO_TRY(parseBroadcastTarget(call.value(option::sslVision)));
-        settings.broadcast = std::move(target);
+        settings.broadcast = ODO_TRY(parseBroadcastTarget(call.value(option::sslVision)));
     }
     if (call.isSet(option::preRoll)) {
         const auto number = call.number(option::preRoll);

@@ -35,8 +35,7 @@ public:
         if (const YamlNode *name = m_root.find("camera_name"))
             imported.cameraName = name->text;
         if (const YamlNode *error = m_root.find("avg_reprojection_error")) {
-            const auto value = ODO_TRY(number(*error, "avg_reprojection_error"));
-            imported.reprojectionPx = value;
+            imported.reprojectionPx = ODO_TRY(number(*error, "avg_reprojection_error"));
         }
         if (const auto usable = CameraModel::create(imported.intrinsics); !usable)
             return failure(m_root.line, usable.error().why);
@@ -91,8 +90,7 @@ private:
                                            name, data->items.size(), rows, cols));
         std::vector<double> values;
         for (const YamlNode &item : data->items) {
-            const auto value = ODO_TRY(number(item, name));
-            values.push_back(value);
+            values.push_back(ODO_TRY(number(item, name)));
         }
         return values;
     }

@@ -130,8 +130,7 @@ Result<std::vector<SharedPoint>> readSharedPointsCsv(const std::filesystem::path
                         labelEachPoint());
         std::array<double, 4> numbers{};
         for (std::size_t i = 0; i < numbers.size(); ++i) {
-            const auto number = ODO_TRY(csvNumber(file, row, i + 1, columns[i + 1]));
-            numbers[i] = number;
+            numbers[i] = ODO_TRY(csvNumber(file, row, i + 1, columns[i + 1]));
         }
         points.push_back({label, {numbers[0], numbers[1]}, {numbers[2], numbers[3]}});
     }

@@ -60,8 +60,7 @@ public:
 
     Result<void> open()
     {
-        auto opened = ODO_TRY(OutputFile::open(m_target, FileKind::Zip));
-        m_output = std::move(opened);
+        m_output = ODO_TRY(OutputFile::open(m_target, FileKind::Zip));
         if (archive_write_set_format_zip(m_archive) != ARCHIVE_OK ||
             archive_write_open_fd(m_archive, m_output->descriptor()) != ARCHIVE_OK)
             return failure(problemOf(m_archive));
@@ -154,8 +153,7 @@ public:
         const std::filesystem::path around = files::absolute(m_folder).parent_path();
         files::makeFolders(around, problem);
         ODO_TRY(checkOutput({m_folder, Existing::Refuse}, std::nullopt));
-        auto made = ODO_TRY(TemporaryFolder::make(around, unpackIntoSubject(m_folder)));
-        m_part = std::move(made);
+        m_part = ODO_TRY(TemporaryFolder::make(around, unpackIntoSubject(m_folder)));
         return {};
     }
 

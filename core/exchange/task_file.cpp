@@ -200,8 +200,7 @@ private:
         if (list.kind != Kind::Sequence)
             return notAList(list, name);
         for (const YamlNode &item : list.items) {
-            const auto one = ODO_TRY(point(item, name));
-            read.push_back(one);
+            read.push_back(ODO_TRY(point(item, name)));
         }
         return read;
     }

@@ -270,8 +270,7 @@ public:
         while (m_position < m_text.size()) {
             CsvRow row{m_line, {}};
             for (bool more = true; more;) {
-                auto cell = ODO_TRY(parseCell());
-                row.cells.push_back(std::move(cell));
+                row.cells.push_back(ODO_TRY(parseCell()));
                 more = m_position < m_text.size() && m_text[m_position] == ',';
                 if (more)
                     ++m_position;

@@ -429,10 +429,9 @@ Result<void> TrackReader::addRow(const TrackHeader &header, std::vector<FileTrac
                            ODO_TEXT("exchange.one_place_blank", "one of its two coordinates is blank")));
         ImportedPosition row{*time, position, {}};
         if (row.position && columns.sigmaX && columns.sigmaY) {
-            auto sigma = ODO_TRY(
+            row.sigmaM = ODO_TRY(
                 pairOf(*columns.sigmaX, *columns.sigmaY,
                        ODO_TEXT("exchange.one_error_blank", "one of its two uncertainties is blank")));
-            row.sigmaM = sigma;
         }
         ODO_TRY(add(tracks[i], row));
     }

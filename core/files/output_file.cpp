@@ -417,8 +417,7 @@ Result<void> writeOutput(const OutputTarget &target,
     std::unique_ptr<OutputFile> output;
     const OutputSink sink = [&](std::string_view piece) -> Result<void> {
         if (!output) {
-            auto opened = ODO_TRY(OutputFile::open(target, kindOf(piece)));
-            output = std::move(opened);
+            output = ODO_TRY(OutputFile::open(target, kindOf(piece)));
         }
         return output->write(piece);
     };

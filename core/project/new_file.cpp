@@ -51,8 +51,7 @@ Result<void> NewFile::prepare()
         return alreadyThere();
     if (problem == std::errc::filename_too_long)
         return nameIsTooLong(m_what);
-    auto made = ODO_TRY(TemporaryFolder::make(folder, m_what));
-    m_folder = std::move(made);
+    m_folder = ODO_TRY(TemporaryFolder::make(folder, m_what));
     m_temporary = m_folder->path() / "new.odo"; // short: SQLite takes no paths beyond 512 bytes
     const auto file = FileHandle::create(m_temporary, FileHandle::Permissions::AsUserWishes);
     return file ? Result<void>() : ioError(file.error());

@@ -167,8 +167,7 @@ Result<void> renderVideo(const SimulatedScene &scene, int camera, const OutputTa
             return cancelled(renderingOf(file));
         const Frame frame = renderer.render(i);
         if (!writer) {
-            auto created = ODO_TRY(VideoWriter::create(target, frame.format, options));
-            writer = std::move(created);
+            writer = ODO_TRY(VideoWriter::create(target, frame.format, options));
         }
         ODO_TRY(writer->write(frame));
         control.report(static_cast<double>(i + 1) / static_cast<double>(count), renderingOf(file.filename()));

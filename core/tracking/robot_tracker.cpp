@@ -40,8 +40,7 @@ Result<std::unique_ptr<RobotTracker>> RobotTracker::create(const std::vector<Tra
     tracker->m_targets = targets;
     tracker->m_besides = std::ranges::all_of(targets, isFoundByColour) ? 0 : others;
     if (tracker->m_whole.empty() || !coloured.empty()) {
-        auto byColour = ODO_TRY(ColourTracker::create(std::move(coloured)));
-        tracker->m_byColour = std::move(byColour);
+        tracker->m_byColour = ODO_TRY(ColourTracker::create(std::move(coloured)));
     }
     if (background)
         tracker->setBackground(std::move(*background));

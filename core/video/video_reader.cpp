@@ -145,8 +145,7 @@ struct VideoReader::Impl
 /// From the very beginning, in a way that works with every container.
 Result<void> VideoReader::Impl::restart()
 {
-    auto reopened = ODO_TRY(input->openedAgain());
-    input = std::move(reopened);
+    input = ODO_TRY(input->openedAgain());
     avcodec_flush_buffers(decoder.get());
     packetsRead = 0;
     counted = 0;

@@ -126,8 +126,7 @@ Result<void> VideoWriter::Impl::openContainer(const OutputTarget &target)
         return fail(ErrorCode::InvalidInput, cannotWrite(file),
                     ODO_TEXT("video.no_ffv1_in_mp4", "MP4 cannot contain FFV1"),
                     ODO_TEXT("video.use_mkv", "use the ending .mkv"));
-    auto opened = ODO_TRY(OutputFile::open(target, videoKind(file)));
-    output = std::move(opened);
+    output = ODO_TRY(OutputFile::open(target, videoKind(file)));
     const std::string name = "file:" + output->temporary().string(); // absolute
     int error =
         avformat_alloc_output_context2(&container, nullptr, matroska ? "matroska" : "mp4", name.c_str());

@@ -287,8 +287,7 @@ Result<void> EmptyBinJob::remove(Project &project, const TrialName &trial,
     auto removed =
         project.note(ODO_TEXT("workflow.remove_for_good", "remove %1 for good")(Named::trial(trial.name)),
                      [&]() -> Result<void> {
-                         auto files = ODO_TRY(project.trials().removeForGood(trial.id));
-                         paths = std::move(files);
+                         paths = ODO_TRY(project.trials().removeForGood(trial.id));
                          return {};
                      });
     if (!removed)

@@ -103,14 +103,12 @@ Result<std::vector<RobotRecord>> robotsToTrack(Project &project, const TrialReco
 {
     std::vector<RobotRecord> robots;
     for (const std::string &name : names) {
-        auto robot = ODO_TRY(project.robots().find(name));
-        robots.push_back(std::move(robot));
+        robots.push_back(ODO_TRY(project.robots().find(name)));
     }
     if (!names.empty())
         return robots;
     for (const RecordId id : trial.robots) {
-        auto robot = ODO_TRY(project.robots().get(id));
-        robots.push_back(std::move(robot));
+        robots.push_back(ODO_TRY(project.robots().get(id)));
     }
     if (!robots.empty())
         return robots;

@@ -24,7 +24,10 @@ struct Example
     std::vector<AnalysisRecord> analyses = project->analyses().current(trial.id).value();
 
     Profile &profile() { return analyses.front().profile; }
-    TrialVerdict verdict() { return verdictOn(*project, trial, recordings, analyses).value(); }
+    TrialVerdict verdict()
+    {
+        return verdictOn(*project, trial, {&recordings[0], &recordings[1]}, analyses).value();
+    }
     /// The check with a code, of which there is one.
     TrialCheck check(const std::string &code)
     {

@@ -333,8 +333,7 @@ Result<void> Workspace::beginRestoring(const std::filesystem::path &file, Done w
         const auto lock = WindowLock::take(file); // nobody opens it meanwhile
         if (!lock)
             return tl::unexpected(lock.error());
-        auto done = ODO_TRY(restoreBackup(file));
-        *restored = std::move(done);
+        *restored = ODO_TRY(restoreBackup(file));
         return file;
     };
     return makeAndOpen(make, ODO_TEXT("ui.restoring_backup", "Restoring the backup"),

@@ -241,9 +241,12 @@ Result<TrialScenePtr> loadTrialScene(Project &project, const std::string &trialN
     }
     auto analyses = ODO_TRY(project.analyses().current(scene->trial.id));
     ODO_TRY(loadViews(project, analyses, *scene));
+    std::vector<const RecordingRecord *> recordings;
+    for (const SceneView &view : scene->views)
+        recordings.push_back(&view.recording);
+    scene->verdict = ODO_TRY(verdictOn(project, scene->trial, recordings, analyses));
     for (const RecordId id : robotsOf(scene->trial, analyses)) {
-        auto robot = ODO_TRY(loadRobot(project, *scene, id, analyses));
-        scene->robots.push_back(std::move(robot));
+        scene->robots.push_back(ODO_TRY(loadRobot(project, *scene, id, analyses)));
     }
     findOcclusionsIn(*scene);
     auto pointedOut = ODO_TRY(project.trials().pointedOut(scene->trial.id));

@@ -7,6 +7,7 @@
 #include "core/geometry/floor_view.h"
 #include "core/project/records.h"
 #include "core/trajectory/occlusions.h"
+#include "core/workflow/track/trial_verdict.h"
 
 #include <Eigen/Geometry>
 #include <QString>
@@ -63,6 +64,7 @@ struct TrialScene
     std::vector<Criterion> scoring;      ///< of it; empty: it is not scored
     std::vector<ImportedTrack> imported; ///< where its tracks came from; empty: our own views measured them
     std::vector<PointedOutRobot> pointedOut; ///< by a person
+    TrialVerdict verdict;                    ///< on its results
     std::vector<Nanoseconds> importedTimes;  ///< of all samples then, in order
 
     /// Frame times of the first view, which is the time line of the trial; of imported tracks their times.

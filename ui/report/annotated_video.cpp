@@ -111,8 +111,7 @@ Result<void> AnnotatedVideoJob::prepare(Project &project)
         return fail(ErrorCode::InvalidInput, what(),
                     ODO_TEXT("ui.video_speed_wrong", "its speed is not between 0.1 and 1"),
                     ODO_TEXT("ui.choose_video_speed", "choose another, such as 0.25"));
-    auto scene = ODO_TRY(loadTrialScene(project, m_trial));
-    m_scene = std::move(scene);
+    m_scene = ODO_TRY(loadTrialScene(project, m_trial));
     if (m_scene->frameTimes().empty())
         return fail(ErrorCode::NotFound, what(),
                     ODO_TEXT("ui.trial_without_recording", "the trial has no recording"),
@@ -157,8 +156,8 @@ Result<void> AnnotatedVideoJob::writeImages(const JobControl &control, Annotated
     options.threads = 0;
     std::vector<ViewFilm> films;
     for (std::size_t view = 0; view < m_scene->views.size(); ++view) {
-        auto film = ODO_TRY(ViewFilm::open(m_scene->views[view], painter.viewSizePx(view), control.cancel));
-        films.push_back(std::move(film));
+        films.push_back(
+            ODO_TRY(ViewFilm::open(m_scene->views[view], painter.viewSizePx(view), control.cancel)));
     }
     FrameFormat format;
     format.width = m_settings.sizePx.width();

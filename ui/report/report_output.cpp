@@ -35,8 +35,7 @@ PdfFile::~PdfFile() = default;
 
 Result<void> PdfFile::begin(const PageFormat &format)
 {
-    auto opened = ODO_TRY(OutputFile::open(m_target, FileKind::Pdf));
-    m_output = std::move(opened);
+    m_output = ODO_TRY(OutputFile::open(m_target, FileKind::Pdf));
     if (!m_file.open(m_output->descriptor(), QIODevice::WriteOnly))
         return m_output->failure(m_file.errorString().toStdString());
     m_writer = std::make_unique<QPdfWriter>(&m_file);

@@ -288,8 +288,7 @@ Result<std::vector<AnalysisRecord>> AnalysisRepository::current(RecordId trial) 
                 compared.changed.empty() ? AnalysisRecord::Proof::Holds : AnalysisRecord::Proof::Broken;
         ODO_TRY(readDecisions(m_connection, analysis));
         ODO_TRY(readSeries(m_connection, analysis));
-        auto ambiguities = ODO_TRY(ambiguousNames(analysis.id));
-        analysis.ambiguousNames = std::move(ambiguities);
+        analysis.ambiguousNames = ODO_TRY(ambiguousNames(analysis.id));
     }
     return analyses;
 }

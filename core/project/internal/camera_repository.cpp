@@ -52,8 +52,7 @@ Result<std::vector<Record>> allRevisions(const ProjectConnection &connection, co
     std::vector<Record> all;
     Statement select(connection, columns + QStringLiteral("WHERE camera_id=? ORDER BY id DESC"));
     auto done = select.bind(camera).eachRow([&](const Statement &row) -> Result<void> {
-        auto record = ODO_TRY(read(connection, row));
-        all.push_back(std::move(record));
+        all.push_back(ODO_TRY(read(connection, row)));
         return {};
     });
     if (!done)
@@ -336,8 +335,7 @@ Result<void> addFloorSigma(const ProjectConnection &connection, RegistrationReco
     if (record.intrinsics != 0) {
         Statement select(connection, QStringLiteral("SELECT lens_id FROM intrinsics WHERE id=?"));
         const auto found = ODO_TRY(select.bind(record.intrinsics).firstRow());
-        auto stored = ODO_TRY(lens(connection, found ? select.integer(0) : 0));
-        used = std::move(stored);
+        used = ODO_TRY(lens(connection, found ? select.integer(0) : 0));
     }
     if (const auto camera = CameraModel::create(std::move(used)))
         record.registration.floorSigmaM = floorSigmaM(record.registration, *camera, record.pixels);
@@ -367,8 +365,7 @@ Result<RegistrationRecord> readRegistration(const ProjectConnection &connection,
                     ODO_TEXT("project.covariance_not_6_by_6", "its stored covariance is not a 6 by 6 matrix"),
                     isDamagedRestoreFile());
     registration.poseCovariance = covariance;
-    auto assumed = ODO_TRY(lens(connection, row.integer(4)));
-    record.assumedIntrinsics = std::move(assumed);
+    record.assumedIntrinsics = ODO_TRY(lens(connection, row.integer(4)));
     ODO_TRY(readMarkers(connection, record));
     ODO_TRY(readLastCheck(connection, record));
     ODO_TRY(addFloorSigma(connection, record));

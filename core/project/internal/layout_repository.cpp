@@ -91,8 +91,7 @@ Result<std::vector<LayoutRecord>> LayoutRepository::all() const
     std::vector<LayoutRecord> layouts;
     Statement select(m_connection, QStringLiteral("SELECT id, name FROM layout ORDER BY id"));
     auto read = select.eachRow([&](const Statement &row) -> Result<void> {
-        auto layout = ODO_TRY(readLayout(m_connection, row.integer(0), row.name(1)));
-        layouts.push_back(std::move(layout));
+        layouts.push_back(ODO_TRY(readLayout(m_connection, row.integer(0), row.name(1))));
         return {};
     });
     if (!read)

@@ -48,8 +48,7 @@ Result<RobotRecord> robotOf(const Statement &row)
     robot.heightM = sizeOf(row, 4);
     robot.lengthM = sizeOf(row, 5);
     robot.widthM = sizeOf(row, 6);
-    const auto drawing = ODO_TRY(fromStoredWord(drawingColourWords, row.text(7), robotSubject(robot.name)));
-    robot.drawingColour = drawing;
+    robot.drawingColour = ODO_TRY(fromStoredWord(drawingColourWords, row.text(7), robotSubject(robot.name)));
     robot.referenceM = {row.real(8), row.real(9)};
     return robot;
 }
@@ -126,8 +125,7 @@ Result<std::vector<RobotRecord>> RobotRepository::all() const
     std::vector<RobotRecord> robots;
     Statement select(m_connection, robotColumns + QStringLiteral("ORDER BY id"));
     auto read = select.eachRow([&robots](const Statement &row) -> Result<void> {
-        auto robot = ODO_TRY(robotOf(row));
-        robots.push_back(std::move(robot));
+        robots.push_back(ODO_TRY(robotOf(row)));
         return {};
     });
     if (!read)

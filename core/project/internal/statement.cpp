@@ -252,8 +252,7 @@ Result<void> Transaction::begin()
         return fail(ErrorCode::Io, m_connection.subject(),
                     ODO_TEXT("project.earlier_step_failed", "an earlier step of this change failed"),
                     ODO_TEXT("project.try_change_again", "try the whole change again"));
-    auto turn = ODO_TRY(m_connection.takeTurn());
-    m_turn = std::move(turn);
+    m_turn = ODO_TRY(m_connection.takeTurn());
     ODO_TRY(checkPosition());
     const QString sql =
         m_depth == 0 ? QStringLiteral("BEGIN IMMEDIATE") : QStringLiteral("SAVEPOINT step%1").arg(m_depth);

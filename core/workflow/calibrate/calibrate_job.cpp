@@ -48,8 +48,7 @@ Result<void> CalibrationStorage::writeImages(const std::vector<BoardImage> &imag
         if (image == images.end())
             continue;
         const std::string name = m_camera + "_" + std::filesystem::path(used[i].view.source).stem().string();
-        auto written = ODO_TRY(m_media.write(name, image->png));
-        m_record.files.back() = std::move(written);
+        m_record.files.back() = ODO_TRY(m_media.write(name, image->png));
     }
     return {};
 }
@@ -62,8 +61,7 @@ Result<IntrinsicsRecord> CalibrationStorage::commit(Project &project)
                          const auto camera = ODO_TRY(findOrAddCamera(project, m_camera));
                          m_record.camera = camera.id;
                          m_record.made = instantNow();
-                         auto added = ODO_TRY(project.cameras().addIntrinsics(m_record));
-                         m_record = std::move(added);
+                         m_record = ODO_TRY(project.cameras().addIntrinsics(m_record));
                          return {};
                      });
     if (!stored)

@@ -41,8 +41,7 @@ Result<IntrinsicsRecord> importIntrinsics(Project &project, const std::string &c
                      [&]() -> Result<void> {
                          const auto found = ODO_TRY(findOrAddCamera(project, camera));
                          record.camera = found.id;
-                         auto added = ODO_TRY(project.cameras().addIntrinsics(record));
-                         record = std::move(added);
+                         record = ODO_TRY(project.cameras().addIntrinsics(record));
                          return {};
                      });
     if (!stored)

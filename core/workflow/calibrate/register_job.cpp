@@ -93,8 +93,7 @@ Result<void> RegisterJob::keepImage()
     if (!m_seenIn)
         return {};
     m_media = std::make_unique<CalibrationMedia>(m_mediaFolder);
-    auto written = ODO_TRY(m_media->writeFloor(m_settings.camera, *m_seenIn));
-    m_record.image = std::move(written);
+    m_record.image = ODO_TRY(m_media->writeFloor(m_settings.camera, *m_seenIn));
     return {};
 }
 
@@ -195,9 +194,8 @@ Result<RegistrationRecord> registerWithCurrentIntrinsics(Project &project, const
     const auto stored = project.note(
         ODO_TEXT("workflow.register_camera_again", "register camera %1 again")(Named::camera(camera)),
         [&]() -> Result<void> {
-            auto made = ODO_TRY(
+            record = ODO_TRY(
                 storeFromOldMarkers(project, camera, job.record(), registered.registration.lastCheck));
-            record = std::move(made);
             return {};
         });
     if (!stored)
@@ -208,8 +206,7 @@ Result<RegistrationRecord> registerWithCurrentIntrinsics(Project &project, const
 Result<void> RegisterJob::commit(Project &project)
 {
     auto committed = project.note(registerChange(m_settings.camera), [&]() -> Result<void> {
-        const auto stored = ODO_TRY(storeRegistration(project, m_settings.camera, m_record));
-        m_record = stored;
+        m_record = ODO_TRY(storeRegistration(project, m_settings.camera, m_record));
         return {};
     });
     if (committed && m_media)
@@ -259,8 +256,7 @@ Result<void> RegisterViaCameraJob::prepare(Project &project)
                     ODO_TEXT("workflow.camera_not_registered",
                              "camera '%1' is not registered")(Named::camera(m_settings.reference)),
                     registerItFirst());
-    auto view = ODO_TRY(floorViewOf(project, *registration));
-    m_reference = std::move(view);
+    m_reference = ODO_TRY(floorViewOf(project, *registration));
     m_referenceRegistration = registration->id;
     return findCamera(project);
 }
@@ -270,8 +266,7 @@ Result<void> RegisterViaCameraJob::findCamera(Project &project)
     const auto camera = ODO_TRY(project.cameras().find(m_settings.camera));
     const auto intrinsics = ODO_TRY(project.cameras().currentIntrinsics(camera.id));
     if (intrinsics) {
-        auto model = ODO_TRY(CameraModel::create(intrinsics->calibration.intrinsics));
-        m_camera = std::move(model);
+        m_camera = ODO_TRY(CameraModel::create(intrinsics->calibration.intrinsics));
         m_intrinsicsKnown = true;
         m_record.intrinsics = intrinsics->id;
         return {};
@@ -356,8 +351,7 @@ Result<void> RegisterJointJob::run(const JobControl &control)
 {
     control.report(
         0, ODO_TEXT("workflow.fitting_cameras_together", "fitting %1 cameras jointly")(m_cameras.size()));
-    auto joint = ODO_TRY(registerJointly(m_layout, m_cameras, m_settings.tapeSigmaM));
-    m_joint = std::move(joint);
+    m_joint = ODO_TRY(registerJointly(m_layout, m_cameras, m_settings.tapeSigmaM));
     return {};
 }
 

@@ -108,8 +108,7 @@ Result<void> ImportTracksJob::readTask(Project &project)
 {
     if (m_settings.task.empty())
         return {};
-    auto task = ODO_TRY(project.tasks().find(m_settings.task));
-    m_task = std::move(task);
+    m_task = ODO_TRY(project.tasks().find(m_settings.task));
     return {};
 }
 
@@ -282,14 +281,12 @@ Result<void> ImportTracksJob::store(Project &project)
     }
     for (Imported &one : m_imported) {
         if (one.robot.id == 0) {
-            auto made = ODO_TRY(project.robots().add(one.robot));
-            one.robot = std::move(made);
+            one.robot = ODO_TRY(project.robots().add(one.robot));
         }
         m_trial.robots.push_back(one.robot.id);
     }
     m_trial.date = m_settings.date.value_or(instantNow());
-    auto trial = ODO_TRY(project.trials().add(m_trial, {}));
-    m_trial = std::move(trial);
+    m_trial = ODO_TRY(project.trials().add(m_trial, {}));
     for (std::size_t robot = 0; robot < m_imported.size(); ++robot) {
         Imported &one = m_imported[robot];
         one.source.trial = one.analysis.trial = m_trial.id;
@@ -297,8 +294,7 @@ Result<void> ImportTracksJob::store(Project &project)
         one.source.imported = instantNow();
         ODO_TRY(project.trials().addImportedTrack(one.source, samplesOf(robot)));
         const std::vector<SampleFlags> flags = one.analysis.profile.flags;
-        auto stored = ODO_TRY(project.analyses().add(std::move(one.analysis), samplesOf(robot, flags)));
-        one.analysis = std::move(stored);
+        one.analysis = ODO_TRY(project.analyses().add(std::move(one.analysis), samplesOf(robot, flags)));
     }
     return {};
 }

@@ -349,8 +349,7 @@ Result<void> ImportTrialJob::commit(Project &project)
                 m_trial.robots.push_back(robot.id);
         }
         m_trial.date = m_settings.date.value_or(instantNow());
-        auto trial = ODO_TRY(project.trials().add(m_trial, m_recordings));
-        m_trial = std::move(trial);
+        m_trial = ODO_TRY(project.trials().add(m_trial, m_recordings));
         return {};
     });
     if (!committed)

@@ -58,8 +58,7 @@ Result<LineUp> LineUp::read(Project &project, bool byPseudonym)
     for (const TrialName &trial : up.m_trials) {
         if (!known.insert(trial.teamName).second)
             continue;
-        auto newest = ODO_TRY(project.trials().get(trial.id));
-        up.m_newest.push_back(std::move(newest));
+        up.m_newest.push_back(ODO_TRY(project.trials().get(trial.id)));
     }
     return up;
 }

@@ -74,8 +74,7 @@ Result<void> LiveTrial::addTo(Project &project, const std::vector<std::string> &
         records.push_back(view.record);
         m_views.push_back(std::move(view));
     }
-    auto begun = ODO_TRY(project.trials().begin(m_trial, records));
-    m_trial = std::move(begun);
+    m_trial = ODO_TRY(project.trials().begin(m_trial, records));
     const auto stored = ODO_TRY(project.trials().recordings(m_trial.id));
     for (std::size_t i = 0; i < m_views.size(); ++i)
         m_views[i].record = stored[i];
@@ -200,8 +199,7 @@ Result<void> LiveTrial::commit(Project &project)
             m_views[i].file.remove();
     }
     m_lock.reset();
-    auto trial = ODO_TRY(project.trials().get(m_trial.id));
-    m_trial = std::move(trial);
+    m_trial = ODO_TRY(project.trials().get(m_trial.id));
     return {};
 }
 

@@ -87,8 +87,7 @@ Result<void> OverrideJob::prepare(Project &project)
     const auto analyses = ODO_TRY(project.analyses().current(trial.id));
     const auto analysis = ODO_TRY(chosenAnalysis(analyses, m_request));
     const auto sample = ODO_TRY(chosenSample(analysis.profile.samples, m_request));
-    const auto before = ODO_TRY(project.trials().overrides(trial.id, analysis.robot));
-    m_before = before;
+    m_before = ODO_TRY(project.trials().overrides(trial.id, analysis.robot));
     m_trial = trial.id;
     m_robot = analysis.robot;
     m_outcome.robot = analysis.robotName;

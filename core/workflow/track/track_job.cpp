@@ -353,8 +353,7 @@ Result<void> TrackJob::commit(Project &project)
             if (!d.settings.pointers.empty())
                 ODO_TRY(project.trials().setPointedOut(d.trial.id, d.pointedOut));
             for (TrackedRobot &robot : d.outcome.robots) {
-                auto stored = ODO_TRY(project.analyses().add(std::move(robot.analysis)));
-                robot.analysis = std::move(stored);
+                robot.analysis = ODO_TRY(project.analyses().add(std::move(robot.analysis)));
             }
             std::vector<RecordId> all = d.trial.robots;
             for (const RobotRecord &robot : d.robots) {

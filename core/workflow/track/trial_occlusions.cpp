@@ -34,8 +34,7 @@ Result<std::vector<std::vector<Occlusion>>> trialOcclusions(Project &project, Re
     // of each view, a series for each analysis
     std::vector<std::vector<ObservationSeries>> seen(recordings.size());
     for (std::size_t v = 0; v < recordings.size(); ++v) {
-        auto floorView = ODO_TRY(floorViewUsed(project, v, analyses));
-        floorViews.push_back(std::move(floorView));
+        floorViews.push_back(ODO_TRY(floorViewUsed(project, v, analyses)));
         for (const AnalysisRecord &analysis : analyses) {
             auto series = ODO_TRY(project.trials().currentObservations(recordings[v].id, analysis.robot));
             seen[v].push_back(std::move(series).value_or(ObservationSeries()));

@@ -198,7 +198,7 @@ CheckLevel TrialVerdict::level() const
 }
 
 Result<TrialVerdict> verdictOn(Project &project, const TrialRecord &trial,
-                               const std::vector<RecordingRecord> &recordings,
+                               const std::vector<const RecordingRecord *> &recordings,
                                const std::vector<AnalysisRecord> &analyses)
 {
     if (analyses.empty())
@@ -209,12 +209,12 @@ Result<TrialVerdict> verdictOn(Project &project, const TrialRecord &trial,
     std::vector<const RecordingRecord *> used;
     const std::vector<RecordId> &registrations = analyses.front().registrations;
     for (std::size_t v = 0; v < recordings.size(); ++v) {
-        checkFrames(recordings[v], trial.name, checks);
+        checkFrames(*recordings[v], trial.name, checks);
         if (v >= registrations.size() || registrations[v] == 0)
             continue;
-        used.push_back(&recordings[v]);
+        used.push_back(recordings[v]);
         const auto registration = ODO_TRY(project.cameras().registration(registrations[v]));
-        checkRegistration(registration, recordings[v].cameraName, checks);
+        checkRegistration(registration, recordings[v]->cameraName, checks);
     }
     for (std::size_t v = 1; v < used.size(); ++v)
         checkSynchronisation(*used[0], *used[v], trial.name, checks);

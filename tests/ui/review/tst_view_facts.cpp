@@ -41,29 +41,25 @@ private Q_SLOTS:
         QCOMPARE(fact->value.contains(QStringLiteral("\n15 to 65 ms apart")), isUneven);
     }
 
-    void viewsThatContradictOneAnotherAreDoubtful()
+    void theVerdictIsShownWithItsReasons()
     {
-        auto scene = std::make_shared<TrialScene>(*exampleScene({.frames = 60}));
-        const auto isSaid = [&scene] {
-            const QList<Fact> facts = trialFacts(*scene);
-            return std::ranges::find(facts, QStringLiteral("Views"), &Fact::name) != facts.end();
+        TrialScene scene = *exampleScene({.frames = 60});
+        const auto verdictFact = [&scene] {
+            const QList<Fact> facts = trialFacts(scene);
+            const auto fact = std::ranges::find(facts, QStringLiteral("Verdict"), &Fact::name);
+            return fact == facts.end() ? Fact() : *fact;
         };
-        auto analysis = *scene->robots.front().analysis;
-        analysis.views = {"A", "B"};
-        for (Sample &sample : analysis.profile.samples)
-            sample.viewDisagreementM = 0.0213;
-        scene->robots.front().analysis = analysis;
-        QVERIFY(!isSaid());
-        for (Sample &sample : analysis.profile.samples)
-            sample.flags |= flagBit(SampleFlag::ViewsDisagree);
-        scene->robots.front().analysis = analysis;
-        const QList<Fact> facts = trialFacts(*scene);
-        const auto fact = std::ranges::find(facts, QStringLiteral("Views"), &Fact::name);
-        QVERIFY(fact != facts.end());
-        QCOMPARE(fact->badge.text, QStringLiteral("inconsistent"));
-        QVERIFY2(fact->value.contains(QStringLiteral("in 60 of 60 frames the views contradict each other: "
-                                                     "their floor positions differ by 21.3 mm")),
-                 qPrintable(fact->value));
+        QVERIFY(verdictFact().value.isEmpty()); // not tracked
+        scene.verdict.checks = {{"views_agree", CheckLevel::Pass, foreignWords("the views agree")},
+                                {"few_spikes", CheckLevel::Pass, foreignWords("few spikes")}};
+        QCOMPARE(verdictFact().value, QStringLiteral("all 2 checks passed"));
+        QVERIFY(verdictFact().badge.state == BadgeState::Good);
+        scene.verdict.checks[1] = {"few_spikes", CheckLevel::Doubtful, foreignWords("30 spikes")};
+        QCOMPARE(verdictFact().value, QStringLiteral("30 spikes."));
+        QVERIFY(verdictFact().badge.state == BadgeState::Warning);
+        scene.verdict.checks[0] = {"views_agree", CheckLevel::Bad, foreignWords("the views are apart")};
+        QCOMPARE(verdictFact().value, QStringLiteral("the views are apart.\n30 spikes."));
+        QVERIFY(verdictFact().badge.state == BadgeState::Bad);
     }
 
 private:

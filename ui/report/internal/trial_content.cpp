@@ -144,10 +144,8 @@ Result<TrialContentPtr> TrialContentReader::read(const std::string &trial, const
     const auto scene = ODO_TRY(loadTrialScene(m_project, trial));
     auto content = std::make_shared<TrialContent>();
     content->scene = scene;
-    auto medians = ODO_TRY(classMediansOf(*scene));
-    content->classMedians = std::move(medians);
-    auto lenses = ODO_TRY(calibrationsOf(*scene));
-    content->calibrationRmsPx = std::move(lenses);
+    content->classMedians = ODO_TRY(classMediansOf(*scene));
+    content->calibrationRmsPx = ODO_TRY(calibrationsOf(*scene));
     content->stillTime = tellingMoment(*scene);
     content->isAtTopSpeed = m_moment == StillMoment::TopSpeed;
     const Readers readers = openVideos(*scene, cancel);

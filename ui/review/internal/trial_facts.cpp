@@ -292,6 +292,24 @@ QString dateText(Instant instant)
                               QLocale::ShortFormat);
 }
 
+/// How far the results can be relied on, and the reasons why not.
+void addVerdict(const TrialVerdict &verdict, QList<Fact> &facts)
+{
+    if (verdict.checks.empty())
+        return;
+    QStringList reasons;
+    for (const TrialCheck &check : verdict.checks)
+        if (check.level != CheckLevel::Pass)
+            reasons << fullSentence(shownWords(check.text));
+    const Badge badges[] = {{TrialFactsWords::tr("passed"), BadgeState::Good},
+                            {TrialFactsWords::tr("doubtful"), BadgeState::Warning},
+                            {TrialFactsWords::tr("do not rely on it"), BadgeState::Bad}};
+    facts.append({TrialFactsWords::tr("Verdict"),
+                  reasons.isEmpty() ? TrialFactsWords::tr("all %1 checks passed").arg(verdict.checks.size())
+                                    : reasons.join(u'\n'),
+                  badges[static_cast<std::size_t>(verdict.level())]});
+}
+
 /// The task, with what a run is worth in it.
 void addTask(const TrialScene &scene, QList<Fact> &facts)
 {
@@ -336,23 +354,7 @@ QList<Fact> trialFacts(const TrialScene &scene)
     for (std::size_t robot = 0; robot < scene.robots.size(); ++robot)
         facts.append(
             {TrialFactsWords::tr("Robot"), robotText(scene.robots[robot]), {}, explainHeight(scene, robot)});
-    for (const SceneRobot &robot : scene.robots) {
-        if (robot.analysis && robot.analysis->proof == AnalysisRecord::Proof::Broken)
-            facts.append(
-                {TrialFactsWords::tr("Results"),
-                 TrialFactsWords::tr("%1: changed in the file after the analysis. Reanalyse the trial.")
-                     .arg(QString::fromStdString(robot.robot.name)),
-                 {TrialFactsWords::tr("do not rely on them"), BadgeState::Bad}});
-    }
-    for (const SceneRobot &robot : scene.robots) {
-        const Message apart = robot.analysis && !robot.analysis->views.empty()
-                                  ? viewsApartSentence(robot.analysis->profile)
-                                  : Message();
-        if (!apart.isEmpty())
-            facts.append({TrialFactsWords::tr("Views"),
-                          joinedWords(QString::fromStdString(robot.robot.name), shownWords(apart)),
-                          {TrialFactsWords::tr("inconsistent"), BadgeState::Warning}});
-    }
+    addVerdict(scene.verdict, facts);
     add(TrialFactsWords::tr("Date"), dateText(trial.date));
     if (scene.layout)
         add(TrialFactsWords::tr("Testbed"),

@@ -445,8 +445,7 @@ void AccuracyDialog::findBestPosition()
                                       fromMillimetres(m_robotHeight->value())};
     m_search.start([found = m_found, like = *planned, layout = m_layout, others = std::move(others),
                     search](const JobControl &control) -> Result<void> {
-        auto best = ODO_TRY(bestCameraPosition(like, layout, others, search, control));
-        *found = std::move(best);
+        *found = ODO_TRY(bestCameraPosition(like, layout, others, search, control));
         return {};
     });
     m_summary->setText(tr("Searching for the best position…"));

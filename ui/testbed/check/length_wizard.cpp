@@ -119,8 +119,7 @@ void LengthWizard::takeFrame()
     m_task.start(
         [image = m_image, origin = m_choice->origin(),
          intrinsics = camera().view.camera().intrinsics()](const JobControl &control) -> Result<void> {
-            auto taken = ODO_TRY(takeStillImage(origin, {}, intrinsics, control));
-            *image = std::move(taken);
+            *image = ODO_TRY(takeStillImage(origin, {}, intrinsics, control));
             return {};
         });
 }

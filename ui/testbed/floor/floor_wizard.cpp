@@ -97,8 +97,7 @@ void FloorWizard::beginMarkers()
     m_task.start([image = m_image, origin = m_source->origin(),
                   layout = m_layouts.at(std::size_t(m_source->layout())).layout,
                   intrinsics = intrinsicsOf(m_cameras, camera())](const JobControl &control) -> Result<void> {
-        auto taken = ODO_TRY(takeStillImage(origin, layout, intrinsics, control));
-        *image = std::move(taken);
+        *image = ODO_TRY(takeStillImage(origin, layout, intrinsics, control));
         return {};
     });
 }

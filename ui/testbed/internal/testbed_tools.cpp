@@ -64,8 +64,7 @@ public:
     KeepImage keep()
     {
         return [this](const QString &camera, const Frame &frame) -> Result<void> {
-            auto written = ODO_TRY(m_media.writeFloor(camera.toStdString(), frame));
-            m_stored = std::move(written);
+            m_stored = ODO_TRY(m_media.writeFloor(camera.toStdString(), frame));
             return {};
         };
     }
