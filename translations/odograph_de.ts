@@ -3804,7 +3804,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
 <context>
     <name>calibration.check_length</name>
     <message>
-        <source>Check the length itself, that it lies on the floor, and the marker positions.</source>
+        <source>Check the length itself, that it is on the floor, and the marker positions.</source>
         <translation>Prüfen Sie die Länge selbst, ob sie auf dem Boden liegt, und die Plätze der Marker.</translation>
     </message>
 </context>
@@ -15299,7 +15299,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
 <context>
     <name>project.find_or_put_back</name>
     <message>
-        <source>take it from there with odograph check P.odo --find FOLDER or Find lost videos… in the window, or put it back in its place</source>
+        <source>take it from there with odograph check P.odo --find FOLDER or Find lost videos… in the window, or move it back to its folder</source>
         <translation>holen Sie sie mit odograph check P.odo --find FOLDER oder „Verlorene Videos suchen…“ im Fenster von dort, oder legen Sie sie an ihren Platz zurück</translation>
     </message>
 </context>
@@ -16286,28 +16286,28 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
 <context>
     <name>project.put_back_and_open</name>
     <message>
-        <source>put the file back in its place, and open the project again</source>
+        <source>move the file back to its folder, and open the project again</source>
         <translation>legen Sie die Datei an ihren Ort zurück, und öffnen Sie das Projekt noch einmal</translation>
     </message>
 </context>
 <context>
     <name>project.put_back_and_retry</name>
     <message>
-        <source>move it back to its place and try again</source>
+        <source>move it back to its folder and try again</source>
         <translation>legen Sie sie an ihren Platz zurück und versuchen Sie es noch einmal</translation>
     </message>
 </context>
 <context>
     <name>project.put_back_or_find</name>
     <message>
-        <source>put the file back in its place, or find it by its content with odograph check P.odo --find FOLDER or Find lost videos… in the window</source>
+        <source>move the file back to its folder, or find it by its content with odograph check P.odo --find FOLDER or Find lost videos… in the window</source>
         <translation>legen Sie die Datei an ihren Platz zurück, oder suchen Sie sie anhand ihres Inhalts mit odograph check P.odo --find FOLDER oder „Verlorene Videos suchen…“ im Fenster</translation>
     </message>
 </context>
 <context>
     <name>project.put_file_back</name>
     <message>
-        <source>put the file back in its place</source>
+        <source>move the file back to its folder</source>
         <translation>legen Sie die Datei an ihren Platz zurück</translation>
     </message>
 </context>
@@ -16321,7 +16321,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
 <context>
     <name>project.put_original_back</name>
     <message>
-        <source>put the original file back in its place</source>
+        <source>move the original file back to its folder</source>
         <translation>legen Sie die ursprüngliche Datei wieder an ihren Platz</translation>
     </message>
 </context>

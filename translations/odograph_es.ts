@@ -3804,7 +3804,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
 <context>
     <name>calibration.check_length</name>
     <message>
-        <source>Check the length itself, that it lies on the floor, and the marker positions.</source>
+        <source>Check the length itself, that it is on the floor, and the marker positions.</source>
         <translation>Compruebe la longitud misma, si está en el suelo y los lugares de los marcadores.</translation>
     </message>
 </context>
@@ -15299,7 +15299,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
 <context>
     <name>project.find_or_put_back</name>
     <message>
-        <source>take it from there with odograph check P.odo --find FOLDER or Find lost videos… in the window, or put it back in its place</source>
+        <source>take it from there with odograph check P.odo --find FOLDER or Find lost videos… in the window, or move it back to its folder</source>
         <translation>recupérela de ahí con odograph check P.odo --find FOLDER o con Buscar videos perdidos… en la ventana, o devuélvala a su lugar</translation>
     </message>
 </context>
@@ -16286,28 +16286,28 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
 <context>
     <name>project.put_back_and_open</name>
     <message>
-        <source>put the file back in its place, and open the project again</source>
+        <source>move the file back to its folder, and open the project again</source>
         <translation>devuelva el archivo a su lugar y abra de nuevo el proyecto</translation>
     </message>
 </context>
 <context>
     <name>project.put_back_and_retry</name>
     <message>
-        <source>move it back to its place and try again</source>
+        <source>move it back to its folder and try again</source>
         <translation>devuélvalo a su sitio e inténtelo de nuevo</translation>
     </message>
 </context>
 <context>
     <name>project.put_back_or_find</name>
     <message>
-        <source>put the file back in its place, or find it by its content with odograph check P.odo --find FOLDER or Find lost videos… in the window</source>
+        <source>move the file back to its folder, or find it by its content with odograph check P.odo --find FOLDER or Find lost videos… in the window</source>
         <translation>devuelva el archivo a su lugar, o búsquelo por su contenido con odograph check P.odo --find FOLDER o con Buscar videos perdidos… en la ventana</translation>
     </message>
 </context>
 <context>
     <name>project.put_file_back</name>
     <message>
-        <source>put the file back in its place</source>
+        <source>move the file back to its folder</source>
         <translation>devuelva el archivo a su lugar</translation>
     </message>
 </context>
@@ -16321,7 +16321,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
 <context>
     <name>project.put_original_back</name>
     <message>
-        <source>put the original file back in its place</source>
+        <source>move the original file back to its folder</source>
         <translation>vuelva a poner el archivo original en su sitio</translation>
     </message>
 </context>

@@ -3804,7 +3804,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>calibration.check_length</name>
     <message>
-        <source>Check the length itself, that it lies on the floor, and the marker positions.</source>
+        <source>Check the length itself, that it is on the floor, and the marker positions.</source>
         <translation>Vérifiez la longueur elle-même, si elle est posée au sol, et les places des marqueurs.</translation>
     </message>
 </context>
@@ -15299,7 +15299,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>project.find_or_put_back</name>
     <message>
-        <source>take it from there with odograph check P.odo --find FOLDER or Find lost videos… in the window, or put it back in its place</source>
+        <source>take it from there with odograph check P.odo --find FOLDER or Find lost videos… in the window, or move it back to its folder</source>
         <translation>reprenez-le de là avec odograph check P.odo --find FOLDER ou «&#xa0;Retrouver les vidéos perdues…&#xa0;» dans la fenêtre, ou remettez-le à sa place</translation>
     </message>
 </context>
@@ -16286,28 +16286,28 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>project.put_back_and_open</name>
     <message>
-        <source>put the file back in its place, and open the project again</source>
+        <source>move the file back to its folder, and open the project again</source>
         <translation>remettez le fichier à sa place, et rouvrez le projet</translation>
     </message>
 </context>
 <context>
     <name>project.put_back_and_retry</name>
     <message>
-        <source>move it back to its place and try again</source>
+        <source>move it back to its folder and try again</source>
         <translation>remettez-le à sa place et réessayez</translation>
     </message>
 </context>
 <context>
     <name>project.put_back_or_find</name>
     <message>
-        <source>put the file back in its place, or find it by its content with odograph check P.odo --find FOLDER or Find lost videos… in the window</source>
+        <source>move the file back to its folder, or find it by its content with odograph check P.odo --find FOLDER or Find lost videos… in the window</source>
         <translation>remettez le fichier à sa place, ou retrouvez-le d’après son contenu avec odograph check P.odo --find FOLDER ou «&#xa0;Retrouver les vidéos perdues…&#xa0;» dans la fenêtre</translation>
     </message>
 </context>
 <context>
     <name>project.put_file_back</name>
     <message>
-        <source>put the file back in its place</source>
+        <source>move the file back to its folder</source>
         <translation>remettez le fichier à sa place</translation>
     </message>
 </context>
@@ -16321,7 +16321,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>project.put_original_back</name>
     <message>
-        <source>put the original file back in its place</source>
+        <source>move the original file back to its folder</source>
         <translation>remettez le fichier d’origine à sa place</translation>
     </message>
 </context>

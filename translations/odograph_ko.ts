@@ -3798,7 +3798,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
 <context>
     <name>calibration.check_length</name>
     <message>
-        <source>Check the length itself, that it lies on the floor, and the marker positions.</source>
+        <source>Check the length itself, that it is on the floor, and the marker positions.</source>
         <translation>길이 자체, 바닥에 놓였는지, 마커의 자리를 확인하십시오.</translation>
     </message>
 </context>
@@ -15266,7 +15266,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
 <context>
     <name>project.find_or_put_back</name>
     <message>
-        <source>take it from there with odograph check P.odo --find FOLDER or Find lost videos… in the window, or put it back in its place</source>
+        <source>take it from there with odograph check P.odo --find FOLDER or Find lost videos… in the window, or move it back to its folder</source>
         <translation>odograph check P.odo --find FOLDER나 창의 잃은 동영상 찾기…로 거기서 가져오거나 제자리에 되돌려 놓으십시오</translation>
     </message>
 </context>
@@ -16253,28 +16253,28 @@ Much more than expected means that a setting is wrong: the views are not synchro
 <context>
     <name>project.put_back_and_open</name>
     <message>
-        <source>put the file back in its place, and open the project again</source>
+        <source>move the file back to its folder, and open the project again</source>
         <translation>파일을 제자리에 돌려놓고 프로젝트를 다시 여십시오</translation>
     </message>
 </context>
 <context>
     <name>project.put_back_and_retry</name>
     <message>
-        <source>move it back to its place and try again</source>
+        <source>move it back to its folder and try again</source>
         <translation>파일을 제자리에 되돌려 놓고 다시 시도하십시오</translation>
     </message>
 </context>
 <context>
     <name>project.put_back_or_find</name>
     <message>
-        <source>put the file back in its place, or find it by its content with odograph check P.odo --find FOLDER or Find lost videos… in the window</source>
+        <source>move the file back to its folder, or find it by its content with odograph check P.odo --find FOLDER or Find lost videos… in the window</source>
         <translation>파일을 제자리에 돌려놓거나 odograph check P.odo --find FOLDER나 창의 잃은 동영상 찾기…를 써서 내용으로 찾으십시오</translation>
     </message>
 </context>
 <context>
     <name>project.put_file_back</name>
     <message>
-        <source>put the file back in its place</source>
+        <source>move the file back to its folder</source>
         <translation>파일을 제자리에 돌려놓으십시오</translation>
     </message>
 </context>
@@ -16288,7 +16288,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
 <context>
     <name>project.put_original_back</name>
     <message>
-        <source>put the original file back in its place</source>
+        <source>move the original file back to its folder</source>
         <translation>원래 파일을 제자리에 되돌려 놓으십시오</translation>
     </message>
 </context>

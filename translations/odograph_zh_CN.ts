@@ -3798,7 +3798,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
 <context>
     <name>calibration.check_length</name>
     <message>
-        <source>Check the length itself, that it lies on the floor, and the marker positions.</source>
+        <source>Check the length itself, that it is on the floor, and the marker positions.</source>
         <translation>请检查长度本身、它是否在地面上以及标记的位置。</translation>
     </message>
 </context>
@@ -15266,7 +15266,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
 <context>
     <name>project.find_or_put_back</name>
     <message>
-        <source>take it from there with odograph check P.odo --find FOLDER or Find lost videos… in the window, or put it back in its place</source>
+        <source>take it from there with odograph check P.odo --find FOLDER or Find lost videos… in the window, or move it back to its folder</source>
         <translation>请用 odograph check P.odo --find FOLDER 或窗口中的“查找丢失的视频…”从那里取用，或将其放回原处</translation>
     </message>
 </context>
@@ -16253,28 +16253,28 @@ Much more than expected means that a setting is wrong: the views are not synchro
 <context>
     <name>project.put_back_and_open</name>
     <message>
-        <source>put the file back in its place, and open the project again</source>
+        <source>move the file back to its folder, and open the project again</source>
         <translation>请把文件放回原处，并重新打开项目</translation>
     </message>
 </context>
 <context>
     <name>project.put_back_and_retry</name>
     <message>
-        <source>move it back to its place and try again</source>
+        <source>move it back to its folder and try again</source>
         <translation>请将其放回原处，然后重试</translation>
     </message>
 </context>
 <context>
     <name>project.put_back_or_find</name>
     <message>
-        <source>put the file back in its place, or find it by its content with odograph check P.odo --find FOLDER or Find lost videos… in the window</source>
+        <source>move the file back to its folder, or find it by its content with odograph check P.odo --find FOLDER or Find lost videos… in the window</source>
         <translation>请将文件放回原处，或用 odograph check P.odo --find FOLDER 或窗口中的“查找丢失的视频…”按内容查找</translation>
     </message>
 </context>
 <context>
     <name>project.put_file_back</name>
     <message>
-        <source>put the file back in its place</source>
+        <source>move the file back to its folder</source>
         <translation>请将文件放回原处</translation>
     </message>
 </context>
@@ -16288,7 +16288,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
 <context>
     <name>project.put_original_back</name>
     <message>
-        <source>put the original file back in its place</source>
+        <source>move the original file back to its folder</source>
         <translation>请把原来的文件放回原处</translation>
     </message>
 </context>

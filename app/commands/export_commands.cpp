@@ -68,7 +68,7 @@ Result<void> exportVideo(const CommandCall &call, const std::string &file)
     const QString name = QString::fromStdString(file);
     call.answer({{QStringLiteral("file"), name},
                  {QStringLiteral("format"), QStringLiteral("video")},
-                 {QStringLiteral("pictures"), job.frameCount()},
+                 {QStringLiteral("frames"), job.frameCount()},
                  {QStringLiteral("duration_s"), job.durationS()}},
                 QStringLiteral("Wrote %1: %2 s.").arg(name, QString::number(job.durationS(), 'f', 1)));
     return {};
@@ -221,9 +221,8 @@ Result<void> runSnapshot(const QStringList &arguments, const CancelToken &cancel
 {
     CommandCall call(
         {QStringLiteral("snapshot"),
-         QStringLiteral(
-             "P.odo TRIAL -o picture.png [--force] [--mode review|compare|history|testbed] [--size "
-             "1600x1000] [--language en]"),
+         QStringLiteral("P.odo TRIAL -o image.png [--force] [--mode review|compare|history|testbed] [--size "
+                        "1600x1000] [--language en]"),
          2, 2,
          outputOptions(QStringLiteral("The image file to write.")) +
              QList<QCommandLineOption>{{option::mode, QStringLiteral("What the window shows."),
@@ -248,7 +247,7 @@ Result<void> runSnapshot(const QStringList &arguments, const CancelToken &cancel
     ODO_TRY(paintWorkbench(call.text(0), call.text(1), *shown, QSize(int(wanted.first), int(wanted.second)),
                            target, cancel));
     const QString file = QString::fromStdString(call.value(option::output));
-    call.answer({{QStringLiteral("picture"), file}}, QStringLiteral("Wrote %1.").arg(file));
+    call.answer({{QStringLiteral("image"), file}}, QStringLiteral("Wrote %1.").arg(file));
     return {};
 }
 

@@ -23,7 +23,7 @@ QList<QCommandLineOption> reportSyntax()
                 QStringLiteral("CLASS")},
                {option::task, QStringLiteral("The task to rank by; default: the task of most of its trials."),
                 QStringLiteral("TASK")},
-               {option::figure,
+               {option::metric,
                 QStringLiteral(
                     "The metric to rank by; default: the score, or else the most informative metric."),
                 QStringLiteral("NAME")},
@@ -47,7 +47,7 @@ Result<void> runReport(const QStringList &arguments, const CancelToken &cancel)
     if (!hasTrials && !call.isSet(option::ofClass))
         return call.wrongCall(ODO_TEXT("app.name_trial_or_class", "name a trial, or a class with --class"));
     if (!call.isSet(option::ofClass))
-        for (const QString &needsClass : {option::task, option::figure, option::teams})
+        for (const QString &needsClass : {option::task, option::metric, option::teams})
             if (call.isSet(needsClass))
                 return call.lacks(needsClass, option::ofClass);
     const auto options = ODO_TRY(readReportOptions(call));
@@ -56,7 +56,7 @@ Result<void> runReport(const QStringList &arguments, const CancelToken &cancel)
     std::vector<ReportMaker> makers;
     if (call.isSet(option::ofClass))
         makers.push_back(classReport({call.value(option::ofClass), call.value(option::task),
-                                      call.value(option::figure), call.isSet(option::teams)},
+                                      call.value(option::metric), call.isSet(option::teams)},
                                      options));
     if (hasTrials) {
         std::vector<std::string> trials;

@@ -30,7 +30,7 @@ struct MotionStretch
 /// So many times its usual interval is bridged of a track that is slower by itself than the longest gap.
 inline constexpr int bridgedIntervals = 4;
 
-/// Tells gaps of a run while it goes through the points in order of time. Between two valid points is a gap
+/// Detects the gaps of a run while it reads the points in order of time. Between two valid points is a gap
 /// where others that are not valid are between them, or where more time passed than is bridged: 1.5 s, or
 /// bridgedIntervals times the step before it.
 class GapWatch
@@ -103,7 +103,7 @@ struct MeasuredPosition
     double timeS = 0;
     const ProfilePoint *point = nullptr; ///< refers to the profile it was made from
     Eigen::Matrix2d own = Eigen::Matrix2d::Zero(), common = Eigen::Matrix2d::Zero();
-    bool joined = false; ///< no gap since the place before it
+    bool joined = false; ///< no gap since the point before it
 };
 
 /// The valid points in order of time, as validInstants gives them. A profile keeps σ of x and y alone: their

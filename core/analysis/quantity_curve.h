@@ -85,7 +85,7 @@ struct CurveRun
     bool isLine() const { return points.size() >= 2; }
 };
 
-/// values: one a sample. places: where each sample lies on the axis below.
+/// values: one a sample. positions: of each sample on the axis below.
 std::vector<CurveRun> curveRuns(const std::vector<std::optional<CurveValue>> &values,
                                 const std::vector<double> &positions);
 

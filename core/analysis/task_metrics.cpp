@@ -122,7 +122,7 @@ void addPath(std::vector<Metric> &metrics, const ReferencePath &path, const std:
     metrics.push_back({"path_completed", "1", completedShare(path, followed), std::nullopt});
 }
 
-/// A gate may have been passed in a gap unseen: what spans one is perhaps more than one lap.
+/// The robot may have passed a gate in a gap: a lap that spans one may be more than one lap.
 bool hasGap(const Lap &lap, const std::vector<TimeSpan> &gaps)
 {
     const Nanoseconds end = lap.start + fromSeconds(lap.timeS);

@@ -36,7 +36,7 @@ struct TermProgress
 /// The line of least squares through the runs, each of the same weight, and the σ of its slope from what is
 /// left over (JCGM 100:2008, H.3.2, equations H.13); the test of the slope is Student's (the same, G.3.2).
 /// The runs' own σ is contained in what is left over; what they have in common (the calibration) changes no
-/// slope. isLessBetter: what best means. figures must not be empty.
+/// slope. isLessBetter: what best means. metrics must not be empty.
 TermProgress termProgress(const std::vector<TermValue> &metrics, bool isLessBetter);
 
 /// Student's t that is exceeded in either direction in 5 of 100 cases: exact for one and two degrees of

@@ -71,7 +71,7 @@ void remove(const std::filesystem::path &path);
 void removeAll(const std::filesystem::path &path);
 /// Gives a file a second name, which nothing may have. Not every file system can.
 void link(const std::filesystem::path &file, const std::filesystem::path &name, std::error_code &problem);
-/// As any folder: all may look into it, and its owner may write to it.
+/// Permissions of an ordinary folder: everyone may read it, its owner may write to it.
 void letAllRead(const std::filesystem::path &folder, std::error_code &problem);
 /// Replaces a file of the new name.
 void rename(const std::filesystem::path &from, const std::filesystem::path &to, std::error_code &problem);

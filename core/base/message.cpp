@@ -179,14 +179,14 @@ std::string MessageLanguage::name(const MessageArgument &name) const
     return name.text;
 }
 
-std::string MessageLanguage::said(const Message &message) const
+std::string MessageLanguage::render(const Message &message) const
 {
     return message.isEmpty() ? std::string() : filled(words(*message.text), [&](std::size_t which) {
-        return which < message.arguments.size() ? said(message.arguments[which]) : std::string();
+        return which < message.arguments.size() ? render(message.arguments[which]) : std::string();
     });
 }
 
-std::string MessageLanguage::said(const MessageArgument &argument) const
+std::string MessageLanguage::render(const MessageArgument &argument) const
 {
     switch (argument.kind) {
     case MessageArgument::Kind::Number: {
@@ -196,7 +196,7 @@ std::string MessageLanguage::said(const MessageArgument &argument) const
     case MessageArgument::Kind::List:
         return list(argument);
     case MessageArgument::Kind::Message:
-        return said(argument.parts.front());
+        return render(argument.parts.front());
     default:
         return name(argument);
     }
@@ -206,10 +206,10 @@ std::string MessageLanguage::list(const MessageArgument &list) const
 {
     if (list.parts.empty())
         return words(ODO_TEXT("base.none", "none"));
-    std::string all = said(list.parts.front());
+    std::string all = render(list.parts.front());
     for (std::size_t i = 1; i < list.parts.size(); ++i) {
         const bool isLast = i + 1 == list.parts.size();
-        const std::string next = said(list.parts[i]);
+        const std::string next = render(list.parts[i]);
         all = filled(words(textOf(isLast ? list.joint : MessageArgument::Joint::Comma)),
                      [&](std::size_t which) { return which == 0 ? all : next; });
     }
@@ -218,7 +218,7 @@ std::string MessageLanguage::list(const MessageArgument &list) const
 
 std::string Message::english() const
 {
-    return MessageLanguage().said(*this);
+    return MessageLanguage().render(*this);
 }
 
 } // namespace odo

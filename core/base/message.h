@@ -169,10 +169,10 @@ public:
     virtual std::string number(double value, int decimals) const; ///< without its unit
     virtual std::string name(const MessageArgument &name) const;  ///< of any kind of name
 
-    std::string said(const Message &message) const;
+    std::string render(const Message &message) const;
 
 private:
-    std::string said(const MessageArgument &argument) const;
+    std::string render(const MessageArgument &argument) const;
     std::string list(const MessageArgument &list) const;
 };
 

@@ -139,9 +139,9 @@ constexpr std::size_t filesOfALibrary = 8;
         if (std::current_exception())
             throw;
     } catch (const std::exception &problem) {
-        tellOnStandardError("odograph: something unexpected happened (");
-        tellOnStandardError(problem.what());
-        tellOnStandardError(")\n");
+        writeToStandardError("odograph: something unexpected happened (");
+        writeToStandardError(problem.what());
+        writeToStandardError(")\n");
     } catch (...) { // has no words
     }
     std::abort();
@@ -185,15 +185,15 @@ const MessageText *shortageNowOfSystem() noexcept
 
 void endForShortage(const MessageText &why) noexcept
 {
-    tellOnStandardError("odograph: ");
-    tellOnStandardError(cannotDoThis().english);
-    tellOnStandardError(": ");
-    tellOnStandardError(why.english);
-    tellOnStandardError("; ");
-    tellOnStandardError(savedIsSafe().english);
-    tellOnStandardError("; ");
-    tellOnStandardError(closeOtherPrograms().english);
-    tellOnStandardError("\n");
+    writeToStandardError("odograph: ");
+    writeToStandardError(cannotDoThis().english);
+    writeToStandardError(": ");
+    writeToStandardError(why.english);
+    writeToStandardError("; ");
+    writeToStandardError(savedIsSafe().english);
+    writeToStandardError("; ");
+    writeToStandardError(closeOtherPrograms().english);
+    writeToStandardError("\n");
     std::_Exit(1);
 }
 

@@ -187,7 +187,7 @@ using Eigen::Vector2d;
 
 constexpr double nearABorder = 0.15; // of the extent
 
-/// The sentence about the values. place: of the worst one.
+/// The sentence about the values. position: of the worst one.
 Message metricWords(const AccuracySummary &summary, const Vector2d &position, const Vector2d &lower,
                     const Vector2d &upper, const MarkerLayout &layout)
 {

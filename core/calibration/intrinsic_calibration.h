@@ -85,7 +85,7 @@ Result<IntrinsicCalibration> calibrateIntrinsics(const std::vector<BoardView> &v
                                                  int heightPx, std::optional<LensModel> model,
                                                  const JobControl &control);
 
-/// The calibration again from chosen images of it (indices into reference.pictures), with its lens model,
+/// The calibration again from chosen images of it (indices into reference.images), with its lens model,
 /// started from its intrinsics, fast enough to follow a dragged slider. The images not chosen stay in the
 /// answer with used = false. Refuses as calibrateIntrinsics does. Any thread; cancellable.
 Result<IntrinsicCalibration> recalibrate(const IntrinsicCalibration &reference,

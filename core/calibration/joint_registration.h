@@ -39,7 +39,7 @@ struct JointRegistration
     double rmsPx = 0;                             ///< of all distances in the images
     /// sentences: "U is 23 mm off in all cameras: remeasure it.", "B sees U ..."
     std::vector<Message> caveats;
-    Message verdict; ///< the sentences in `doubts`, or that all agree
+    Message verdict; ///< the sentences in `caveats`, or that all agree
 };
 
 /// Fits the poses of all cameras and the positions of all markers at once (Levenberg–Marquardt): pixels with

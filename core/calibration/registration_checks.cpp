@@ -216,7 +216,7 @@ Message judgement(const LengthCheck &check, double givenM)
                                                     "beyond the limit of %1 (2.5 σ).")(millimetres(allowed))},
                           Join::Colon),
                    ODO_TEXT("calibration.check_length",
-                            "Check the length itself, that it lies on the floor, and the marker positions.")},
+                            "Check the length itself, that it is on the floor, and the marker positions.")},
                   Join::Space);
 }
 

@@ -117,7 +117,7 @@ Result<std::pair<std::filesystem::path, FileHandle>> madeIn(const std::filesyste
             break;
         auto handle = FileHandle::openFolder(path, FileHandle::Links::Refused);
         if (handle) {
-            static_cast<void>(handle->lock(FileHandle::Lock::Exclusive)); // without locks its age tells
+            static_cast<void>(handle->lock(FileHandle::Lock::Exclusive)); // without locks its age decides
             problem = setMark(path);                                      // nobody sweeps it before
             if (!problem)
                 return std::pair(path, std::move(*handle));
@@ -149,7 +149,7 @@ Result<std::unique_ptr<TemporaryFile>> TemporaryFile::make(const std::filesystem
                                                            const Message &what)
 {
     auto made = ODO_TRY(TemporaryFolder::make(folder, what));
-    auto handle = FileHandle::create(made->path() / nameOfFile, FileHandle::Permissions::AsUserWishes);
+    auto handle = FileHandle::create(made->path() / nameOfFile, FileHandle::Permissions::UserDefault);
     if (!handle)
         return cannotMake(folder, what, handle.error());
     return std::unique_ptr<TemporaryFile>(new TemporaryFile(std::move(made), std::move(*handle), what));
@@ -265,7 +265,7 @@ void ClaimedFile::remove()
 /// A new file of that name; nothing where who removes stray files was faster.
 SystemResult<std::optional<ClaimedFile>> ClaimedFile::claim(const std::filesystem::path &path)
 {
-    auto handle = FileHandle::create(path, FileHandle::Permissions::AsUserWishes);
+    auto handle = FileHandle::create(path, FileHandle::Permissions::UserDefault);
     if (!handle)
         return tl::unexpected(handle.error());
     ClaimedFile file(path, std::move(*handle), Made::Here);

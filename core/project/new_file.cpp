@@ -53,7 +53,7 @@ Result<void> NewFile::prepare()
         return nameIsTooLong(m_what);
     m_folder = ODO_TRY(TemporaryFolder::make(folder, m_what));
     m_temporary = m_folder->path() / "new.odo"; // short: SQLite takes no paths beyond 512 bytes
-    const auto file = FileHandle::create(m_temporary, FileHandle::Permissions::AsUserWishes);
+    const auto file = FileHandle::create(m_temporary, FileHandle::Permissions::UserDefault);
     return file ? Result<void>() : ioError(file.error());
 }
 

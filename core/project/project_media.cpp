@@ -267,12 +267,11 @@ void addStrayMedia(Project &project, std::vector<ProjectProblem> &problems, cons
     for (const std::filesystem::path &file : stray->foreign)
         addUnused(file, ODO_TEXT("project.move_file_away", "move it to another folder"));
     for (const std::filesystem::path &file : stray->lost)
-        problems.push_back(
-            {ODO_TEXT("project.is_missing_recording", "this is a missing recording"), fileSubject(file),
-             ODO_TEXT(
-                 "project.find_or_put_back",
-                 "take it from there with odograph check P.odo --find FOLDER or Find lost videos… in the "
-                 "window, or put it back in its place")});
+        problems.push_back({ODO_TEXT("project.is_missing_recording", "this is a missing recording"),
+                            fileSubject(file),
+                            ODO_TEXT("project.find_or_put_back",
+                                     "take it from there with odograph check P.odo --find FOLDER or Find "
+                                     "lost videos… in the window, or move it back to its folder")});
     for (const std::filesystem::path &file : stray->projects)
         problems.push_back(
             {ODO_TEXT("project.lies_in_media", "a project is in the media folder of another one"),

@@ -80,7 +80,7 @@ Message endRecordingFirst()
 Message restoreAndReopen()
 {
     return ODO_TEXT("project.put_back_and_open",
-                    "put the file back in its place, and open the project again");
+                    "move the file back to its folder, and open the project again");
 }
 
 Message trackTrialAgain()

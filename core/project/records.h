@@ -52,7 +52,7 @@ struct IntrinsicsRecord
     IntrinsicCalibration calibration;
     BoardSpec board;                ///< as it was found out; 0 columns: not known
     std::string softwareVersion;    ///< that made it; empty: not known
-    std::vector<StoredImage> files; ///< one for each of calibration.pictures, or none at all
+    std::vector<StoredImage> files; ///< one for each of calibration.images, or none at all
 };
 
 /// A check of the camera position, by the camera's markers in a newer image.
@@ -97,7 +97,7 @@ struct RobotRecord
     std::string name;
     std::optional<RgbColour> colour; ///< by which it is tracked; none: by background subtraction
     enum class Height { Given, Automatic, Free } heightMode = Height::Automatic;
-    std::optional<double> heightM; ///< when the mode is Told
+    std::optional<double> heightM; ///< when the mode is Given
     std::optional<double> lengthM, widthM;
     DrawingColour drawingColour = DrawingColour::Automatic;
     /// forward and left from its footprint's centre: the point that is measured

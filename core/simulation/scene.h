@@ -117,8 +117,8 @@ struct SimulatedCamera
     double startOffsetS = 0;  ///< when the first frame is taken, in the scene's time
     double clockDriftPpm = 0; ///< the camera's clock runs faster by this much
     SensorModel sensor;
-    /// Frames are taken up to this much before or after their turn, as their stamps show (a camera of a
-    /// variable rate). Less than half a period.
+    /// The camera takes frames up to this much before or after their turn, as their stamps show (a camera of
+    /// a variable rate). Less than half a period.
     double jitterS = 0;
 };
 
@@ -132,7 +132,7 @@ struct SimulatedFloor
 {
     std::uint32_t textureSeed = 1; ///< not the scene's: trials with other noise share their floor
     RgbColour colour{182, 177, 166};
-    RgbColour room{92, 100, 110};                           ///< what lies around the floor
+    RgbColour surroundings{92, 100, 110};                   ///< around the floor
     Eigen::Vector2d lower{-0.35, -0.35}, upper{3.35, 2.55}; ///< opposite corners of the floor
     double textureAmplitude = 0.06;                         ///< relative
     double tileM = 0.5;

@@ -67,7 +67,7 @@ struct RecordingWriter::Impl
 Result<void> RecordingWriter::Impl::openFile()
 {
     auto opened =
-        FileHandle::openOrCreate(file, FileHandle::Use::Write, FileHandle::Permissions::AsUserWishes);
+        FileHandle::openOrCreate(file, FileHandle::Use::Write, FileHandle::Permissions::UserDefault);
     if (!opened)
         return systemProblem(opened.error());
     handle = std::move(*opened);

@@ -109,7 +109,7 @@ struct VideoReader::Impl
     bool draining = false;
     bool beganMidway = false;  ///< nothing has come out of the decoder since it began at a key frame
     bool hasChecksums = false; ///< of FFV1: known as soon as one held
-    /// A picture was damaged, and those after it are predicted from it, up to the next key frame: the decoder
+    /// A frame was damaged, and those after it are predicted from it, up to the next key frame: the decoder
     /// conceals what it lacks and says nothing of it in them.
     bool isSpoiled = false;
 
@@ -193,7 +193,7 @@ bool VideoReader::Impl::isWhole(const AVPacket &coded)
     return checked || !hasChecksums;
 }
 
-/// Whether a codec's pictures are made from others.
+/// Whether a codec predicts frames from others.
 bool VideoReader::Impl::isPredicted() const
 {
     const AVCodecDescriptor *codec = avcodec_descriptor_get(decoder->codec_id);

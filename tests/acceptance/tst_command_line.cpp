@@ -244,7 +244,7 @@ private Q_SLOTS:
         const QJsonObject video =
             good("export %P run1 -o %/run1.mp4 --format video --speed 0.5 --size 640x360 --theme dark --json")
                 .json();
-        QVERIFY(video.value(QStringLiteral("pictures")).toInt() >= 58);
+        QVERIFY(video.value(QStringLiteral("frames")).toInt() >= 58);
         QVERIFY(QFileInfo(m_folder.filePath(QStringLiteral("run1.mp4"))).size() > 10'000);
         QCOMPARE(good("check %P").exitStatus, 0);
         QCOMPARE(good("snapshot %P run1 -o %/run1.png --size 1000x700").exitStatus, 0);

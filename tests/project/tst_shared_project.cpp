@@ -162,7 +162,7 @@ private Q_SLOTS:
         QVERIFY(!refused);
         QCOMPARE(refused.error().message(),
                  std::string("project 'lesson.odo': its file was deleted, renamed or replaced while it was "
-                             "open; nothing was stored; move it back to its place and try again"));
+                             "open; nothing was stored; move it back to its folder and try again"));
         m_project->keepWritingWhenLost();
         QVERIFY(m_project->setTitle("afterwards"));
         const auto rescued = rescueProject(*m_project);

@@ -21,7 +21,7 @@ SimulatedScene plainScene()
     SimulatedScene scene = demoTestbed(1);
     scene.durationS = 8;
     scene.floor.colour = grey;
-    scene.floor.room = grey;
+    scene.floor.surroundings = grey;
     scene.floor.textureAmplitude = 0;
     scene.floor.tileM = 100;
     scene.floor.markerSideM = 0;

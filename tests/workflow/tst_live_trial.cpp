@@ -258,7 +258,7 @@ void TestLiveTrial::aMissingFileIsWaitedFor()
     std::filesystem::rename(folder / "run_B.mkv", folder / "away");
     const auto told = recoverTrials(*sitting.project, {});
     QVERIFY(told && told->size() == 1 &&
-            told->front().english().find("run_B.mkv is missing: put the file back") != std::string::npos);
+            told->front().english().find("run_B.mkv is missing: move the file back") != std::string::npos);
     QVERIFY(sitting.trial().unfinished);
     std::filesystem::rename(folder / "away", folder / "run_B.mkv");
     QVERIFY(recoverTrials(*sitting.project, {}));

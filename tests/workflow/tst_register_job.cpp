@@ -101,7 +101,7 @@ private Q_SLOTS:
         QCOMPARE(problem.what.english(),
                  std::string("the image of registration 1 of camera 'A/1' is missing"));
         QCOMPARE(problem.advice.english(),
-                 std::string("put the file back in its place; the registration remains valid without it"));
+                 std::string("move the file back to its folder; the registration remains valid without it"));
     }
 
     void whatFailsLeavesNothing()

@@ -70,7 +70,7 @@ QString breakable(const QString &text)
 
 QString shownWords(const Message &message)
 {
-    return QString::fromStdString(ShownLanguage().said(message));
+    return QString::fromStdString(ShownLanguage().render(message));
 }
 
 QString joinedWords(const QString &what, const QString &why)

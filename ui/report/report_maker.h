@@ -33,8 +33,8 @@ Message reportSubject(); ///< "report", what its errors are about
 /// A report of each of these trials, in this order.
 ReportMaker trialReports(std::vector<std::string> trials, const ReportOptions &options);
 
-/// Two runs left and right, the paths of both, the time difference along them, and what differs
-/// significantly.
+/// Two runs left and right, the paths of both, the time difference along them, and the significant
+/// differences.
 ReportMaker comparisonReport(CompareSettings settings, const ReportOptions &options);
 
 /// Which class, and by what its teams are ranked.

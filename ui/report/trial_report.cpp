@@ -246,7 +246,7 @@ private:
     void paintEvents(const QRectF &rect);
     void paintSplits(const QRectF &rect);
     void paintMetrics(const QRectF &rect);
-    QStringList doubts() const;
+    QStringList caveats() const;
     void paintRemarks(const QRectF &rect);
 
     QPainter &m_painter;
@@ -396,7 +396,7 @@ void TrialPage::paintTables(const QRectF &rect)
 }
 
 /// When the robot is ambiguous, and when it was hidden: the longest ones, for space is short.
-QStringList TrialPage::doubts() const
+QStringList TrialPage::caveats() const
 {
     QStringList sentences;
     if (!m_analysis)
@@ -424,7 +424,7 @@ QStringList TrialPage::doubts() const
 void TrialPage::paintRemarks(const QRectF &rect)
 {
     QRectF area = drawPartTitle(m_painter, rect, TrialReportWords::tr("Remarks"));
-    for (const QString &sentence : doubts())
+    for (const QString &sentence : caveats())
         area.setTop(area.top() + drawParagraph(m_painter, area, literalName(sentence),
                                                reportFont(smallSize + 1),
                                                ThemeColours::of(reportPalette()).spike));

@@ -17,8 +17,8 @@ namespace odo {
 class FileHandle
 {
 public:
-    enum class Links { Followed, Refused };                           ///< in place of the file itself
-    enum class Permissions { OwnerAlone, OwnerWrites, AsUserWishes }; ///< of a new file
+    enum class Links { Followed, Refused };                          ///< in place of the file itself
+    enum class Permissions { OwnerAlone, OwnerWrites, UserDefault }; ///< of a new file
     enum class Use { Write, ReadAndWrite };
     enum class Lock { Shared, Exclusive };
 
@@ -49,11 +49,11 @@ public:
     std::error_code write(std::span<const char> bytes) const;
     /// Where the next write goes; whence as of std::fseek.
     SystemResult<std::int64_t> seek(std::int64_t offset, int whence) const;
-    /// Takes all bytes away.
+    /// Removes all bytes.
     std::error_code clear() const;
     /// All that was written is on the disk.
     std::error_code sync() const;
-    /// Likewise, but for what only tells when it was written.
+    /// Likewise, but without the times of the file.
     std::error_code syncData() const;
     std::error_code setPermissions(unsigned permissions) const;
 

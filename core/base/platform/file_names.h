@@ -18,10 +18,10 @@ std::vector<std::string> namesIn(const std::filesystem::path &folder, std::error
 
 } // namespace files
 
-/// Gives a file or folder its name, in the same file system, without ever taking the place of another:
+/// Gives a file or folder its name, in the same file system, and never replaces another:
 /// std::errc::file_exists.
 std::error_code giveFreeName(const std::filesystem::path &from, const std::filesystem::path &to);
-/// A new folder that only this user may look into.
+/// A new folder that only this user may open.
 std::error_code makeOwnFolder(const std::filesystem::path &folder);
 /// Anything but a folder.
 std::error_code removeFile(const std::filesystem::path &file);

@@ -36,8 +36,8 @@ SystemResult<FileStatus> statusOfItself(const std::filesystem::path &path);
 
 /// Links are followed; nothing where there is no file.
 std::optional<FileIdentity> identityOf(const std::filesystem::path &file);
-/// Where a file that this process has open lies now; nothing where it was deleted.
-std::optional<std::filesystem::path> placeOfOpenFile(const FileIdentity &file);
+/// Where a file that this process has open is now; nothing if it was deleted.
+std::optional<std::filesystem::path> pathOfOpenFile(const FileIdentity &file);
 
 enum class FileAccess { Read, Write, Both };
 /// Why this user may not do so with a file or folder; empty: may.

@@ -19,14 +19,14 @@ bool openStandardFiles();
 /// Whether a person sees what is written to standard error. Any thread.
 bool isStandardErrorSeen();
 /// Writes to standard error as it is; what fails is lost. Safe in a signal handler. Any thread.
-void tellOnStandardError(const char *text) noexcept;
+void writeToStandardError(const char *text) noexcept;
 
 /// From now on a file that may not grow is an error like a full disk, not the end of the program. Once, at
 /// the beginning of the program.
 void treatFileLimitAsError();
 
 /// Has all threads of this program take their memory from two of the C library's pools (glibc's arenas)
-/// instead of up to eight for each processor. Pictures are asked for by one thread and given back by another:
+/// instead of up to eight for each processor. One thread allocates frames and another frees them:
 /// each pool then keeps what it once held: thirty trials in a row grew the program from 110 MB to 310 MB,
 /// with two pools it stays at 150. Call it first in main().
 void shareMemoryPools();
@@ -44,18 +44,18 @@ Nanoseconds threadCpuTime();
 std::error_code fillWithRandom(std::span<std::byte> bytes);
 
 /// From now on SIGINT (Ctrl-C), SIGTERM and SIGHUP ask this program to stop in good order: each cancels the
-/// token and is told by the descriptor. A second SIGINT ends it at once. SIGHUP stays ignored where it was
-/// (nohup). Once, at the start.
+/// token and makes the descriptor readable. A second SIGINT ends it at once. SIGHUP stays ignored where it
+/// was (nohup). Once, at the start.
 void watchStopSignals();
 
 /// Cancelled by the first of them. Any thread.
 const CancelToken &stopToken();
 /// Which came first, SIGINT before the others; 0: none. Any thread.
 int stopSignal();
-/// Can be read from once one came; nobody reads from it. -1: there was none to be had.
+/// Becomes readable once one came; nobody reads from it. -1: the system gave none.
 int stopDescriptor();
 
-/// The exit status of a program that was asked to stop, as a shell tells it: 130 of Ctrl-C, or where no
+/// The exit status of a program that was asked to stop, as a shell reports it: 130 of Ctrl-C, or where no
 /// signal came; 143 of SIGTERM, 129 of SIGHUP.
 int exitStatusOfStop();
 

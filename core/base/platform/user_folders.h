@@ -3,11 +3,11 @@
 
 #include <filesystem>
 
-/// The places that the system gives to this user. Whether they are there is not asked. Any thread, while none
+/// The folders that the system gives to this user. They may not exist yet. Any thread, while none
 /// changes the environment.
 namespace odo {
 
-/// Where what a program leaves for its next start lies: $XDG_STATE_HOME/odograph, or ~/.local/state/odograph.
+/// For what a program keeps for its next start: $XDG_STATE_HOME/odograph, or ~/.local/state/odograph.
 /// Empty where neither is known.
 std::filesystem::path stateFolder();
 

@@ -47,7 +47,7 @@ Result<std::unique_ptr<ProjectConnection>> ProjectConnection::open(const std::fi
     return openAt(file, file, access);
 }
 
-/// place: the location of the database that is read as the file.
+/// location: of the database that is read as the file.
 Result<std::unique_ptr<ProjectConnection>> ProjectConnection::openAt(const std::filesystem::path &location,
                                                                      const std::filesystem::path &file,
                                                                      DatabaseAccess access)
@@ -270,7 +270,7 @@ void ProjectConnection::removeLog() const noexcept
 
 std::optional<std::filesystem::path> ProjectConnection::currentLocation() const
 {
-    return placeOfOpenFile(m_opened);
+    return pathOfOpenFile(m_opened);
 }
 
 bool ProjectConnection::checkpoint(Checkpoint how) const

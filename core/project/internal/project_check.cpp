@@ -47,7 +47,7 @@ namespace {
 
 Message restoreOriginal()
 {
-    return ODO_TEXT("project.put_original_back", "put the original file back in its place");
+    return ODO_TEXT("project.put_original_back", "move the original file back to its folder");
 }
 
 /// NotFound where there is nothing, Io where the system does not say, InvalidInput where something else is in
@@ -407,10 +407,9 @@ void addRecordingFiles(Project &project, std::vector<KeptFile> &kept, Problems &
         else if (!unfinished.contains(recording.trial))
             kept.push_back(
                 {file, name, recording.sha256, recording.bytes,
-                 joined({ODO_TEXT(
-                             "project.put_back_or_find",
-                             "put the file back in its place, or find it by its content with odograph check "
-                             "P.odo --find FOLDER or Find lost videos… in the window"),
+                 joined({ODO_TEXT("project.put_back_or_find",
+                                  "move the file back to its folder, or find it by its content with odograph "
+                                  "check P.odo --find FOLDER or Find lost videos… in the window"),
                          ODO_TEXT("project.track_kept", "the measured track remains valid without it")},
                         Join::Semicolon)});
     }

@@ -229,7 +229,7 @@ Result<void> Transaction::checkPosition() const
                     ODO_TEXT("project.file_lost",
                              "its file was deleted, renamed or replaced while it was open; "
                              "nothing was stored"),
-                    ODO_TEXT("project.put_back_and_retry", "move it back to its place and try again"));
+                    ODO_TEXT("project.put_back_and_retry", "move it back to its folder and try again"));
     return {};
 }
 

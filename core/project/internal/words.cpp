@@ -109,7 +109,7 @@ Message useAtMost(std::size_t count)
 
 Message returnFile()
 {
-    return ODO_TEXT("project.put_file_back", "put the file back in its place");
+    return ODO_TEXT("project.put_file_back", "move the file back to its folder");
 }
 
 Message keepIt()

@@ -97,7 +97,7 @@ private:
         const PixelRect rect = m_image.rect();
         for (int y = rect.y0; y < rect.y1; ++y) {
             const float light = 0.86f + 0.22f * static_cast<float>(y) / static_cast<float>(rect.height());
-            std::fill_n(m_image.row(y), rect.width(), toRgb(m_floor.room) * light);
+            std::fill_n(m_image.row(y), rect.width(), toRgb(m_floor.surroundings) * light);
         }
     }
 

@@ -62,8 +62,8 @@ SolidFace faceOf(std::vector<Eigen::Vector3d> corners)
     return {std::move(corners), normal};
 }
 
-/// Both ends and the sides of a prism. place: the position of a point of the outline at the lower (0) or
-/// upper (1) end.
+/// Both ends and the sides of a prism. position: of a point of the outline at the lower (0) or upper
+/// (1) end.
 template <class Position>
 std::vector<SolidFace> prism(const std::vector<Eigen::Vector2d> &outline, const Position &position)
 {

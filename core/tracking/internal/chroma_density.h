@@ -85,8 +85,8 @@ public:
     static constexpr std::uint8_t threshold = 128; ///< at least this counts as the robot's
 
     ChromaTable() = default;
-    /// Weight = F/(F + B + doubt): robot and background as densities that sum to about one; doubt is what a
-    /// chroma that was never seen at all has against it.
+    /// Weight = F/(F + B + uncertainty): robot and background as densities that sum to about one; uncertainty
+    /// lowers the weight of a chroma that was never seen.
     ChromaTable(const ChromaDensity &robot, const ChromaDensity &background, float uncertainty);
 
     /// Takes what either table takes.

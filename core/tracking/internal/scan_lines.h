@@ -140,7 +140,7 @@ struct EdgeSearch
         false; ///< the outside changes towards the edge, as a shadow does: led on along a straight line
 };
 
-/// Moves `places` to where the edges must be for the samples about them to be the sum of both sides: exact
+/// Moves `positions` to where the edges must be for the samples about them to be the sum of both sides: exact
 /// for a step of any symmetric blur once repeated until it stays. Returns the contrasts, inside less outside;
 /// where one is below the least its position stays.
 Float4 moveToEdges(const EdgeProfiles &profiles, const EdgeSearch &search, float leastContrast,

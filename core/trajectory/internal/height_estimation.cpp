@@ -104,7 +104,7 @@ std::optional<PlaneEstimate> estimatePlane(const std::vector<std::vector<Sightin
         if (settled)
             break;
     }
-    // The calibration error is the same at all times: it does not average out.
+    // The uncertainty of the calibration is the same at all times: it does not average out.
     const double common = calibrationVariance / information;
     const double sigma = std::sqrt(variance / information + common * common);
     if (!std::isfinite(sigma) || sigma > largestHeightSigmaM)

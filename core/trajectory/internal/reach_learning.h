@@ -25,8 +25,8 @@ struct LearnedReach
 /// least squares together with a shift of each position. How much they differ is what makes the outlines
 /// likeliest (marginal likelihood; Rasmussen and Williams, Gaussian Processes for Machine Learning,
 /// 2006, 5.4). With it goes by how much all outlines are drawn too wide. What the outlines leave open of all
-/// this is in the σ, which takes no body for known to better than two millimetres. told: a length and a width
-/// are kept. nullopt: no outline was measured by its support. Pure.
+/// this is in the σ, which takes no body for known to better than two millimetres. given: its length and
+/// width are kept. nullopt: no outline was measured by its support. Pure.
 std::optional<LearnedReach> learnReach(const std::vector<CommonOutlines> &times, const LevelFit &fit,
                                        const RobotShape &given);
 

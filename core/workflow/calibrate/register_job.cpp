@@ -17,7 +17,7 @@ namespace odo {
 
 namespace {
 
-// Markers do not move; a few frames are searched in case somebody stands before one in the first.
+// Markers do not move; a few frames are searched in case somebody hides one in the first.
 constexpr int markerVideoStep = 10;
 constexpr int mostImages = 12;
 

@@ -106,8 +106,8 @@ struct Standings
 };
 
 /// Best, median, repeatability, progress and rank of the teams (see termProgress, rankTeams). Trials in the
-/// bin, without a team, of another class or task do not count. figures: of the metric, of these trials. Pure;
-/// any thread.
+/// bin, without a team, of another class or task do not count. trialMetrics: of the metric, of these trials.
+/// Pure; any thread.
 Standings standingsOf(std::span<const TrialRecord *const> trials,
                       const std::vector<TrialMetric> &trialMetrics, const StandingsChoice &choice);
 

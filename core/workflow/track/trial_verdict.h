@@ -12,7 +12,7 @@ namespace odo {
 
 class Project;
 
-/// How far a result can be relied on. Doubtful: look at the reason first. Bad: do not use it.
+/// How far a result can be relied on. Doubtful: read the reason first. Bad: do not use it.
 enum class CheckLevel { Pass, Doubtful, Bad };
 /// "pass", "doubtful", "bad": how the command line says it.
 std::string_view wordOf(CheckLevel level);
@@ -25,7 +25,7 @@ struct TrialCheck
     Message text; ///< a whole sentence; of a check that was passed what was checked
 };
 
-/// What the checks of a trial say; docs/trust.md tells what each can know.
+/// What the checks of a trial say; docs/trust.md explains what each can know.
 struct TrialVerdict
 {
     std::vector<TrialCheck> checks; ///< each code once at least, in a fixed order

@@ -47,10 +47,10 @@ class TrackDialog : public QDialog
 {
     Q_OBJECT
 public:
-    /// expected: those that are ticked; none: all are. doubts: sentences on what will make the results
+    /// expected: those that are ticked; none: all are. caveats: sentences on what will make the results
     /// uncertain.
     TrackDialog(const QString &trial, const QStringList &robots, const QStringList &expected,
-                const QStringList &doubts, QWidget *parent = nullptr);
+                const QStringList &caveats, QWidget *parent = nullptr);
     TrackSettings settings() const;
 
 private:
@@ -60,7 +60,7 @@ private:
 };
 
 TrackDialog::TrackDialog(const QString &trial, const QStringList &robots, const QStringList &expected,
-                         const QStringList &doubts, QWidget *parent)
+                         const QStringList &caveats, QWidget *parent)
     : QDialog(parent), m_robots(new CheckList(tr("Robots to track"))), m_smoother(new QComboBox),
       m_buttons(new QDialogButtonBox(QDialogButtonBox::Cancel))
 {
@@ -79,7 +79,7 @@ TrackDialog::TrackDialog(const QString &trial, const QStringList &robots, const 
     QPushButton *accept = m_buttons->addButton(tr("Track"), QDialogButtonBox::AcceptRole);
     auto *layout = new QVBoxLayout(this);
     layout->addLayout(form);
-    for (const QString &sentence : doubts) {
+    for (const QString &sentence : caveats) {
         auto *doubt = new QLabel(sentence);
         doubt->setTextFormat(Qt::PlainText);
         doubt->setWordWrap(true);
@@ -295,14 +295,14 @@ void TrialActions::askTrack(const QString &trial)
     QStringList expected;
     for (const std::string &name : record->robotNames)
         expected << QString::fromStdString(name);
-    QStringList doubts;
+    QStringList caveats;
     if (const auto views = registeredViews(project, *record)) { // what else is wrong, tracking will say
         for (const Message &sentence : stepWarnings(record->name, *views))
-            doubts << shownWords(sentence) + u'.';
-        for (QString &sentence : doubts)
+            caveats << shownWords(sentence) + u'.';
+        for (QString &sentence : caveats)
             sentence.front() = sentence.front().toUpper();
     }
-    TrackDialog dialog(trial, robots, expected, doubts, &m_window);
+    TrackDialog dialog(trial, robots, expected, caveats, &m_window);
     if (dialog.exec() != QDialog::Accepted)
         return;
     TrackSettings settings = dialog.settings();

@@ -202,13 +202,13 @@ NetworkPage::NetworkPage(QWidget *parent)
     connect(m_address, &QLineEdit::textChanged, this, &NetworkPage::choose);
     connect(m_port, &QSpinBox::valueChanged, this, &NetworkPage::choose);
     connect(m_interface, &QComboBox::activated, this, &NetworkPage::choose);
-    tell();
+    showState();
 }
 
 /// An address that is being typed is none for a while: until it is one, the one before stays.
 void NetworkPage::choose()
 {
-    tell();
+    showState();
     SentPositions wanted{m_on->isChecked(),
                          {m_address->text().trimmed().toStdString(),
                           static_cast<std::uint16_t>(m_port->value()),
@@ -218,7 +218,7 @@ void NetworkPage::choose()
     wanted.choose();
 }
 
-void NetworkPage::tell()
+void NetworkPage::showState()
 {
     const std::string address = m_address->text().trimmed().toStdString();
     const bool isAddress = parseBroadcastTarget(address).has_value(),

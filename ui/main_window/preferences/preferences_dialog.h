@@ -74,7 +74,7 @@ public:
 
 private:
     void choose();
-    void tell();
+    void showState();
 
     QCheckBox *m_on;
     QLineEdit *m_address;

@@ -189,19 +189,19 @@ void DoctorDialog::examine()
 void DoctorDialog::show(const std::vector<SetupFinding> &findings)
 {
     QList<Fact> facts;
-    int doubts = 0;
+    int problems = 0;
     for (const SetupFinding &finding : findings) {
         QString words = shownWords(finding.words);
         if (!finding.advice.isEmpty())
             words += tr(". What to do: %1.").arg(shownWords(finding.advice));
-        doubts += finding.verdict == SetupFinding::Verdict::Warning ||
-                  finding.verdict == SetupFinding::Verdict::Bad;
+        problems += finding.verdict == SetupFinding::Verdict::Warning ||
+                    finding.verdict == SetupFinding::Verdict::Bad;
         facts.append({shownWords(finding.what), words, badgeOf(finding.verdict)});
     }
     m_facts->setFacts(facts);
-    m_words->setText(doubts == 0   ? tr("Found nothing that would disturb a recording.")
-                     : doubts == 1 ? tr("Found one problem.")
-                                   : tr("Found %1 problems, the worst first.").arg(doubts));
+    m_words->setText(problems == 0   ? tr("Found nothing that would disturb a recording.")
+                     : problems == 1 ? tr("Found one problem.")
+                                     : tr("Found %1 problems, the worst first.").arg(problems));
     m_again->setEnabled(true);
 }
 

@@ -172,7 +172,7 @@ LengthPage::LengthPage(QWidget *parent)
     layout->addWidget(m_canvas, 1);
     layout->addWidget(makeSide());
     setFocusProxy(m_canvas);
-    connect(m_canvas, &MarkerCanvas::placed, this, &LengthPage::position);
+    connect(m_canvas, &MarkerCanvas::markerSet, this, &LengthPage::position);
     connect(m_canvas, &MarkerCanvas::picked, this,
             [this](const QString &label) { m_table->selectRow(label.toInt() - 1); });
     connect(m_table, &QTableWidget::currentCellChanged, this,

@@ -236,7 +236,7 @@ MarkerPage::MarkerPage(QWidget *parent)
     layout->setContentsMargins(0, 0, 0, 0);
     layout->addWidget(m_canvas, 1);
     layout->addWidget(makeSide());
-    connect(m_canvas, &MarkerCanvas::placed, this, &MarkerPage::position);
+    connect(m_canvas, &MarkerCanvas::markerSet, this, &MarkerPage::position);
     connect(m_canvas, &MarkerCanvas::picked, this, [this](const QString &label) {
         for (int row = 0; row < m_table->rowCount(); ++row)
             if (m_table->item(row, MarkerColumn::Label)->text() == label)

@@ -260,7 +260,7 @@ void MarkerCanvas::mouseReleaseEvent(QMouseEvent *event)
         return;
     update();
     if (current())
-        Q_EMIT placed(m_current, toPixel(event->position()), true);
+        Q_EMIT markerSet(m_current, toPixel(event->position()), true);
 }
 
 void MarkerCanvas::keyPressEvent(QKeyEvent *event)
@@ -295,7 +295,7 @@ void MarkerCanvas::keyPressEvent(QKeyEvent *event)
     const MarkerPixel *marker = current();
     const Eigen::Vector2d from = marker ? marker->pixel : 0.5 * last;
     m_movedByKeys = true;
-    Q_EMIT placed(m_current, (from + move).cwiseMax(0).cwiseMin(last), event->key() == Qt::Key_Space);
+    Q_EMIT markerSet(m_current, (from + move).cwiseMax(0).cwiseMin(last), event->key() == Qt::Key_Space);
     update();
 }
 

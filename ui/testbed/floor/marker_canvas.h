@@ -36,10 +36,10 @@ public:
     QPointF fromPixel(const Eigen::Vector2d &pixel) const;
 
 Q_SIGNALS:
-    /// A marker was put somewhere; snap: by the mouse or by Space, so that what lies near may have been
+    /// A marker was set or moved; snap: by the mouse or by Space, so a mark near it may have been
     /// meant.
-    void placed(const QString &label, const Eigen::Vector2d &pixel, bool snap);
-    void picked(const QString &label); ///< a marker that was there was taken hold of
+    void markerSet(const QString &label, const Eigen::Vector2d &pixel, bool snap);
+    void picked(const QString &label); ///< a marker that was there already
 
 protected:
     void paintEvent(QPaintEvent *event) override;

@@ -44,8 +44,8 @@ class SeriesKey : public QWidget
     Q_OBJECT
 public:
     explicit SeriesKey(QWidget *parent = nullptr);
-    /// All of them are shown then. places: of their colours in the palette (paletteIndices); by default one
-    /// after the other.
+    /// All of them are shown then. colourIndices: of their colours in the palette (paletteIndices); by
+    /// default one after the other.
     void setNames(const QStringList &names, const std::vector<int> &colourIndices = {});
 
 Q_SIGNALS:

@@ -36,8 +36,8 @@ bool keepSpaceForFocus(QEvent &event);
 /// made the default one itself.
 QPushButton *plainButton(const QString &text);
 
-/// Gives a dialog the keys to undo (Ctrl+Z) and redo (Ctrl+Shift+Z) its changes; tell gets the outcome. The
-/// changes must outlive the dialog's keys. GUI thread.
+/// Gives a dialog the keys to undo (Ctrl+Z) and redo (Ctrl+Shift+Z) its changes; showOutcome gets the
+/// outcome. The changes must outlive the dialog's keys. GUI thread.
 void addUndoKeys(QWidget &dialog, OwnChanges &changes,
                  const std::function<void(const Result<QString> &)> &showOutcome);
 

@@ -44,7 +44,7 @@ mode_t modeOf(FileHandle::Permissions permissions)
         return 0600;
     case FileHandle::Permissions::OwnerWrites:
         return 0644;
-    case FileHandle::Permissions::AsUserWishes:
+    case FileHandle::Permissions::UserDefault:
         break;
     }
     return 0666; // less the umask

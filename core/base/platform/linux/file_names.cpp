@@ -48,7 +48,7 @@ std::error_code takePlace(const std::filesystem::path &from, const std::filesyst
 std::vector<std::string> files::namesIn(const std::filesystem::path &folder, std::error_code &problem)
 {
     std::vector<std::string> names;
-    errno = 0; // readdir tells its end from a failure by that alone
+    errno = 0; // only errno distinguishes the end of readdir from a failure
     const std::unique_ptr<DIR, CloseFolder> open(::opendir(folder.c_str()));
     while (const dirent *entry = open ? ::readdir(open.get()) : nullptr) {
         const std::string name = entry->d_name;

@@ -74,7 +74,7 @@ std::optional<FileIdentity> identityOf(const std::filesystem::path &file)
     return status ? std::optional(status->identity) : std::nullopt;
 }
 
-std::optional<std::filesystem::path> placeOfOpenFile(const FileIdentity &file)
+std::optional<std::filesystem::path> pathOfOpenFile(const FileIdentity &file)
 {
     const std::filesystem::path descriptors("/proc/self/fd");
     std::error_code problem;

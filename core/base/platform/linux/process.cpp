@@ -34,7 +34,7 @@ bool isStandardErrorSeen()
     return ::isatty(STDERR_FILENO) != 0;
 }
 
-void tellOnStandardError(const char *text) noexcept
+void writeToStandardError(const char *text) noexcept
 {
     [[maybe_unused]] const ssize_t written = ::write(STDERR_FILENO, text, std::strlen(text));
 }

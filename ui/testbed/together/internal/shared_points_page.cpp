@@ -51,11 +51,11 @@ SharedPointsPage::SharedPointsPage(QWidget *parent)
     m_canvas->setAccessibleName(tr("Image of the camera to register; arrow keys move the selected point"));
     m_referenceCanvas->setAccessibleName(
         tr("Image of the registered camera; arrow keys move the selected point"));
-    connect(m_canvas, &MarkerCanvas::placed, this,
+    connect(m_canvas, &MarkerCanvas::markerSet, this,
             [this](const QString &label, const Eigen::Vector2d &pixel, bool snap) {
                 position(&Point::pixel, m_images->camera.frame, label, pixel, snap);
             });
-    connect(m_referenceCanvas, &MarkerCanvas::placed, this,
+    connect(m_referenceCanvas, &MarkerCanvas::markerSet, this,
             [this](const QString &label, const Eigen::Vector2d &pixel, bool snap) {
                 position(&Point::referencePixel, m_images->reference.frame, label, pixel, snap);
             });
