@@ -1875,24 +1875,24 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <translation>Rate schwankt</translation>
     </message>
     <message>
-        <source>Results</source>
-        <translation>Ergebnisse</translation>
+        <source>passed</source>
+        <translation>bestanden</translation>
     </message>
     <message>
-        <source>%1: changed in the file after the analysis. Reanalyse the trial.</source>
-        <translation>%1: seit der Auswertung in der Datei geändert. Werten Sie den Versuch noch einmal aus.</translation>
+        <source>doubtful</source>
+        <translation>fraglich</translation>
     </message>
     <message>
-        <source>do not rely on them</source>
-        <translation>nicht verlässlich</translation>
+        <source>do not rely on it</source>
+        <translation>nicht verwenden</translation>
     </message>
     <message>
-        <source>Views</source>
-        <translation>Sichten</translation>
+        <source>Verdict</source>
+        <translation>Urteil</translation>
     </message>
     <message>
-        <source>inconsistent</source>
-        <translation>widersprüchlich</translation>
+        <source>all %1 checks passed</source>
+        <translation>alle %1 Prüfungen bestanden</translation>
     </message>
 </context>
 <context>

@@ -1875,24 +1875,24 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <translation>frecuencia variable</translation>
     </message>
     <message>
-        <source>Results</source>
-        <translation>Resultados</translation>
+        <source>passed</source>
+        <translation>superado</translation>
     </message>
     <message>
-        <source>%1: changed in the file after the analysis. Reanalyse the trial.</source>
-        <translation>%1: modificados en el archivo después del análisis. Analice de nuevo el ensayo.</translation>
+        <source>doubtful</source>
+        <translation>dudoso</translation>
     </message>
     <message>
-        <source>do not rely on them</source>
-        <translation>no son fiables</translation>
+        <source>do not rely on it</source>
+        <translation>no lo use</translation>
     </message>
     <message>
-        <source>Views</source>
-        <translation>Vistas</translation>
+        <source>Verdict</source>
+        <translation>Veredicto</translation>
     </message>
     <message>
-        <source>inconsistent</source>
-        <translation>contradictorio</translation>
+        <source>all %1 checks passed</source>
+        <translation>las %1 comprobaciones superadas</translation>
     </message>
 </context>
 <context>

@@ -1875,24 +1875,24 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <translation>cadence variable</translation>
     </message>
     <message>
-        <source>Results</source>
-        <translation>Résultats</translation>
+        <source>passed</source>
+        <translation>réussi</translation>
     </message>
     <message>
-        <source>%1: changed in the file after the analysis. Reanalyse the trial.</source>
-        <translation>%1 : modifiés dans le fichier depuis l’analyse. Analysez de nouveau l’essai.</translation>
+        <source>doubtful</source>
+        <translation>douteux</translation>
     </message>
     <message>
-        <source>do not rely on them</source>
-        <translation>ne pas s’y fier</translation>
+        <source>do not rely on it</source>
+        <translation>ne pas utiliser</translation>
     </message>
     <message>
-        <source>Views</source>
-        <translation>Vues</translation>
+        <source>Verdict</source>
+        <translation>Verdict</translation>
     </message>
     <message>
-        <source>inconsistent</source>
-        <translation>contradictoire</translation>
+        <source>all %1 checks passed</source>
+        <translation>les %1 contrôles sont réussis</translation>
     </message>
 </context>
 <context>

@@ -1869,24 +1869,24 @@ Much more than expected means that a setting is wrong: the views are not synchro
         <translation>속도 불규칙</translation>
     </message>
     <message>
-        <source>Results</source>
-        <translation>결과</translation>
+        <source>passed</source>
+        <translation>통과</translation>
     </message>
     <message>
-        <source>%1: changed in the file after the analysis. Reanalyse the trial.</source>
-        <translation>%1: 분석 후 파일에서 변경되었습니다. 시행을 다시 분석하십시오.</translation>
+        <source>doubtful</source>
+        <translation>의심스러움</translation>
     </message>
     <message>
-        <source>do not rely on them</source>
-        <translation>신뢰할 수 없음</translation>
+        <source>do not rely on it</source>
+        <translation>사용하지 마세요</translation>
     </message>
     <message>
-        <source>Views</source>
-        <translation>뷰</translation>
+        <source>Verdict</source>
+        <translation>판정</translation>
     </message>
     <message>
-        <source>inconsistent</source>
-        <translation>불일치</translation>
+        <source>all %1 checks passed</source>
+        <translation>검사 %1개 모두 통과</translation>
     </message>
 </context>
 <context>

@@ -1869,24 +1869,24 @@ Much more than expected means that a setting is wrong: the views are not synchro
         <translation>帧率不恒定</translation>
     </message>
     <message>
-        <source>Results</source>
-        <translation>结果</translation>
+        <source>passed</source>
+        <translation>通过</translation>
     </message>
     <message>
-        <source>%1: changed in the file after the analysis. Reanalyse the trial.</source>
-        <translation>%1：分析后在文件中被更改。请重新分析该试验。</translation>
+        <source>doubtful</source>
+        <translation>存疑</translation>
     </message>
     <message>
-        <source>do not rely on them</source>
-        <translation>不可信</translation>
+        <source>do not rely on it</source>
+        <translation>请勿采用</translation>
     </message>
     <message>
-        <source>Views</source>
-        <translation>视角</translation>
+        <source>Verdict</source>
+        <translation>结论</translation>
     </message>
     <message>
-        <source>inconsistent</source>
-        <translation>不一致</translation>
+        <source>all %1 checks passed</source>
+        <translation>全部 %1 项检查通过</translation>
     </message>
 </context>
 <context>
