@@ -19826,6 +19826,13 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
 </context>
 <context>
+    <name>workflow.frames_not_decoded</name>
+    <message>
+        <source>%1 of its %2 frames are damaged and were not measured</source>
+        <translation>%1 ihrer %2 Bilder sind beschädigt und wurden nicht ausgewertet</translation>
+    </message>
+</context>
+<context>
     <name>workflow.give_another_file</name>
     <message>
         <source>give another file</source>
@@ -20579,6 +20586,13 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>no camera was found moved</source>
         <translation>bei keiner Kamera wurde eine Verschiebung festgestellt</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.passed_decoding</name>
+    <message>
+        <source>all frames could be decoded</source>
+        <translation>alle Bilder ließen sich decodieren</translation>
     </message>
 </context>
 <context>

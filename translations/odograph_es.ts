@@ -19826,6 +19826,13 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     </message>
 </context>
 <context>
+    <name>workflow.frames_not_decoded</name>
+    <message>
+        <source>%1 of its %2 frames are damaged and were not measured</source>
+        <translation>%1 de sus %2 fotogramas están dañados y no se midieron</translation>
+    </message>
+</context>
+<context>
     <name>workflow.give_another_file</name>
     <message>
         <source>give another file</source>
@@ -20579,6 +20586,13 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <message>
         <source>no camera was found moved</source>
         <translation>no se encontró ninguna cámara movida</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.passed_decoding</name>
+    <message>
+        <source>all frames could be decoded</source>
+        <translation>todos los fotogramas se pudieron descodificar</translation>
     </message>
 </context>
 <context>

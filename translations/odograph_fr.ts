@@ -19826,6 +19826,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
 </context>
 <context>
+    <name>workflow.frames_not_decoded</name>
+    <message>
+        <source>%1 of its %2 frames are damaged and were not measured</source>
+        <translation>%1 de ses %2 images sont endommagées et n&apos;ont pas été mesurées</translation>
+    </message>
+</context>
+<context>
     <name>workflow.give_another_file</name>
     <message>
         <source>give another file</source>
@@ -20579,6 +20586,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>no camera was found moved</source>
         <translation>aucune caméra n&apos;a été trouvée déplacée</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.passed_decoding</name>
+    <message>
+        <source>all frames could be decoded</source>
+        <translation>toutes les images ont pu être décodées</translation>
     </message>
 </context>
 <context>

@@ -19793,6 +19793,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>workflow.frames_not_decoded</name>
+    <message>
+        <source>%1 of its %2 frames are damaged and were not measured</source>
+        <translation>프레임 %2개 중 %1개가 손상되어 측정하지 않았습니다</translation>
+    </message>
+</context>
+<context>
     <name>workflow.give_another_file</name>
     <message>
         <source>give another file</source>
@@ -20546,6 +20553,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>no camera was found moved</source>
         <translation>움직인 것으로 확인된 카메라가 없습니다</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.passed_decoding</name>
+    <message>
+        <source>all frames could be decoded</source>
+        <translation>모든 프레임을 디코딩할 수 있었습니다</translation>
     </message>
 </context>
 <context>

@@ -1882,7 +1882,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
     <message>
         <source>Verdict</source>
-        <translation>结论</translation>
+        <translation>评定</translation>
     </message>
     <message>
         <source>all %1 checks passed</source>
@@ -19793,6 +19793,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>workflow.frames_not_decoded</name>
+    <message>
+        <source>%1 of its %2 frames are damaged and were not measured</source>
+        <translation>其 %2 帧中有 %1 帧已损坏，未被测量</translation>
+    </message>
+</context>
+<context>
     <name>workflow.give_another_file</name>
     <message>
         <source>give another file</source>
@@ -20546,6 +20553,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>no camera was found moved</source>
         <translation>未发现相机移动</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.passed_decoding</name>
+    <message>
+        <source>all frames could be decoded</source>
+        <translation>所有帧均可解码</translation>
     </message>
 </context>
 <context>

@@ -34,7 +34,7 @@ bool GapWatch::joins(double timeS)
     const double step = timeS - m_lastS;
     const bool isJoined =
         !m_skipped && (m_stepS == 0 || step <= std::max(longestBridgedS, bridgedIntervals * m_stepS));
-    if (isJoined)
+    if (isJoined && step > 0) // a clock may stand still
         m_stepS = step;
     m_lastS = timeS;
     m_skipped = false;

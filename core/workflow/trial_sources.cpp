@@ -2,6 +2,7 @@
 #include "core/workflow/trial_sources.h"
 
 #include "core/base/error.h"
+#include "core/base/file_system.h"
 #include "core/calibration/intrinsics_influence.h"
 #include "core/project/project.h"
 #include "core/project/recording_rows.h"
@@ -82,8 +83,8 @@ Result<void> checkRecordings(const std::vector<RegisteredView> &views, const Job
 {
     for (const RegisteredView &view : views) {
         std::error_code error;
-        const auto bytes = static_cast<std::int64_t>(std::filesystem::file_size(view.file, error));
-        if (error)
+        const auto bytes = static_cast<std::int64_t>(files::sizeOf(view.file, error));
+        if (error || view.recording.bytes == 0) // it is missing, or its size was never noted
             continue;
         if (bytes != view.recording.bytes)
             return isAnotherFile(view, ODO_TEXT("workflow.file_of_another_size",

@@ -378,7 +378,7 @@ private Q_SLOTS:
         row("compare %P run1 run1 --align 1e300", 2, "--align takes seconds from -3600 to 3600");
         row("layout transform %P floor --turn 1e300", 2, "--turn takes degrees from -360 to 360");
         row("flag %P run1 --time 1e300 --spike", 2, "--time takes seconds");
-        row("calibrate %P A %/noboard.png --board 1e300x1e300", 2, "1,000,000 at most");
+        row("calibrate %P A %/noboard.png --board 1e300x1e300", 2, "up to 1,000,000");
         row("import %P --trial run2 --video A=%/a.mkv --video B=%/b.mkv --video C=%/b.mkv --sync 0.1", 1,
             "give one offset for each view but the first, like --sync 0.1,0.2, or use --sync auto");
         row("import %P --trial run2 --video A=%/a.mkv --robot blue", 1, "blue");

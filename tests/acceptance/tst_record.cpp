@@ -101,7 +101,7 @@ void TestRecord::saysItInWords()
     QVERIFY2(recorded.exitStatus == 0, recorded.err);
     const QString words = QString::fromUtf8(recorded.out);
     static const QRegularExpression sentences(
-        QStringLiteral("^Trial words recorded: [\\d.]+ s\\.\nView A: \\d+ pictures, [\\d.]+ a second, "
+        QStringLiteral("^Trial words recorded: [\\d.]+ s\\.\nView A: \\d+ frames, [\\d.]+ a second, "
                        "(none|\\d+) lost\\.\nView B: .*\n"
                        "The views are synchronised to ([\\d.]+) ms; at 2 m/s that is ([\\d.]+) mm, which the "
                        "analysis takes into account\\.\n$"));

@@ -209,9 +209,9 @@ void TestRecordGige::aCameraThatIsGoneForAWhile()
         return call(QStringLiteral("record %/p.odo --trial gap --camera A=aravis:127.31.5.2 --camera "
                                    "B=aravis:127.31.5.3 --seconds 8 --robot red --json"));
     });
-    QTRY_VERIFY_WITH_TIMEOUT(m_cameras[1]->images > 40 && m_cameras[0]->images > 40, 20000);
-    const std::uint64_t sent = m_cameras[1]->images;
-    QTRY_VERIFY(m_cameras[1]->images > sent + 30);
+    QTRY_VERIFY_WITH_TIMEOUT(m_cameras[1]->frames > 40 && m_cameras[0]->frames > 40, 20000);
+    const std::uint64_t sent = m_cameras[1]->frames;
+    QTRY_VERIFY(m_cameras[1]->frames > sent + 30);
     m_cameras[1].reset();
     const Nanoseconds pulled = steadyNow();
     QTRY_VERIFY(steadyNow() - pulled > 1500ms);

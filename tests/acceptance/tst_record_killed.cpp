@@ -129,10 +129,10 @@ void TestRecordKilled::lookAt(const std::filesystem::path &projectFile, const QS
         QVERIFY(raw.has_value());
         const double lengthS = toSeconds(recording.frameTimes.back());
         // Where it was cut off before times were stored, nobody knows when its first picture came.
-        const double missingS = raw->images.empty()
+        const double missingS = raw->frames.empty()
                                     ? recordedS - longestBeginS - lengthS
-                                    : toSeconds(killed.steady - raw->images.front().arrival) - lengthS;
-        m_timesStored += !raw->images.empty();
+                                    : toSeconds(killed.steady - raw->frames.front().arrival) - lengthS;
+        m_timesStored += !raw->frames.empty();
         m_mostMissingS = std::max(m_mostMissingS, missingS);
         QVERIFY2(missingS <= mostMissingS, qPrintable(QString::number(missingS)));
     }

@@ -182,7 +182,7 @@ private Q_SLOTS:
                                    QStringLiteral("add task quarter"),
                                    QStringLiteral("import trial run1"),
                                    QStringLiteral("track run1"),
-                                   QStringLiteral("measure run1 again"),
+                                   QStringLiteral("reanalyse run1"),
                                    QStringLiteral("give later the task quarter"),
                                    QStringLiteral("give run1 the task slow")};
         qsizetype place = 0;

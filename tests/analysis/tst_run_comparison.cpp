@@ -258,9 +258,8 @@ private Q_SLOTS:
             *comparison, [](double s) { return s < 1.9 ? s / 0.4 - s / 0.5 : NAN; }, 1.1 / 30, 190);
         const Profile forwards = exact(evenRun(0.5, 0.5), 6);
         QCOMPARE(message(compared(forwards, slow, byTask())),
-                 QStringLiteral("comparison of 'One' and 'Two': 'Two' drives the way in the other direction "
-                                "than 'One'; choose runs "
-                                "in the same direction"));
+                 QStringLiteral("comparison of 'One' and 'Two': 'Two' runs in the opposite direction "
+                                "to 'One'; choose runs in the same direction"));
     }
 
     void toAndFroArrivesOnce()
@@ -415,7 +414,7 @@ private Q_SLOTS:
                  QStringLiteral("comparison of 'One' and 'Two': 'Two' shares no part of its path with 'One'; "
                                 "choose runs of the same task"));
         QVERIFY(message(compared(run, elsewhere, byTask()))
-                    .contains(QLatin1String("in common with the task's path")));
+                    .contains(QLatin1String("no part of its path with the task's path")));
         QCOMPARE(message(compareRuns({{foreignWords("One"), &run}}, {})),
                  QStringLiteral("comparison: it needs two runs; choose another run as well"));
         QVERIFY(

@@ -112,7 +112,7 @@ private Q_SLOTS:
         Task task;
         for (int i = 0; i < 31; ++i)
             task.zones.push_back(rectangularZone(std::to_string(i), ZoneRule::StayInside, {0, 0}, {1, 1}));
-        QCOMPARE(checkTask(task).error().why.english(), std::string("the task has 30 zones already"));
+        QCOMPARE(checkTask(task).error().why.english(), std::string("the task already has 30 zones"));
     }
 
     void aRunBreaksARuleWhereItCrossesTheEdge()

@@ -232,7 +232,7 @@ private Q_SLOTS:
                     std::vector<MarkerPixel> pixels = right;
                     std::swap(pixels[i].pixel, pixels[j].pixel);
                     const std::string words =
-                        "with " + right[i].label + " and " + right[j].label + " exchanged";
+                        "with " + right[i].label + " and " + right[j].label + " swapped";
                     QVERIFY(refusedWith(layout, pixels, words.c_str()));
                     if (layout.markers.size() > 4)
                         QVERIFY(!registerFloor(layout, pixels, bentCamera(), false).has_value());

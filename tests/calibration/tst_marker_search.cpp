@@ -73,7 +73,7 @@ class TestMarkerSearch : public QObject
 private Q_SLOTS:
     void ninetyFivePercentOfTheViewsAreFoundToAFifthOfAPixel_data()
     {
-        QTest::addColumn<MarkerShape>("figure");
+        QTest::addColumn<MarkerShape>("shape");
         QTest::newRow("tags") << MarkerShape::Tag;
         QTest::newRow("rings") << MarkerShape::Ring;
         QTest::newRow("dots") << MarkerShape::Dot;

@@ -62,7 +62,7 @@ class TestMarkerSnap : public QObject
 private Q_SLOTS:
     void findsWhatWasClicked_data()
     {
-        QTest::addColumn<MarkerShape>("figure");
+        QTest::addColumn<MarkerShape>("shape");
         QTest::addColumn<int>("kind");
         QTest::newRow("tags") << MarkerShape::Tag << int(Kind::Tag);
         QTest::newRow("rings") << MarkerShape::Ring << int(Kind::Ring);

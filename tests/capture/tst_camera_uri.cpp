@@ -24,8 +24,8 @@ private Q_SLOTS:
     void whatSaysLittle_data()
     {
         QTest::addColumn<QByteArray>("uri");
-        QTest::addColumn<QByteArray>("place");
-        QTest::addColumn<QByteArrayList>("wishes");
+        QTest::addColumn<QByteArray>("location");
+        QTest::addColumn<QByteArrayList>("cameraSettings");
         QTest::newRow("no place") << QByteArray("x:") << QByteArray() << QByteArrayList();
         QTest::newRow("no wish") << QByteArray("x:a?") << QByteArray("a") << QByteArrayList();
         QTest::newRow("an end too many")

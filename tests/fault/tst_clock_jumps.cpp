@@ -71,7 +71,7 @@ void TestClockJumps::durationsStayTrue()
         const double lengthS = toSeconds(recording.frameTimes.back() - recording.frameTimes.front());
         QVERIFY2(std::abs(lengthS - wantedS) < 0.9, qPrintable(QString::number(lengthS)));
         const auto raw = (*project)->trials().rawTimes(recording.id);
-        QVERIFY(raw && std::ranges::is_sorted(raw->images, {}, &RawTime::arrival));
+        QVERIFY(raw && std::ranges::is_sorted(raw->frames, {}, &RawTime::arrival));
     }
     QVERIFY(std::abs(trial->syncOffsetS) < 0.9);
     const auto problems = (*project)->check(true);

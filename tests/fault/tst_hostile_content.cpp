@@ -182,7 +182,7 @@ private Q_SLOTS:
                               << QByteArray("from 0.1 to 100,000");
         QTest::newRow("height") << QStringList{u"robot"_s,    u"add"_s,     u"%P"_s,       u"x"_s,
                                                u"--colour"_s, u"#d72328"_s, u"--height"_s, u"1e300"_s}
-                                << QByteArray("of 1 km at most");
+                                << QByteArray("up to 1 km");
         QTest::newRow("size") << QStringList{u"robot"_s,    u"add"_s,     u"%P"_s,     u"x"_s,
                                              u"--colour"_s, u"#d72328"_s, u"--size"_s, u"20000x20000"_s}
                               << QByteArray("it is larger than 10 m");

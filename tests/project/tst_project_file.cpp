@@ -190,7 +190,7 @@ private Q_SLOTS:
                       QStringLiteral("it was written by a newer Odograph (format 17"));
         for (int part : {1, 2, 3})
             expectRefusal(whole.left(whole.size() * part / 4), ErrorCode::InvalidInput,
-                          QStringLiteral("cut off: it has"));
+                          QStringLiteral("incomplete: it has"));
         QCOMPARE(Project::open(folder(), Access::ReadOnly).error().code, ErrorCode::InvalidInput);
         QCOMPARE(Project::open(folder() / "no.odo", Access::ReadWrite).error().code, ErrorCode::NotFound);
     }
@@ -323,7 +323,7 @@ private Q_SLOTS:
         QCOMPARE(problemsAt(**project, video, true), QStringList());
         store(video, "abd");
         QCOMPARE(problemsAt(**project, video, false), QStringList());
-        QVERIFY(problemsAt(**project, video, true).value(0).contains(QStringLiteral("was changed")));
+        QVERIFY(problemsAt(**project, video, true).value(0).contains(QStringLiteral("has changed")));
         store(video, "abcd");
         QVERIFY(
             problemsAt(**project, video, false).value(0).contains(QStringLiteral("4 bytes instead of 3")));

@@ -243,7 +243,7 @@ void TestClipEvidence::worksWithoutAnyRobot()
     evidence[1].light = {};
     const auto none = findClipOffset(evidence[0], evidence[1], tenSeconds);
     QVERIFY(!none);
-    QVERIFY2(none.error().why.english().find("no robot to look for, and only one of the views") !=
+    QVERIFY2(none.error().why.english().find("no robot to track, and only one of the views") !=
                  std::string::npos,
              none.error().why.english().c_str());
 }

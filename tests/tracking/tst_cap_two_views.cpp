@@ -21,7 +21,7 @@ private Q_SLOTS:
 void TestCapTwoViews::capIsFound_data()
 {
     QTest::addColumn<QString>("file");
-    QTest::addColumn<QString>("told");
+    QTest::addColumn<QString>("given");
     QTest::addColumn<double>("firstX");
     QTest::addColumn<double>("firstY");
     QTest::addColumn<double>("lastX");

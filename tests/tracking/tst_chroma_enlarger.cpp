@@ -52,7 +52,7 @@ private Q_SLOTS:
                 samples);
             // rows need not be made whole
             const int skipped = part.width() > 8 ? ChromaEnlarger::columnUnit : 0;
-            std::vector<std::int16_t> row(std::size_t(ChromaEnlarger::room(part.width() - skipped)));
+            std::vector<std::int16_t> row(std::size_t(ChromaEnlarger::paddedColumns(part.width() - skipped)));
             for (int y = 0; y < part.height(); ++y) {
                 enlarger.enlargeRow(samples, y, skipped, part.width(), row.data());
                 for (int x = skipped; x < part.width(); ++x) {

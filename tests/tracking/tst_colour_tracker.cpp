@@ -141,7 +141,7 @@ void TestColourTracker::anySize()
 
 void TestColourTracker::toldColourNeedNotBeExact_data()
 {
-    QTest::addColumn<QString>("told");
+    QTest::addColumn<QString>("given");
     QTest::addColumn<QString>("real");
     const auto row = [](const char *name, const char *given, const char *real) {
         QTest::newRow(name) << QString::fromLatin1(given) << QString::fromLatin1(real);
@@ -271,7 +271,7 @@ void TestColourTracker::greyIsRefused()
         const QString message = QString::fromStdString(tracker.error().message());
         QVERIFY2(message.contains(QStringLiteral("rover")), qPrintable(message));
         QVERIFY2(message.contains(QString::fromStdString(grey.toString())), qPrintable(message));
-        QVERIFY2(message.contains(QStringLiteral("; tell no colour")), qPrintable(message));
+        QVERIFY2(message.contains(QStringLiteral("; set no colour")), qPrintable(message));
     }
 }
 

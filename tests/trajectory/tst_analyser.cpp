@@ -305,8 +305,8 @@ private Q_SLOTS:
         const auto profile = analyse({a}, given, {});
         QVERIFY(!profile);
         QCOMPARE(profile.error().code, ErrorCode::Undetermined);
-        QVERIFY(profile.error().message().find("not enough data: of 300 frames " +
-                                               std::to_string(sightings)) != std::string::npos);
+        QVERIFY(profile.error().message().find("not enough data: only " + std::to_string(sightings) +
+                                               " of 300 frames") != std::string::npos);
     }
 
     void nothingIsEverNotANumber()

@@ -162,8 +162,8 @@ private Q_SLOTS:
     {
         QTest::addColumn<bool>("round");
         QTest::addColumn<double>("base");
-        QTest::addColumn<bool>("heightTold");
-        QTest::addColumn<bool>("sizeTold");
+        QTest::addColumn<bool>("givesHeight");
+        QTest::addColumn<bool>("hasGivenSize");
         QTest::addColumn<bool>("oneView");
         QTest::newRow("box, all told") << false << 0.0 << true << true << false;
         QTest::newRow("box, size told") << false << 0.0 << false << true << false;

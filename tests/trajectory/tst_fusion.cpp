@@ -84,9 +84,9 @@ private Q_SLOTS:
         std::vector<ViewPosition> views;
         for (std::uint32_t v = 0; v < 3; ++v) {
             const Eigen::Matrix2d turn = Eigen::Rotation2Dd(0.9 * v + 0.2).toRotationMatrix();
-            FloorPosition position = position(1, 2, 0.001, 0.004, 0.002 + 0.001 * v);
-            position.pixelCovariance = turn * position.pixelCovariance * turn.transpose();
-            views.push_back({v, position});
+            FloorPosition place = position(1, 2, 0.001, 0.004, 0.002 + 0.001 * v);
+            place.pixelCovariance = turn * place.pixelCovariance * turn.transpose();
+            views.push_back({v, place});
         }
         const FusedPosition stated = fuse(views);
         Eigen::Matrix2d fromPixels = Eigen::Matrix2d::Zero(), fromCalibration = Eigen::Matrix2d::Zero();

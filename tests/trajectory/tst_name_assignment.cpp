@@ -191,7 +191,7 @@ void TestNameAssignment::oneViewExchanges_data()
 {
     QTest::addColumn<bool>("equal");
     QTest::addColumn<bool>("bounce");
-    QTest::addColumn<bool>("heightTold");
+    QTest::addColumn<bool>("givesHeight");
     QTest::newRow("equal colours, passing") << true << false << true;
     QTest::newRow("equal colours, passing, height not told") << true << false << false;
     QTest::newRow("equal colours, turning back") << true << true << false;

@@ -28,6 +28,7 @@ private Q_SLOTS:
     void truncated_data();
     void truncated();
     void damagedInTheMiddle();
+    void whatIsPredictedFromDamageIsDamaged();
     void damagedMotionJpeg();
     void partsOfMotionJpeg();
     void refusals_data();
@@ -219,6 +220,30 @@ void TestVideoReader::damagedInTheMiddle()
     QVERIFY(good >= 27);
     QVERIFY(good + damaged >= 29);
     QVERIFY(good < 30);
+}
+
+/// The decoder conceals what it lacks, and says nothing of it in the frames that it predicts from there.
+void TestVideoReader::whatIsPredictedFromDamageIsDamaged()
+{
+    VideoWriterOptions options;
+    options.codec = VideoCodec::H264;
+    QCOMPARE(writeCoded(path("predicted.mkv"), evenTimes(60, 30), options), QString());
+    std::string bytes = load("predicted.mkv");
+    bytes.replace(bytes.size() / 2, 40, 40, '\x5a');
+    store("predicted.mkv", bytes);
+    const auto reader = VideoReader::open(path("predicted.mkv"));
+    QVERIFY(reader.has_value());
+    std::int64_t firstDamaged = -1, good = 0;
+    for (std::int64_t i = 0; i < std::ssize((*reader)->info().frameTimes); ++i) {
+        const auto frame = (*reader)->next();
+        if (!frame && firstDamaged < 0)
+            firstDamaged = i;
+        if (frame && firstDamaged >= 0)
+            QVERIFY2((*reader)->keyFrameBefore(i) > firstDamaged, qPrintable(QString::number(i)));
+        good += frame.has_value();
+    }
+    QVERIFY(firstDamaged > 0);
+    QVERIFY(good >= firstDamaged);
 }
 
 void TestVideoReader::damagedMotionJpeg()

@@ -50,7 +50,7 @@ private Q_SLOTS:
     {
         QTest::addColumn<int>("look");
         QTest::addColumn<int>("way");
-        QTest::addColumn<bool>("isColourTold");
+        QTest::addColumn<bool>("isColourGiven");
         QTest::newRow("red rover, black wheels, in lamp light") << 0 << 0 << false;
         QTest::newRow("white") << 1 << 0 << false;
         QTest::newRow("black") << 2 << 1 << false;

@@ -26,7 +26,7 @@ private Q_SLOTS:
         QVERIFY2(done, done ? "" : done.error().message().c_str());
         QVERIFY(told().empty()); // nothing is stored yet
         QVERIFY(job.keep(*m_project));
-        QCOMPARE(told(), std::vector<std::string>{"measure Trial 1 again"});
+        QCOMPARE(told(), std::vector<std::string>{"reanalyse Trial 1"});
         QCOMPARE(m_project->undoWords().english(), std::string()); // it is told, and stays
     }
     void registeringIsTold()

@@ -287,7 +287,7 @@ void TestPackJob::sayingWhatIsMissing()
     QVERIFY(QFile::remove(path("elsewhere/run.mkv")));
     RelinkJob empty(file("elsewhere"));
     QCOMPARE(runToEnd(empty, *m_project, {}).error().message(),
-             "look in '" + file("elsewhere").string() +
+             "search '" + file("elsewhere").string() +
                  "': the lost video is not in this folder; choose the folder where they were copied to");
     RelinkJob nowhere("/no/such/folder");
     QCOMPARE(runToEnd(nowhere, *m_project, {}).error().code, ErrorCode::Io);

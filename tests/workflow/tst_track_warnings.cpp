@@ -114,7 +114,7 @@ private Q_SLOTS:
     {
         using Doubts = std::vector<AmbiguousName>;
         using namespace std::chrono_literals;
-        QTest::addColumn<Doubts>("doubts");
+        QTest::addColumn<Doubts>("ambiguities");
         QTest::addColumn<QString>("said");
         const QString subject = QStringLiteral("robot 'Blue 1' in trial 't': "),
                       advice = QStringLiteral("; give each its own colour");

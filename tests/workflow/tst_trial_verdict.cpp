@@ -46,6 +46,7 @@ private Q_SLOTS:
     void aSoundTrialPasses()
     {
         Example example;
+        example.profile().spikes.clear();
         const TrialVerdict verdict = example.verdict();
         QStringList codes;
         for (const TrialCheck &check : verdict.checks) {
@@ -55,8 +56,9 @@ private Q_SLOTS:
         QCOMPARE(codes, (QStringList{QStringLiteral("results_intact"), QStringLiteral("time_measured"),
                                      QStringLiteral("few_spikes"), QStringLiteral("motion_possible"),
                                      QStringLiteral("name_known"), QStringLiteral("frames_regular"),
-                                     QStringLiteral("lens_known"), QStringLiteral("camera_still"),
-                                     QStringLiteral("views_agree"), QStringLiteral("synchronised")}));
+                                     QStringLiteral("frames_decoded"), QStringLiteral("lens_known"),
+                                     QStringLiteral("camera_still"), QStringLiteral("views_agree"),
+                                     QStringLiteral("synchronised")}));
         QVERIFY(verdict.level() == CheckLevel::Pass);
     }
 
@@ -100,6 +102,17 @@ private Q_SLOTS:
         for (std::size_t i = times.size() / 2; i < times.size(); ++i)
             times[i] += std::chrono::seconds(10);
         QVERIFY(example.check("frames_regular").level == CheckLevel::Doubtful);
+    }
+
+    /// There is no sample for a frame that could not be decoded.
+    void damagedFrames()
+    {
+        Example example;
+        Profile &profile = example.profile();
+        profile.samples.resize(profile.samples.size() - 5);
+        QVERIFY(example.check("frames_decoded").level == CheckLevel::Doubtful);
+        profile.samples.resize(10);
+        QVERIFY(example.check("frames_decoded").level == CheckLevel::Bad);
     }
 
     void viewsThatAreNotSynchronised()

@@ -286,7 +286,7 @@ void ComparedWindow::compareRows(const DifferenceWindow &part)
     takeChroma(enlarger, m_frame->v, 1, m_vSamples);
     takeChroma(enlarger, m_background.u, m_gain.factor, m_uBehindSamples);
     takeChroma(enlarger, m_background.v, m_gain.factor, m_vBehindSamples);
-    const int columns = ChromaEnlarger::margin(part.rect.width());
+    const int columns = ChromaEnlarger::paddedColumns(part.rect.width());
     for (cv::Mat1s *plane : {&m_uPart, &m_vPart, &m_uBehindPart, &m_vBehindPart})
         plane->create(part.rect.height(), columns);
     for (BitMask *mask : {&m_differs, &m_plain, &m_darkened})

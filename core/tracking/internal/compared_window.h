@@ -30,7 +30,7 @@ public:
     /// The samples that the part needs; up to one beyond the plane on each side.
     const PixelRect &samples() const { return m_samples; }
     /// So many values are written at most for so many columns, as several are made at once.
-    static int margin(int columns) { return columns + atOnce - 1; }
+    static int paddedColumns(int columns) { return columns + atOnce - 1; }
 
     /// Makes a plane of the part's samples. valuesOf(row, first, last, into): writes those of a row of the
     /// plane from column first to before last.

@@ -21,9 +21,9 @@ constexpr double longFrame = 4, longFrameS = 0.2;         // of the usual interv
 constexpr double fastestMps = 15, hardestMps2 = 100;      // no classroom robot
 constexpr const char *resultsIntact = "results_intact", *viewsAgree = "views_agree",
                      *timeMeasured = "time_measured", *synchronised = "synchronised",
-                     *framesRegular = "frames_regular", *fewSpikes = "few_spikes",
-                     *motionPossible = "motion_possible", *nameKnown = "name_known",
-                     *lensKnown = "lens_known", *cameraStill = "camera_still";
+                     *framesRegular = "frames_regular", *framesDecoded = "frames_decoded",
+                     *fewSpikes = "few_spikes", *motionPossible = "motion_possible",
+                     *nameKnown = "name_known", *lensKnown = "lens_known", *cameraStill = "camera_still";
 
 class Checks
 {
@@ -55,6 +55,16 @@ MessageArgument percent(double share)
     return quantity(100 * share, 0, "%");
 }
 
+/// Of the samples from the first to the last that is used: a robot may come later and leave earlier.
+double usedShare(const std::vector<Sample> &samples)
+{
+    const auto first = std::ranges::find_if(samples, isUsed);
+    if (first == samples.end())
+        return 1; // they are not held
+    const auto last = std::find_if(samples.rbegin(), samples.rend(), isUsed).base();
+    return double(std::count_if(first, last, isUsed)) / double(last - first);
+}
+
 void checkTime(const AnalysisRecord &analysis, const Message &robot, Checks &checks)
 {
     const Profile &profile = analysis.profile;
@@ -70,9 +80,8 @@ void checkTime(const AnalysisRecord &analysis, const Message &robot, Checks &che
                                     "large as stated")(quantity(profile.measuredS, 1, "s"),
                                                        quantity(wholeS, 1, "s"))},
                    Join::Colon));
-    const auto used = double(std::ranges::count_if(profile.samples, isUsed));
-    const double share = used / double(std::max<std::size_t>(1, profile.samples.size()));
-    if (!profile.samples.empty() && share < doubtfulTracked)
+    const double share = usedShare(profile.samples);
+    if (share < doubtfulTracked)
         checks.add(timeMeasured, share < badTracked ? CheckLevel::Bad : CheckLevel::Doubtful,
                    joined({robot, ODO_TEXT("workflow.measured_frames",
                                            "only %1 of the frames give a position")(percent(share))},
@@ -130,6 +139,22 @@ void checkFrames(const RecordingRecord &view, const std::string &trial, Checks &
                           Join::Colon));
 }
 
+/// There is a sample for each frame of the first view that could be decoded.
+void checkDecoding(const AnalysisRecord &analysis, const RecordingRecord &first, const std::string &trial,
+                   Checks &checks)
+{
+    const std::size_t frames = first.frameTimes.size(), samples = analysis.profile.samples.size();
+    if (analysis.views.empty() || samples == 0 || samples >= frames)
+        return;
+    checks.add(
+        framesDecoded,
+        double(frames - samples) > badGaps * double(frames) ? CheckLevel::Bad : CheckLevel::Doubtful,
+        joined({viewInTrialSubject(first.cameraName, trial),
+                ODO_TEXT("workflow.frames_not_decoded",
+                         "%1 of its %2 frames are damaged and were not measured")(frames - samples, frames)},
+               Join::Colon));
+}
+
 void checkSynchronisation(const RecordingRecord &first, const RecordingRecord &view, const std::string &trial,
                           Checks &checks)
 {
@@ -168,6 +193,7 @@ void passTheRest(bool isFilmed, std::size_t views, Checks &checks)
         return;
     checks.pass(nameKnown, ODO_TEXT("workflow.passed_names", "no robot could be another one"));
     checks.pass(framesRegular, ODO_TEXT("workflow.passed_frames", "the frames came at regular intervals"));
+    checks.pass(framesDecoded, ODO_TEXT("workflow.passed_decoding", "all frames could be decoded"));
     checks.pass(lensKnown, ODO_TEXT("workflow.passed_lens", "the lenses are calibrated"));
     checks.pass(cameraStill, ODO_TEXT("workflow.passed_cameras", "no camera was found moved"));
     if (views < 2)
@@ -216,6 +242,8 @@ Result<TrialVerdict> verdictOn(Project &project, const TrialRecord &trial,
         const auto registration = ODO_TRY(project.cameras().registration(registrations[v]));
         checkRegistration(registration, recordings[v]->cameraName, checks);
     }
+    if (!recordings.empty())
+        checkDecoding(analyses.front(), *recordings.front(), trial.name, checks);
     for (std::size_t v = 1; v < used.size(); ++v)
         checkSynchronisation(*used[0], *used[v], trial.name, checks);
     passTheRest(!recordings.empty(), used.size(), checks);

@@ -137,7 +137,7 @@ private Q_SLOTS:
         const QString written =
             QLocale().toString(QFileInfo(backup.fileName()).lastModified(), QLocale::ShortFormat);
         QCOMPARE(bar->text(), QStringLiteral("Project 'torn.odo': the file is damaged. Its backup of %1 is "
-                                             "sound; what was done since is not in it.")
+                                             "intact; it does not contain later changes.")
                                   .arg(written));
         auto *button = bar->findChild<QPushButton *>();
         QCOMPARE(button->text(), QStringLiteral("Restore the backup"));

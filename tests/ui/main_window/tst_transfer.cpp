@@ -191,7 +191,7 @@ void TestTransfer::lostVideosAreFound()
     run("Find lost videos…", {chooseFile(path("empty"))});
     QVERIFY2(message().contains(QLatin1String("lost videos is in this folder")), qPrintable(message()));
     run("Find lost videos…", {chooseFile(m_folder.path())});
-    QVERIFY2(message().startsWith(QLatin1String("1 of ")) &&
+    QVERIFY2(message().startsWith(QLatin1String("Found 1 of ")) &&
                  message().endsWith(QLatin1String(" lost videos by their content.")),
              qPrintable(message()));
     QCOMPARE(lostVideos(), lost);

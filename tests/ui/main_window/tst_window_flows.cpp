@@ -208,11 +208,12 @@ void TestWindowFlows::registersANewCameraFromVideo()
     const QStringList before = content();
     run("Register camera…", {[&](QDialog &dialog) {
             begin(dialog, QStringLiteral("A"), QStringLiteral("novideo.mkv"));
-            QTRY_VERIFY_WITH_TIMEOUT(
-                std::ranges::any_of(
-                    dialog.findChildren<QLabel *>(),
-                    [](auto *label) { return label->text().contains(QStringLiteral("not a video")); }),
-                60'000);
+            QTRY_VERIFY_WITH_TIMEOUT(std::ranges::any_of(dialog.findChildren<QLabel *>(),
+                                                         [](auto *label) {
+                                                             return label->text().contains(QStringLiteral(
+                                                                 "not a supported kind of video"));
+                                                         }),
+                                     60'000);
             dialog.reject();
         }});
     QCOMPARE(content(), before);

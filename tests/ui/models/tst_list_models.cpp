@@ -131,7 +131,7 @@ private Q_SLOTS:
         scene->robots[0].analysis->ambiguousNames = {{3405ms, 4200ms, {7}, {"Blue 1"}}};
         model.setScene(scene);
         QCOMPARE(model.rowCount(), 4);
-        QCOMPARE(model.summary(), QStringLiteral("2 flagged · 1 restored · 1 doubtful"));
+        QCOMPARE(model.summary(), QStringLiteral("2 flagged · 1 restored · 1 ambiguous"));
         const QModelIndex doubt = model.index(1, SpikeModel::ReasonColumn);
         QCOMPARE(doubt.data().toString(), QStringLiteral("Which robot? Until 4.20\u00a0s"));
         QCOMPARE(doubt.data(Qt::ToolTipRole).toString(),

@@ -317,8 +317,9 @@ private Q_SLOTS:
         AnnotatedVideoSettings odd = settings(), fast = settings(), lost = settings(), again = settings();
         odd.sizePx = {641, 360};
         QCOMPARE(failure("Trial 1", odd),
-                 std::string("annotated video of 'Trial 1': its size of 641x360 is odd, or not from "
-                             "320x180 to 3840x2160; choose another, such as 1920x1080"));
+                 std::string(
+                     "annotated video of 'Trial 1': its size of 641x360 has an odd number of "
+                     "pixels, or is not between 320x180 and 3840x2160; choose another, such as 1920x1080"));
         fast.speed = 2;
         QCOMPARE(failure("Trial 1", fast),
                  std::string("annotated video of 'Trial 1': its speed is not between 0.1 and 1; choose "

@@ -21,7 +21,7 @@ private Q_SLOTS:
         using Colours = std::vector<DrawingColour>;
         using Positions = std::vector<int>;
         QTest::addColumn<Colours>("chosen");
-        QTest::addColumn<Positions>("places");
+        QTest::addColumn<Positions>("positions");
         QTest::newRow("none") << Colours{} << Positions{};
         QTest::newRow("by themselves") << Colours{Automatic, Automatic, Automatic} << Positions{0, 1, 2};
         QTest::newRow("the others get what nobody chose")

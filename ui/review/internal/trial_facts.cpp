@@ -349,12 +349,12 @@ QList<Fact> trialFacts(const TrialScene &scene)
             facts.append(Fact{name, value, {}, std::nullopt});
     };
     const TrialRecord &trial = scene.trial;
+    addVerdict(scene.verdict, facts);
     add(TrialFactsWords::tr("Team"), shownTeam(trial));
     addTask(scene, facts);
     for (std::size_t robot = 0; robot < scene.robots.size(); ++robot)
         facts.append(
             {TrialFactsWords::tr("Robot"), robotText(scene.robots[robot]), {}, explainHeight(scene, robot)});
-    addVerdict(scene.verdict, facts);
     add(TrialFactsWords::tr("Date"), dateText(trial.date));
     if (scene.layout)
         add(TrialFactsWords::tr("Testbed"),

@@ -144,7 +144,7 @@ void TestCameraPositionDialog::tellsOneThatStands()
     QVERIFY(kept("A") && kept("A")->outcome == RegistrationCheck::Outcome::Still);
     QVERIFY2(!kept("B"), "it was not checked");
     QVERIFY(dialog->hasChecked());
-    QVERIFY(says(*dialog, "stands where it was registered"));
+    QVERIFY(says(*dialog, "has not moved"));
 }
 
 void TestCameraPositionDialog::tellsOneThatWasPushed()
@@ -222,7 +222,7 @@ void TestCameraPositionDialog::picturesOfAnotherSizeAreRefused()
     table->selectRow(0);
     QVERIFY(says(*dialog, "the image is 640×480, the camera was registered at 1280×720"));
     table->selectRow(1);
-    QVERIFY(says(*dialog, "nowhere.png"));
+    QVERIFY(says(*dialog, "the file does not exist"));
     QVERIFY2(!kept("A") && !kept("B"), "a picture that is none says nothing of the camera");
 }
 

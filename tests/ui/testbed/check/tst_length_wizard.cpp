@@ -173,7 +173,7 @@ void TestLengthWizard::tellsALengthThatIsOff()
     named<QDoubleSpinBox>(*wizard, "True length")->setValue(trueLengthMm() + 50);
     QVERIFY(!wizard->page().check()->agrees);
     QVERIFY(says(*wizard, "outside uncertainty"));
-    QVERIFY(says(*wizard, "the places of the markers"));
+    QVERIFY(says(*wizard, "the marker positions"));
 }
 
 void TestLengthWizard::measuresWithoutATruth()

@@ -246,7 +246,7 @@ void TestFloorWizard::namesExchangedMarkers()
     const auto wizard = makeWizard(m_image);
     std::swap(m_layout.layout.markers[1].pointInWorld, m_layout.layout.markers[2].pointInWorld);
     walkToMarkers(*wizard);
-    QTRY_VERIFY_WITH_TIMEOUT(says(*wizard, "exchanged"), patienceMs);
+    QTRY_VERIFY_WITH_TIMEOUT(says(*wizard, "swapped"), patienceMs);
     QVERIFY(!button(*wizard, "Save")->isEnabled());
 }
 

@@ -166,7 +166,7 @@ void TestLensWizard::byKeyboardFromFiles()
     QVERIFY(qobject_cast<QDoubleSpinBox *>(focused()));
     QTest::keyClick(focused(), Qt::Key_A, Qt::ControlModifier);
     QTest::keyClicks(focused(), QStringLiteral("25.00"));
-    QTest::keyClick(wizard.get(), Qt::Key_P, Qt::AltModifier);
+    QTest::keyClick(wizard.get(), Qt::Key_V, Qt::AltModifier);
     QVERIFY(qobject_cast<QRadioButton *>(focused()));
     BusyWatch busy;
     Person person({[this](QDialog &dialog) { typeFiles(dialog); }});
