@@ -246,15 +246,6 @@ QString dateText(Instant instant)
     return QDateTime::fromMSecsSinceEpoch(instant.time_since_epoch().count()).toString(Qt::ISODate);
 }
 
-double metricValue(const Profile &profile, std::string_view name)
-{
-    for (const Metric &metric : profile.metrics) {
-        if (metric.name == name)
-            return metric.value;
-    }
-    return 0;
-}
-
 namespace {
 
 QString fromView(std::string_view text)

@@ -43,9 +43,6 @@ QString english(const Message &message);
 /// By the clock on the wall here, to the second: "2026-11-23T15:04:05".
 QString dateText(Instant instant);
 
-/// The value of a metric by its name; 0 where it could not be computed.
-double metricValue(const Profile &profile, std::string_view name);
-
 /// A task with the fields that a task file has (core/exchange/task_file.h), and its name.
 QJsonObject taskJson(const TaskRecord &record);
 

@@ -366,14 +366,11 @@ Result<void> runShow(const QStringList &arguments, const CancelToken &cancel)
         lines << QStringLiteral("Not tracked yet; run: odograph track %1 %2")
                      .arg(call.positional(0), call.positional(1));
     std::vector<const RecordingRecord *> all, used;
-    for (std::size_t v = 0; v < recordings.size(); ++v) {
-        all.push_back(&recordings[v]);
-        if (analyses.empty())
-            continue;
-        const std::vector<RecordId> &registrations = analyses.front().registrations;
-        if (v < registrations.size() && registrations[v] != 0)
-            used.push_back(&recordings[v]);
-    }
+    for (const RecordingRecord &recording : recordings)
+        all.push_back(&recording);
+    if (!analyses.empty())
+        for (const std::size_t view : usedViews(analyses.front(), recordings.size()))
+            used.push_back(all[view]);
     warnings = stepWarnings(trial.name, used);
     const auto verdict = ODO_TRY(verdictOn(project, trial, all, analyses));
     lines << verdictLines(verdict);

@@ -2,6 +2,7 @@
 #include "app/answers.h"
 #include "app/command_call.h"
 #include "app/commands/commands.h"
+#include "core/analysis/metrics.h"
 #include "core/base/units.h"
 #include "core/workflow/track/reanalysis.h"
 #include "core/workflow/track/track_job.h"

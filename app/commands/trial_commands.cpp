@@ -4,6 +4,7 @@
 #include "app/answers.h"
 #include "app/command_call.h"
 #include "app/commands/commands.h"
+#include "core/analysis/metrics.h"
 #include "core/base/error.h"
 #include "core/base/percentile.h"
 #include "core/project/names.h"

@@ -190,6 +190,12 @@ std::vector<Metric> measureRun(const std::vector<RunInstant> &instants)
     return metrics;
 }
 
+double metricValue(const Profile &profile, std::string_view name)
+{
+    const auto found = std::ranges::find(profile.metrics, name, &Metric::name);
+    return found == profile.metrics.end() ? 0 : found->value;
+}
+
 void markLowerBounds(std::vector<Metric> &metrics, const std::vector<TimeSpan> &gaps)
 {
     for (Metric &metric : metrics) {

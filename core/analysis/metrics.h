@@ -7,6 +7,7 @@
 #include <Eigen/Core>
 #include <optional>
 #include <span>
+#include <string_view>
 #include <vector>
 
 namespace odo {
@@ -25,6 +26,9 @@ namespace odo {
 /// (see largest). A robot that never moves has a duration of 0, and 0 for all that depends on it.
 std::vector<Metric> measureRun(const std::vector<Sample> &samples, const std::vector<ProfilePoint> &points);
 std::vector<Metric> measureRun(const std::vector<RunInstant> &instants);
+
+/// The value of a metric by its name; 0 where it could not be computed.
+double metricValue(const Profile &profile, std::string_view name);
 
 /// Metric::isAtLeast of each, where the run has gaps.
 void markLowerBounds(std::vector<Metric> &metrics, const std::vector<TimeSpan> &gaps);

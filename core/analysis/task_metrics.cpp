@@ -113,12 +113,13 @@ void addOffsets(std::vector<Metric> &metrics, const std::vector<Offset> &offsets
     add("cross_track_bias", sum / whole, sigmaBias);
 }
 
-void addPath(std::vector<Metric> &metrics, const ReferencePath &path, const std::vector<Sample> &samples,
-             const std::vector<ProfilePoint> &points)
+/// instants: those of the samples and points.
+void addPath(std::vector<Metric> &metrics, const ReferencePath &path, const std::vector<RunInstant> &instants,
+             const std::vector<Sample> &samples, const std::vector<ProfilePoint> &points)
 {
     const std::vector<MeasuredPosition> positions = measuredPositions(samples, points);
     const std::vector<PathPosition> followed = followPath(path, positions);
-    addOffsets(metrics, offsetsOf(validInstants(samples, points), followed, positions));
+    addOffsets(metrics, offsetsOf(instants, followed, positions));
     metrics.push_back({"path_completed", "1", completedShare(path, followed), std::nullopt});
 }
 
@@ -165,10 +166,11 @@ TaskMetrics measureTask(const Task &task, const std::vector<Sample> &samples,
 {
     TaskMetrics result;
     result.passages = findPassages(task.gates, samples, points);
-    const std::vector<TimeSpan> gaps = gapsBetween(validInstants(samples, points));
+    const std::vector<RunInstant> instants = validInstants(samples, points);
+    const std::vector<TimeSpan> gaps = gapsBetween(instants);
     addTimes(result.metrics, task, result.passages, gaps);
     if (!task.path.points.empty())
-        addPath(result.metrics, task.path, samples, points);
+        addPath(result.metrics, task.path, instants, samples, points);
     const std::vector<Metric> zones = measureZones(task.zones, samples, points);
     result.metrics.insert(result.metrics.end(), zones.begin(), zones.end());
     markLowerBounds(result.metrics, gaps);

@@ -137,35 +137,48 @@ std::vector<Message> damageWarnings(const std::string &trialName, const std::vec
     return sentences;
 }
 
+Message stepWarning(const std::string &trialName, const RecordingRecord &view)
+{
+    if (view.position == 0)
+        return {};
+    const Message what = viewInTrialSubject(view.cameraName, trialName);
+    const bool found = isStepMeasured(view);
+    const double sigmaMs = 1e3 * view.startOffsetSigmaS;
+    if (!found && view.syncMethod != "told")
+        return wholeMessage(
+            what,
+            ODO_TEXT("workflow.not_synchronised",
+                     "it is not synchronised: the same start time as the first view was assumed, and "
+                     "positions of a moving robot are wrong"),
+            ODO_TEXT("workflow.import_again_for_offset",
+                     "import the videos again with automatic synchronisation, or enter the time offset"));
+    if (found && view.startOffsetSigmaS > ambiguousStepS)
+        return wholeMessage(
+            what,
+            ODO_TEXT("workflow.doubtful_step", "it is synchronised only to %1, which is %2 at 1 m/s")(
+                quantity(sigmaMs, 0, "ms"), quantity(sigmaMs, 0, "mm")),
+            ODO_TEXT("workflow.turn_or_flash",
+                     "turn the robot, or flash the room light, in view of both cameras"));
+    return {};
+}
+
 std::vector<Message> stepWarnings(const std::string &trialName,
                                   const std::vector<const RecordingRecord *> &used)
 {
     std::vector<Message> sentences;
-    for (const RecordingRecord *one : used) {
-        const RecordingRecord &view = *one;
-        if (used.size() < 2 || view.position == 0)
-            continue;
-        const Message what = viewInTrialSubject(view.cameraName, trialName);
-        const bool found = isStepMeasured(view);
-        const double sigmaMs = 1e3 * view.startOffsetSigmaS;
-        if (!found && view.syncMethod != "told")
-            sentences.push_back(wholeMessage(
-                what,
-                ODO_TEXT("workflow.not_synchronised",
-                         "it is not synchronised: the same start time as the first view was assumed, and "
-                         "positions of a moving robot are wrong"),
-                ODO_TEXT(
-                    "workflow.import_again_for_offset",
-                    "import the videos again with automatic synchronisation, or enter the time offset")));
-        else if (found && view.startOffsetSigmaS > ambiguousStepS)
-            sentences.push_back(wholeMessage(
-                what,
-                ODO_TEXT("workflow.doubtful_step", "it is synchronised only to %1, which is %2 at 1 m/s")(
-                    quantity(sigmaMs, 0, "ms"), quantity(sigmaMs, 0, "mm")),
-                ODO_TEXT("workflow.turn_or_flash",
-                         "turn the robot, or flash the room light, in view of both cameras")));
-    }
+    for (std::size_t i = 0; used.size() > 1 && i < used.size(); ++i)
+        if (Message sentence = stepWarning(trialName, *used[i]); !sentence.isEmpty())
+            sentences.push_back(std::move(sentence));
     return sentences;
+}
+
+std::vector<std::size_t> usedViews(const AnalysisRecord &analysis, std::size_t views)
+{
+    std::vector<std::size_t> used;
+    for (std::size_t view = 0; view < std::min(views, analysis.registrations.size()); ++view)
+        if (analysis.registrations[view] != 0)
+            used.push_back(view);
+    return used;
 }
 
 std::vector<Message> stepWarnings(const std::string &trialName, const std::vector<RegisteredView> &views)

@@ -27,6 +27,12 @@ Message viewsApartSentence(const Profile &profile);
 /// stretches the first one, how many there are, and all those robots. Empty for none.
 Message ambiguousNamesText(std::span<const AmbiguousName> ambiguities, const std::string &robotName);
 
+/// The numbers of the views that an analysis measured with, of so many; none of an imported track.
+std::vector<std::size_t> usedViews(const AnalysisRecord &analysis, std::size_t views);
+
+/// What stepWarnings says of one view beside others; empty where there is nothing to say, and of the first.
+Message stepWarning(const std::string &trialName, const RecordingRecord &view);
+
 /// Whole sentences on views that are fused although their time offset is unknown or uncertain: not
 /// synchronised, or with a σ of more than 5 ms, which is 5 mm at 1 m/s. `used`: the views that are measured
 /// with (a camera that is not registered is none of them), in their order; for fewer than two there is

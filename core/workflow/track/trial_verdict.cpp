@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/workflow/track/trial_verdict.h"
 
+#include "core/analysis/metrics.h"
 #include "core/base/percentile.h"
 #include "core/project/project.h"
 #include "core/project/repositories.h"
@@ -43,12 +44,6 @@ public:
 private:
     TrialVerdict m_verdict;
 };
-
-double valueOf(const Profile &profile, std::string_view name)
-{
-    const auto found = std::ranges::find(profile.metrics, name, &Metric::name);
-    return found == profile.metrics.end() ? 0 : found->value;
-}
 
 MessageArgument percent(double share)
 {
@@ -98,7 +93,7 @@ void checkMotion(const AnalysisRecord &analysis, const Message &robot, Checks &c
                    joined({robot, ODO_TEXT("workflow.many_spikes", "%1 spikes in %2 positions")(
                                       profile.spikes.size(), static_cast<std::int64_t>(used))},
                           Join::Colon));
-    const double speed = valueOf(profile, "max_speed"), accel = valueOf(profile, "p95_accel");
+    const double speed = metricValue(profile, "max_speed"), accel = metricValue(profile, "p95_accel");
     if (speed > fastestMps || accel > hardestMps2)
         checks.add(motionPossible, CheckLevel::Doubtful,
                    joined({robot, ODO_TEXT("workflow.hardly_possible",
@@ -155,10 +150,9 @@ void checkDecoding(const AnalysisRecord &analysis, const RecordingRecord &first,
                Join::Colon));
 }
 
-void checkSynchronisation(const RecordingRecord &first, const RecordingRecord &view, const std::string &trial,
-                          Checks &checks)
+void checkSynchronisation(const RecordingRecord &view, const std::string &trial, Checks &checks)
 {
-    for (Message &sentence : stepWarnings(trial, std::vector{&first, &view}))
+    if (Message sentence = stepWarning(trial, view); !sentence.isEmpty())
         checks.add(synchronised, isStepMeasured(view) ? CheckLevel::Doubtful : CheckLevel::Bad,
                    std::move(sentence));
 }
@@ -232,20 +226,18 @@ Result<TrialVerdict> verdictOn(Project &project, const TrialRecord &trial,
     Checks checks;
     for (const AnalysisRecord &analysis : analyses)
         checkAnalysis(analysis, trial.name, checks);
-    std::vector<const RecordingRecord *> used;
-    const std::vector<RecordId> &registrations = analyses.front().registrations;
-    for (std::size_t v = 0; v < recordings.size(); ++v) {
-        checkFrames(*recordings[v], trial.name, checks);
-        if (v >= registrations.size() || registrations[v] == 0)
-            continue;
-        used.push_back(recordings[v]);
-        const auto registration = ODO_TRY(project.cameras().registration(registrations[v]));
-        checkRegistration(registration, recordings[v]->cameraName, checks);
+    for (const RecordingRecord *view : recordings)
+        checkFrames(*view, trial.name, checks);
+    const std::vector<std::size_t> used = usedViews(analyses.front(), recordings.size());
+    for (const std::size_t view : used) {
+        const auto registration =
+            ODO_TRY(project.cameras().registration(analyses.front().registrations[view]));
+        checkRegistration(registration, recordings[view]->cameraName, checks);
     }
     if (!recordings.empty())
         checkDecoding(analyses.front(), *recordings.front(), trial.name, checks);
-    for (std::size_t v = 1; v < used.size(); ++v)
-        checkSynchronisation(*used[0], *used[v], trial.name, checks);
+    for (std::size_t i = 0; used.size() > 1 && i < used.size(); ++i)
+        checkSynchronisation(*recordings[used[i]], trial.name, checks);
     passTheRest(!recordings.empty(), used.size(), checks);
     return checks.take();
 }
