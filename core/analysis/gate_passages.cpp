@@ -11,7 +11,7 @@ namespace odo {
 
 namespace {
 
-constexpr double sigmasToPass = 3;
+constexpr double sigmasToPass = 4.5;
 constexpr double leastDistanceM = 0.0005;
 
 /// One meeting of the track with the gate's line.
@@ -107,9 +107,14 @@ private:
         const double alongM = (first.alongM + last.alongM) / 2;
         if (alongM < 0 || alongM > m_lengthM)
             return std::nullopt;
-        // From where the track would pass if it lay by σ further on, to where if by σ less far.
+        // From where the track would pass if it lay by σ further on, to where if by σ less far. By two and
+        // three σ, too: a robot that stops a little behind the line may have stopped before it.
         const double ownM = std::max(first.ownM, last.ownM);
-        const double ownS = (momentFrom(last.after, 1, -ownM) - momentFrom(first.after, -1, ownM)) / 2;
+        double ownS = 0;
+        for (const double sigmas : {1, 2, 3})
+            ownS = std::max(ownS, (momentFrom(last.after, 1, -sigmas * ownM) -
+                                   momentFrom(first.after, -1, sigmas * ownM)) /
+                                      (2 * sigmas));
         const double withinS = m_positions[past].timeS - m_positions[before].timeS;
         const double commonS = first.rateMps * withinS > first.commonM ? first.commonM / first.rateMps
                                : first.commonM > 0                     ? withinS

@@ -19,11 +19,36 @@ namespace odo {
 
 namespace {
 
-/// σ of a stretch's length: of its two ends, and ∫ω·e dt of the error e across a path that turns at ω.
-double sigmaOfLengthOf(const MotionStretch &motion, const std::vector<RunInstant> &instants)
+/// How far the instants at rest next to a stretch lie from the first of them, mean square: step by step (−1
+/// or 1) as far as `end`. After a hard stop a smoothed track swings, and by so much its end is in doubt.
+double wanderOf(const std::vector<RunInstant> &instants, std::size_t at, int step, std::size_t end)
 {
+    constexpr double longestS = 1;
+    const RunInstant *place = nullptr;
+    double squares = 0, count = 0;
+    while (at != end && instants[step < 0 ? at : at + 1].joined) {
+        at = step < 0 ? at - 1 : at + 1;
+        if (!place)
+            place = &instants[at];
+        if (std::abs(instants[at].timeS - place->timeS) > longestS)
+            break;
+        squares += (instants[at].point->position - place->point->position).squaredNorm() -
+                   2 * std::pow(ownSigmaOfPosition(instants[at]), 2);
+        count += 1;
+    }
+    return count > 0 ? std::max(0.0, squares / count) : 0;
+}
+
+/// σ of the length of a stretch: of its two ends, and ∫ω·e dt of the error e across a path that turns at ω.
+double sigmaOfLengthOf(const std::vector<MotionStretch> &motions, std::size_t which,
+                       const std::vector<RunInstant> &instants)
+{
+    const MotionStretch &motion = motions[which];
     double variance = std::pow(sigmaOfPosition(*instants[motion.first].point), 2) +
-                      std::pow(sigmaOfPosition(*instants[motion.last].point), 2);
+                      std::pow(sigmaOfPosition(*instants[motion.last].point), 2) +
+                      wanderOf(instants, motion.first, -1, which > 0 ? motions[which - 1].last : 0) +
+                      wanderOf(instants, motion.last, 1,
+                               which + 1 < motions.size() ? motions[which + 1].first : instants.size() - 1);
     for (std::size_t i = motion.first + 1; i <= motion.last; ++i) {
         const auto course = courseOf(*instants[i].point);
         if (!course)
@@ -82,8 +107,8 @@ void addCourse(std::vector<Metric> &metrics, const std::vector<RunInstant> &inst
         // count too.
         sigmaEnds = std::hypot(sigmaOfPosition(*instants[first.first].point),
                                sigmaOfPosition(*instants[last.last].point));
-        for (const MotionStretch &motion : motions)
-            sigmaPath = std::hypot(sigmaPath, sigmaOfLengthOf(motion, instants));
+        for (std::size_t i = 0; i < motions.size(); ++i)
+            sigmaPath = std::hypot(sigmaPath, sigmaOfLengthOf(motions, i, instants));
         sigmaPath = std::hypot(sigmaPath, scale * path);
         chord = (instants[last.last].point->position - instants[first.first].point->position).norm();
     }

@@ -4,12 +4,13 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <span>
 
 namespace odo {
 
 namespace {
 
-constexpr double sigmasAboveRest = 3;
+constexpr double sigmasAboveRest = 3, sigmasOfTravel = 4.5;
 constexpr std::size_t shortestMotion = 3; // points
 constexpr double longestCorrelationS = 1;
 constexpr double longestBridgedS = 1.5;
@@ -19,12 +20,14 @@ double excess(const RunInstant &instant)
     return instant.point->speedMps - instant.thresholdMps;
 }
 
-/// The moment between two neighbours where the speed crosses the threshold.
-double crossing(const RunInstant &a, const RunInstant &b)
+/// Whether the robot went further from where it was than noise goes.
+bool isTravel(std::span<const RunInstant> stretch)
 {
-    const double from = excess(a), to = excess(b);
-    const double fraction = from == to ? 0.5 : std::clamp(from / (from - to), 0.0, 1.0);
-    return a.timeS + fraction * (b.timeS - a.timeS);
+    const RunInstant &first = stretch.front();
+    return std::ranges::any_of(stretch, [&](const RunInstant &instant) {
+        const double sigma = std::hypot(ownSigmaOfPosition(first), ownSigmaOfPosition(instant));
+        return (instant.point->position - first.point->position).norm() > sigmasOfTravel * sigma;
+    });
 }
 
 } // namespace
@@ -52,9 +55,8 @@ void appendInstants(std::span<const Sample> samples, std::span<const ProfilePoin
             continue;
         }
         const double timeS = toSeconds(samples[i].time);
-        instants.push_back({timeS, &points[i],
-                            std::max(leastMovingMps, sigmasAboveRest * points[i].sigmaSpeedMps),
-                            state.commonSigmaM, state.gaps.joins(timeS)});
+        instants.push_back({timeS, &points[i], sigmasAboveRest * points[i].sigmaSpeedMps, state.commonSigmaM,
+                            state.gaps.joins(timeS)});
     }
 }
 
@@ -85,6 +87,39 @@ void measureGaps(const std::vector<RunInstant> &instants, Profile &profile)
         profile.measuredS -= toSeconds(gap.end - gap.begin);
 }
 
+namespace {
+
+/// Where a stretch begins or ends.
+struct MotionEnd
+{
+    std::size_t at = 0; ///< the outermost instant
+    double timeS = 0, speedMps = 0;
+};
+
+/// From one instant of a stretch outwards (step −1 or 1), as long as the robot goes on: where its speed is
+/// less sure, at half the speed it had there.
+MotionEnd endOf(const std::vector<RunInstant> &instants, std::size_t at, int step, std::size_t limit)
+{
+    const Eigen::Vector2d velocity = instants[at].point->velocity;
+    const double speed = velocity.norm();
+    const auto along = [&](std::size_t i) { return instants[i].point->velocity.dot(velocity) / speed; };
+    while (at != limit) {
+        const std::size_t next = step < 0 ? at - 1 : at + 1;
+        if (!instants[std::max(at, next)].joined)
+            break;
+        const double from = along(at), to = along(next),
+                     least = std::min(speed / 2, instants[next].thresholdMps);
+        if (to <= least) {
+            const double part = from > to ? std::clamp((from - least) / (from - to), 0.0, 1.0) : 0.5;
+            return {at, instants[at].timeS + part * (instants[next].timeS - instants[at].timeS), least};
+        }
+        at = next;
+    }
+    return {at, instants[at].timeS, instants[at].point->speedMps};
+}
+
+} // namespace
+
 std::vector<MotionStretch> findMotions(const std::vector<RunInstant> &instants)
 {
     std::vector<MotionStretch> motions;
@@ -97,11 +132,11 @@ std::vector<MotionStretch> findMotions(const std::vector<RunInstant> &instants)
         const auto goesOn = [&](std::size_t next) { return next < instants.size() && instants[next].joined; };
         while (goesOn(last + 1) && excess(instants[last + 1]) > 0)
             ++last;
-        if (last + 1 - i >= shortestMotion) {
-            const double start = goesOn(i) ? crossing(instants[i - 1], instants[i]) : instants[i].timeS;
-            const double stop =
-                goesOn(last + 1) ? crossing(instants[last], instants[last + 1]) : instants[last].timeS;
-            motions.push_back({i, last, start, stop});
+        if (last + 1 - i >= shortestMotion && isTravel(std::span(instants).subspan(i, last + 1 - i))) {
+            const MotionEnd start = endOf(instants, i, -1, motions.empty() ? 0 : motions.back().last + 1);
+            const MotionEnd stop = endOf(instants, last, 1, instants.size() - 1);
+            motions.push_back({start.at, stop.at, start.timeS, stop.timeS, start.speedMps, stop.speedMps});
+            last = stop.at;
         }
         i = last + 1;
     }
@@ -122,11 +157,10 @@ double sigmaOfMoment(const std::vector<RunInstant> &instants, std::size_t at)
 
 double correlationTimeS(const RunInstant &instant)
 {
-    const double position = sigmaOfPosition(*instant.point);
-    const double own =
-        std::sqrt(std::max(0.0, position * position - instant.commonSigmaM * instant.commonSigmaM));
     const double speed = instant.point->sigmaSpeedMps;
-    return speed > 0 ? std::min(longestCorrelationS, std::sqrt(2 * std::numbers::pi) * own / speed) : 0;
+    return speed > 0 ? std::min(longestCorrelationS,
+                                std::sqrt(2 * std::numbers::pi) * ownSigmaOfPosition(instant) / speed)
+                     : 0;
 }
 
 double sigmaOfPosition(const ProfilePoint &point)
@@ -134,11 +168,17 @@ double sigmaOfPosition(const ProfilePoint &point)
     return std::sqrt((std::pow(point.sigmaXM, 2) + std::pow(point.sigmaYM, 2)) / 2);
 }
 
+double ownSigmaOfPosition(const RunInstant &instant)
+{
+    const double whole = sigmaOfPosition(*instant.point);
+    return std::sqrt(std::max(0.0, whole * whole - instant.commonSigmaM * instant.commonSigmaM));
+}
+
 std::vector<double> distancesOf(const MotionStretch &motion, const std::vector<RunInstant> &instants)
 {
     const auto speed = [&](std::size_t i) { return instants[i].point->speedMps; };
     const RunInstant &first = instants[motion.first];
-    double distance = (first.thresholdMps + speed(motion.first)) / 2 * (first.timeS - motion.startS);
+    double distance = (motion.startMps + speed(motion.first)) / 2 * (first.timeS - motion.startS);
     std::vector<double> distances{distance};
     for (std::size_t i = motion.first; i < motion.last; ++i) {
         distance += (speed(i) + speed(i + 1)) / 2 * (instants[i + 1].timeS - instants[i].timeS);
@@ -151,7 +191,7 @@ double lengthOf(const MotionStretch &motion, const std::vector<RunInstant> &inst
 {
     const RunInstant &last = instants[motion.last];
     return distancesOf(motion, instants).back() +
-           (last.thresholdMps + last.point->speedMps) / 2 * (motion.stopS - last.timeS);
+           (motion.stopMps + last.point->speedMps) / 2 * (motion.stopS - last.timeS);
 }
 
 std::vector<double> distanceTravelled(const std::vector<Sample> &samples,

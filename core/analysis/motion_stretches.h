@@ -19,12 +19,13 @@ struct RunInstant
     bool joined = false;     ///< no gap since the instant before it
 };
 
-/// A stretch of motion: first and last instant above the threshold, and the interpolated moments of crossing
-/// it.
+/// A stretch of motion: its first and last instant, and the moments outside them when the robot started and
+/// stopped, with its speed then. At a gap and at the ends of the run these are the instants themselves.
 struct MotionStretch
 {
     std::size_t first = 0, last = 0;
     double startS = 0, stopS = 0;
+    double startMps = 0, stopMps = 0;
 };
 
 /// So many times its usual interval is bridged of a track that is slower by itself than the longest gap.
@@ -64,11 +65,9 @@ std::vector<TimeSpan> gapsBetween(const std::vector<RunInstant> &instants);
 /// Sets gaps and measuredS of a profile from its instants.
 void measureGaps(const std::vector<RunInstant> &instants, Profile &profile);
 
-/// No robot moves more slowly.
-inline constexpr double leastMovingMps = 0.02;
-
-/// Where the robot moves: faster than leastMovingMps and than three σ of the speed, for at least three
-/// instants. A stretch ends at a gap: what happens there is not known.
+/// Where the robot moves: faster than three σ of its speed for at least three instants, and meanwhile further
+/// than the σ of the positions explains. The run's own σ decides: what a robot that creeps does in a second
+/// may be noise, what it does in a minute is not. A stretch ends at a gap: what happens there is not known.
 std::vector<MotionStretch> findMotions(const std::vector<RunInstant> &instants);
 
 /// σ of the moment of crossing the threshold next to an instant: the speed's σ over its steepness, at most
@@ -81,9 +80,11 @@ double correlationTimeS(const RunInstant &instant);
 
 /// σ of the position, mean of both axes, the calibration's part included.
 double sigmaOfPosition(const ProfilePoint &point);
+/// The same without the calibration's part.
+double ownSigmaOfPosition(const RunInstant &instant);
 
 /// The distance travelled from the start of a stretch of motion to each of its instants, metres: the integral
-/// of the speed by the trapezoidal rule, with the ramp from the threshold to the first instant. As long as
+/// of the speed by the trapezoidal rule, with the ramp from the start to the first instant. As long as
 /// the stretch.
 std::vector<double> distancesOf(const MotionStretch &motion, const std::vector<RunInstant> &instants);
 

@@ -153,7 +153,7 @@ std::vector<CurvePoint> pointsWithin(const Profile &profile, Quantity quantity, 
         CurvePoint point{measured.timeS, values[i]->value, isPosition(quantity) ? position : values[i]->sigma,
                          errorRate(position, measured.point->sigmaSpeedMps), measured.point->sigmaSpeedMps};
         if (isAngle(quantity))
-            point.integralSigma /= std::max(leastMovingMps, measured.point->speedMps);
+            point.integralSigma /= std::max(measured.point->sigmaSpeedMps, measured.point->speedMps);
         points.push_back(point);
     }
     return points;

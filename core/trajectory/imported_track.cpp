@@ -57,6 +57,7 @@ MeasurementNoise importedNoise()
 {
     MeasurementNoise measurement;
     measurement.trust = statedTrust;
+    measurement.mayWobble = true;
     return measurement;
 }
 
@@ -222,8 +223,8 @@ private:
         const std::size_t from = begin - std::min(begin, margin), to = std::min(end + margin, m_raw.count);
         auto samples = ODO_TRY(m_raw.chunk(from, to - from));
         FusedTrack track = trackOf(std::move(samples), m_options);
-        const std::vector<bool> struck = flagSpikesKnowing(m_known, track.samples, m_options);
-        const auto points = makePoints(track.samples, struck, m_options, m_known.noise);
+        const std::vector<MotionChange> changes = flagSpikesKnowing(m_known, track.samples, m_options);
+        const auto points = makePoints(track.samples, changes, m_options, m_known.noise);
         for (Spike &spike : describeSpikes(track, points, m_options.longestBridgedGap)) {
             const std::size_t at = from + static_cast<std::size_t>(spike.sampleIndex);
             if (at < begin || at >= end)

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/trajectory/live_track.h"
-
 #include "core/analysis/gate_passages.h"
 #include "core/trajectory/analyser.h"
+#include "core/trajectory/internal/motion_noise.h"
 #include "core/trajectory/internal/track_profile.h"
 #include "core/trajectory/internal/view_alignment.h"
 

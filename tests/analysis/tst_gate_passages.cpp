@@ -57,7 +57,7 @@ Run smoothed(const Course &course, double durationS, double sigmaM, std::mt19937
     for (Sample &sample : run.samples)
         *sample.position += Eigen::Vector2d(noise(random), noise(random));
     const SpikeVerdict verdict = flagSpikes(run.samples, {});
-    run.points = makePoints(run.samples, verdict.struck, {}, verdict.noise);
+    run.points = makePoints(run.samples, verdict.changes, {}, verdict.noise);
     return run;
 }
 
@@ -207,7 +207,7 @@ private Q_SLOTS:
         const auto standing = passagesOf({start}, exactly(course, 6, 30, 0.002));
         QCOMPARE(standing.size(), std::size_t(1));
         QVERIFY(std::abs(standing[0].sigmaS - (1 + std::sqrt(0.008))) < 0.005);
-        for (unsigned seed = 0; seed < 20; ++seed) {
+        for (unsigned seed = 0; seed < 100; ++seed) {
             std::mt19937 random(seed);
             const auto passages = passagesOf({start}, smoothed(course, 6, 0.002, random));
             QCOMPARE(passages.size(), std::size_t(1));

@@ -46,7 +46,7 @@ inline Run smoothed(const Course &course, double durationS, double sigmaM, std::
     for (Sample &sample : run.samples)
         *sample.position += Eigen::Vector2d(noise(random), noise(random));
     const SpikeVerdict verdict = flagSpikes(run.samples, {});
-    run.points = makePoints(run.samples, verdict.struck, {}, verdict.noise);
+    run.points = makePoints(run.samples, verdict.changes, {}, verdict.noise);
     return run;
 }
 

@@ -154,9 +154,9 @@ private Q_SLOTS:
         for (std::size_t i = 4000; i < 7000; ++i) {
             const ProfilePoint &at = profile->points[from + i], &expected = around->points[i];
             // The noise was learnt from other stretches, so that the curve bends a little otherwise: by less
-            // than a third of its σ.
-            QVERIFY((at.position - expected.position).norm() < expected.sigmaXM / 3);
-            QVERIFY(std::abs(at.speedMps - expected.speedMps) < expected.sigmaSpeedMps / 3);
+            // than its σ.
+            QVERIFY((at.position - expected.position).norm() < expected.sigmaXM);
+            QVERIFY(std::abs(at.speedMps - expected.speedMps) < expected.sigmaSpeedMps);
         }
     }
     void longTracksAreCancelled()

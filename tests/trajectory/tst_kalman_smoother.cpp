@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/trajectory/internal/kalman_smoother.h"
+#include "core/trajectory/internal/motion_noise.h"
 
 #include "tests/support/registered_test.h"
 

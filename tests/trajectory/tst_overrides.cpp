@@ -69,7 +69,7 @@ private Q_SLOTS:
         QVERIFY(isRejected(sample.flags));
         QVERIFY(hasFlag(sample.flags, SampleFlag::ByHand));
         QVERIFY(hasFlag(sample.flags, SampleFlag::Interpolated));
-        QVERIFY(profile.points[50].sigmaSpeedMps > analysed({}).points[50].sigmaSpeedMps);
+        QVERIFY(profile.points[50].sigmaXM > analysed({}).points[50].sigmaXM);
         QCOMPARE(profile.spikes.front().reason.english(), std::string("marked as a spike by hand"));
         QCOMPARE(*sample.position, *analysed({}).samples[50].position);
     }

@@ -2,7 +2,7 @@
 #include "core/trajectory/internal/body_direction.h"
 
 #include "core/trajectory/analyser.h"
-#include "core/trajectory/internal/kalman_smoother.h"
+#include "core/trajectory/internal/motion_noise.h"
 
 #include <algorithm>
 #include <cmath>

@@ -348,15 +348,17 @@ std::vector<TrackSegment> cutIntoSegments(const std::vector<Sample> &samples, Na
     return segments;
 }
 
-void markBlows(std::vector<TrackSegment> &segments, const std::vector<bool> &struck)
+void markChanges(std::vector<TrackSegment> &segments, const std::vector<MotionChange> &changes)
 {
-    if (struck.empty())
+    if (changes.empty())
         return;
     for (TrackSegment &segment : segments) {
         std::vector<TrackNode> &nodes = segment.nodes;
-        for (std::size_t i = nodes.size(); i-- > 1;)
-            nodes[i].struck = struck[segment.first + i] ||
+        for (std::size_t i = nodes.size(); i-- > 1;) {
+            nodes[i].struck = changes[segment.first + i].struck ||
                               (i + 1 < nodes.size() && !nodes[i].measured && nodes[i + 1].struck);
+            nodes[i].liveliness = changes[segment.first + i].liveliness;
+        }
     }
 }
 

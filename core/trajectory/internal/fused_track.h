@@ -114,9 +114,16 @@ struct TrackSegment
 std::vector<TrackSegment> cutIntoSegments(const std::vector<Sample> &samples, Nanoseconds longestGap,
                                           const std::function<bool(const Sample &)> &isUsed = {});
 
-/// Marks the nodes that were struck: one value for each of the samples that were cut, or none at all. In a
-/// gap before such a node the blow may have come anywhere.
-void markBlows(std::vector<TrackSegment> &segments, const std::vector<bool> &struck);
+/// How the motion changed on the way to a sample: as TrackNode says it.
+struct MotionChange
+{
+    bool struck = false;
+    double liveliness = 1;
+};
+
+/// Tells the nodes how the motion changed: one value for each of the samples that were cut, or none at all.
+/// In a gap before a node that was struck the blow may have come anywhere.
+void markChanges(std::vector<TrackSegment> &segments, const std::vector<MotionChange> &changes);
 
 /// The segments' nodes, as estimateMotionNoise wants them.
 std::vector<std::span<const TrackNode>> nodesOf(const std::vector<TrackSegment> &segments);

@@ -2,6 +2,7 @@
 #include "core/trajectory/internal/kalman_smoother.h"
 
 #include "core/base/job_control.h"
+#include "core/trajectory/internal/wobble_filter.h"
 
 #include <Eigen/Cholesky>
 #include <Eigen/LU>
@@ -35,16 +36,10 @@ struct Step
     double dt, kept;
     Eigen::Matrix3d axisNoise;
 
-    Step(double dtS, double pathM, bool struck, const MotionNoise &motion)
-        : dt(dtS), kept(std::exp(-std::abs(pathM) / motion.slowLengthM))
+    Step(double dtS, double pathM, const TrackNode &to, const MotionNoise &motion)
+        : dt(dtS), kept(std::exp(-std::abs(pathM) / motion.slowLengthM)),
+          axisNoise(jerkNoise(dtS, to, motion))
     {
-        const double t2 = dt * dt, t3 = t2 * dt;
-        axisNoise << t3 * t2 / 20, t2 * t2 / 8, t3 / 6, //
-            t2 * t2 / 8, t3 / 3, t2 / 2,                //
-            t3 / 6, t2 / 2, dt;
-        axisNoise *= motion.jerkDensity;
-        if (struck)
-            axisNoise += changeNoise(blowSpeedSigmaMps, blowAccelSigmaMps2, dt);
     }
 
     /// F · matrix.
@@ -182,6 +177,19 @@ bool leavesAxesApart(const TrackNode &measurement, const MotionNoise &noise)
 
 } // namespace
 
+Eigen::Matrix3d jerkNoise(double stepS, const TrackNode &node, const MotionNoise &motion)
+{
+    const double t2 = stepS * stepS, t3 = t2 * stepS;
+    Eigen::Matrix3d noise;
+    noise << t3 * t2 / 20, t2 * t2 / 8, t3 / 6, //
+        t2 * t2 / 8, t3 / 3, t2 / 2,            //
+        t3 / 6, t2 / 2, stepS;
+    noise *= motion.jerkDensity * node.liveliness;
+    if (node.struck)
+        noise += changeNoise(blowSpeedSigmaMps, blowAccelSigmaMps2, stepS);
+    return noise;
+}
+
 double MotionFilter::logVolume() const
 {
     if (m_state.axesApart)
@@ -194,7 +202,7 @@ void MotionFilter::predict(const TrackNode &node)
     endIfCancelled();
     if (!m_started)
         return;
-    const Step step(node.timeS - m_timeS, node.travelM - m_travelM, node.struck, m_noise);
+    const Step step(node.timeS - m_timeS, node.travelM - m_travelM, node, m_noise);
     if (m_state.axesApart) {
         for (const int axis : {0, 1}) {
             AxisState its(m_state, axis);
@@ -292,7 +300,8 @@ namespace {
 
 constexpr std::size_t smoothedAtOnce = 1024; // nodes whose filtered states are held
 
-void filterOn(MotionFilter &filter, const TrackNode &node)
+template <class Filter>
+void filterOn(Filter &filter, const TrackNode &node)
 {
     filter.predict(node);
     if (node.measured)
@@ -334,11 +343,12 @@ void smoothAxis(MotionFilter::State &now, int axis, const AxisState &next, const
     smoothed.put(now, axis);
 }
 
-/// What is known of a node, given what all nodes from the one behind it on say.
-MotionFilter::State smoothed(MotionFilter::State now, const TrackNode &node, const MotionFilter::State &next,
-                             const TrackNode &nextNode, const MotionNoise &noise)
+} // namespace
+
+MotionFilter::State MotionFilter::smoothed(State now, const TrackNode &node, const State &next,
+                                           const TrackNode &nextNode, const MotionNoise &noise)
 {
-    const Step step(nextNode.timeS - node.timeS, nextNode.travelM - node.travelM, nextNode.struck, noise);
+    const Step step(nextNode.timeS - node.timeS, nextNode.travelM - node.travelM, nextNode, noise);
     now.axesApart = now.axesApart && next.axesApart;
     if (now.axesApart) {
         for (const int axis : {0, 1})
@@ -353,20 +363,21 @@ MotionFilter::State smoothed(MotionFilter::State now, const TrackNode &node, con
     return now;
 }
 
-} // namespace
+namespace {
 
-void smoothMotion(std::span<const TrackNode> track, MotionNoise noise, const TakeEstimate &take)
+template <class Filter>
+void smoothInBlocks(std::span<const TrackNode> track, const MotionNoise &noise, const TakeEstimate &take)
 {
-    std::vector<MotionFilter> starts; // of each block
-    MotionFilter filter(noise);
+    std::vector<Filter> starts; // of each block
+    Filter filter(noise);
     for (std::size_t i = 0; i < track.size(); ++i) {
         if (i % smoothedAtOnce == 0)
             starts.push_back(filter);
         if (i / smoothedAtOnce < (track.size() - 1) / smoothedAtOnce) // the last block is filtered below
             filterOn(filter, track[i]);
     }
-    std::vector<MotionFilter::State> states;
-    MotionFilter::State next;
+    std::vector<typename Filter::State> states;
+    typename Filter::State next;
     for (std::size_t block = starts.size(); block-- > 0;) {
         const std::size_t first = block * smoothedAtOnce;
         const auto nodes = track.subspan(first, std::min(smoothedAtOnce, track.size() - first));
@@ -376,126 +387,21 @@ void smoothMotion(std::span<const TrackNode> track, MotionNoise noise, const Tak
             states.push_back(starts[block].state());
         }
         for (std::size_t i = first + nodes.size(); i-- > first;) {
-            const MotionFilter::State &now = states[i - first];
-            next = i + 1 < track.size() ? smoothed(now, track[i], next, track[i + 1], noise) : now;
-            take(i, {next.mean.head<6>(), next.covariance.topLeftCorner<6, 6>()});
+            const typename Filter::State &now = states[i - first];
+            next = i + 1 < track.size() ? Filter::smoothed(now, track[i], next, track[i + 1], noise) : now;
+            take(i, Filter::estimateOf(next));
         }
     }
-}
-
-namespace {
-
-/// Twice the negative log likelihood and the scale that minimises it, for a ratio of jerk density to scale.
-struct Likelihood
-{
-    double cost = 0;
-    double scale = 1;
-};
-
-constexpr int startingInnovations = 2; // velocity and acceleration: still all ignorance, no information
-constexpr std::size_t blockLength = 500, mostSamples = 20000;
-
-struct Sums
-{
-    double distances = 0, logDeterminants = 0, count = 0;
-};
-
-void addInnovations(std::span<const TrackNode> track, const MotionNoise &noise, bool robust, Sums &sums)
-{
-    MotionFilter filter(noise);
-    int taken = 0;
-    for (const TrackNode &node : track) {
-        if (!node.measured)
-            continue;
-        filter.predict(node);
-        double distance = 0, logDeterminant = 0;
-        if (filter.started())
-            distance = filter.distanceSquared(node, &logDeterminant);
-        const bool refused = robust && distance > refusalGate;
-        if (taken > startingInnovations) {
-            sums.distances += refused ? refusalGate : distance;
-            sums.logDeterminants += logDeterminant;
-            sums.count += 1;
-        }
-        if (!refused)
-            filter.update(node);
-        ++taken;
-    }
-}
-
-Likelihood likelihood(std::span<const std::span<const TrackNode>> blocks, double jerkDensity, bool robust,
-                      const MeasurementNoise &measurement)
-{
-    Sums sums;
-    for (const auto &block : blocks)
-        addInnovations(block,
-                       {jerkDensity, measurement.scale, measurement.slowShare, measurement.slowLengthM},
-                       robust, sums);
-    if (robust)
-        return {sums.logDeterminants + sums.distances, 1};
-    const double weight = 2 * (sums.count + measurement.trust);
-    const double scale = (sums.distances + 2 * measurement.trust) / weight;
-    return {sums.logDeterminants + weight * std::log(scale), scale};
-}
-
-/// Long tracks are represented by evenly spread blocks.
-std::vector<std::span<const TrackNode>> chooseBlocks(const std::vector<std::span<const TrackNode>> &segments)
-{
-    std::size_t total = 0;
-    for (const auto &segment : segments)
-        total += segment.size();
-    const std::size_t stride = total / mostSamples + 1;
-    std::vector<std::span<const TrackNode>> blocks;
-    for (const auto &all : segments) {
-        if (stride == 1) {
-            blocks.push_back(all);
-            continue;
-        }
-        for (std::size_t begin = 0; begin < all.size(); begin += blockLength * stride)
-            blocks.push_back(all.subspan(begin, std::min(blockLength, all.size() - begin)));
-    }
-    return blocks;
 }
 
 } // namespace
 
-MotionNoise estimateMotionNoise(const std::vector<std::span<const TrackNode>> &segments, bool robust,
-                                const MeasurementNoise &measurement)
+void smoothMotion(std::span<const TrackNode> track, MotionNoise noise, const TakeEstimate &take)
 {
-    const auto blocks = chooseBlocks(segments);
-    const auto costAt = [&](double exponent) {
-        return likelihood(blocks, std::pow(10.0, exponent), robust, measurement).cost;
-    };
-    constexpr double lowest = -5, highest = 6;
-    double best = lowest, bestCost = costAt(lowest);
-    for (double exponent = lowest + 1; exponent <= highest; ++exponent) {
-        if (const double cost = costAt(exponent); cost < bestCost) {
-            best = exponent;
-            bestCost = cost;
-        }
-    }
-    constexpr double golden = 0.6180339887498949;
-    double left = std::max(lowest, best - 1), right = std::min(highest, best + 1);
-    double inner = right - golden * (right - left), outer = left + golden * (right - left);
-    double innerCost = costAt(inner), outerCost = costAt(outer);
-    while (right - left > 0.03) {
-        if (innerCost < outerCost) {
-            right = outer;
-            outer = inner;
-            outerCost = innerCost;
-            inner = right - golden * (right - left);
-            innerCost = costAt(inner);
-        } else {
-            left = inner;
-            inner = outer;
-            innerCost = outerCost;
-            outer = left + golden * (right - left);
-            outerCost = costAt(outer);
-        }
-    }
-    const double ratio = std::pow(10.0, (left + right) / 2);
-    const double scale = likelihood(blocks, ratio, robust, measurement).scale;
-    return {ratio * scale, measurement.scale * scale, measurement.slowShare, measurement.slowLengthM};
+    if (noise.wobbleM > 0)
+        smoothInBlocks<WobbleFilter>(track, noise, take);
+    else
+        smoothInBlocks<MotionFilter>(track, noise, take);
 }
 
 } // namespace odo

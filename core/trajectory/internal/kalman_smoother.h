@@ -16,8 +16,9 @@ struct TrackNode
     bool measured = false;
     Eigen::Vector2d position = Eigen::Vector2d::Zero();
     Eigen::Matrix2d covariance = Eigen::Matrix2d::Zero(); ///< m², positive definite where measured
-    double travelM = 0;  ///< length of the way up to here, which makes the slow part of the noise change
-    bool struck = false; ///< the velocity changed abruptly since the node before: a blow
+    double travelM = 0;    ///< length of the way up to here, which makes the slow part of the noise change
+    bool struck = false;   ///< the velocity changed abruptly since the node before: a blow
+    double liveliness = 1; ///< factor on the jerk's density since the node before: rest, drive, impact
 };
 
 /// By how much a collision changes the velocity and a motor, or a collision, the acceleration.
@@ -33,6 +34,10 @@ struct MeasurementNoise
     double slowShare = 0; ///< part of the scaled variance that is slow; the rest is independent
     double slowLengthM = 0.1;
     double trust = 10; ///< how many innovations the scale counts as, against those of the data
+    /// The error may have a part that changes within a fraction of a second; whether it has is told from the
+    /// track. Only where the covariances do not correlate x with y.
+    bool mayWobble = false;
+    double wobbleM = 0, wobbleRate = 0; ///< of that part, at the stated covariances; see MotionNoise
 };
 
 /// What moves the robot and blurs the measurement.
@@ -41,7 +46,15 @@ struct MotionNoise
     double jerkDensity = 1;      ///< spectral density of the white jerk of each axis, m²/s⁵
     double measurementScale = 1; ///< as of MeasurementNoise
     double slowShare = 0, slowLengthM = 0.1;
+    double wobbleM = 0, wobbleRate = 0; ///< σ and λ, 1/s, as WobbleFilter says; without σ there is none
 };
+
+/// Noise added to position, velocity and acceleration of one axis by white jerk, and by the blow where the
+/// node was struck, in the time before it.
+Eigen::Matrix3d jerkNoise(double stepS, const TrackNode &node, const MotionNoise &motion);
+
+/// What a filter knows of the motion when it begins: nothing.
+inline constexpr double firstSigmaMps = 10, firstSigmaMps2 = 50;
 
 /// Until the data show it: a robot that changes its acceleration by 3 m/s² in a third of a second.
 inline constexpr double usualJerkDensity = 10;
@@ -75,15 +88,13 @@ public:
     /// Takes a measurement in (Joseph's form); the first one starts the filter.
     void update(const TrackNode &measurement);
     /// Forgets the past: begins again at this measurement, with this much ignorance of the motion.
-    void restart(const TrackNode &measurement, double sigmaSpeedMps = 10, double sigmaAccelMps2 = 50);
+    void restart(const TrackNode &measurement, double sigmaSpeedMps = firstSigmaMps,
+                 double sigmaAccelMps2 = firstSigmaMps2);
     /// Allows for one abrupt change of velocity and of acceleration at an unknown moment of the last sinceS
     /// seconds, all moments alike; call it after predict.
     void disturb(double sigmaSpeedMps, double sigmaAccelMps2, double sinceS);
 
-    MotionEstimate estimate() const
-    {
-        return {m_state.mean.head<6>(), m_state.covariance.topLeftCorner<6, 6>()};
-    }
+    MotionEstimate estimate() const { return estimateOf(m_state); }
 
     /// The whole state: motion, and the slow error in units of its standard deviation along two axes.
     struct State
@@ -95,6 +106,13 @@ public:
         bool axesApart = false;
     };
     const State &state() const { return m_state; }
+    /// What is known of a node, given what all nodes from the one behind it on say.
+    static State smoothed(State now, const TrackNode &node, const State &next, const TrackNode &nextNode,
+                          const MotionNoise &noise);
+    static MotionEstimate estimateOf(const State &state)
+    {
+        return {state.mean.head<6>(), state.covariance.topLeftCorner<6, 6>()};
+    }
     /// Logarithm of the determinant of the estimate's covariance.
     double logVolume() const;
 
@@ -114,14 +132,6 @@ using TakeEstimate = std::function<void(std::size_t, const MotionEstimate &)>;
 /// filtered again in blocks during the backward pass: the forward pass keeps only the filter at the start of
 /// each. Pure.
 void smoothMotion(std::span<const TrackNode> track, MotionNoise noise, const TakeEstimate &take);
-
-/// Noise by maximum likelihood of the innovations (prediction error decomposition: Harvey 1989, § 3.4) over
-/// all segments: the measurement scale in closed form, the jerk density by a logarithmic grid and a golden
-/// section. The scale is drawn to that of `measurement` as by so many more innovations as its trust, so that
-/// few samples change little; its slow part is taken over. robust: an innovation beyond refusalGate counts as
-/// the gate and is not taken in (for data with spikes), and the scale stays.
-MotionNoise estimateMotionNoise(const std::vector<std::span<const TrackNode>> &segments, bool robust,
-                                const MeasurementNoise &measurement = {});
 
 /// χ² with two degrees of freedom, 99.9 %.
 constexpr double refusalGate = 13.8155;

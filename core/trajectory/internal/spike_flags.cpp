@@ -3,6 +3,7 @@
 
 #include "core/trajectory/analyser.h"
 #include "core/trajectory/internal/fused_track.h"
+#include "core/trajectory/internal/motion_noise.h"
 #include "core/trajectory/internal/spike_search.h"
 
 #include <algorithm>
@@ -227,33 +228,73 @@ Round outlying(const std::vector<Sample> &samples, const std::vector<bool> &open
     return round;
 }
 
-/// What is used, parted at the blows that were found.
+/// What is used, parted at the blows that were found, and the noise that it was told with.
+struct LearntMotion
+{
+    std::vector<TrackSegment> segments;
+    MotionNoise noise;
+    double usualDensity = 0; ///< of the jerk, if the motion were as lively all the time
+};
+
 std::vector<TrackSegment> partedSegments(const std::vector<Sample> &samples, const Round &round,
                                          const AnalysisOptions &options)
 {
+    std::vector<MotionChange> blows(samples.size());
+    for (std::size_t i = 0; i < samples.size(); ++i)
+        blows[i].struck = round.struck[i];
     auto segments = cutIntoSegments(samples, options.longestBridgedGap);
-    markBlows(segments, round.struck);
+    markChanges(segments, blows);
     return segments;
+}
+
+/// A noise for the whole run shows where the motion is lively and where it is not, and that what the noise
+/// is.
+LearntMotion learnMotion(const std::vector<Sample> &samples, const Round &round,
+                         const AnalysisOptions &options, MeasurementNoise measurement)
+{
+    constexpr int rounds = 2;
+    LearntMotion learnt{partedSegments(samples, round, options), {}, 0};
+    if (measurement.mayWobble)
+        measurement = withWobble(nodesOf(learnt.segments), measurement);
+    learnt.noise = estimateMotionNoise(nodesOf(learnt.segments), false, measurement);
+    learnt.usualDensity = learnt.noise.jerkDensity;
+    for (int i = 0; i < rounds; ++i) {
+        for (TrackSegment &segment : learnt.segments)
+            adaptToMotion(segment.nodes, learnt.noise, learnt.usualDensity);
+        learnt.noise = estimateMotionNoise(nodesOf(learnt.segments), false, measurement);
+    }
+    return learnt;
+}
+
+std::vector<MotionChange> changesOf(const LearntMotion &learnt, const Round &round)
+{
+    std::vector<MotionChange> changes(round.struck.size());
+    for (std::size_t i = 0; i < changes.size(); ++i)
+        changes[i].struck = round.struck[i];
+    for (const TrackSegment &segment : learnt.segments)
+        for (std::size_t i = 0; i < segment.nodes.size(); ++i)
+            changes[segment.first + i].liveliness = segment.nodes[i].liveliness;
+    return changes;
 }
 
 /// Refuses samples that are outliers among their neighbours by Hampel's identifier, and lie further from the
 /// smoothed track than their noise lets them. At an abrupt change of motion they may.
-void flagOutliers(std::vector<Sample> &samples, const Round &round, MotionNoise noise,
-                  const AnalysisOptions &options)
+void flagOutliers(std::vector<Sample> &samples, const Round &round, const LearntMotion &learnt)
 {
     constexpr double gate = 30;            // χ²(2): 1 in 3 million
     constexpr double leastShareOpen = 0.1; // of the noise: what the track leaves, having used the sample too
-    for (const TrackSegment &segment : partedSegments(samples, round, options)) {
+    for (const TrackSegment &segment : learnt.segments) {
         const auto outliers = hampelSpikes(segment.nodes);
         if (std::none_of(outliers.begin(), outliers.end(), [](HampelSpike one) { return one.any(); }))
             continue;
-        smoothMotion(segment.nodes, noise, [&](std::size_t i, const MotionEstimate &track) {
+        smoothMotion(segment.nodes, learnt.noise, [&](std::size_t i, const MotionEstimate &track) {
             const std::size_t at = segment.first + i;
             const bool abrupt = round.abrupt[at] || (at > 0 && round.abrupt[at - 1]) ||
                                 (at + 1 < samples.size() && round.abrupt[at + 1]);
             if (!outliers[i].any() || abrupt || hasFlag(samples[at].flags, SampleFlag::ByHand))
                 return;
-            const Eigen::Matrix2d measured = noise.measurementScale * segment.nodes[i].covariance;
+            const Eigen::Matrix2d measured = learnt.noise.measurementScale * segment.nodes[i].covariance +
+                                             std::pow(learnt.noise.wobbleM, 2) * Eigen::Matrix2d::Identity();
             const Eigen::Matrix2d left = measured - track.covariance.topLeftCorner<2, 2>();
             const double variance = std::max(left.trace(), leastShareOpen * measured.trace()) / 2;
             if ((segment.nodes[i].position - track.position()).squaredNorm() > gate * variance)
@@ -301,26 +342,28 @@ SpikeVerdict flagSpikes(std::vector<Sample> &samples, const AnalysisOptions &opt
             break;
     }
     flagFound(samples, round);
-    const auto noiseOfUsed = [&] {
-        return estimateMotionNoise(nodesOf(partedSegments(samples, round, options)), false, measurement);
-    };
-    const MotionNoise noise = noiseOfUsed();
+    LearntMotion learnt = learnMotion(samples, round, options, measurement);
     const std::size_t used = countUsed(samples);
-    flagOutliers(samples, round, noise, options);
+    flagOutliers(samples, round, learnt);
     nameLimits(samples, options);
-    refuseBeyondTask(samples, options, noise.measurementScale);
-    return {countUsed(samples) == used ? noise : noiseOfUsed(), searchNoise, std::move(round.struck)};
+    refuseBeyondTask(samples, options, learnt.noise.measurementScale);
+    if (countUsed(samples) != used)
+        learnt = learnMotion(samples, round, options, measurement);
+    return {learnt.noise, learnt.usualDensity, searchNoise, changesOf(learnt, round)};
 }
 
-std::vector<bool> flagSpikesKnowing(const SpikeVerdict &known, std::vector<Sample> &samples,
-                                    const AnalysisOptions &options)
+std::vector<MotionChange> flagSpikesKnowing(const SpikeVerdict &known, std::vector<Sample> &samples,
+                                            const AnalysisOptions &options)
 {
     Round round = searchAll(samples, openSamples(samples), known.searchNoise, options);
     flagFound(samples, round);
-    flagOutliers(samples, round, known.noise, options);
+    LearntMotion learnt{partedSegments(samples, round, options), known.noise, known.usualDensity};
+    for (TrackSegment &segment : learnt.segments)
+        adaptToMotion(segment.nodes, known.noise, known.usualDensity);
+    flagOutliers(samples, round, learnt);
     nameLimits(samples, options);
     refuseBeyondTask(samples, options, known.noise.measurementScale);
-    return std::move(round.struck);
+    return changesOf(learnt, round);
 }
 
 namespace {

@@ -12,9 +12,10 @@ namespace odo {
 /// What is known of the motion once the spikes are separated from it.
 struct SpikeVerdict
 {
-    MotionNoise noise;        ///< of what remains, with the slow part of the measurement's
-    MotionNoise searchNoise;  ///< with which the spikes were searched
-    std::vector<bool> struck; ///< of each sample: a blow changed the velocity before it
+    MotionNoise noise;                 ///< of what remains, with the slow part of the measurement's
+    double usualDensity = 0;           ///< as adaptToMotion wants it
+    MotionNoise searchNoise;           ///< with which the spikes were searched
+    std::vector<MotionChange> changes; ///< of each sample: what to smooth the track with
 };
 
 /// Sets Jump, with SpeedLimit and AccelerationLimit as further reasons, on samples that no robot's motion
@@ -26,10 +27,10 @@ struct SpikeVerdict
 SpikeVerdict flagSpikes(std::vector<Sample> &samples, const AnalysisOptions &options,
                         const MeasurementNoise &measurement = {});
 
-/// The same with both noises known, from another part of the track: one search. Gives the samples that were
-/// struck.
-std::vector<bool> flagSpikesKnowing(const SpikeVerdict &known, std::vector<Sample> &samples,
-                                    const AnalysisOptions &options);
+/// The same with both noises known, from another part of the track: one search. Gives how the motion changed
+/// on the way to each sample.
+std::vector<MotionChange> flagSpikesKnowing(const SpikeVerdict &known, std::vector<Sample> &samples,
+                                            const AnalysisOptions &options);
 
 /// The flagged measurements in words with values, e.g. "jump of 212 mm; spike in position and speed". Times
 /// without a measurement (lost, repeated frames) are gaps, not spikes, and are not listed. points: the

@@ -37,7 +37,7 @@ Result<Profile> profileOfTrack(FusedTrack track, const AnalysisOptions &options,
 {
     const SpikeVerdict verdict = flagSpikes(track.samples, options, measurement);
     Profile profile;
-    profile.points = makePoints(track.samples, verdict.struck, options, verdict.noise);
+    profile.points = makePoints(track.samples, verdict.changes, options, verdict.noise);
     const auto used = static_cast<std::size_t>(
         std::count_if(track.samples.begin(), track.samples.end(),
                       [](const Sample &sample) { return sample.position && !isRejected(sample.flags); }));
@@ -124,14 +124,14 @@ const Eigen::Matrix2d &commonPart(const std::vector<Sample> &samples, const Trac
 
 } // namespace
 
-std::vector<ProfilePoint> makePoints(std::vector<Sample> &samples, const std::vector<bool> &struck,
+std::vector<ProfilePoint> makePoints(std::vector<Sample> &samples, const std::vector<MotionChange> &changes,
                                      const AnalysisOptions &options, MotionNoise noise)
 {
     std::vector<ProfilePoint> points(samples.size(), emptyPoint());
     for (Sample &sample : samples)
         sample.flags &= ~flagBit(SampleFlag::Interpolated);
     auto segments = cutIntoSegments(samples, options.longestBridgedGap);
-    markBlows(segments, struck);
+    markChanges(segments, changes);
     for (const TrackSegment &segment : segments) {
         estimate(segment, options.smoother, noise, [&](std::size_t i, const MotionEstimate &one) {
             if (!one.mean.allFinite() || !one.covariance.allFinite())

@@ -34,14 +34,14 @@ double sigmaOfLength(const Eigen::Vector2d &vector, const Eigen::Matrix2d &covar
 ProfilePoint makePoint(const MotionEstimate &estimate, const Eigen::Matrix2d &commonCovariance);
 
 /// The curves of all samples by the wanted method; points where it does not reach are not valid. Interpolated
-/// is set on samples that are bridged, cleared elsewhere. Pure but for that. struck: where a blow changed the
-/// velocity, as flagSpikes returns it, or empty. Rts: needs three measurements in a segment; parts the motion
+/// is set on samples that are bridged, cleared elsewhere. Pure but for that. changes: how the motion changed,
+/// as flagSpikes returns it, or empty. Rts: needs three measurements in a segment; parts the motion
 /// at blows. SavGol: least squares of a cubic through the eleven nearest used samples at their true times
 /// (Savitzky and Golay 1964 for equal steps); towards the ends and with fewer than eleven, what there is;
 /// needs four. Tracker: v = (x₊₁ − x₋₁)/2Δt, a = (2x₊₂ − x₊₁ − 2x − x₋₁ + 2x₋₂)/7Δt² (Tracker's
 /// FirstDerivative and SecondDerivative) with the neighbours' mean Δt; none at gaps. None: differences to the
 /// sample before (Park 2018, eq. 6 to 8); none at gaps.
-std::vector<ProfilePoint> makePoints(std::vector<Sample> &samples, const std::vector<bool> &struck,
+std::vector<ProfilePoint> makePoints(std::vector<Sample> &samples, const std::vector<MotionChange> &changes,
                                      const AnalysisOptions &options, MotionNoise noise);
 
 /// Derivatives from a few neighbours; a weighted sum each, so their covariance follows from the measurements'

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/trajectory/internal/kalman_smoother.h"
+
+#include <span>
+#include <vector>
+
+namespace odo {
+
+/// Noise by maximum likelihood of the innovations (prediction error decomposition: Harvey 1989, § 3.4) over
+/// all segments: the measurement scale in closed form, the jerk density by a logarithmic grid and a golden
+/// section. The scale is drawn to that of `measurement` as by so many more innovations as its trust, so that
+/// few samples change little; its slow part is taken over. robust: an innovation beyond refusalGate counts as
+/// the gate and is not taken in (for data with spikes), and the scale stays.
+MotionNoise estimateMotionNoise(const std::vector<std::span<const TrackNode>> &segments, bool robust,
+                                const MeasurementNoise &measurement = {});
+
+/// The measurement's noise with the wobble that the track shows, at the scale of `measurement`: by maximum
+/// likelihood again, with the jerk density; without one where it does not explain the track much better. Of
+/// what a robot does itself it takes nothing: it is faster than a third of a second, and a few millimetres.
+MeasurementNoise withWobble(const std::vector<std::span<const TrackNode>> &segments,
+                            const MeasurementNoise &measurement);
+
+/// How lively the motion is along a segment: sets each node's liveliness, relative to usualDensity, the
+/// jerk density of the whole run. Filters of several densities run over the segment in both directions; each
+/// step is explained by one of them, which changes seldom (a hidden Markov model: Rabiner 1989, § III), and
+/// gets the mean of their logarithms by their probabilities. So an impact does not roughen the slide before
+/// it, and a robot at rest is averaged for as long as it rests. Pure but for that.
+void adaptToMotion(std::span<TrackNode> segment, const MotionNoise &noise, double usualDensity);
+
+} // namespace odo
