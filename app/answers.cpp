@@ -133,38 +133,23 @@ QJsonArray metricsJson(const std::vector<Metric> &metrics)
     return array;
 }
 
-namespace {
-
-QString wordFor(CheckLevel level)
+QString verdictWord(const TrialVerdict &verdict)
 {
-    return QString::fromUtf8(wordOf(level).data(), qsizetype(wordOf(level).size()));
-}
-
-} // namespace
-
-QJsonValue verdictJson(const TrialVerdict &verdict)
-{
-    if (verdict.checks.empty())
-        return {};
-    QJsonArray checks;
-    for (const TrialCheck &check : verdict.checks)
-        checks.append(QJsonObject{{QStringLiteral("code"), QString::fromStdString(check.code)},
-                                  {QStringLiteral("level"), wordFor(check.level)},
-                                  {QStringLiteral("text"), english(check.text)},
-                                  {QStringLiteral("arguments"), toJson(check.text)}});
-    return QJsonObject{{QStringLiteral("level"), wordFor(verdict.level())},
-                       {QStringLiteral("accepted"), false},
-                       {QStringLiteral("checks"), checks}};
+    return verdict.isAccepted() ? QStringLiteral("doubtful, accepted")
+                                : QString::fromStdString(wordOf(verdict.level()));
 }
 
 QStringList verdictLines(const TrialVerdict &verdict)
 {
     if (verdict.checks.empty())
         return {};
-    QStringList lines(QStringLiteral("Verdict: %1").arg(wordFor(verdict.level())));
+    QStringList lines(QStringLiteral("Verdict: %1").arg(verdictWord(verdict)));
     for (const TrialCheck &check : verdict.checks)
         if (check.level != CheckLevel::Pass)
-            lines << QStringLiteral("  %1: %2").arg(wordFor(check.level), english(check.text));
+            lines << QStringLiteral("  %1: %2").arg(QString::fromStdString(wordOf(check.level)),
+                                                    english(check.text));
+    if (verdict.isAccepted())
+        lines << QStringLiteral("  accepted: %1").arg(QString::fromStdString(verdict.acceptance->reason));
     return lines;
 }
 

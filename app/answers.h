@@ -20,9 +20,9 @@ QJsonObject syncJson(const TrialRecord &trial);
 QJsonObject recordingJson(const RecordingRecord &recording);
 QJsonArray vectorJson(const Eigen::VectorXd &vector);
 QJsonArray metricsJson(const std::vector<Metric> &metrics);
-/// {level, accepted, checks[{code, level, text, arguments{}}]}; null without a check.
-QJsonValue verdictJson(const TrialVerdict &verdict);
-/// "Verdict: doubtful", with the sentences that say why.
+/// "pass", "doubtful", "doubtful, accepted", "bad".
+QString verdictWord(const TrialVerdict &verdict);
+/// "Verdict: doubtful", with the sentences that say why, and the reason why it was accepted.
 QStringList verdictLines(const TrialVerdict &verdict);
 /// gaps[{from_s, to_s}], when nothing was measured, and measured_s, how long something was.
 void insertMeasuredTime(QJsonObject &robot, const Profile &profile);

@@ -8,6 +8,7 @@
 #include "core/files/output_file.h"
 #include "core/project/repositories.h"
 #include "core/workflow/shared_words.h"
+#include "core/workflow/track/trial_verdict.h"
 #include "core/workflow/trial_sources.h"
 #include "ui/report/annotated_video.h"
 
@@ -108,18 +109,19 @@ using WriteText = std::function<Result<void>(const TextSink &)>;
 Result<WriteText> fileText(const CommandCall &call, const std::string &formatName, const TrialRecord &trial,
                            const std::vector<RecordingRecord> &recordings,
                            const std::vector<AnalysisRecord> &analyses,
-                           const std::vector<ImportedTrack> &imported)
+                           const std::vector<ImportedTrack> &imported, const TrialVerdict &verdict)
 {
     const auto chosen = chosenRobot(analyses, trial.name, call.value(option::robot));
     if (formatName == "json" && !call.isSet(option::robot) && !analyses.empty())
-        return
-            [&](const TextSink &sink) { return writeTrialJson(trial, recordings, analyses, imported, sink); };
+        return [&](const TextSink &sink) {
+            return writeTrialJson(trial, recordings, analyses, imported, verdict, sink);
+        };
     if (!chosen)
         return tl::unexpected(chosen.error());
     const AnalysisRecord &analysis = **chosen;
     if (formatName == "json")
         return [&](const TextSink &sink) {
-            return writeTrialJson(trial, recordings, {&analysis, 1}, imported, sink);
+            return writeTrialJson(trial, recordings, {&analysis, 1}, imported, verdict, sink);
         };
     if (formatName == "tum")
         return [&](const TextSink &sink) { return writeTrackTum(analysis, sink); };
@@ -187,7 +189,11 @@ Result<void> runExport(const QStringList &arguments, const CancelToken &cancel)
     const auto recordings = ODO_TRY(project->trials().recordings(trial.id));
     const auto analyses = ODO_TRY(project->analyses().current(trial.id));
     const auto imported = ODO_TRY(importedTracksOf(*project, trial));
-    const auto text = ODO_TRY(fileText(call, formatName, trial, recordings, analyses, imported));
+    std::vector<const RecordingRecord *> views;
+    for (const RecordingRecord &recording : recordings)
+        views.push_back(&recording);
+    const auto verdict = ODO_TRY(verdictOn(*project, trial, views, analyses));
+    const auto text = ODO_TRY(fileText(call, formatName, trial, recordings, analyses, imported, verdict));
     const WriteText untilCancelled = [&](const TextSink &sink) {
         return text([&](std::string_view piece) {
             return cancel.isCancelled() ? Result<void>(cancelled(exportSubject(trial.name))) : sink(piece);

@@ -4,6 +4,7 @@
 #include "app/commands/commands.h"
 #include "app/commands/trial_commands.h"
 #include "app/workbench.h"
+#include "core/exchange/trial_json.h"
 #include "core/project/names.h"
 #include "core/project/repositories.h"
 #include "core/workflow/demo.h"
@@ -222,6 +223,17 @@ Result<void> runCheck(const QStringList &arguments, const CancelToken &cancel)
     return {};
 }
 
+namespace {
+
+/// Of a list, without the checks.
+QJsonValue verdictLevelJson(const TrialVerdict &verdict)
+{
+    return QJsonObject{{QStringLiteral("level"), QString::fromStdString(wordOf(verdict.level()))},
+                       {QStringLiteral("accepted"), verdict.isAccepted()}};
+}
+
+} // namespace
+
 Result<void> runList(const QStringList &arguments, const CancelToken &cancel)
 {
     CommandCall call({QStringLiteral("list"), QStringLiteral("P.odo [--json]"), 1, 1, {}}, cancel);
@@ -230,25 +242,31 @@ Result<void> runList(const QStringList &arguments, const CancelToken &cancel)
     const auto project = ODO_TRY(call.openProject(0, Project::Access::ReadOnly));
     const auto title = ODO_TRY(project->title());
     const auto all = ODO_TRY(project->trials().all());
+    const auto verdicts = ODO_TRY(project->verdicts().all(Instant::min(), Instant::max()));
     QJsonArray trials;
     QStringList lines(QString::fromStdString(title));
     for (const TrialRecord &trial : all) {
         QJsonArray robots;
         for (const std::string &robot : trial.robotNames)
             robots.append(QString::fromStdString(robot));
+        const auto verdict = verdicts.find(trial.id);
+        const bool isChecked = verdict != verdicts.end();
         trials.append(QJsonObject{{QStringLiteral("name"), QString::fromStdString(trial.name)},
                                   {QStringLiteral("team"), QString::fromStdString(trial.teamName)},
                                   {QStringLiteral("task"), QString::fromStdString(trial.task)},
                                   {QStringLiteral("date"), dateText(trial.date)},
                                   {QStringLiteral("robots"), robots},
                                   {QStringLiteral("duration_s"), trial.durationS},
-                                  {QStringLiteral("views"), trial.viewCount}});
-        lines << QStringLiteral("  %1  %2  %3  %4 s  %5")
+                                  {QStringLiteral("views"), trial.viewCount},
+                                  {QStringLiteral("verdict"),
+                                   isChecked ? verdictLevelJson(verdict->second) : QJsonValue()}});
+        lines << QStringLiteral("  %1  %2  %3  %4 s  %5%6")
                      .arg(QString::fromStdString(trial.name), -24)
                      .arg(QString::fromStdString(trial.teamName), -16)
                      .arg(dateText(trial.date))
                      .arg(trial.durationS, 0, 'f', 2)
-                     .arg(counted(trial.viewCount, QStringLiteral("view")));
+                     .arg(counted(trial.viewCount, QStringLiteral("view")))
+                     .arg(isChecked ? QStringLiteral("  ") + verdictWord(verdict->second) : QString());
     }
     call.answer(
         {{QStringLiteral("title"), QString::fromStdString(title)}, {QStringLiteral("trials"), trials}},

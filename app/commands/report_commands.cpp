@@ -2,6 +2,7 @@
 #include "app/answers.h"
 #include "app/command_call.h"
 #include "app/commands/commands.h"
+#include "core/exchange/trial_json.h"
 #include "core/project/names.h"
 #include "core/workflow/compare/compare_trials.h"
 #include "core/workflow/track/track_warnings.h"
@@ -217,6 +218,24 @@ Result<void> writeReport(const CommandCall &call, Project &project, const Compar
 
 } // namespace
 
+namespace {
+
+void addVerdicts(const ComparedTrials &trials, QJsonObject &json, QString &words)
+{
+    QJsonArray verdicts;
+    for (const ComparedTrial &run : trials.runs) {
+        verdicts.append(verdictJson(run.verdict));
+        if (run.verdict.checks.empty())
+            continue;
+        words += QStringLiteral("\n%1:").arg(QString::fromStdString(runName(run)));
+        for (const QString &line : verdictLines(run.verdict))
+            words += QStringLiteral("\n  ") + line;
+    }
+    json.insert(QStringLiteral("verdicts"), verdicts);
+}
+
+} // namespace
+
 Result<void> runCompare(const QStringList &arguments, const CancelToken &cancel)
 {
     CommandCall call(
@@ -253,7 +272,10 @@ Result<void> runCompare(const QStringList &arguments, const CancelToken &cancel)
     const auto compared = ODO_TRY(compareTrials(trials, settings));
     if (call.isSet(option::output))
         ODO_TRY(writeReport(call, *project, settings));
-    call.answer(comparisonJson(compared), comparisonText(trials, compared));
+    QJsonObject json = comparisonJson(compared);
+    QString words = comparisonText(trials, compared);
+    addVerdicts(trials, json, words);
+    call.answer(json, words);
     for (const ComparedTrial &run : trials.runs)
         for (const Message &warning : analysisWarnings(run.analysis, run.trial.name))
             CommandCall::warn(warning);

@@ -2,6 +2,7 @@
 #include "core/exchange/trial_json.h"
 
 #include "core/analysis/quantity_curve.h"
+#include "core/project/message_json.h"
 
 #include <QDateTime>
 #include <QJsonArray>
@@ -236,7 +237,7 @@ QString columnsMark(std::size_t robot)
 
 QByteArray withoutColumns(const TrialRecord &trial, const std::vector<RecordingRecord> &recordings,
                           std::span<const AnalysisRecord> analyses,
-                          const std::vector<ImportedTrack> &imported)
+                          const std::vector<ImportedTrack> &imported, const TrialVerdict &verdict)
 {
     QJsonArray views, robots;
     for (const RecordingRecord &recording : recordings)
@@ -252,6 +253,7 @@ QByteArray withoutColumns(const TrialRecord &trial, const std::vector<RecordingR
                                {QStringLiteral("version"), schemaVersion},
                                {QStringLiteral("trial"), trialObject(trial)},
                                {QStringLiteral("views"), views},
+                               {QStringLiteral("verdict"), verdictJson(verdict)},
                                {QStringLiteral("robots"), robots}};
     return QJsonDocument(document).toJson(QJsonDocument::Indented);
 }
@@ -260,9 +262,11 @@ QByteArray withoutColumns(const TrialRecord &trial, const std::vector<RecordingR
 
 Result<void> writeTrialJson(const TrialRecord &trial, const std::vector<RecordingRecord> &recordings,
                             std::span<const AnalysisRecord> analyses,
-                            const std::vector<ImportedTrack> &imported, const TextSink &sink)
+                            const std::vector<ImportedTrack> &imported, const TrialVerdict &verdict,
+                            const TextSink &sink)
 {
-    const std::string document = withoutColumns(trial, recordings, analyses, imported).toStdString();
+    const std::string document =
+        withoutColumns(trial, recordings, analyses, imported, verdict).toStdString();
     TextPieces text(sink);
     std::size_t from = 0;
     for (std::size_t i = 0; i < analyses.size(); ++i) {
@@ -277,10 +281,29 @@ Result<void> writeTrialJson(const TrialRecord &trial, const std::vector<Recordin
 }
 
 std::string trialJson(const TrialRecord &trial, const std::vector<RecordingRecord> &recordings,
-                      const std::vector<AnalysisRecord> &analyses, const std::vector<ImportedTrack> &imported)
+                      const std::vector<AnalysisRecord> &analyses, const std::vector<ImportedTrack> &imported,
+                      const TrialVerdict &verdict)
 {
-    return wholeText(
-        [&](const TextSink &sink) { return writeTrialJson(trial, recordings, analyses, imported, sink); });
+    return wholeText([&](const TextSink &sink) {
+        return writeTrialJson(trial, recordings, analyses, imported, verdict, sink);
+    });
+}
+
+QJsonValue verdictJson(const TrialVerdict &verdict)
+{
+    if (verdict.checks.empty())
+        return {};
+    QJsonArray checks;
+    for (const TrialCheck &check : verdict.checks)
+        checks.append(QJsonObject{{QStringLiteral("code"), qtText(check.code)},
+                                  {QStringLiteral("level"), qtText(wordOf(check.level))},
+                                  {QStringLiteral("text"), qtText(check.text.english())},
+                                  {QStringLiteral("arguments"), toJson(check.text)}});
+    return QJsonObject{{QStringLiteral("level"), qtText(wordOf(verdict.level()))},
+                       {QStringLiteral("accepted"), verdict.isAccepted()},
+                       {QStringLiteral("accepted_reason"),
+                        verdict.isAccepted() ? QJsonValue(qtText(verdict.acceptance->reason)) : QJsonValue()},
+                       {QStringLiteral("checks"), checks}};
 }
 
 } // namespace odo

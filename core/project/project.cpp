@@ -14,6 +14,7 @@
 #include "core/project/project_rescue.h"
 #include "core/project/recording_rows.h"
 #include "core/project/repositories.h"
+#include "core/project/verdict_repository.h"
 
 namespace odo {
 
@@ -52,7 +53,7 @@ struct Project::Impl
     Impl(std::unique_ptr<ProjectConnection> opened, bool isToWriteBack)
         : connection(std::move(opened)), cameras(*connection), layouts(*connection), robots(*connection),
           teams(*connection), classes(*connection), tasks(*connection), trials(*connection),
-          analyses(*connection), journal(*connection), writesBack(isToWriteBack)
+          analyses(*connection), verdicts(*connection), journal(*connection), writesBack(isToWriteBack)
     {
         if (connection->access() == DatabaseAccess::ReadWrite)
             connection->watchForOverwriting();
@@ -67,6 +68,7 @@ struct Project::Impl
     TaskRepository tasks;
     TrialRepository trials;
     AnalysisRepository analyses;
+    VerdictRepository verdicts;
     ChangeJournal journal;
     bool writesBack; ///< the log, when it is closed
 };
@@ -245,6 +247,11 @@ TrialRepository &Project::trials()
 {
     return m_impl->trials;
 }
+VerdictRepository &Project::verdicts()
+{
+    return m_impl->verdicts;
+}
+
 AnalysisRepository &Project::analyses()
 {
     return m_impl->analyses;

@@ -24,6 +24,7 @@ class ClassRepository;
 class TaskRepository;
 class TrialRepository;
 class AnalysisRepository;
+class VerdictRepository;
 
 /// One thing that `check` found.
 struct ProjectProblem
@@ -88,6 +89,7 @@ public:
     TaskRepository &tasks();
     TrialRepository &trials();
     AnalysisRepository &analyses();
+    VerdictRepository &verdicts();
 
     /// Runs work in one transaction that is rolled back when work fails; inside another one it is a savepoint
     /// of it.

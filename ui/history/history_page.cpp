@@ -4,9 +4,11 @@
 #include "core/project/class_repository.h"
 #include "core/project/project.h"
 #include "core/project/repositories.h"
+#include "core/workflow/track/stored_verdicts.h"
 #include "ui/history/internal/mark_actions.h"
 #include "ui/history/internal/teams_panel.h"
 #include "ui/history/internal/trial_list.h"
+#include "ui/models/background_task.h"
 #include "ui/models/shown_names.h"
 #include "ui/models/trial_model.h"
 #include "ui/views/widgets/card.h"
@@ -27,7 +29,8 @@
 namespace odo {
 namespace {
 
-constexpr int rowsAtOnce = 300; ///< that are read in far less than 50 ms
+constexpr int rowsAtOnce = 300;              ///< that are read in far less than 50 ms
+constexpr std::ptrdiff_t trialsAtOnce = 20; ///< whose verdicts are stored in one go
 
 QToolButton *buttonOf(QAction *action)
 {
@@ -51,7 +54,8 @@ HistoryPage::HistoryPage(Project &project, bool readOnly, QWidget *parent)
       m_filterBar(new TrialFilterBar(this)), m_marks(new MarkActions(project, *this)),
       m_pseudonyms(new QAction(tr("Teams by &pseudonym"), this)), m_table(new TrialTable(*m_trials, this)),
       m_teams(new TeamsPanel(project, this)), m_tabs(new QTabWidget(this)),
-      m_detail(new TrialDetail(project, this)), m_readTimer(new QTimer(this))
+      m_detail(new TrialDetail(project, this)), m_checker(new ProjectReader(project.file(), this)),
+      m_readTimer(new QTimer(this))
 {
     setObjectName(QStringLiteral("page"));
     m_trials->setEditable(!readOnly);
@@ -166,7 +170,7 @@ void HistoryPage::showTeams()
 
 bool HistoryPage::isSettled() const
 {
-    return !m_reading && m_teams->isSettled();
+    return !m_reading && m_unchecked.empty() && m_teams->isSettled();
 }
 
 void HistoryPage::showSettled()
@@ -268,6 +272,45 @@ void HistoryPage::endReading(std::vector<TrialRow> rows)
     showCount();
     showCurrent();
     showTeams();
+    m_unchecked = m_trials->unchecked();
+    checkMore();
+    showSettled();
+}
+
+/// Verdicts that are not stored are computed on another thread, some at a time, and stored here.
+void HistoryPage::checkMore()
+{
+    if (m_unchecked.empty())
+        return;
+    const auto end = m_unchecked.begin() + std::min(std::ssize(m_unchecked), trialsAtOnce);
+    const std::vector<RecordId> trials(m_unchecked.begin(), end);
+    m_checker->read<std::vector<StoredVerdict>>(
+        [trials](Project &project) { return computeVerdicts(project, trials); },
+        [this, count = trials.size()](Result<std::vector<StoredVerdict>> verdicts) {
+            m_unchecked.erase(m_unchecked.begin(), m_unchecked.begin() + std::ptrdiff_t(count));
+            takeVerdicts(std::move(verdicts));
+        });
+}
+
+void HistoryPage::takeVerdicts(Result<std::vector<StoredVerdict>> verdicts)
+{
+    if (verdicts && !m_readOnly) {
+        if (const Result<void> stored = storeVerdicts(m_project, *verdicts); !stored)
+            verdicts = tl::unexpected(stored.error());
+    }
+    if (!verdicts) {
+        m_unchecked.clear();
+        Q_EMIT failed(verdicts.error());
+    } else {
+        for (const StoredVerdict &one : *verdicts)
+            m_trials->updateVerdict(one.trial, one.verdict);
+    }
+    checkMore();
+    if (m_unchecked.empty()) {
+        m_table->fit();
+        showCurrent();
+        showCount();
+    }
     showSettled();
 }
 
@@ -365,7 +408,7 @@ void HistoryPage::showCurrent()
 {
     const QModelIndex current = m_table->currentIndex();
     if (current.isValid())
-        m_detail->showTrial(m_trials->row(current.row()).trial);
+        m_detail->showTrial(m_trials->row(current.row()));
     else
         m_detail->showNone(m_trials->allCount() == 0);
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/base/error.h"
+#include "core/project/records.h"
 
 #include <QList>
 #include <QStringList>
@@ -23,12 +24,14 @@ struct BinContent;
 class Card;
 class MarkActions;
 class Project;
+class ProjectReader;
 class TeamsPanel;
 class TrialDetail;
 class TrialFilterBar;
 class TrialModel;
 class TrialRows;
 class TrialTable;
+struct StoredVerdict;
 struct TrialRow;
 
 /// History: all trials of the project, searched, filtered, sorted, marked and opened; what is known of the
@@ -86,6 +89,8 @@ private:
     void connectMarks();
     void readMore();
     void endReading(std::vector<TrialRow> rows);
+    void checkMore();
+    void takeVerdicts(Result<std::vector<StoredVerdict>> verdicts);
     void offerFilters();
     void filter();
     void reload(const QList<qint64> &trials);
@@ -107,10 +112,12 @@ private:
     TeamsPanel *m_teams;
     QTabWidget *m_tabs;
     TrialDetail *m_detail;
+    ProjectReader *m_checker;
     QTimer *m_readTimer;
     std::set<std::string> m_archivedClasses;
     std::unique_ptr<TrialRows> m_reading; ///< null: all was read
     std::vector<TrialRow> m_read;         ///< so far
+    std::vector<RecordId> m_unchecked;    ///< trials whose verdict is still to be computed
     QList<qint64> m_changed;              ///< trials whose rows are being reloaded
     QString m_wanted;                     ///< to be selected once it was read; empty: none
 };

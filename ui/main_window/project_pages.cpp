@@ -186,6 +186,7 @@ QWidget *ProjectPages::makeReview()
     m_review = new ReviewPage(*m_workspace.project(), &m_stack);
     connect(m_review, &ReviewPage::failed, this, &ProjectPages::failed);
     connect(m_review, &ReviewPage::settled, this, &ProjectPages::passOnSettled);
+    connect(m_review, &ReviewPage::changed, this, [this] { refreshAllBut(nullptr); });
     return m_review;
 }
 

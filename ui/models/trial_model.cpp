@@ -7,6 +7,7 @@
 #include "ui/models/number_text.h"
 #include "ui/models/results.h"
 #include "ui/models/shown_names.h"
+#include "ui/models/verdict_mark.h"
 
 #include <QCollator>
 #include <QDateTime>
@@ -14,6 +15,7 @@
 #include <QStringList>
 #include <algorithm>
 #include <unordered_map>
+#include <unordered_set>
 
 namespace odo {
 
@@ -124,6 +126,9 @@ Result<std::vector<TrialRow>> withMetrics(Project &project, std::vector<TrialRec
             listSection->second = trialMetric.metric;
     }
     auto scores = ODO_TRY(bestScores(project, trials.back().date, trials.front().date));
+    const auto verdicts = ODO_TRY(project.verdicts().all(trials.back().date, trials.front().date));
+    const auto missing = ODO_TRY(project.verdicts().missing(trials.back().date, trials.front().date));
+    const std::unordered_set<RecordId> unchecked(missing.begin(), missing.end());
     rows.reserve(trials.size());
     for (TrialRecord &trial : trials) {
         const auto trialMetric = best.find(trial.id);
@@ -135,6 +140,9 @@ Result<std::vector<TrialRow>> withMetrics(Project &project, std::vector<TrialRec
             rows.back().isScored = true;
             rows.back().score = std::move(score->second);
         }
+        if (const auto verdict = verdicts.find(rows.back().trial.id); verdict != verdicts.end())
+            rows.back().verdict = verdict->second;
+        rows.back().isUnchecked = unchecked.contains(rows.back().trial.id);
     }
     return rows;
 }
@@ -194,7 +202,7 @@ void TrialModel::updateRow(TrialRow row)
         return;
     const int listSection = static_cast<int>(shown - m_shown.begin());
     const QStringList words = m_filter.text.toLower().split(u' ', Qt::SkipEmptyParts);
-    if (isShown(m_filter, words, known->trial, known->searchText)) {
+    if (passes(*known, words)) {
         // What is being written into a cell is overwritten when that changes.
         Q_EMIT dataChanged(index(listSection, 0),
                            index(listSection, hasOtherTags ? TagsColumn : TagsColumn - 1));
@@ -203,6 +211,33 @@ void TrialModel::updateRow(TrialRow row)
     beginRemoveRows({}, listSection, listSection);
     m_shown.erase(shown);
     endRemoveRows();
+}
+
+void TrialModel::updateVerdict(RecordId trial, const TrialVerdict &verdict)
+{
+    const auto known =
+        std::ranges::find(m_rows, trial, [](const TrialRow &each) { return each.trial.id; });
+    if (known == m_rows.end())
+        return;
+    TrialRow row = *known;
+    row.verdict = verdict;
+    row.isUnchecked = false;
+    updateRow(std::move(row));
+}
+
+std::vector<RecordId> TrialModel::unchecked() const
+{
+    std::vector<RecordId> trials;
+    for (const TrialRow &row : m_rows)
+        if (row.isUnchecked)
+            trials.push_back(row.trial.id);
+    return trials;
+}
+
+bool TrialModel::passes(const TrialRow &row, const QStringList &words) const
+{
+    const bool isDoubtful = row.verdict && row.verdict->level() != CheckLevel::Pass;
+    return (isDoubtful || !m_filter.doubtful) && isShown(m_filter, words, row.trial, row.searchText);
 }
 
 int TrialModel::indexOf(const QString &trial) const
@@ -218,7 +253,7 @@ void TrialModel::choose()
     m_shown.clear();
     const QStringList words = m_filter.text.toLower().split(u' ', Qt::SkipEmptyParts);
     for (std::size_t i = 0; i < m_rows.size(); ++i)
-        if (isShown(m_filter, words, m_rows[i].trial, m_rows[i].searchText))
+        if (passes(m_rows[i], words))
             m_shown.push_back(i);
     arrange();
 }
@@ -262,6 +297,11 @@ void TrialModel::arrange()
         return sortBy([this](std::size_t i) { return m_rows[i].score ? m_rows[i].score->points : -1e9; });
     case StarColumn:
         return sortBy([this](std::size_t i) { return m_rows[i].trial.starred; });
+    case VerdictColumn: // the worst are grouped at one end
+        return sortBy([this](std::size_t i) {
+            const auto &verdict = m_rows[i].verdict;
+            return !verdict ? -1 : 2 * int(verdict->level()) - int(verdict->isAccepted());
+        });
     default:
         break;
     }
@@ -309,6 +349,8 @@ QString TrialModel::display(const TrialRow &row, int column) const
         return row.score ? scoreText(*row.score) : row.isScored ? tr("reanalyse") : QString();
     case TagsColumn:
         return joined(row.trial.tags);
+    case VerdictColumn:
+        return row.verdict ? verdictBadge(*row.verdict).text : QString();
     default:
         return {};
     }
@@ -335,7 +377,9 @@ QVariant TrialModel::data(const QModelIndex &index, int role) const
     case Qt::ToolTipRole:
         if (column == TagsColumn && m_editable)
             return tr("Tags, separated by commas: double-click or F2 changes them");
-        if (column == ScoreColumn && row.score) // a tool tip guesses at rich text
+        if (column == VerdictColumn && row.verdict) // a tool tip guesses at rich text
+            return verdictText(*row.verdict).toHtmlEscaped().replace(u'\n', QStringLiteral("<br>"));
+        if (column == ScoreColumn && row.score)
             return scoreLines(*row.score).join(u'\n').toHtmlEscaped();
         return column == StarColumn ? tr("Star (Ctrl+D)") : display(row, column).toHtmlEscaped();
     case Qt::TextAlignmentRole: {
@@ -343,6 +387,12 @@ QVariant TrialModel::data(const QModelIndex &index, int role) const
         return QVariant::fromValue(
             Qt::Alignment(Qt::AlignVCenter | (number ? Qt::AlignRight : Qt::AlignLeft)));
     }
+    case BadgeTextRole:
+        return column == VerdictColumn && row.verdict && row.verdict->level() != CheckLevel::Pass
+                   ? QVariant(display(row, column))
+                   : QVariant();
+    case BadgeStateRole:
+        return row.verdict ? QVariant(static_cast<int>(verdictBadge(*row.verdict).state)) : QVariant();
     case NameRole:
         return display(row, NameColumn);
     case IdRole:
@@ -409,6 +459,8 @@ QVariant TrialModel::headerData(int section, Qt::Orientation orientation, int ro
         return QStringLiteral("★"); // the word is wider than the stars
     case ScoreColumn:
         return tr("Score");
+    case VerdictColumn:
+        return tr("Verdict");
     case TagsColumn:
         return tr("Tags");
     default:

@@ -4,6 +4,7 @@
 #include "core/analysis/scoring.h"
 #include "core/base/error.h"
 #include "core/project/records.h"
+#include "core/project/verdict_repository.h"
 
 #include <QAbstractTableModel>
 #include <QString>
@@ -23,7 +24,8 @@ struct TrialFilter
     std::string className, team, task, robot; ///< by name; empty: any
     /// whose trials count as archived unless the class is chosen by name
     std::set<std::string> archivedClasses;
-    bool starred = false; ///< only those
+    bool starred = false;  ///< only those
+    bool doubtful = false; ///< only those with doubtful or bad results, accepted ones too
     ListSection listSection = ListSection::Active;
     std::optional<Instant> from, to; ///< from included, to excluded
 };
@@ -45,6 +47,9 @@ struct TrialRow
     QString searchText;              ///< searchTextOf(trial)
     std::optional<Score> score = {}; ///< of its best robot
     bool isScored = false;           ///< its task is; without a score it was measured otherwise
+    /// nullopt: not analysed, or to be computed (isUnchecked)
+    std::optional<TrialVerdict> verdict = {};
+    bool isUnchecked = false; ///< it is analysed, but its verdict is not stored
 };
 
 /// Reads the trials of a project piece by piece, newest first, so that thousands of them never keep the
@@ -80,6 +85,7 @@ public:
         DurationColumn,
         TopSpeedColumn,
         ScoreColumn,
+        VerdictColumn,
         StarColumn, ///< checkable
         TagsColumn, ///< editable, separated by commas
         ColumnCount
@@ -87,6 +93,8 @@ public:
     enum Roles {
         NameRole = Qt::UserRole, ///< QString, of the row's trial
         IdRole,                  ///< qint64, of the row's trial
+        BadgeTextRole,           ///< of the verdict, where it is no pass
+        BadgeStateRole,
     };
 
     explicit TrialModel(QObject *parent = nullptr);
@@ -94,6 +102,10 @@ public:
     /// Replaces the row of the same trial; it stays where it is until the list is sorted or filtered again,
     /// unless the filter does not let it through any more.
     void updateRow(TrialRow row);
+    /// As updateRow, of a trial's verdict that was computed.
+    void updateVerdict(RecordId trial, const TrialVerdict &verdict);
+    /// Trials whose verdict is to be computed, as the list was read.
+    std::vector<RecordId> unchecked() const;
     void setFilter(TrialFilter filter);
     const TrialFilter &filter() const { return m_filter; }
     /// Teams are shown by another name now (shownTeam).
@@ -122,6 +134,7 @@ Q_SIGNALS:
 
 private:
     QString display(const TrialRow &row, int column) const;
+    bool passes(const TrialRow &row, const QStringList &words) const;
     void choose();  ///< fills m_shown by the filter, sorted
     void arrange(); ///< sorts m_shown
 

@@ -3,6 +3,7 @@
 
 #include "core/project/project.h"
 #include "core/project/repositories.h"
+#include "core/workflow/track/stored_verdicts.h"
 #include "ui/models/background_task.h"
 #include "ui/models/shown_names.h"
 #include "ui/models/timeline.h"
@@ -21,7 +22,9 @@
 #include <QAction>
 #include <QComboBox>
 #include <QHBoxLayout>
+#include <QInputDialog>
 #include <QLabel>
+#include <QLineEdit>
 #include <QPushButton>
 #include <QScrollArea>
 #include <QStackedWidget>
@@ -90,6 +93,7 @@ ReviewPage::ReviewPage(Project &project, QWidget *parent)
     connect(import, &QPushButton::clicked, this, &ReviewPage::importRequested);
     connect(m_column, &ReviewColumn::trackRequested, this,
             [this] { Q_EMIT trackRequested(QString::fromStdString(m_scene->trial.name)); });
+    connect(m_column, &ReviewColumn::verdictRequested, this, &ReviewPage::judgeVerdict);
     connect(m_chooser, &TrialChooser::chosen, this, [this](const QString &name) {
         if (const Result<void> shown = showTrial(name); !shown)
             Q_EMIT failed(shown.error());
@@ -205,6 +209,29 @@ void ReviewPage::adopt(TrialScenePtr scene)
     showSettled();
 }
 
+/// Accepts a doubtful verdict for a reason that a person gives, or withdraws that.
+void ReviewPage::judgeVerdict()
+{
+    const std::string trial = m_scene->trial.name;
+    Result<void> done;
+    if (m_scene->verdict.isAccepted()) {
+        done = withdrawAcceptance(m_project, trial);
+    } else {
+        bool isGiven = false;
+        const QString reason =
+            QInputDialog::getText(this, tr("Accept doubtful results"),
+                                  tr("Why can these results be used? The reason is shown wherever they are."),
+                                  QLineEdit::Normal, {}, &isGiven);
+        if (!isGiven)
+            return;
+        done = acceptVerdict(m_project, trial, reason.toStdString());
+    }
+    if (done)
+        Q_EMIT changed();
+    else
+        Q_EMIT failed(done.error());
+}
+
 bool ReviewPage::isSettled() const
 {
     return !m_reader->isRunning() && m_desk->isSettled();
@@ -252,6 +279,7 @@ ReviewColumn::ReviewColumn(Timeline &timeline, QWidget *chooser, QWidget *parent
     layout->addWidget(m_range, 5);
     layout->addWidget(m_trial, 3);
     connect(m_range, &RangeCard::shownChanged, m_trial, &QWidget::setHidden);
+    connect(m_facts, &FactList::actionRequested, this, &ReviewColumn::verdictRequested);
     setFixedWidth(columnWidth);
     setScene(nullptr);
 }

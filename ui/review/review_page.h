@@ -56,6 +56,7 @@ Q_SIGNALS:
     void trialShown();
     void importRequested();
     void trackRequested(const QString &trial);
+    void changed(); ///< the project
     void failed(const odo::Error &error);
     void settled();
 
@@ -69,6 +70,7 @@ private:
     void load();
     void take(Result<Reading> reading);
     void adopt(TrialScenePtr scene);
+    void judgeVerdict();
     void showSettled();
 
     Project &m_project;
@@ -109,6 +111,8 @@ public:
 
 Q_SIGNALS:
     void trackRequested();
+    /// A doubtful verdict is to be accepted, or that to be withdrawn.
+    void verdictRequested();
 
 private:
     Card *makeTrackCard();

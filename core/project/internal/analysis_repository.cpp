@@ -99,9 +99,9 @@ Result<void> addFindings(ProjectConnection &connection, RecordId id, const Profi
         if (!std::isfinite(metric.value) || (metric.sigma && !std::isfinite(*metric.sigma)))
             return fail(ErrorCode::InvalidInput, ODO_TEXT("project.metric", "metric '%1'")(metric.name),
                         ODO_TEXT("project.not_finite", "it is not a finite number"), analyseAgain());
-        Statement insert(connection, QStringLiteral("INSERT INTO metric VALUES (?,?,?,?,?,?)"));
+        Statement insert(connection, QStringLiteral("INSERT INTO metric VALUES (?,?,?,?,?,?,?)"));
         insert.bind(id).bind(static_cast<std::int64_t>(i)).bind(metric.name).bind(metric.unit);
-        ODO_TRY(insert.bind(metric.value).bind(metric.sigma).run());
+        ODO_TRY(insert.bind(metric.value).bind(metric.sigma).bind(metric.isAtLeast ? 1 : 0).run());
     }
     for (std::size_t i = 0; i < profile.spikes.size(); ++i) {
         const Spike &spike = profile.spikes[i];
@@ -167,9 +167,11 @@ Result<void> readMetrics(const ProjectConnection &connection, AnalysisRecord &in
 {
     Statement select(
         connection,
-        QStringLiteral("SELECT name, unit, value, sigma FROM metric WHERE analysis_id=? ORDER BY position"));
+        QStringLiteral(
+            "SELECT name, unit, value, sigma, at_least FROM metric WHERE analysis_id=? ORDER BY position"));
     return select.bind(into.id).eachRow([&into](const Statement &row) -> Result<void> {
-        into.profile.metrics.push_back({row.name(0), row.name(1), row.real(2), row.optionalReal(3)});
+        into.profile.metrics.push_back(
+            {row.name(0), row.name(1), row.real(2), row.optionalReal(3), row.integer(4) != 0});
         return {};
     });
 }
@@ -322,7 +324,7 @@ Result<std::vector<TrialMetric>> AnalysisRepository::trialMetrics(const std::str
     std::vector<TrialMetric> trialMetrics;
     Statement select(
         m_connection,
-        QStringLiteral("SELECT trial.id, robot_id, unit, value, sigma FROM trial "
+        QStringLiteral("SELECT trial.id, robot_id, unit, value, sigma, at_least FROM trial "
                        "JOIN analysis ON analysis.trial_id=trial.id JOIN metric ON analysis_id=analysis.id "
                        "WHERE date_ms>=? AND date_ms<=? AND metric.name=? AND analysis.id="
                        "(SELECT MAX(newer.id) FROM analysis AS newer WHERE newer.trial_id=trial.id "
@@ -331,7 +333,9 @@ Result<std::vector<TrialMetric>> AnalysisRepository::trialMetrics(const std::str
     select.bind(static_cast<std::int64_t>(to.time_since_epoch().count()));
     auto read = select.bind(metric).eachRow([&](const Statement &row) -> Result<void> {
         trialMetrics.push_back(
-            {row.integer(0), row.integer(1), {metric, row.name(2), row.real(3), row.optionalReal(4)}});
+            {row.integer(0),
+             row.integer(1),
+             {metric, row.name(2), row.real(3), row.optionalReal(4), row.integer(5) != 0}});
         return {};
     });
     if (!read)
@@ -429,14 +433,15 @@ Result<std::vector<ScoredMetrics>> AnalysisRepository::scoredMetrics(Instant fro
         return read ? Result<std::vector<ScoredMetrics>>(runs) : tl::unexpected(read.error());
     Statement metrics(
         m_connection,
-        scoredAnalyses(QStringLiteral("metric.name, unit, value, sigma"),
+        scoredAnalyses(QStringLiteral("metric.name, unit, value, sigma, at_least"),
                        "JOIN metric ON metric.analysis_id=analysis.id AND metric.name IN "
                        "(SELECT scoring.metric FROM scoring WHERE scoring.task_id=trial.task_id)"));
     bindDates(metrics, from, to);
     read = metrics.eachRow([&](const Statement &row) -> Result<void> {
         if (const auto run = runOf.find(row.integer(0));
             run != runOf.end()) // not of one that came in between
-            runs[run->second].metrics.push_back({row.name(1), row.name(2), row.real(3), row.optionalReal(4)});
+            runs[run->second].metrics.push_back(
+                {row.name(1), row.name(2), row.real(3), row.optionalReal(4), row.integer(5) != 0});
         return {};
     });
     if (!read)

@@ -8,6 +8,7 @@
 #include "core/project/records.h"
 
 #include <algorithm>
+#include <array>
 #include <cstring>
 #include <memory>
 
@@ -20,8 +21,12 @@ namespace odo {
 
 namespace {
 
-/// Changes of the journal's own table are never undone.
-constexpr const char *entryTable = "change_entry";
+/// The journal's own table is never undone, and verdicts follow from the rest.
+bool isUndone(const char *table)
+{
+    return std::ranges::none_of(std::array{"change_entry", "verdict", "verdict_check"},
+                                [table](const char *other) { return std::strcmp(table, other) == 0; });
+}
 
 struct SessionEnd
 {
@@ -49,8 +54,7 @@ Result<Session> watch(const ProjectConnection &connection)
         return refusal(connection, code);
     Session watching(session);
     sqlite3session_table_filter(
-        session, [](void *, const char *table) { return std::strcmp(table, entryTable) != 0 ? 1 : 0; },
-        nullptr);
+        session, [](void *, const char *table) { return isUndone(table) ? 1 : 0; }, nullptr);
     if (const int code = sqlite3session_attach(session, nullptr); code != SQLITE_OK)
         return refusal(connection, code);
     return watching;

@@ -71,6 +71,7 @@ std::vector<Migration> projectMigrations()
         sqlMigration(ODO_TEXT("project.format_15", "robots marked by hand in a frame"),
                      step("15_pointed_out_robots")),
         {ODO_TEXT("project.format_16", "messages as codes with their arguments"), storeMessages},
+        sqlMigration(ODO_TEXT("project.format_17", "verdicts, and their acceptance"), step("17_verdicts")),
     };
 }
 

@@ -451,6 +451,10 @@ Result<std::vector<std::string>> TrialRepository::removeForGood(RecordId trial)
               "trial_id=?)",
               "DELETE FROM doubtful_name WHERE analysis_id IN (SELECT id FROM analysis WHERE trial_id=?)",
               "DELETE FROM analysis WHERE trial_id=?",
+              "DELETE FROM verdict_check WHERE trial_id=?",
+              "DELETE FROM verdict WHERE trial_id=?",
+              "DELETE FROM accepted_check WHERE trial_id=?",
+              "DELETE FROM accepted_verdict WHERE trial_id=?",
               "DELETE FROM overrule WHERE trial_id=?",
               "DELETE FROM imported_track_chunk WHERE track_id IN (SELECT id FROM imported_track WHERE "
               "trial_id=?)",

@@ -4,6 +4,7 @@
 #include "core/project/project.h"
 #include "core/project/repositories.h"
 #include "core/workflow/shared_words.h"
+#include "core/workflow/track/stored_verdicts.h"
 
 #include <algorithm>
 
@@ -81,6 +82,13 @@ Result<ComparedTrials> readComparedTrials(Project &project, const CompareSetting
     }
     if (read.runs.size() < 2)
         return takesTwoRuns();
+    std::set<RecordId> trials;
+    for (const ComparedTrial &run : read.runs)
+        trials.insert(run.trial.id);
+    const auto verdicts = ODO_TRY(trialVerdicts(project, trials));
+    for (ComparedTrial &run : read.runs)
+        if (const auto verdict = verdicts.find(run.trial.id); verdict != verdicts.end())
+            run.verdict = verdict->second;
     auto task = ODO_TRY(commonTask(project, read.runs));
     read.task = std::move(task);
     const AnalysisRecord &first = read.runs.front().analysis;

@@ -3,6 +3,7 @@
 
 #include "core/analysis/run_differences.h"
 #include "core/project/records.h"
+#include "core/project/verdict_repository.h"
 
 #include <optional>
 #include <string>
@@ -31,6 +32,7 @@ struct ComparedTrial
 {
     TrialRecord trial;
     AnalysisRecord analysis;
+    TrialVerdict verdict = {}; ///< on the trial, without the checks that were passed
 };
 
 /// The runs with what they have in common.

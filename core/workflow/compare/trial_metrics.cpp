@@ -4,6 +4,7 @@
 #include "core/base/percentile.h"
 #include "core/project/project.h"
 #include "core/project/repositories.h"
+#include "core/workflow/track/stored_verdicts.h"
 
 #include <algorithm>
 #include <map>
@@ -54,28 +55,50 @@ bool countsIn(const TrialRecord &trial, const std::string &className, const std:
            (task.empty() || trial.task == task);
 }
 
+Result<CountingGrounds> countingGrounds(Project &project, const std::string &className,
+                                        const std::string &task)
+{
+    const auto trials = ODO_TRY(project.trials().all());
+    std::set<RecordId> wanted;
+    for (const TrialRecord &trial : trials)
+        if (countsIn(trial, className, task))
+            wanted.insert(trial.id);
+    auto otherwise = ODO_TRY(project.analyses().trialsMeasuredOtherwise());
+    auto verdicts = ODO_TRY(trialVerdicts(project, wanted));
+    return CountingGrounds{std::move(otherwise), std::move(verdicts)};
+}
+
 CountedTrials countedTrials(std::span<const TrialRecord *const> trials, const std::string &className,
-                            const std::string &task, const std::vector<OtherwiseMeasured> &otherwise)
+                            const std::string &task, const CountingGrounds &grounds)
 {
     CountedTrials counted;
     for (const TrialRecord *trial : trials) {
         if (!countsIn(*trial, className, task))
             continue;
-        if (!task.empty() && std::ranges::binary_search(otherwise, trial->id, {}, &OtherwiseMeasured::trial))
+        if (!task.empty() &&
+            std::ranges::binary_search(grounds.otherwise, trial->id, {}, &OtherwiseMeasured::trial)) {
             ++counted.leftOut;
-        else
-            counted.trials.push_back(trial);
+            continue;
+        }
+        const auto verdict = grounds.verdicts.find(trial->id);
+        if (verdict != grounds.verdicts.end() && verdict->second.level() == CheckLevel::Bad) {
+            ++counted.bad;
+            continue;
+        }
+        counted.trials.push_back(trial);
+        if (verdict != grounds.verdicts.end() && !verdict->second.isSound())
+            counted.doubtful.insert(trial->id);
     }
     return counted;
 }
 
 CountedTrials countedTrials(const std::vector<TrialRecord> &trials, const std::string &className,
-                            const std::string &task, const std::vector<OtherwiseMeasured> &otherwise)
+                            const std::string &task, const CountingGrounds &grounds)
 {
     std::vector<const TrialRecord *> all;
     for (const TrialRecord &trial : trials)
         all.push_back(&trial);
-    return countedTrials(all, className, task, otherwise);
+    return countedTrials(all, className, task, grounds);
 }
 
 Result<std::map<std::string, ClassMedian>> classMedians(Project &project, const std::string &className,
@@ -83,9 +106,9 @@ Result<std::map<std::string, ClassMedian>> classMedians(Project &project, const 
                                                         const std::vector<std::string> &metrics)
 {
     const auto trials = ODO_TRY(project.trials().all());
-    const auto otherwise = ODO_TRY(project.analyses().trialsMeasuredOtherwise());
+    const auto grounds = ODO_TRY(countingGrounds(project, className, task));
     std::set<RecordId> counted;
-    for (const TrialRecord *trial : countedTrials(trials, className, task, otherwise).trials)
+    for (const TrialRecord *trial : countedTrials(trials, className, task, grounds).trials)
         counted.insert(trial->id);
     std::map<std::string, ClassMedian> trialMetrics;
     for (const std::string &metric : metrics) {
@@ -128,7 +151,8 @@ void measure(TeamStanding &team, bool isLessBetter)
 } // namespace
 
 Standings standingsOf(std::span<const TrialRecord *const> trials,
-                      const std::vector<TrialMetric> &trialMetrics, const StandingsChoice &choice)
+                      const std::vector<TrialMetric> &trialMetrics, const StandingsChoice &choice,
+                      const std::set<RecordId> &doubtful)
 {
     Standings standings{choice, isLessBetter(choice.metric), {}};
     std::unordered_map<RecordId, Metric> best;
@@ -147,7 +171,7 @@ Standings standingsOf(std::span<const TrialRecord *const> trials,
         team.team = trial->teamName;
         team.pseudonym = trial->teamPseudonym;
         team.className = trial->className;
-        team.runs.push_back({trial->name, trial->date, metric->second});
+        team.runs.push_back({trial->name, trial->date, metric->second, doubtful.contains(trial->id)});
     }
     std::vector<TeamStatistics> ranked;
     for (auto &[id, team] : teams) {

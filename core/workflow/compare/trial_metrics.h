@@ -6,9 +6,12 @@
 #include "core/base/error.h"
 #include "core/project/records.h"
 #include "core/project/repositories.h"
+#include "core/project/verdict_repository.h"
 
+#include <algorithm>
 #include <map>
 #include <optional>
+#include <set>
 #include <span>
 #include <string>
 #include <vector>
@@ -44,18 +47,31 @@ Result<std::vector<TrialMetric>> metricsOf(Project &project, const std::string &
 /// Whether a trial belongs to a class and to a task (empty: to any) and is not in the bin. Pure.
 bool countsIn(const TrialRecord &trial, const std::string &className, const std::string &task);
 
+/// By what trials are left out of comparisons.
+struct CountingGrounds
+{
+    std::vector<OtherwiseMeasured> otherwise;  ///< in order of their ids
+    std::map<RecordId, TrialVerdict> verdicts; ///< as trialVerdicts()
+};
+/// For the trials of a class and a task (empty: of any). Errors: those of the repositories and of
+/// trialVerdicts(). On the thread of the project.
+Result<CountingGrounds> countingGrounds(Project &project, const std::string &className,
+                                        const std::string &task);
+
 /// Trials whose metrics can be compared, in their order; they must outlive it.
 struct CountedTrials
 {
     std::vector<const TrialRecord *> trials;
+    std::set<RecordId> doubtful = {}; ///< of them, whose verdict is doubtful and was not accepted
     int leftOut = 0; ///< that belong to the task, and were measured by another course than it has now
+    int bad = 0;     ///< that are left out for a bad verdict
 };
-/// Those that count in a class and a task (countsIn), without those that were measured otherwise; of any task
-/// none is left out for that. otherwise: in order of their ids. Pure.
+/// Those that count in a class and a task (countsIn), without bad ones and those that were measured otherwise;
+/// of any task none is left out for that. Pure.
 CountedTrials countedTrials(std::span<const TrialRecord *const> trials, const std::string &className,
-                            const std::string &task, const std::vector<OtherwiseMeasured> &otherwise);
+                            const std::string &task, const CountingGrounds &grounds);
 CountedTrials countedTrials(const std::vector<TrialRecord> &trials, const std::string &className,
-                            const std::string &task, const std::vector<OtherwiseMeasured> &otherwise);
+                            const std::string &task, const CountingGrounds &grounds);
 
 /// The median of a metric in a class.
 struct ClassMedian
@@ -86,6 +102,7 @@ struct TeamRun
     std::string trial;
     Instant date;
     Metric metric;
+    bool isDoubtful = false; ///< its verdict is, and was not accepted
 };
 
 struct TeamStanding
@@ -94,6 +111,7 @@ struct TeamStanding
     std::vector<TeamRun> runs; ///< in the order of time
     TeamStatistics statistics; ///< its runs' values, median, σ and rank
     TermProgress progress;
+    int doubtfulRuns() const { return int(std::ranges::count_if(runs, &TeamRun::isDoubtful)); }
 };
 
 struct Standings
@@ -107,8 +125,9 @@ struct Standings
 
 /// Best, median, repeatability, progress and rank of the teams (see termProgress, rankTeams). Trials in the
 /// bin, without a team, of another class or task do not count. trialMetrics: of the metric, of these trials.
-/// Pure; any thread.
+/// doubtful: trials that are marked so. Pure; any thread.
 Standings standingsOf(std::span<const TrialRecord *const> trials,
-                      const std::vector<TrialMetric> &trialMetrics, const StandingsChoice &choice);
+                      const std::vector<TrialMetric> &trialMetrics, const StandingsChoice &choice,
+                      const std::set<RecordId> &doubtful = {});
 
 } // namespace odo

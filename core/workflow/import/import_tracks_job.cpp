@@ -15,6 +15,7 @@
 #include "core/trajectory/imported_track.h"
 #include "core/workflow/import/teams.h"
 #include "core/workflow/shared_words.h"
+#include "core/workflow/track/stored_verdicts.h"
 #include "core/workflow/track/track_warnings.h"
 #include "core/workflow/track/view_tracking.h"
 
@@ -287,6 +288,7 @@ Result<void> ImportTracksJob::store(Project &project)
     }
     m_trial.date = m_settings.date.value_or(instantNow());
     m_trial = ODO_TRY(project.trials().add(m_trial, {}));
+    std::vector<AnalysisRecord> made;
     for (std::size_t robot = 0; robot < m_imported.size(); ++robot) {
         Imported &one = m_imported[robot];
         one.source.trial = one.analysis.trial = m_trial.id;
@@ -294,9 +296,13 @@ Result<void> ImportTracksJob::store(Project &project)
         one.source.imported = instantNow();
         ODO_TRY(project.trials().addImportedTrack(one.source, samplesOf(robot)));
         const std::vector<SampleFlags> flags = one.analysis.profile.flags;
-        one.analysis = ODO_TRY(project.analyses().add(std::move(one.analysis), samplesOf(robot, flags)));
+        made.push_back(
+            ODO_TRY(project.analyses().add(std::move(one.analysis), samplesOf(robot, flags))));
     }
-    return {};
+    auto stored = storeVerdict(project, m_trial, made);
+    for (std::size_t robot = 0; robot < made.size(); ++robot)
+        m_imported[robot].analysis = std::move(made[robot]);
+    return stored;
 }
 
 } // namespace odo

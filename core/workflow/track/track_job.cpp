@@ -7,6 +7,7 @@
 #include "core/tracking/colour_tracker.h"
 #include "core/trajectory/imported_track.h"
 #include "core/workflow/track/settled_views.h"
+#include "core/workflow/track/stored_verdicts.h"
 #include "core/workflow/track/track_warnings.h"
 #include "core/workflow/track/trial_occlusions.h"
 #include "core/workflow/track/view_tracking.h"
@@ -135,6 +136,7 @@ struct TrackJob::Impl
     Result<TaskAnalysis> analyseOne(std::vector<TrackedView> &tracked, std::size_t robot) const;
     void findOcclusionsIn(const std::vector<TrackedView> &tracked);
     void addOutcome(AnalysisRecord analysis);
+    Result<void> storeAnalyses(Project &project);
 };
 
 TrackJob::TrackJob(std::string trial, TrackSettings settings) : m_impl(std::make_unique<Impl>())
@@ -338,6 +340,18 @@ void TrackJob::Impl::addOutcome(AnalysisRecord analysis)
     outcome.robots.push_back(std::move(result));
 }
 
+/// With the verdict that follows from them.
+Result<void> TrackJob::Impl::storeAnalyses(Project &project)
+{
+    std::vector<AnalysisRecord> made;
+    for (TrackedRobot &robot : outcome.robots)
+        made.push_back(ODO_TRY(project.analyses().add(std::move(robot.analysis))));
+    auto stored = storeVerdict(project, trial, made);
+    for (std::size_t i = 0; i < made.size(); ++i)
+        outcome.robots[i].analysis = std::move(made[i]);
+    return stored;
+}
+
 Result<void> TrackJob::commit(Project &project)
 {
     Impl &d = *m_impl;
@@ -354,9 +368,7 @@ Result<void> TrackJob::commit(Project &project)
                 ODO_TRY(project.trials().addObservations(series));
             if (!d.settings.pointers.empty())
                 ODO_TRY(project.trials().setPointedOut(d.trial.id, d.pointedOut));
-            for (TrackedRobot &robot : d.outcome.robots) {
-                robot.analysis = ODO_TRY(project.analyses().add(std::move(robot.analysis)));
-            }
+            ODO_TRY(d.storeAnalyses(project));
             std::vector<RecordId> all = d.trial.robots;
             for (const RobotRecord &robot : d.robots) {
                 if (std::find(all.begin(), all.end(), robot.id) == all.end())

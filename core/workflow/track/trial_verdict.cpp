@@ -50,14 +50,26 @@ MessageArgument percent(double share)
     return quantity(100 * share, 0, "%");
 }
 
-/// Of the samples from the first to the last that is used: a robot may come later and leave earlier.
-double usedShare(const std::vector<Sample> &samples)
+/// Of each sample whether it is used; of a long track, whose samples are not held, by their flags.
+std::vector<char> usedSamples(const Profile &profile)
 {
-    const auto first = std::ranges::find_if(samples, isUsed);
-    if (first == samples.end())
-        return 1; // they are not held
-    const auto last = std::find_if(samples.rbegin(), samples.rend(), isUsed).base();
-    return double(std::count_if(first, last, isUsed)) / double(last - first);
+    std::vector<char> used;
+    used.reserve(profile.points.size());
+    for (const Sample &sample : profile.samples)
+        used.push_back(isUsed(sample));
+    for (const SampleFlags flags : profile.flags)
+        used.push_back(!isRejected(flags));
+    return used;
+}
+
+/// Of the samples from the first to the last that is used: a robot may come later and leave earlier.
+double usedShare(const std::vector<char> &used)
+{
+    const auto first = std::ranges::find(used, 1);
+    if (first == used.end())
+        return 1;
+    const auto last = std::find(used.rbegin(), used.rend(), 1).base();
+    return double(std::count(first, last, 1)) / double(last - first);
 }
 
 void checkTime(const AnalysisRecord &analysis, const Message &robot, Checks &checks)
@@ -75,7 +87,7 @@ void checkTime(const AnalysisRecord &analysis, const Message &robot, Checks &che
                                     "large as stated")(quantity(profile.measuredS, 1, "s"),
                                                        quantity(wholeS, 1, "s"))},
                    Join::Colon));
-    const double share = usedShare(profile.samples);
+    const double share = usedShare(usedSamples(profile));
     if (share < doubtfulTracked)
         checks.add(timeMeasured, share < badTracked ? CheckLevel::Bad : CheckLevel::Doubtful,
                    joined({robot, ODO_TEXT("workflow.measured_frames",
@@ -86,7 +98,7 @@ void checkTime(const AnalysisRecord &analysis, const Message &robot, Checks &che
 void checkMotion(const AnalysisRecord &analysis, const Message &robot, Checks &checks)
 {
     const Profile &profile = analysis.profile;
-    const auto used = double(std::max<std::ptrdiff_t>(1, std::ranges::count_if(profile.samples, isUsed)));
+    const auto used = double(std::max<std::ptrdiff_t>(1, std::ranges::count(usedSamples(profile), 1)));
     const double spikes = double(profile.spikes.size()) / used;
     if (spikes > doubtfulSpikes)
         checks.add(fewSpikes, spikes > badSpikes ? CheckLevel::Bad : CheckLevel::Doubtful,
@@ -198,25 +210,6 @@ void passTheRest(bool isFilmed, std::size_t views, Checks &checks)
 
 } // namespace
 
-std::string_view wordOf(CheckLevel level)
-{
-    switch (level) {
-    case CheckLevel::Doubtful:
-        return "doubtful";
-    case CheckLevel::Bad:
-        return "bad";
-    case CheckLevel::Pass:
-        break;
-    }
-    return "pass";
-}
-
-CheckLevel TrialVerdict::level() const
-{
-    const auto worst = std::ranges::max_element(checks, {}, &TrialCheck::level);
-    return worst == checks.end() ? CheckLevel::Pass : worst->level;
-}
-
 Result<TrialVerdict> verdictOn(Project &project, const TrialRecord &trial,
                                const std::vector<const RecordingRecord *> &recordings,
                                const std::vector<AnalysisRecord> &analyses)
@@ -239,7 +232,9 @@ Result<TrialVerdict> verdictOn(Project &project, const TrialRecord &trial,
     for (std::size_t i = 0; used.size() > 1 && i < used.size(); ++i)
         checkSynchronisation(*recordings[used[i]], trial.name, checks);
     passTheRest(!recordings.empty(), used.size(), checks);
-    return checks.take();
+    TrialVerdict verdict = checks.take();
+    verdict.acceptance = ODO_TRY(project.verdicts().acceptance(trial.id));
+    return verdict;
 }
 
 } // namespace odo

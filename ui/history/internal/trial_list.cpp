@@ -8,6 +8,7 @@
 #include "ui/models/results.h"
 #include "ui/models/shown_names.h"
 #include "ui/models/trial_model.h"
+#include "ui/models/verdict_mark.h"
 #include "ui/views/widgets/card.h"
 #include "ui/views/widgets/fact_list.h"
 #include "ui/views/widgets/table_list.h"
@@ -44,7 +45,7 @@ Instant startOf(const QDate &day)
 
 TrialFilterBar::TrialFilterBar(QWidget *parent)
     : QWidget(parent), m_from(new QDateEdit(this)), m_to(new QDateEdit(this)),
-      m_starred(new QToolButton(this)), m_lower(new QHBoxLayout)
+      m_starred(new QToolButton(this)), m_doubtful(new QToolButton(this)), m_lower(new QHBoxLayout)
 {
     // Two rows, so that a window at 200 % still holds them.
     auto *rows = new QVBoxLayout(this);
@@ -72,17 +73,27 @@ TrialFilterBar::TrialFilterBar(QWidget *parent)
         lower->insertWidget(lower->indexOf(m_listSection), edit);
         connect(edit, &QDateEdit::dateChanged, this, &TrialFilterBar::changed);
     }
-    m_starred->setText(tr("Starred"));
-    m_starred->setIcon(themeIcon(QStringLiteral("star")));
-    m_starred->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
-    m_starred->setCheckable(true);
-    m_starred->setFocusPolicy(Qt::TabFocus);
+    makeSwitch(*m_starred, QStringLiteral("star"), tr("Starred"));
     m_starred->setAccessibleName(tr("Only starred trials"));
     m_starred->setToolTip(tr("Show only starred trials"));
-    lower->addWidget(m_starred);
+    makeSwitch(*m_doubtful, QStringLiteral("warning"), tr("Doubtful"));
+    m_doubtful->setAccessibleName(tr("Only trials with doubtful or bad results"));
+    m_doubtful->setToolTip(tr("Show only trials with doubtful or bad results"));
+    for (QToolButton *button : {m_starred, m_doubtful}) {
+        lower->addWidget(button);
+        connect(button, &QToolButton::toggled, this, &TrialFilterBar::changed);
+    }
     lower->addStretch(1);
-    connect(m_starred, &QToolButton::toggled, this, &TrialFilterBar::changed);
     connect(m_dates, &QComboBox::currentIndexChanged, this, &TrialFilterBar::showDates);
+}
+
+void TrialFilterBar::makeSwitch(QToolButton &button, const QString &icon, const QString &text)
+{
+    button.setText(text);
+    button.setIcon(themeIcon(icon));
+    button.setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+    button.setCheckable(true);
+    button.setFocusPolicy(Qt::TabFocus);
 }
 
 void TrialFilterBar::addAtEnd(QWidget *widget)
@@ -123,6 +134,7 @@ TrialFilter TrialFilterBar::filter() const
     filter.task = chosenWord(*m_task);
     filter.robot = chosenWord(*m_robot);
     filter.starred = m_starred->isChecked();
+    filter.doubtful = m_doubtful->isChecked();
     filter.listSection = static_cast<TrialFilter::ListSection>(m_listSection->currentIndex());
     const QDate today = QDate::currentDate();
     switch (m_dates->currentIndex()) {
@@ -160,6 +172,9 @@ TrialTable::TrialTable(TrialModel &model, QWidget *parent) : QTableView(parent)
     setSortingEnabled(true);
     sortByColumn(TrialModel::DateColumn, Qt::DescendingOrder);
     setContextMenuPolicy(Qt::ActionsContextMenu);
+    setItemDelegateForColumn(
+        TrialModel::VerdictColumn,
+        new BadgeDelegate(TrialModel::BadgeTextRole, TrialModel::BadgeStateRole, this));
     horizontalHeader()->setResizeContentsPrecision(0); // of what is on screen, not of thousands
     horizontalHeader()->moveSection(TrialModel::StarColumn, 0);
     horizontalHeader()->setSectionResizeMode(TrialModel::StarColumn, QHeaderView::Fixed);
@@ -234,10 +249,13 @@ QString dateText(Instant instant)
                               QLocale::ShortFormat);
 }
 
-QList<Fact> factsOf(const TrialRecord &trial, const std::vector<AnalysisRecord> &analyses,
+QList<Fact> factsOf(const TrialRow &row, const std::vector<AnalysisRecord> &analyses,
                     const std::vector<TrialScore> &scores)
 {
+    const TrialRecord &trial = row.trial;
     QList<Fact> facts;
+    if (row.verdict)
+        facts.append({TrialDetail::tr("Verdict"), verdictText(*row.verdict), verdictBadge(*row.verdict)});
     const auto add = [&facts](const QString &name, const QString &value) {
         if (!value.isEmpty())
             facts.append({name, value, {}});
@@ -276,7 +294,7 @@ QList<Fact> factsOf(const TrialRecord &trial, const std::vector<AnalysisRecord> 
 } // namespace
 
 TrialDetail::TrialDetail(Project &project, QWidget *parent)
-    : QWidget(parent), m_project(project), m_facts(new FactList), m_notes(new QPlainTextEdit),
+    : QWidget(parent), m_project(project), m_facts(new FactList(FactList::Badges::Beneath)), m_notes(new QPlainTextEdit),
       m_open(new QPushButton(tr("Open in Review"))), m_saveTimer(new QTimer(this))
 {
     auto *scroll = scrolled(m_facts, tr("Facts of the trial"));
@@ -321,8 +339,9 @@ TrialDetail::~TrialDetail()
     saveNotes();
 }
 
-void TrialDetail::showTrial(const TrialRecord &trial)
+void TrialDetail::showTrial(const TrialRow &row)
 {
+    const TrialRecord &trial = row.trial;
     if (trial.id != m_trial)
         saveNotes();
     const QString notes = QString::fromStdString(trial.notes);
@@ -334,7 +353,7 @@ void TrialDetail::showTrial(const TrialRecord &trial)
     const Result<std::vector<TrialScore>> scores = trialScores(m_project, trial.date, trial.date);
     if (!analyses || !scores)
         Q_EMIT failed(analyses ? scores.error() : analyses.error());
-    m_facts->setFacts(factsOf(trial, analyses.value_or(std::vector<AnalysisRecord>()),
+    m_facts->setFacts(factsOf(row, analyses.value_or(std::vector<AnalysisRecord>()),
                               scores.value_or(std::vector<TrialScore>())));
     if (!sameTrial || notes != m_savedNotes) {
         m_savedNotes = notes;

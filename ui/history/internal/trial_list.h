@@ -63,7 +63,7 @@ struct FilterOffer
 };
 
 /// The choices above the list of trials: class, team, task, robot, dates, location (trials, archive, bin),
-/// star. The text is not its own.
+/// star, verdict. The text is not its own.
 class TrialFilterBar : public QWidget
 {
     Q_OBJECT
@@ -81,10 +81,11 @@ Q_SIGNALS:
 private:
     QComboBox *addChoice(QLayout &row, const QString &name, const QString &any);
     void showDates();
+    static void makeSwitch(QToolButton &button, const QString &icon, const QString &text);
 
     QComboBox *m_class, *m_team, *m_task, *m_robot, *m_dates, *m_listSection;
     QDateEdit *m_from, *m_to;
-    QToolButton *m_starred;
+    QToolButton *m_starred, *m_doubtful;
     QHBoxLayout *m_lower;
 };
 
@@ -129,7 +130,7 @@ public:
     ~TrialDetail() override;
 
     /// Its metrics are read from the project.
-    void showTrial(const TrialRecord &trial);
+    void showTrial(const TrialRow &row);
     /// Stores what is being written now instead of in a moment.
     void saveNotes();
     /// Nothing is selected; noTrials: because the project has none.

@@ -9,6 +9,7 @@
 #include "ui/models/results.h"
 #include "ui/models/shown_message.h"
 #include "ui/models/shown_names.h"
+#include "ui/models/verdict_mark.h"
 
 #include <QCoreApplication>
 #include <QDateTime>
@@ -297,17 +298,14 @@ void addVerdict(const TrialVerdict &verdict, QList<Fact> &facts)
 {
     if (verdict.checks.empty())
         return;
-    QStringList reasons;
-    for (const TrialCheck &check : verdict.checks)
-        if (check.level != CheckLevel::Pass)
-            reasons << fullSentence(shownWords(check.text));
-    const Badge badges[] = {{TrialFactsWords::tr("passed"), BadgeState::Good},
-                            {TrialFactsWords::tr("doubtful"), BadgeState::Warning},
-                            {TrialFactsWords::tr("do not rely on it"), BadgeState::Bad}};
+    const bool isOpen = verdict.level() == CheckLevel::Doubtful && !verdict.isAccepted();
     facts.append({TrialFactsWords::tr("Verdict"),
-                  reasons.isEmpty() ? TrialFactsWords::tr("all %1 checks passed").arg(verdict.checks.size())
-                                    : reasons.join(u'\n'),
-                  badges[static_cast<std::size_t>(verdict.level())]});
+                  verdictText(verdict),
+                  verdictBadge(verdict),
+                  {},
+                  isOpen                 ? TrialFactsWords::tr("Accept…")
+                  : verdict.isAccepted() ? TrialFactsWords::tr("Withdraw")
+                                         : QString()});
 }
 
 /// The task, with what a run is worth in it.

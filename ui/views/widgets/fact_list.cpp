@@ -15,6 +15,7 @@
 #include <QDialog>
 #include <QDialogButtonBox>
 #include <QGridLayout>
+#include <QHBoxLayout>
 #include <QKeyEvent>
 #include <QLabel>
 #include <QMouseEvent>
@@ -93,17 +94,6 @@ QToolButton *howButton(const Fact &fact, QWidget *parent)
     return button;
 }
 
-QWidget *withBadgeBeneath(QLabel *value, const Badge &badge, QWidget *parent)
-{
-    auto *both = new QWidget(parent);
-    auto *layout = new QVBoxLayout(both);
-    layout->setContentsMargins(0, 0, 0, rowMargin + 2);
-    layout->setSpacing(0);
-    layout->addWidget(value);
-    layout->addWidget(new BadgeLabel(badge, both), 0, Qt::AlignLeft);
-    return both;
-}
-
 } // namespace
 
 FactList::FactList(Badges badges) : m_badges(badges), m_layout(new QGridLayout(this))
@@ -121,6 +111,28 @@ void FactList::setFacts(const QList<Fact> &facts)
         addRow(row, facts.at(row));
 }
 
+QWidget *FactList::withBadgeBeneath(QLabel *value, const Fact &fact)
+{
+    auto *both = new QWidget(this);
+    auto *layout = new QVBoxLayout(both);
+    layout->setContentsMargins(0, 0, 0, rowMargin + 2);
+    layout->setSpacing(0);
+    layout->addWidget(value);
+    auto *lower = new QHBoxLayout;
+    lower->setSpacing(8);
+    lower->addWidget(new BadgeLabel(fact.badge, both), 0, Qt::AlignVCenter);
+    if (!fact.action.isEmpty()) {
+        auto *button = new QPushButton(fact.action, both);
+        button->setObjectName(QStringLiteral("factAction"));
+        button->setAccessibleName(QStringLiteral("%1: %2").arg(fact.name, fact.action));
+        connect(button, &QPushButton::clicked, this, &FactList::actionRequested);
+        lower->addWidget(button);
+    }
+    lower->addStretch(1);
+    layout->addLayout(lower);
+    return both;
+}
+
 void FactList::addRow(int row, const Fact &fact)
 {
     auto *name = new QLabel(fact.name, this);
@@ -136,7 +148,7 @@ void FactList::addRow(int row, const Fact &fact)
     }
     m_layout->addWidget(name, row, 0);
     const bool hasBadge = !fact.badge.text.isEmpty(), isBeside = hasBadge && m_badges == Badges::Beside;
-    m_layout->addWidget(hasBadge && !isBeside ? withBadgeBeneath(value, fact.badge, this) : value, row, 1, 1,
+    m_layout->addWidget(hasBadge && !isBeside ? withBadgeBeneath(value, fact) : value, row, 1, 1,
                         isBeside || fact.how ? 1 : 2);
     if (fact.how)
         m_layout->addWidget(howButton(fact, this), row, 2, Qt::AlignRight | Qt::AlignTop);

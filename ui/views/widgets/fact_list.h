@@ -13,6 +13,7 @@
 
 class QComboBox;
 class QGridLayout;
+class QLabel;
 class QScrollArea;
 class QWidget;
 
@@ -31,6 +32,7 @@ struct Fact
     QString value;
     Badge badge;
     std::optional<Explanation> how = {}; ///< a button shows it
+    QString action = {}; ///< words of a button beside the badge, where badges are beneath; empty: none
 };
 
 /// Facts beneath one another, names on the left, values wrapping on the right, optionally a button that
@@ -45,10 +47,15 @@ public:
     explicit FactList(Badges badges = Badges::Beside);
     void setFacts(const QList<Fact> &facts);
 
+Q_SIGNALS:
+    /// The button of a fact was pressed.
+    void actionRequested();
+
 protected:
     void paintEvent(QPaintEvent *event) override;
 
 private:
+    QWidget *withBadgeBeneath(QLabel *value, const Fact &fact);
     void addRow(int row, const Fact &fact);
     const Badges m_badges;
     QGridLayout *m_layout;
