@@ -146,8 +146,8 @@ QStringList verdictLines(const TrialVerdict &verdict)
     QStringList lines(QStringLiteral("Verdict: %1").arg(verdictWord(verdict)));
     for (const TrialCheck &check : verdict.checks)
         if (check.level != CheckLevel::Pass)
-            lines << QStringLiteral("  %1: %2").arg(QString::fromStdString(wordOf(check.level)),
-                                                    english(check.text));
+            lines << QStringLiteral("  %1: %2")
+                         .arg(QString::fromStdString(wordOf(check.level)), english(check.text));
     if (verdict.isAccepted())
         lines << QStringLiteral("  accepted: %1").arg(QString::fromStdString(verdict.acceptance->reason));
     return lines;

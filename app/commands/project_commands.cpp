@@ -251,15 +251,15 @@ Result<void> runList(const QStringList &arguments, const CancelToken &cancel)
             robots.append(QString::fromStdString(robot));
         const auto verdict = verdicts.find(trial.id);
         const bool isChecked = verdict != verdicts.end();
-        trials.append(QJsonObject{{QStringLiteral("name"), QString::fromStdString(trial.name)},
-                                  {QStringLiteral("team"), QString::fromStdString(trial.teamName)},
-                                  {QStringLiteral("task"), QString::fromStdString(trial.task)},
-                                  {QStringLiteral("date"), dateText(trial.date)},
-                                  {QStringLiteral("robots"), robots},
-                                  {QStringLiteral("duration_s"), trial.durationS},
-                                  {QStringLiteral("views"), trial.viewCount},
-                                  {QStringLiteral("verdict"),
-                                   isChecked ? verdictLevelJson(verdict->second) : QJsonValue()}});
+        trials.append(QJsonObject{
+            {QStringLiteral("name"), QString::fromStdString(trial.name)},
+            {QStringLiteral("team"), QString::fromStdString(trial.teamName)},
+            {QStringLiteral("task"), QString::fromStdString(trial.task)},
+            {QStringLiteral("date"), dateText(trial.date)},
+            {QStringLiteral("robots"), robots},
+            {QStringLiteral("duration_s"), trial.durationS},
+            {QStringLiteral("views"), trial.viewCount},
+            {QStringLiteral("verdict"), isChecked ? verdictLevelJson(verdict->second) : QJsonValue()}});
         lines << QStringLiteral("  %1  %2  %3  %4 s  %5%6")
                      .arg(QString::fromStdString(trial.name), -24)
                      .arg(QString::fromStdString(trial.teamName), -16)

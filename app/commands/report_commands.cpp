@@ -105,7 +105,7 @@ QJsonArray metricsJson(const std::vector<MetricDifference> &lines)
 {
     QJsonArray metrics;
     for (const MetricDifference &line : lines) {
-        if (!line.difference) // a metric that only one of them has cannot be compared
+        if (!line.difference) // a metric that only one of them has, or a lower bound, cannot be compared
             continue;
         metrics.append(QJsonObject{{QStringLiteral("name"), QString::fromStdString(line.name)},
                                    {QStringLiteral("unit"), QString::fromStdString(line.unit)},
@@ -203,7 +203,8 @@ QString comparisonText(const ComparedTrials &trials, const TrialComparison &comp
                      .arg(valueText(line.b), 9)
                      .arg(line.difference
                               ? differenceText(*line.difference, QString::fromStdString(line.unit))
-                              : QStringLiteral("only one has it"));
+                          : (line.isAtLeastA || line.isAtLeastB) ? QStringLiteral("at least so large")
+                                                                 : QStringLiteral("only one has it"));
     return lines.join(u'\n');
 }
 

@@ -251,8 +251,9 @@ Result<void> runTrial(const QStringList &arguments, const CancelToken &cancel)
     const QString verb = call.positional(0);
     const bool isAccepting = verb == QStringLiteral("accept");
     if (!isAccepting && verb != QStringLiteral("withdraw"))
-        return call.wrongCall(ODO_TEXT("app.trial_verbs", "give accept P.odo TRIAL --reason TEXT, or withdraw "
-                                                          "P.odo TRIAL"));
+        return call.wrongCall(ODO_TEXT("app.trial_verbs",
+                                       "give accept P.odo TRIAL --reason TEXT, or withdraw "
+                                       "P.odo TRIAL"));
     if (isAccepting && !call.isSet(reason))
         return call.missing("reason");
     const auto project = ODO_TRY(call.openProject(1, Project::Access::ReadWrite));

@@ -216,12 +216,14 @@ std::vector<MetricDifference> metricDifferences(const Profile &a, const Profile 
         if (!sameTask && isOfTask(metric.name))
             continue;
         MetricDifference line{metric.name,  metric.unit,  metric.value, std::nullopt,
-                              metric.sigma, std::nullopt, std::nullopt};
+                              metric.sigma, std::nullopt, std::nullopt, metric.isAtLeast};
         if (const auto other = std::ranges::find(b.metrics, metric.name, &Metric::name);
             other != b.metrics.end()) {
             line.b = other->value;
             line.sigmaB = other->sigma;
-            line.difference = differenceOf(metric, scaleA, *other, scaleB, shareCalibration);
+            line.isAtLeastB = other->isAtLeast;
+            if (!line.isAtLeastA && !line.isAtLeastB)
+                line.difference = differenceOf(metric, scaleA, *other, scaleB, shareCalibration);
         }
         differences.push_back(std::move(line));
     }
@@ -229,7 +231,7 @@ std::vector<MetricDifference> metricDifferences(const Profile &a, const Profile 
         if ((sameTask || !isOfTask(metric.name)) &&
             std::ranges::find(a.metrics, metric.name, &Metric::name) == a.metrics.end())
             differences.push_back({metric.name, metric.unit, std::nullopt, metric.value, std::nullopt,
-                                   metric.sigma, std::nullopt});
+                                   metric.sigma, std::nullopt, false, metric.isAtLeast});
     return differences;
 }
 

@@ -54,7 +54,8 @@ struct MetricDifference
     std::string name, unit;
     std::optional<double> a, b;
     std::optional<double> sigmaA, sigmaB;
-    std::optional<Difference> difference; ///< b − a, where both have one
+    std::optional<Difference> difference;        ///< b − a, where both have one that is not a lower bound
+    bool isAtLeastA = false, isAtLeastB = false; ///< Metric::isAtLeast
 };
 
 /// The metrics of two runs side by side, in the order of the first, then those of the second alone. σ of a

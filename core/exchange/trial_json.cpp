@@ -123,7 +123,8 @@ QJsonArray metricsOf(const Profile &profile)
             {QStringLiteral("name"), qtText(metric.name)},
             {QStringLiteral("unit"), qtText(metric.unit)},
             {QStringLiteral("value"), numberOrNull(metric.value)},
-            {QStringLiteral("sigma"), metric.sigma ? numberOrNull(*metric.sigma) : QJsonValue()}});
+            {QStringLiteral("sigma"), metric.sigma ? numberOrNull(*metric.sigma) : QJsonValue()},
+            {QStringLiteral("at_least"), metric.isAtLeast}});
     return metrics;
 }
 
@@ -265,8 +266,7 @@ Result<void> writeTrialJson(const TrialRecord &trial, const std::vector<Recordin
                             const std::vector<ImportedTrack> &imported, const TrialVerdict &verdict,
                             const TextSink &sink)
 {
-    const std::string document =
-        withoutColumns(trial, recordings, analyses, imported, verdict).toStdString();
+    const std::string document = withoutColumns(trial, recordings, analyses, imported, verdict).toStdString();
     TextPieces text(sink);
     std::size_t from = 0;
     for (std::size_t i = 0; i < analyses.size(); ++i) {

@@ -24,8 +24,8 @@ Result<void> writeTrialJson(const TrialRecord &trial, const std::vector<Recordin
                             const std::vector<ImportedTrack> &imported, const TrialVerdict &verdict,
                             const TextSink &sink);
 
-/// {"level", "accepted", "accepted_reason", "checks": [{"code", "level", "text", "arguments"}]}; null of a trial
-/// that is not analysed.
+/// {"level", "accepted", "accepted_reason", "checks": [{"code", "level", "text", "arguments"}]}; null of a
+/// trial that is not analysed.
 QJsonValue verdictJson(const TrialVerdict &verdict);
 
 } // namespace odo

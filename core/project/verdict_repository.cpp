@@ -38,9 +38,9 @@ bool TrialVerdict::isAccepted() const
 
 namespace {
 
-/// What verdicts follow from, of the table trial: the version of the checks, to be raised whenever they change,
-/// the newest analysis of each robot, how the views are synchronised, and the latest check of the position of
-/// a camera that was used.
+/// What verdicts follow from, of the table trial: the version of the checks, to be raised whenever they
+/// change, the newest analysis of each robot, how the views are synchronised, and the latest check of the
+/// position of a camera that was used.
 const QString basisColumn = QStringLiteral(
     "('1|' || COALESCE((SELECT group_concat(newest.id || robot.name) FROM "
     "(SELECT MAX(id) AS id, robot_id FROM analysis WHERE trial_id=trial.id GROUP BY robot_id) AS newest "
@@ -118,8 +118,8 @@ Result<std::map<RecordId, TrialVerdict>> VerdictRepository::all(Instant from, In
     auto read = select.eachRow([&](const Statement &row) -> Result<void> {
         TrialVerdict &verdict = verdicts[row.integer(0)];
         if (const std::string code = row.name(1); !code.empty()) {
-            const auto level = ODO_TRY(fromStoredWord(
-                checkLevelWords, row.text(2), ODO_TEXT("project.verdict", "verdict on a trial")));
+            const auto level = ODO_TRY(fromStoredWord(checkLevelWords, row.text(2),
+                                                      ODO_TEXT("project.verdict", "verdict on a trial")));
             verdict.checks.push_back({code, level, row.message(3)});
         }
         return {};
@@ -193,7 +193,8 @@ Result<void> VerdictRepository::setAcceptance(RecordId trial,
         insert.bind(trial).bind(static_cast<std::int64_t>(acceptance->made.time_since_epoch().count()));
         ODO_TRY(insert.bind(reason).run());
         for (const std::string &code : acceptance->checks) {
-            Statement check(m_connection, QStringLiteral("INSERT OR IGNORE INTO accepted_check VALUES (?,?)"));
+            Statement check(m_connection,
+                            QStringLiteral("INSERT OR IGNORE INTO accepted_check VALUES (?,?)"));
             ODO_TRY(check.bind(trial).bind(code).run());
         }
         return {};

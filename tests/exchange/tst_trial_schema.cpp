@@ -44,13 +44,13 @@ class TestTrialSchema : public QObject
         return analysis;
     }
     static QJsonObject written(const std::vector<AnalysisRecord> &analyses,
-                               const std::vector<ImportedTrack> &imported)
+                               const std::vector<ImportedTrack> &imported, const TrialVerdict &verdict = {})
     {
         RecordingRecord recording;
         recording.cameraName = "A";
         recording.frameTimes.resize(3);
         return QJsonDocument::fromJson(
-                   QByteArray::fromStdString(trialJson({}, {recording}, analyses, imported)))
+                   QByteArray::fromStdString(trialJson({}, {recording}, analyses, imported, verdict)))
             .object();
     }
 
@@ -60,6 +60,13 @@ private Q_SLOTS:
     {
         QCOMPARE(m_schema.problemsOf(written({everyKindOfThing()}, {})), QStringList());
         QCOMPARE(m_schema.problemsOf(written({}, {})), QStringList());
+        TrialVerdict verdict{{{"few_spikes", CheckLevel::Doubtful, foreignWords("30 spikes")}}, {}};
+        QCOMPARE(m_schema.problemsOf(written({everyKindOfThing()}, {}, verdict)), QStringList());
+        verdict.acceptance = {"a cat", {}, {"few_spikes"}};
+        const QJsonObject accepted = written({everyKindOfThing()}, {}, verdict);
+        QCOMPARE(m_schema.problemsOf(accepted), QStringList());
+        QCOMPARE(accepted[QStringLiteral("verdict")][QStringLiteral("accepted_reason")].toString(),
+                 QStringLiteral("a cat"));
         ImportedTrack source;
         source.robot = 7;
         source.format = "tum";

@@ -187,7 +187,7 @@ private Q_SLOTS:
         expectRefusal(foreign, ErrorCode::InvalidInput,
                       QStringLiteral("it is a database of another program"));
         expectRefusal(newer, ErrorCode::NewerFormat,
-                      QStringLiteral("it was written by a newer Odograph (format 17"));
+                      QStringLiteral("it was written by a newer Odograph (format 18"));
         for (int part : {1, 2, 3})
             expectRefusal(whole.left(whole.size() * part / 4), ErrorCode::InvalidInput,
                           QStringLiteral("incomplete: it has"));

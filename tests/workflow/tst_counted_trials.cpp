@@ -36,8 +36,9 @@ class TestCountedTrials : public QObject
     Q_OBJECT
 
     std::vector<TrialRecord> m_trials;
-    const std::vector<OtherwiseMeasured> m_otherwise{
-        {2, "Trial 2", "Slalom", false}, {4, "Trial 4", "Slalom", true}, {5, "Trial 5", "Circle", false}};
+    CountingGrounds m_grounds{
+        {{2, "Trial 2", "Slalom", false}, {4, "Trial 4", "Slalom", true}, {5, "Trial 5", "Circle", false}},
+        {}};
 
 private Q_SLOTS:
     void initTestCase()
@@ -48,32 +49,48 @@ private Q_SLOTS:
     }
     void ofAClassInATask()
     {
-        const CountedTrials counted = countedTrials(m_trials, "9B", "Slalom", m_otherwise);
+        const CountedTrials counted = countedTrials(m_trials, "9B", "Slalom", m_grounds);
         QCOMPARE(idsOf(counted), Ids({1}));
         QCOMPARE(counted.leftOut, 1); // the one in the bin would not count anyhow
     }
     void ofAnyClassInATask()
     {
-        const CountedTrials counted = countedTrials(m_trials, "", "Slalom", m_otherwise);
+        const CountedTrials counted = countedTrials(m_trials, "", "Slalom", m_grounds);
         QCOMPARE(idsOf(counted), Ids({1, 3}));
         QCOMPARE(counted.leftOut, 1);
     }
     void anotherClasssTrialsAreNotLeftOut()
     {
-        const CountedTrials counted = countedTrials(m_trials, "9C", "Slalom", m_otherwise);
+        const CountedTrials counted = countedTrials(m_trials, "9C", "Slalom", m_grounds);
         QCOMPARE(idsOf(counted), Ids({3}));
         QCOMPARE(counted.leftOut, 0);
     }
     void ofAnyTaskAllButTheBinned()
     {
-        const CountedTrials counted = countedTrials(m_trials, "", "", m_otherwise);
+        const CountedTrials counted = countedTrials(m_trials, "", "", m_grounds);
         QCOMPARE(idsOf(counted), Ids({1, 2, 3, 5, 6}));
         QCOMPARE(counted.leftOut, 0);
     }
+    void badResultsAreLeftOut()
+    {
+        CountingGrounds grounds = m_grounds;
+        grounds.verdicts[1].checks = {{"views_agree", CheckLevel::Bad, foreignWords("apart")}};
+        grounds.verdicts[3].checks = {{"few_spikes", CheckLevel::Doubtful, foreignWords("many")}};
+        CountedTrials counted = countedTrials(m_trials, "", "Slalom", grounds);
+        QCOMPARE(idsOf(counted), Ids({3}));
+        QCOMPARE(counted.bad, 1);
+        QCOMPARE(counted.leftOut, 1);
+        QVERIFY(counted.doubtful == std::set<RecordId>{3});
+        grounds.verdicts[3].acceptance = {"seen by me", {}, {"few_spikes"}};
+        counted = countedTrials(m_trials, "", "Slalom", grounds);
+        QCOMPARE(idsOf(counted), Ids({3}));
+        QVERIFY(counted.doubtful.empty());
+        QCOMPARE(countedTrials(m_trials, "", "", grounds).bad, 1); // of any task too
+    }
     void ofNothing()
     {
-        QVERIFY(countedTrials(std::vector<TrialRecord>(), "9B", "Slalom", m_otherwise).trials.empty());
-        QVERIFY(countedTrials(m_trials, "7A", "Slalom", m_otherwise).trials.empty());
+        QVERIFY(countedTrials(std::vector<TrialRecord>(), "9B", "Slalom", m_grounds).trials.empty());
+        QVERIFY(countedTrials(m_trials, "7A", "Slalom", m_grounds).trials.empty());
         QVERIFY(!countsIn(m_trials[3], "9B", "Slalom"));
     }
 };

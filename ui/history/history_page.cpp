@@ -29,7 +29,7 @@
 namespace odo {
 namespace {
 
-constexpr int rowsAtOnce = 300;              ///< that are read in far less than 50 ms
+constexpr int rowsAtOnce = 300;             ///< that are read in far less than 50 ms
 constexpr std::ptrdiff_t trialsAtOnce = 20; ///< whose verdicts are stored in one go
 
 QToolButton *buttonOf(QAction *action)

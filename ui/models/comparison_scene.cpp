@@ -175,21 +175,26 @@ QString timeWithUnit(const Difference &time)
 
 Explanation explainDifference(const ComparisonScene &scene, std::size_t run, const MetricDifference &metric)
 {
-    const auto number = [&metric](std::optional<double> value, std::optional<double> sigma) {
-        return value ? metricNumber({metric.name, metric.unit, *value, sigma}).text()
+    const auto number = [&metric](std::optional<double> value, std::optional<double> sigma,
+                                  bool isAtLeast = false) {
+        return value ? metricNumber({metric.name, metric.unit, *value, sigma, isAtLeast}).text()
                      : ComparisonExplanationWords::tr("none");
     };
     Explanation explanation;
     explanation.what = ComparisonExplanationWords::tr("%1: %2 minus %3")
                            .arg(metricName(metric.name), nameOf(scene, run), nameOf(scene, 0));
-    explanation.inputs << ComparisonExplanationWords::tr("%1: %2").arg(nameOf(scene, 0),
-                                                                       number(metric.a, metric.sigmaA));
-    explanation.inputs << ComparisonExplanationWords::tr("%1: %2").arg(nameOf(scene, run),
-                                                                       number(metric.b, metric.sigmaB));
+    explanation.inputs << ComparisonExplanationWords::tr("%1: %2").arg(
+        nameOf(scene, 0), number(metric.a, metric.sigmaA, metric.isAtLeastA));
+    explanation.inputs << ComparisonExplanationWords::tr("%1: %2").arg(
+        nameOf(scene, run), number(metric.b, metric.sigmaB, metric.isAtLeastB));
     const Explanation each =
         explainMetric(Metric{metric.name, metric.unit, 0, metric.sigmaA ? metric.sigmaA : metric.sigmaB}, {});
     if (!metric.difference) {
-        explanation.value = ComparisonExplanationWords::tr("only one of the two runs has it");
+        explanation.value =
+            metric.a && metric.b
+                ? ComparisonExplanationWords::tr("none: a run was not measured all the time, and is at least "
+                                                 "so large")
+                : ComparisonExplanationWords::tr("only one of the two runs has it");
         explanation.formula = each.formula;
     } else {
         explanation.value = number(metric.difference->value, metric.difference->sigma);
@@ -297,9 +302,9 @@ QString signedText(const NumberText &number, double value)
 }
 
 QString metricText(const MetricDifference &metric, const std::optional<double> &value,
-                   const std::optional<double> &sigma)
+                   const std::optional<double> &sigma, bool isAtLeast)
 {
-    return value ? bareText(metricNumber({metric.name, metric.unit, *value, sigma})) : dash;
+    return value ? bareText(metricNumber({metric.name, metric.unit, *value, sigma, isAtLeast})) : dash;
 }
 
 QString secondsNumber(const std::optional<Difference> &time)
@@ -317,8 +322,8 @@ void DifferenceModel::setMetrics(const std::vector<MetricDifference> &metrics)
     for (const MetricDifference &metric : metrics) {
         const QString unit = metricNumber({metric.name, metric.unit, 0, std::nullopt}).unit;
         Row row{unit.isEmpty() ? metricName(metric.name) : tr("%1, %2").arg(metricName(metric.name), unit),
-                metricText(metric, metric.a, metric.sigmaA),
-                metricText(metric, metric.b, metric.sigmaB),
+                metricText(metric, metric.a, metric.sigmaA, metric.isAtLeastA),
+                metricText(metric, metric.b, metric.sigmaB, metric.isAtLeastB),
                 dash,
                 metric.difference.has_value(),
                 false};

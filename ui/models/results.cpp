@@ -215,8 +215,11 @@ QString StandingsModel::display(const TeamStanding &team, int row, int column) c
         return teamName(row);
     case ClassColumn:
         return QString::fromStdString(team.className);
-    case RunsColumn:
-        return QLocale().toString(team.progress.count);
+    case RunsColumn: {
+        const QString runs = QLocale().toString(team.progress.count);
+        const int doubtful = team.doubtfulRuns();
+        return doubtful == 0 ? runs : tr("%1, %n doubtful", "", doubtful).arg(runs);
+    }
     case BestColumn:
         return valueText(team, team.progress.best, std::nullopt);
     case MedianColumn:
@@ -257,7 +260,7 @@ QVariant StandingsModel::heading(int column, int role) const
     case ClassColumn:
         return tr("Class");
     case RunsColumn:
-        return tr("Trials");
+        return tip ? tr("Those with bad results do not count") : tr("Trials");
     case BestColumn:
         return tr("Best");
     case MedianColumn:

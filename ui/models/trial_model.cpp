@@ -215,8 +215,7 @@ void TrialModel::updateRow(TrialRow row)
 
 void TrialModel::updateVerdict(RecordId trial, const TrialVerdict &verdict)
 {
-    const auto known =
-        std::ranges::find(m_rows, trial, [](const TrialRow &each) { return each.trial.id; });
+    const auto known = std::ranges::find(m_rows, trial, [](const TrialRow &each) { return each.trial.id; });
     if (known == m_rows.end())
         return;
     TrialRow row = *known;

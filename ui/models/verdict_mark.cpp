@@ -16,19 +16,35 @@ class VerdictMarkWords
 
 } // namespace
 
-Badge verdictBadge(const TrialVerdict &verdict)
+QString verdictWord(const TrialVerdict &verdict)
 {
     if (verdict.isAccepted())
-        return {QStringLiteral("✓ ") + VerdictMarkWords::tr("accepted"), BadgeState::Neutral};
+        return VerdictMarkWords::tr("accepted");
     switch (verdict.level()) {
     case CheckLevel::Doubtful:
-        return {QStringLiteral("! ") + VerdictMarkWords::tr("doubtful"), BadgeState::Warning};
+        return VerdictMarkWords::tr("doubtful");
     case CheckLevel::Bad:
-        return {QStringLiteral("✕ ") + VerdictMarkWords::tr("bad"), BadgeState::Bad};
+        return VerdictMarkWords::tr("bad");
     case CheckLevel::Pass:
         break;
     }
-    return {QStringLiteral("✓ ") + VerdictMarkWords::tr("passed"), BadgeState::Good};
+    return VerdictMarkWords::tr("passed");
+}
+
+Badge verdictBadge(const TrialVerdict &verdict)
+{
+    const QString word = QStringLiteral(" ") + verdictWord(verdict);
+    if (verdict.isAccepted())
+        return {u'✓' + word, BadgeState::Neutral};
+    switch (verdict.level()) {
+    case CheckLevel::Doubtful:
+        return {u'!' + word, BadgeState::Warning};
+    case CheckLevel::Bad:
+        return {u'✕' + word, BadgeState::Bad};
+    case CheckLevel::Pass:
+        break;
+    }
+    return {u'✓' + word, BadgeState::Good};
 }
 
 QStringList verdictReasons(const TrialVerdict &verdict)
@@ -38,7 +54,8 @@ QStringList verdictReasons(const TrialVerdict &verdict)
         if (check.level != CheckLevel::Pass)
             reasons << fullSentence(shownWords(check.text));
     if (verdict.isAccepted())
-        reasons << VerdictMarkWords::tr("Accepted: %1").arg(QString::fromStdString(verdict.acceptance->reason));
+        reasons
+            << VerdictMarkWords::tr("Accepted: %1").arg(QString::fromStdString(verdict.acceptance->reason));
     return reasons;
 }
 

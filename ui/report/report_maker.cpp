@@ -6,6 +6,7 @@
 #include "ui/models/comparison_scene.h"
 #include "ui/models/results.h"
 #include "ui/models/shown_names.h"
+#include "ui/models/verdict_mark.h"
 #include "ui/report/internal/class_report.h"
 #include "ui/report/internal/report_painting.h"
 #include "ui/report/internal/run_painting.h"
@@ -298,6 +299,11 @@ void ComparisonPage::paint(const QRectF &sheet)
         foot << ComparisonReportWords::tr("%1: analysed %2, Odograph %3")
                     .arg(literalName(m_scene.name(runAt(side))), reportDate(analysis.made),
                          literalName(analysis.softwareVersion));
+        const TrialVerdict &verdict = m_scene.trials.runs[runAt(side)].verdict;
+        if (verdict.level() != CheckLevel::Pass)
+            foot << ComparisonReportWords::tr("Verdict on %1: %2. %3")
+                        .arg(literalName(m_scene.name(runAt(side))), verdictWord(verdict),
+                             literalName(verdictReasons(verdict).join(u' ')));
     }
     foot << (m_scene.trials.shareCalibration
                  ? ComparisonReportWords::tr(

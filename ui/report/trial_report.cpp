@@ -9,6 +9,7 @@
 #include "ui/models/scene_uncertainty.h"
 #include "ui/models/shown_message.h"
 #include "ui/models/shown_names.h"
+#include "ui/models/verdict_mark.h"
 #include "ui/report/internal/report_painting.h"
 #include "ui/report/internal/run_painting.h"
 #include "ui/report/internal/trial_content.h"
@@ -248,6 +249,7 @@ private:
     void paintMetrics(const QRectF &rect);
     QStringList caveats() const;
     void paintRemarks(const QRectF &rect);
+    double paintVerdict(const QRectF &rect);
 
     QPainter &m_painter;
     const TrialContent &m_content;
@@ -439,6 +441,34 @@ void TrialPage::paintRemarks(const QRectF &rect)
         m_painter.drawLine(QPointF(area.left(), y), QPointF(area.right(), y));
 }
 
+/// Why the results are doubtful or bad, and why they were accepted; gives the height used.
+double TrialPage::paintVerdict(const QRectF &rect)
+{
+    constexpr qsizetype most = 4;
+    QStringList lines = verdictReasons(m_scene.verdict);
+    if (lines.isEmpty())
+        return 0;
+    if (lines.size() > most) {
+        const int more = int(lines.size() - most + 1);
+        lines = lines.first(most - 1) << TrialReportWords::tr("… and %n more", "", more);
+    }
+    const bool isBad = m_scene.verdict.level() == CheckLevel::Bad;
+    const ThemeColours colours = ThemeColours::of(reportPalette());
+    QRectF area = rect;
+    const auto add = [&](const QString &words, QFont::Weight weight, const QColor &colour) {
+        area.setTop(area.top() + drawParagraph(m_painter, area, literalName(words),
+                                               reportFont(smallSize + 1, weight), colour));
+    };
+    add(isBad ? TrialReportWords::tr("Bad results: do not use them.")
+        : m_scene.verdict.isAccepted()
+            ? TrialReportWords::tr("Doubtful results, which were accepted.")
+            : TrialReportWords::tr("Doubtful results: read the reasons before you use them."),
+        QFont::DemiBold, m_scene.verdict.isAccepted() ? colours.text : colours.spike);
+    for (const QString &line : std::as_const(lines))
+        add(line, QFont::Normal, colours.text);
+    return area.top() - rect.top() + 4;
+}
+
 void TrialPage::paint(const QRectF &sheet)
 {
     constexpr double metricsHeight = 66, gap = 10, chartShare = 0.14, remarksHeight = 58;
@@ -456,14 +486,7 @@ void TrialPage::paint(const QRectF &sheet)
         paintPositions(area.adjusted(0, 40, 0, -area.height() * 0.35));
         return;
     }
-    if (m_analysis->proof == AnalysisRecord::Proof::Broken) {
-        constexpr double noticeHeight = 22;
-        drawLine(m_painter, QRectF(area.left(), area.top(), area.width(), noticeHeight),
-                 TrialReportWords::tr(
-                     "Do not rely on these results: they were changed in the file after the analysis."),
-                 reportFont(bodySize + 2), ThemeColours::of(reportPalette()).spike);
-        area.setTop(area.top() + noticeHeight);
-    }
+    area.setTop(area.top() + paintVerdict(area));
     drawMetrics(m_painter, QRectF(area.left(), area.top(), area.width(), metricsHeight), reportMetrics());
     area.setTop(area.top() + metricsHeight + gap);
     QRectF tables = area;
@@ -503,6 +526,8 @@ QStringList trialHeadFacts(const TrialScene &scene, std::size_t robot)
     if (robot < scene.robots.size())
         add(TrialReportWords::tr("Robot"), QString::fromStdString(scene.robots[robot].robot.name));
     add(TrialReportWords::tr("Task"), QString::fromStdString(scene.trial.task));
+    if (!scene.verdict.checks.empty())
+        add(TrialReportWords::tr("Verdict"), verdictWord(scene.verdict));
     facts << reportDate(scene.trial.date);
     return facts;
 }

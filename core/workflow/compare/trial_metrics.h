@@ -66,8 +66,8 @@ struct CountedTrials
     int leftOut = 0; ///< that belong to the task, and were measured by another course than it has now
     int bad = 0;     ///< that are left out for a bad verdict
 };
-/// Those that count in a class and a task (countsIn), without bad ones and those that were measured otherwise;
-/// of any task none is left out for that. Pure.
+/// Those that count in a class and a task (countsIn), without bad ones and those that were measured
+/// otherwise; of any task none is left out for that. Pure.
 CountedTrials countedTrials(std::span<const TrialRecord *const> trials, const std::string &className,
                             const std::string &task, const CountingGrounds &grounds);
 CountedTrials countedTrials(const std::vector<TrialRecord> &trials, const std::string &className,

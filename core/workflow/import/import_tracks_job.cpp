@@ -296,8 +296,7 @@ Result<void> ImportTracksJob::store(Project &project)
         one.source.imported = instantNow();
         ODO_TRY(project.trials().addImportedTrack(one.source, samplesOf(robot)));
         const std::vector<SampleFlags> flags = one.analysis.profile.flags;
-        made.push_back(
-            ODO_TRY(project.analyses().add(std::move(one.analysis), samplesOf(robot, flags))));
+        made.push_back(ODO_TRY(project.analyses().add(std::move(one.analysis), samplesOf(robot, flags))));
     }
     auto stored = storeVerdict(project, m_trial, made);
     for (std::size_t robot = 0; robot < made.size(); ++robot)

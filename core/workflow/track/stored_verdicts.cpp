@@ -111,10 +111,10 @@ Result<void> acceptVerdict(Project &project, const std::string &trialName, const
                     ODO_TEXT("workflow.use_as_it_is", "use the results as they are"));
     if (verdict.level() == CheckLevel::Bad) {
         const auto bad = std::ranges::find(verdict.checks, CheckLevel::Bad, &TrialCheck::level);
-        return fail(ErrorCode::InvalidInput, what,
-                    ODO_TEXT("workflow.bad_is_not_accepted",
-                             "bad results cannot be accepted (%1)")(bad->text),
-                    ODO_TEXT("workflow.remove_cause", "remove the cause and reanalyse, or record it again"));
+        return fail(
+            ErrorCode::InvalidInput, what,
+            ODO_TEXT("workflow.bad_is_not_accepted", "bad results cannot be accepted (%1)")(bad->text),
+            ODO_TEXT("workflow.remove_cause", "remove the cause and reanalyse, or record it again"));
     }
     VerdictAcceptance acceptance{reason, instantNow(), {}};
     for (const TrialCheck &check : verdict.checks)
@@ -133,9 +133,9 @@ Result<void> withdrawAcceptance(Project &project, const std::string &trialName)
         return fail(ErrorCode::NotFound, verdictSubject(trial.name),
                     ODO_TEXT("workflow.was_not_accepted", "nobody accepted it"),
                     ODO_TEXT("workflow.nothing_to_withdraw", "leave it as it is"));
-    return project.change(ODO_TEXT("workflow.withdraw_acceptance",
-                                   "withdraw the acceptance of %1")(Named::trial(trial.name)),
-                          [&] { return project.verdicts().setAcceptance(trial.id, std::nullopt); });
+    return project.change(
+        ODO_TEXT("workflow.withdraw_acceptance", "withdraw the acceptance of %1")(Named::trial(trial.name)),
+        [&] { return project.verdicts().setAcceptance(trial.id, std::nullopt); });
 }
 
 } // namespace odo

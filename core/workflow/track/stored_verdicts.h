@@ -15,18 +15,19 @@ class Project;
 
 /// Computes the verdict on a trial from what the project holds and stores it, in the transaction that changed
 /// results. made: its analyses that were just stored; of other robots they are read. Project's thread.
-Result<void> storeVerdict(Project &project, const TrialRecord &trial, const std::vector<AnalysisRecord> &made);
+Result<void> storeVerdict(Project &project, const TrialRecord &trial,
+                          const std::vector<AnalysisRecord> &made);
 
-/// Computes the verdicts on trials; leaves out those that cannot be read, which is said where they are opened.
-/// Reads all their series: some 10 ms each. Errors: Cancelled, in a CancelScope. On the thread of the project,
-/// which may be open for reading only.
+/// Computes the verdicts on trials; leaves out those that cannot be read, which is said where they are
+/// opened. Reads all their series: some 10 ms each. Errors: Cancelled, in a CancelScope. On the thread of the
+/// project, which may be open for reading only.
 Result<std::vector<StoredVerdict>> computeVerdicts(Project &project, const std::vector<RecordId> &trials);
 
 /// Stores what computeVerdicts() gave, in one transaction; what is out of date by now counts no more anyway.
 Result<void> storeVerdicts(Project &project, const std::vector<StoredVerdict> &verdicts);
 
-/// The verdicts on trials that are analysed, without the checks that were passed; those that are not stored are
-/// computed, which takes its time after an update. As computeVerdicts().
+/// The verdicts on trials that are analysed, without the checks that were passed; those that are not stored
+/// are computed, which takes its time after an update. As computeVerdicts().
 Result<std::map<RecordId, TrialVerdict>> trialVerdicts(Project &project, const std::set<RecordId> &trials);
 
 /// Lets a doubtful result count like one without a doubt, for a reason; a change that can be undone. It ends

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/project/project.h"
 #include "core/project/repositories.h"
+#include "core/project/verdict_repository.h"
 #include "core/workflow/media_upkeep.h"
 #include "tests/support/registered_test.h"
 #include "tests/ui/support/found_widgets.h"
@@ -26,6 +27,7 @@
 #include <QTableView>
 #include <QTemporaryDir>
 #include <QTest>
+#include <QToolButton>
 
 using namespace odo;
 
@@ -54,6 +56,7 @@ private Q_SLOTS:
     void aTrialGoesWhileItIsBeingWrittenAbout();
     void tagsAreWrittenInPlace();
     void theBinIsEmptiedForGood();
+    void verdictsAreComputedShownAndFiltered();
     void showsHowTeamsStand();
     void readsThousandsPieceByPiece();
     void whatIsReadOnlyIsNotMarked();
@@ -270,6 +273,41 @@ void TestHistoryPage::theBinIsEmptiedForGood()
     marks->emptyBin()->trigger();
     QVERIFY(person.isDone());
     QVERIFY(wanted && wanted->trials.size() == 1 && wanted->trials.front().name == "Trial 3");
+}
+
+/// The example has none stored, as projects of older formats.
+void TestHistoryPage::verdictsAreComputedShownAndFiltered()
+{
+    const auto project = copy(QStringLiteral("verdicts.odo"));
+    auto trial = *project->trials().find("Trial 2");
+    trial.syncMethod = "none";
+    QVERIFY(project->trials().setSync(trial));
+    HistoryPage page(*project);
+    page.refresh();
+    QTRY_VERIFY(page.isSettled());
+    auto *table = page.findChild<QTableView *>(QStringLiteral("trials"));
+    const auto cell = [&](int row, int role = Qt::DisplayRole) {
+        return table->model()->index(row, TrialModel::VerdictColumn).data(role).toString();
+    };
+    QCOMPARE(cell(1), QStringLiteral("✕ bad"));
+    QVERIFY(cell(1, Qt::ToolTipRole).contains(QStringLiteral("synchronised")));
+    QVERIFY(cell(2).isEmpty()); // not analysed
+    QVERIFY(project->verdicts().missing(Instant::min(), Instant::max())->empty());
+
+    auto *filter = page.findChild<QToolButton *>(QStringLiteral("doubtfulOnly"));
+    filter->setChecked(true);
+    const auto names = [&] {
+        QStringList shown;
+        for (int row = 0; row < table->model()->rowCount(); ++row)
+            shown << table->model()->index(row, 0).data(TrialModel::NameRole).toString();
+        return shown;
+    };
+    QVERIFY(names().contains(QStringLiteral("Trial 2")));
+    QVERIFY(!names().contains(QStringLiteral("Trial 3")));
+    filter->setChecked(false);
+    QCOMPARE(names().size(), 3);
+    table->sortByColumn(TrialModel::VerdictColumn, Qt::DescendingOrder);
+    QCOMPARE(names().front(), QStringLiteral("Trial 2")); // the worst first
 }
 
 void TestHistoryPage::showsHowTeamsStand()

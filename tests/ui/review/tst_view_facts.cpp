@@ -52,14 +52,21 @@ private Q_SLOTS:
         QVERIFY(verdictFact().value.isEmpty()); // not tracked
         scene.verdict.checks = {{"views_agree", CheckLevel::Pass, foreignWords("the views agree")},
                                 {"few_spikes", CheckLevel::Pass, foreignWords("few spikes")}};
-        QCOMPARE(verdictFact().value, QStringLiteral("all 2 checks passed"));
+        QCOMPARE(verdictFact().value, QStringLiteral("all checks passed"));
+        QVERIFY(verdictFact().action.isEmpty());
         QVERIFY(verdictFact().badge.state == BadgeState::Good);
         scene.verdict.checks[1] = {"few_spikes", CheckLevel::Doubtful, foreignWords("30 spikes")};
         QCOMPARE(verdictFact().value, QStringLiteral("30 spikes."));
         QVERIFY(verdictFact().badge.state == BadgeState::Warning);
+        QCOMPARE(verdictFact().action, QStringLiteral("Accept…"));
+        scene.verdict.acceptance = {"a cat ran past", {}, {"few_spikes"}};
+        QCOMPARE(verdictFact().value, QStringLiteral("30 spikes.\nAccepted: a cat ran past"));
+        QCOMPARE(verdictFact().badge.text, QStringLiteral("✓ accepted"));
+        QCOMPARE(verdictFact().action, QStringLiteral("Withdraw"));
         scene.verdict.checks[0] = {"views_agree", CheckLevel::Bad, foreignWords("the views are apart")};
         QCOMPARE(verdictFact().value, QStringLiteral("the views are apart.\n30 spikes."));
         QVERIFY(verdictFact().badge.state == BadgeState::Bad);
+        QVERIFY(verdictFact().action.isEmpty()); // whatever was accepted before
     }
 
 private:

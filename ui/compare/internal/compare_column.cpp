@@ -5,6 +5,7 @@
 #include "ui/models/comparison_scene.h"
 #include "ui/models/shown_names.h"
 #include "ui/models/timeline.h"
+#include "ui/models/verdict_mark.h"
 #include "ui/views/curves/comparison_curves.h"
 #include "ui/views/widgets/card.h"
 #include "ui/views/widgets/fact_list.h"
@@ -109,8 +110,8 @@ void explainBy(QTableView &table, const std::function<void(int)> &explain)
 CompareColumn::CompareColumn(Timeline &timeline, QWidget *chooser, QWidget *parent)
     : QWidget(parent), m_timeline(timeline), m_result(new Card(tr("Time difference"))),
       m_sectorCard(new Card(tr("Sectors"))), m_metricCard(new Card(tr("Metrics"))),
-      m_others(new QComboBox(this)), m_metricGrid(new MetricGrid), m_sectors(new DifferenceModel(this)),
-      m_metrics(new DifferenceModel(this))
+      m_verdictCard(new Card(tr("Verdict"))), m_verdicts(new FactList), m_others(new QComboBox(this)),
+      m_metricGrid(new MetricGrid), m_sectors(new DifferenceModel(this)), m_metrics(new DifferenceModel(this))
 {
     m_others->setAccessibleName(tr("Run compared with the first one"));
     m_others->setToolTip(m_others->accessibleName());
@@ -135,7 +136,10 @@ CompareColumn::CompareColumn(Timeline &timeline, QWidget *chooser, QWidget *pare
     auto *layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(8);
+    m_verdictCard->setContent(m_verdicts);
+    m_verdictCard->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Maximum);
     layout->addWidget(runs);
+    layout->addWidget(m_verdictCard);
     layout->addWidget(m_result);
     layout->addWidget(m_sectorCard, 2);
     layout->addWidget(m_metricCard, 4);
@@ -150,6 +154,7 @@ void CompareColumn::setScene(ComparisonScenePtr scene)
     m_scene = std::move(scene);
     for (Card *card : {m_result, m_sectorCard, m_metricCard})
         card->setVisible(m_scene != nullptr);
+    showVerdicts();
     if (!m_scene)
         return;
     {
@@ -164,6 +169,20 @@ void CompareColumn::setScene(ComparisonScenePtr scene)
     m_others->setVisible(m_scene->runCount() > 2);
     m_gates = m_scene->compared.gates;
     showRun();
+}
+
+/// Of the runs whose results are not beyond doubt.
+void CompareColumn::showVerdicts()
+{
+    QList<Fact> facts;
+    for (std::size_t run = 0; m_scene && run < m_scene->runCount(); ++run) {
+        const TrialVerdict &verdict = m_scene->scenes[run]->verdict;
+        if (verdict.level() != CheckLevel::Pass)
+            facts.append(
+                {QString::fromStdString(m_scene->name(run)), verdictText(verdict), verdictBadge(verdict)});
+    }
+    m_verdicts->setFacts(facts);
+    m_verdictCard->setHidden(facts.isEmpty());
 }
 
 void CompareColumn::showRun()

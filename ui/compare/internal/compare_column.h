@@ -19,6 +19,7 @@ namespace odo {
 
 class Card;
 class DifferenceModel;
+class FactList;
 class MetricGrid;
 class Timeline;
 
@@ -35,6 +36,7 @@ public:
     void setGates(const std::vector<PathGate> &gates);
 
 private:
+    void showVerdicts();
     void showRun();
     void showMetrics();
     void explainMetricAt(int row);
@@ -44,6 +46,8 @@ private:
     Timeline &m_timeline;
     ComparisonScenePtr m_scene;
     Card *m_result, *m_sectorCard, *m_metricCard;
+    Card *m_verdictCard; ///< shown where a run is not beyond doubt
+    FactList *m_verdicts;
     QComboBox *m_others;     ///< shown for more than two runs
     std::size_t m_other = 1; ///< the run that is shown against the first
     std::vector<PathGate> m_gates;

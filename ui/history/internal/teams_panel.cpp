@@ -34,7 +34,7 @@ struct TeamsPanel::Reading
     bool isAnyScored = false;
     std::vector<std::string> metrics;
     std::vector<TrialMetric> trialMetrics;
-    std::vector<OtherwiseMeasured> otherwise;
+    CountingGrounds grounds;
 };
 
 TeamsPanel::TeamsPanel(Project &project, QWidget *parent)
@@ -83,14 +83,14 @@ Result<TeamsPanel::Reading> TeamsPanel::readMetrics(Project &project, const Stan
     auto classes = project.classes().all();
     auto tasks = project.tasks().current();
     auto metrics = project.analyses().metricNames();
-    auto otherwise = project.analyses().trialsMeasuredOtherwise();
+    auto grounds = countingGrounds(project, choice.className, choice.task);
     const auto scorings = project.tasks().scorings();
     auto trialMetrics = metricsOf(project, choice.metric);
     for (const auto &[isRead, error] :
          {std::pair{classes.has_value(), classes ? Error{} : classes.error()},
           std::pair{tasks.has_value(), tasks ? Error{} : tasks.error()},
           std::pair{metrics.has_value(), metrics ? Error{} : metrics.error()},
-          std::pair{otherwise.has_value(), otherwise ? Error{} : otherwise.error()},
+          std::pair{grounds.has_value(), grounds ? Error{} : grounds.error()},
           std::pair{scorings.has_value(), scorings ? Error{} : scorings.error()},
           std::pair{trialMetrics.has_value(), trialMetrics ? Error{} : trialMetrics.error()}})
         if (!isRead)
@@ -101,7 +101,7 @@ Result<TeamsPanel::Reading> TeamsPanel::readMetrics(Project &project, const Stan
                    !scorings->empty(),
                    std::move(*metrics),
                    std::move(*trialMetrics),
-                   std::move(*otherwise)};
+                   std::move(*grounds)};
 }
 
 void TeamsPanel::refresh()
@@ -173,27 +173,30 @@ void TeamsPanel::showTrials(std::span<const TrialRecord *const> trials)
     if (choice.className.empty())
         std::erase_if(present,
                       [this](const TrialRecord *trial) { return m_archived.contains(trial->className); });
-    const CountedTrials counted = countedTrials(present, choice.className, choice.task, m_read->otherwise);
-    m_model->setStandings(standingsOf(counted.trials, m_read->trialMetrics, choice));
+    const CountedTrials counted = countedTrials(present, choice.className, choice.task, m_read->grounds);
+    m_model->setStandings(standingsOf(counted.trials, m_read->trialMetrics, choice, counted.doubtful));
     m_table->resizeColumnsToContents();
     const auto &teams = m_model->standings().teams;
     const auto same = std::ranges::find(teams, selected, &TeamStanding::team);
     if (!teams.empty())
         m_table->setCurrentIndex(
             m_model->index(same == teams.end() ? 0 : static_cast<int>(same - teams.begin()), 0));
-    showRemark(counted.leftOut);
+    showRemark(counted);
     showTeam();
 }
 
 /// What is seen, and what of it is not.
-void TeamsPanel::showRemark(int leftOut)
+void TeamsPanel::showRemark(const CountedTrials &counted)
 {
     const auto count = static_cast<int>(m_model->standings().teams.size());
     QStringList words(count == 0 ? tr("No team has a result for this metric") : tr("%n team(s)", "", count));
     if (!m_model->standings().isRanked() && count > 0)
         words << tr("choose a task to rank them: runs of different tasks cannot be compared");
-    if (leftOut > 0)
-        words << tr("%n trial(s) not counted: analysed with a different course. Reanalyse them", "", leftOut);
+    if (counted.leftOut > 0)
+        words << tr("%n trial(s) not counted: analysed with a different course. Reanalyse them", "",
+                    counted.leftOut);
+    if (counted.bad > 0)
+        words << tr("%n trial(s) not counted: bad results", "", counted.bad);
     m_card->setRemark(words.join(QStringLiteral(" · ")));
 }
 

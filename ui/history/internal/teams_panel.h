@@ -18,6 +18,7 @@ namespace odo {
 class Card;
 class Project;
 class ProjectReader;
+struct CountedTrials;
 class StandingsModel;
 class TrendChart;
 
@@ -48,7 +49,7 @@ private:
     void take(Result<Reading> reading);
     QComboBox *addChoice(const QString &name);
     void offer();
-    void showRemark(int leftOut);
+    void showRemark(const CountedTrials &counted);
     void showTeam();
 
     ProjectReader *m_reader;

@@ -77,6 +77,7 @@ TrialFilterBar::TrialFilterBar(QWidget *parent)
     m_starred->setAccessibleName(tr("Only starred trials"));
     m_starred->setToolTip(tr("Show only starred trials"));
     makeSwitch(*m_doubtful, QStringLiteral("warning"), tr("Doubtful"));
+    m_doubtful->setObjectName(QStringLiteral("doubtfulOnly"));
     m_doubtful->setAccessibleName(tr("Only trials with doubtful or bad results"));
     m_doubtful->setToolTip(tr("Show only trials with doubtful or bad results"));
     for (QToolButton *button : {m_starred, m_doubtful}) {
@@ -172,9 +173,8 @@ TrialTable::TrialTable(TrialModel &model, QWidget *parent) : QTableView(parent)
     setSortingEnabled(true);
     sortByColumn(TrialModel::DateColumn, Qt::DescendingOrder);
     setContextMenuPolicy(Qt::ActionsContextMenu);
-    setItemDelegateForColumn(
-        TrialModel::VerdictColumn,
-        new BadgeDelegate(TrialModel::BadgeTextRole, TrialModel::BadgeStateRole, this));
+    setItemDelegateForColumn(TrialModel::VerdictColumn,
+                             new BadgeDelegate(TrialModel::BadgeTextRole, TrialModel::BadgeStateRole, this));
     horizontalHeader()->setResizeContentsPrecision(0); // of what is on screen, not of thousands
     horizontalHeader()->moveSection(TrialModel::StarColumn, 0);
     horizontalHeader()->setSectionResizeMode(TrialModel::StarColumn, QHeaderView::Fixed);
@@ -294,8 +294,9 @@ QList<Fact> factsOf(const TrialRow &row, const std::vector<AnalysisRecord> &anal
 } // namespace
 
 TrialDetail::TrialDetail(Project &project, QWidget *parent)
-    : QWidget(parent), m_project(project), m_facts(new FactList(FactList::Badges::Beneath)), m_notes(new QPlainTextEdit),
-      m_open(new QPushButton(tr("Open in Review"))), m_saveTimer(new QTimer(this))
+    : QWidget(parent), m_project(project), m_facts(new FactList(FactList::Badges::Beneath)),
+      m_notes(new QPlainTextEdit), m_open(new QPushButton(tr("Open in Review"))),
+      m_saveTimer(new QTimer(this))
 {
     auto *scroll = scrolled(m_facts, tr("Facts of the trial"));
 

@@ -85,12 +85,13 @@ Result<ClassContentPtr> readClassContent(Project &project, const ClassReportSett
         chosen.metric = std::move(metric);
     }
     const auto trialMetrics = ODO_TRY(metricsOf(project, chosen.metric));
-    const auto otherwise = ODO_TRY(project.analyses().trialsMeasuredOtherwise());
-    const CountedTrials counted = countedTrials(all, chosen.className, chosen.task, otherwise);
-    content->trials = int(counted.trials.size()) + counted.leftOut;
+    const auto grounds = ODO_TRY(countingGrounds(project, chosen.className, chosen.task));
+    const CountedTrials counted = countedTrials(all, chosen.className, chosen.task, grounds);
+    content->trials = int(counted.trials.size()) + counted.leftOut + counted.bad;
     content->leftOut = counted.leftOut;
-    content->standings =
-        standingsOf(counted.trials, trialMetrics, {chosen.className, chosen.task, chosen.metric});
+    content->bad = counted.bad;
+    content->standings = standingsOf(counted.trials, trialMetrics,
+                                     {chosen.className, chosen.task, chosen.metric}, counted.doubtful);
     if (content->standings.teams.empty())
         return fail(
             ErrorCode::NotFound,
@@ -149,6 +150,11 @@ double bestOf(const Standings &standings)
     return standings.isLessBetter ? std::ranges::min(values) : std::ranges::max(values);
 }
 
+QString marked(const QString &text, bool isDoubtful)
+{
+    return isDoubtful ? QStringLiteral("! ") + text : text;
+}
+
 /// How the columns of the ranking share the width.
 struct Columns
 {
@@ -191,16 +197,30 @@ private:
     ThemeColours m_colours;
 };
 
+/// What counts, and what does not.
+QStringList countingLines(const ClassContent &content)
+{
+    QStringList lines(
+        ClassReportWords::tr("Rank: one more than the number of significantly better teams (medians differ "
+                             "by more than 1.96 σ). Teams of the same rank do not differ significantly."));
+    if (content.leftOut > 0)
+        lines << ClassReportWords::tr(
+            "%n trial(s) not counted: analysed with a different course. Reanalyse them.", "",
+            content.leftOut);
+    if (content.bad > 0)
+        lines << ClassReportWords::tr("%n trial(s) not counted: bad results.", "", content.bad);
+    int doubtful = 0;
+    for (const TeamStanding &team : content.standings.teams)
+        doubtful += team.doubtfulRuns();
+    if (doubtful > 0)
+        lines << ClassReportWords::tr("! %n trial(s) with doubtful results counted.", "", doubtful);
+    return lines;
+}
+
 QRectF ClassPage::paintFrame(const QRectF &sheet, const QString &title, const QStringList &facts, int page,
                              int pages)
 {
-    QStringList foot(
-        ClassReportWords::tr("Rank: one more than the number of significantly better teams (medians differ "
-                             "by more than 1.96 σ). Teams of the same rank do not differ significantly."));
-    if (m_content.leftOut > 0)
-        foot << ClassReportWords::tr(
-            "%n trial(s) not counted: analysed with a different course. Reanalyse them.", "",
-            m_content.leftOut);
+    QStringList foot = countingLines(m_content);
     foot << (pages > 1 ? ClassReportWords::tr("Page %1 of %2 · Odograph %3")
                              .arg(page)
                              .arg(pages)
@@ -307,7 +327,8 @@ void ClassPage::paintRow(const QRectF &row, const TeamStanding &team)
          m_standings.isRanked() ? QLocale().toString(team.statistics.rank) : QStringLiteral("–"),
          Qt::AlignRight, QFont::DemiBold);
     cell(columnWidths.team, teamName(team), Qt::AlignLeft);
-    cell(columnWidths.runs, QLocale().toString(int(team.runs.size())), Qt::AlignRight);
+    cell(columnWidths.runs, marked(QLocale().toString(int(team.runs.size())), team.doubtfulRuns() > 0),
+         Qt::AlignRight);
     cell(columnWidths.best, metricOf(m_standings, team.progress.best).text(), Qt::AlignRight);
     cell(columnWidths.median, medianText(team, m_standings), Qt::AlignRight);
     left += columnWidths.strip;
@@ -368,10 +389,11 @@ void ClassPage::paintRuns(const QRectF &rect, const TeamStanding &team)
         table.rows.clear();
         const std::size_t end = column == 1 || !isWide ? team.runs.size() : perColumn;
         for (std::size_t i = column * perColumn; i < end; ++i)
-            table.rows << ReportTable::Row{{reportDate(team.runs[i].date), literalName(team.runs[i].trial),
-                                            metricNumber(team.runs[i].metric).text()},
-                                           false,
-                                           team.runs[i].metric.value == team.progress.best};
+            table.rows << ReportTable::Row{
+                {reportDate(team.runs[i].date), literalName(team.runs[i].trial),
+                 marked(metricNumber(team.runs[i].metric).text(), team.runs[i].isDoubtful)},
+                false,
+                team.runs[i].metric.value == team.progress.best};
         drawTable(m_painter,
                   QRectF(area.left() + double(column) * (width + 20), area.top(), width, area.height()),
                   table);
@@ -411,9 +433,12 @@ void ClassPage::paintTeam(const QRectF &sheet, std::size_t index)
 }
 
 /// As many rows as fit on a page at a height between the least and the most.
-std::vector<RankingPart> partsOf(std::size_t teams, const PageFormat &format, const Letterhead &letterhead)
+std::vector<RankingPart> partsOf(const ClassContent &content, const PageFormat &format,
+                                 const Letterhead &letterhead)
 {
-    const double head = 70, foot = 12.0 * (letterhead.remark.isEmpty() ? 3 : 4) + 10;
+    const std::size_t teams = content.standings.teams.size();
+    const auto lines = std::max<qsizetype>(2, countingLines(content).size()) + 1;
+    const double head = 70, foot = 12.0 * double(lines + (letterhead.remark.isEmpty() ? 0 : 1)) + 10;
     const double later = format.content().height() - head - foot - partTitleHeight - scaleHeight,
                  first = later - metricsHeight - partGap;
     const double wanted = std::clamp(first / double(teams), leastRow, mostRow);
@@ -435,7 +460,7 @@ ReportPages classPages(const ClassContentPtr &content, const ReportOptions &opti
 {
     const PageFormat format{options.paper, false};
     ReportPages pages;
-    for (const RankingPart &part : partsOf(content->standings.teams.size(), format, options.letterhead))
+    for (const RankingPart &part : partsOf(*content, format, options.letterhead))
         pages.push_back({format, [content, options, format, part](QPainter &painter) {
                              ClassPage(painter, *content, options).paintRanking(format.content(), part);
                          }});

@@ -14,6 +14,7 @@ struct ClassContent
     ClassReportSettings settings; ///< with task and metric chosen
     Standings standings;
     int leftOut = 0; ///< trials of the task that were measured by another course
+    int bad = 0;     ///< trials that are left out for a bad verdict
     int trials = 0;  ///< of the class in the task, those without a metric too
 };
 using ClassContentPtr = std::shared_ptr<const ClassContent>;
