@@ -255,7 +255,7 @@ Result<void> runTrial(const QStringList &arguments, const CancelToken &cancel)
                                        "give accept P.odo TRIAL --reason TEXT, or withdraw "
                                        "P.odo TRIAL"));
     if (isAccepting && !call.isSet(reason))
-        return call.missing("reason");
+        return call.missing(reason);
     const auto project = ODO_TRY(call.openProject(1, Project::Access::ReadWrite));
     ODO_TRY(isAccepting ? acceptVerdict(*project, call.text(2), call.value(reason))
                         : withdrawAcceptance(*project, call.text(2)));

@@ -16,7 +16,7 @@ class VerdictMarkWords
 
 } // namespace
 
-QString verdictWord(const TrialVerdict &verdict)
+QString shownVerdict(const TrialVerdict &verdict)
 {
     if (verdict.isAccepted())
         return VerdictMarkWords::tr("accepted");
@@ -33,7 +33,7 @@ QString verdictWord(const TrialVerdict &verdict)
 
 Badge verdictBadge(const TrialVerdict &verdict)
 {
-    const QString word = QStringLiteral(" ") + verdictWord(verdict);
+    const QString word = QStringLiteral(" ") + shownVerdict(verdict);
     if (verdict.isAccepted())
         return {u'✓' + word, BadgeState::Neutral};
     switch (verdict.level()) {

@@ -11,7 +11,7 @@ namespace odo {
 /// How every list, window and report shows the verdict on a trial: a sign, a word and a colour.
 Badge verdictBadge(const TrialVerdict &verdict);
 /// The word alone.
-QString verdictWord(const TrialVerdict &verdict);
+QString shownVerdict(const TrialVerdict &verdict);
 
 /// A sentence for each check that was not passed, and the reason why that was accepted.
 QStringList verdictReasons(const TrialVerdict &verdict);

@@ -302,7 +302,7 @@ void ComparisonPage::paint(const QRectF &sheet)
         const TrialVerdict &verdict = m_scene.trials.runs[runAt(side)].verdict;
         if (verdict.level() != CheckLevel::Pass)
             foot << ComparisonReportWords::tr("Verdict on %1: %2. %3")
-                        .arg(literalName(m_scene.name(runAt(side))), verdictWord(verdict),
+                        .arg(literalName(m_scene.name(runAt(side))), shownVerdict(verdict),
                              literalName(verdictReasons(verdict).join(u' ')));
     }
     foot << (m_scene.trials.shareCalibration

@@ -527,7 +527,7 @@ QStringList trialHeadFacts(const TrialScene &scene, std::size_t robot)
         add(TrialReportWords::tr("Robot"), QString::fromStdString(scene.robots[robot].robot.name));
     add(TrialReportWords::tr("Task"), QString::fromStdString(scene.trial.task));
     if (!scene.verdict.checks.empty())
-        add(TrialReportWords::tr("Verdict"), verdictWord(scene.verdict));
+        add(TrialReportWords::tr("Verdict"), shownVerdict(scene.verdict));
     facts << reportDate(scene.trial.date);
     return facts;
 }
