@@ -219,8 +219,8 @@ private Q_SLOTS:
                 .metric.isAtLeast;
         };
         QVERIFY(isMarked());
-        for (const Metric &metric :
-             example.project->analyses().currentMetrics(example.trial)->front().profile.metrics)
+        const auto analyses = example.project->analyses().currentMetrics(example.trial).value();
+        for (const Metric &metric : analyses.front().profile.metrics)
             QCOMPARE(metric.isAtLeast, metric.name == "max_speed");
     }
 

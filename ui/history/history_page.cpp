@@ -303,7 +303,7 @@ void HistoryPage::takeVerdicts(Result<std::vector<StoredVerdict>> verdicts)
         Q_EMIT failed(verdicts.error());
     } else {
         for (const StoredVerdict &one : *verdicts)
-            m_trials->updateVerdict(one.trial, one.verdict);
+            m_trials->updateVerdict(one);
     }
     checkMore();
     if (m_unchecked.empty()) {

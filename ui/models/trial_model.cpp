@@ -213,14 +213,19 @@ void TrialModel::updateRow(TrialRow row)
     endRemoveRows();
 }
 
-void TrialModel::updateVerdict(RecordId trial, const TrialVerdict &verdict)
+void TrialModel::updateVerdict(const StoredVerdict &verdict)
 {
-    const auto known = std::ranges::find(m_rows, trial, [](const TrialRow &each) { return each.trial.id; });
+    const auto known =
+        std::ranges::find(m_rows, verdict.trial, [](const TrialRow &each) { return each.trial.id; });
     if (known == m_rows.end())
         return;
     TrialRow row = *known;
-    row.verdict = verdict;
+    row.verdict = verdict.verdict;
     row.isUnchecked = false;
+    if (row.topSpeed)
+        row.topSpeed->isAtLeast = std::ranges::any_of(verdict.lowerBounds, [](const auto &bounds) {
+            return std::ranges::find(bounds.second, shownMetric) != bounds.second.end();
+        });
     updateRow(std::move(row));
 }
 

@@ -103,7 +103,7 @@ public:
     /// unless the filter does not let it through any more.
     void updateRow(TrialRow row);
     /// As updateRow, of a trial's verdict that was computed.
-    void updateVerdict(RecordId trial, const TrialVerdict &verdict);
+    void updateVerdict(const StoredVerdict &verdict);
     /// Trials whose verdict is to be computed, as the list was read.
     std::vector<RecordId> unchecked() const;
     void setFilter(TrialFilter filter);

@@ -5,6 +5,7 @@
 #include "ui/models/results.h"
 #include "ui/models/shown_message.h"
 #include "ui/models/shown_names.h"
+#include "ui/models/verdict_mark.h"
 #include "ui/views/widgets/labels.h"
 #include "ui/views/widgets/theme.h"
 
@@ -393,6 +394,8 @@ void ResultPanel::setScene(TrialScenePtr scene)
     for (std::size_t robot = 0; m_scene && robot < m_scene->robots.size(); ++robot)
         m_robots->addItem(QString::fromStdString(m_scene->robots[robot].robot.name));
     m_robots->setVisible(m_robots->count() > 1);
+    const bool isSound = !m_scene || m_scene->verdict.level() == CheckLevel::Pass;
+    setBadge(isSound ? Badge() : verdictBadge(m_scene->verdict));
     showRobot(m_robots->count() > 0 ? 0 : -1);
 }
 
