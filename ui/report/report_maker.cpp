@@ -300,10 +300,12 @@ void ComparisonPage::paint(const QRectF &sheet)
                     .arg(literalName(m_scene.name(runAt(side))), reportDate(analysis.made),
                          literalName(analysis.softwareVersion));
         const TrialVerdict &verdict = m_scene.trials.runs[runAt(side)].verdict;
-        if (verdict.level() != CheckLevel::Pass)
-            foot << ComparisonReportWords::tr("Verdict on %1: %2. %3")
-                        .arg(literalName(m_scene.name(runAt(side))), shownVerdict(verdict),
-                             literalName(verdictReasons(verdict).join(u' ')));
+        if (verdict.level() == CheckLevel::Pass)
+            continue;
+        const QString name = literalName(m_scene.name(runAt(side)));
+        facts << ComparisonReportWords::tr("Verdict on %1: %2").arg(name, shownVerdict(verdict));
+        foot << ComparisonReportWords::tr("Verdict on %1: %2")
+                    .arg(name, literalName(verdictReasons(verdict).join(u' ')));
     }
     foot << (m_scene.trials.shareCalibration
                  ? ComparisonReportWords::tr(

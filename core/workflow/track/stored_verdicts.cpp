@@ -122,7 +122,10 @@ Result<void> acceptVerdict(Project &project, const std::string &trialName, const
     std::ranges::sort(acceptance.checks);
     return project.change(
         ODO_TEXT("workflow.accept_results", "accept the results of %1")(Named::trial(trial.name)),
-        [&] { return project.verdicts().setAcceptance(trial.id, acceptance); });
+        [&]() -> Result<void> {
+            ODO_TRY(project.verdicts().set(computed));
+            return project.verdicts().setAcceptance(trial.id, acceptance);
+        });
 }
 
 Result<void> withdrawAcceptance(Project &project, const std::string &trialName)

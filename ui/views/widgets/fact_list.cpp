@@ -16,7 +16,6 @@
 #include <QDialog>
 #include <QDialogButtonBox>
 #include <QGridLayout>
-#include <QHBoxLayout>
 #include <QKeyEvent>
 #include <QLabel>
 #include <QMouseEvent>
@@ -119,18 +118,15 @@ QWidget *FactList::withBadgeBeneath(QLabel *value, const Fact &fact)
     layout->setContentsMargins(0, 0, 0, rowMargin + 2);
     layout->setSpacing(0);
     layout->addWidget(value);
-    auto *lower = new QHBoxLayout;
-    lower->setSpacing(8);
-    lower->addWidget(new BadgeLabel(fact.badge, both), 0, Qt::AlignVCenter);
+    layout->addWidget(new BadgeLabel(fact.badge, both), 0, Qt::AlignLeft);
     if (!fact.action.isEmpty()) {
         auto *button = new QPushButton(fact.action, both);
         button->setObjectName(QStringLiteral("factAction"));
         button->setAccessibleName(QStringLiteral("%1: %2").arg(fact.name, fact.action));
         connect(button, &QPushButton::clicked, this, &FactList::actionRequested);
-        lower->addWidget(button);
+        layout->addSpacing(rowMargin);
+        layout->addWidget(button, 0, Qt::AlignLeft);
     }
-    lower->addStretch(1);
-    layout->addLayout(lower);
     return both;
 }
 

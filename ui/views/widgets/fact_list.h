@@ -32,7 +32,7 @@ struct Fact
     QString value;
     Badge badge;
     std::optional<Explanation> how = {}; ///< a button shows it
-    QString action = {}; ///< words of a button beside the badge, where badges are beneath; empty: none
+    QString action = {}; ///< words of a button below the badge, where badges are beneath; empty: none
 };
 
 /// Facts beneath one another, names on the left, values wrapping on the right, optionally a button that
