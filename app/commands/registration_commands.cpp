@@ -8,6 +8,7 @@
 #include "core/workflow/calibrate/camera_position_job.h"
 #include "core/workflow/calibrate/cameras.h"
 #include "core/workflow/calibrate/register_job.h"
+#include "core/workflow/track/stored_verdicts.h"
 
 namespace odo {
 
@@ -262,6 +263,8 @@ Result<void> runCheckPosition(const QStringList &arguments, const CancelToken &c
         done = job.run(call.control());
     if (canKeep && done)
         done = job.commit(**project);
+    if (canKeep && done)
+        done = storeMissingVerdicts(**project);
     else if (canKeep && done.error().code == ErrorCode::Undetermined)
         ODO_TRY(keepUndetermined(**project, call.value(option::camera), done.error()));
     if (!done)

@@ -47,9 +47,11 @@ const QString basisColumn = QStringLiteral(
     "JOIN robot ON robot.id=newest.robot_id), '') || '|' || "
     "COALESCE((SELECT group_concat(sync_method || start_offset_s || '±' || start_offset_sigma_s || '*' || "
     "clock_rate) FROM recording WHERE trial_id=trial.id), '') || '|' || "
-    "COALESCE((SELECT MAX(registration_check.id) FROM analysis JOIN analysis_view ON analysis_id=analysis.id "
-    "JOIN registration_check ON registration_check.registration_id=analysis_view.registration_id "
-    "WHERE analysis.trial_id=trial.id), 0))");
+    "COALESCE((SELECT group_concat(DISTINCT latest.id) FROM analysis "
+    "JOIN analysis_view ON analysis_id=analysis.id "
+    "JOIN registration_check AS latest ON latest.registration_id=analysis_view.registration_id "
+    "WHERE analysis.trial_id=trial.id AND latest.outcome='camera' AND latest.id="
+    "(SELECT MAX(id) FROM registration_check WHERE registration_id=latest.registration_id)), ''))");
 
 /// As the first parameters of a statement.
 void bindDates(Statement &statement, Instant from, Instant to)

@@ -125,6 +125,9 @@ private Q_SLOTS:
         const RecordId registration =
             example.project->analyses().current(example.trial)->front().registrations.front();
         QVERIFY(example.project->cameras().addCheck(
+            registration, {instantNow(), RegistrationCheck::Outcome::Still, 0.1, 0, {}}));
+        QVERIFY(example.isStored()); // nothing is to be said
+        QVERIFY(example.project->cameras().addCheck(
             registration, {instantNow(), RegistrationCheck::Outcome::CameraMoved, 3, 0.01, {}}));
         QVERIFY(!example.isStored());
         example.compute();

@@ -85,6 +85,13 @@ Result<void> storeVerdicts(Project &project, const std::vector<StoredVerdict> &v
     });
 }
 
+Result<void> storeMissingVerdicts(Project &project)
+{
+    const auto missing = ODO_TRY(project.verdicts().missing(Instant::min(), Instant::max()));
+    const auto computed = ODO_TRY(computeVerdicts(project, missing));
+    return storeVerdicts(project, computed);
+}
+
 Result<std::map<RecordId, TrialVerdict>> trialVerdicts(Project &project, const std::set<RecordId> &trials)
 {
     auto verdicts = ODO_TRY(project.verdicts().all(Instant::min(), Instant::max()));

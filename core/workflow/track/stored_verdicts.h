@@ -26,6 +26,10 @@ Result<std::vector<StoredVerdict>> computeVerdicts(Project &project, const std::
 /// Stores what computeVerdicts() gave, in one transaction; what is out of date by now counts no more anyway.
 Result<void> storeVerdicts(Project &project, const std::vector<StoredVerdict> &verdicts);
 
+/// Both for all trials whose verdict is missing: at the end of a command that changes what verdicts follow
+/// from.
+Result<void> storeMissingVerdicts(Project &project);
+
 /// The verdicts on trials that are analysed, without the checks that were passed; those that are not stored
 /// are computed, which takes its time after an update. As computeVerdicts().
 Result<std::map<RecordId, TrialVerdict>> trialVerdicts(Project &project, const std::set<RecordId> &trials);
