@@ -5,6 +5,7 @@
 #include "core/exchange/project_archive.h"
 #include "core/project/project.h"
 #include "core/project/repositories.h"
+#include "core/project/verdict_repository.h"
 #include "core/workflow/export_job.h"
 #include "core/workflow/import/import_tracks_job.h"
 #include "core/workflow/import/import_trial_job.h"
@@ -65,6 +66,11 @@ std::vector<Change> changes()
         undoable("set tags",
                  [=](Project &p) {
                      return p.trials().setTags(trial(p)->id, {"wet", "été"});
+                 }),
+        undoable("accept its results",
+                 [trial](Project &p) {
+                     const VerdictAcceptance acceptance{"a cat ran past", instantNow(), {"few_spikes"}};
+                     return p.verdicts().setAcceptance(trial(p)->id, acceptance);
                  }),
         [](Project &p) { return withoutValue(p.undo()); },
         [](Project &p) { return withoutValue(p.redo()); },
