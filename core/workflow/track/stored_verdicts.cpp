@@ -14,10 +14,9 @@ namespace odo {
 namespace {
 
 Result<StoredVerdict> computeVerdict(Project &project, const TrialRecord &trial,
-                                     const std::vector<AnalysisRecord> &analyses)
+                                     const std::vector<AnalysisRecord> &analyses, std::string basis)
 {
-    StoredVerdict stored{trial.id, {}, {}, {}};
-    stored.basis = ODO_TRY(project.verdicts().basis(trial.id));
+    StoredVerdict stored{trial.id, {}, std::move(basis), {}};
     const auto recordings = ODO_TRY(project.trials().recordings(trial.id));
     std::vector<const RecordingRecord *> views;
     for (const RecordingRecord &recording : recordings)
@@ -32,11 +31,13 @@ Result<StoredVerdict> computeVerdict(Project &project, const TrialRecord &trial,
     return stored;
 }
 
+/// The basis is read first: where somebody else analyses the trial meanwhile, the verdict is out of date.
 Result<StoredVerdict> computeVerdict(Project &project, RecordId id)
 {
+    auto basis = ODO_TRY(project.verdicts().basis(id));
     const auto trial = ODO_TRY(project.trials().get(id));
     const auto analyses = ODO_TRY(project.analyses().current(id));
-    return computeVerdict(project, trial, analyses);
+    return computeVerdict(project, trial, analyses, std::move(basis));
 }
 
 /// Only what a list shows.
@@ -59,7 +60,9 @@ Result<void> storeVerdict(Project &project, const TrialRecord &trial, const std:
     const bool isComplete = std::ranges::all_of(newest, [&made](const AnalysisRecord &one) {
         return std::ranges::find(made, one.id, &AnalysisRecord::id) != made.end();
     });
-    const auto stored = isComplete ? computeVerdict(project, trial, made) : computeVerdict(project, trial.id);
+    auto basis = ODO_TRY(project.verdicts().basis(trial.id));
+    const auto stored = isComplete ? computeVerdict(project, trial, made, std::move(basis))
+                                   : computeVerdict(project, trial.id);
     return stored ? project.verdicts().set(*stored) : tl::unexpected(stored.error());
 }
 
