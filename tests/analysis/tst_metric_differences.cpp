@@ -63,6 +63,18 @@ private Q_SLOTS:
                  std::size_t(0));
     }
 
+    void lowerBoundsAreNotCompared()
+    {
+        Profile whole, gaps;
+        whole.metrics = {{"path_length", "m", 6, 0.01}, {"mean_speed", "m/s", 1, 0.01}};
+        gaps.metrics = {{"path_length", "m", 4, 0.01, true}, {"mean_speed", "m/s", 0.5, 0.01}};
+        const auto lines = metricDifferences(whole, gaps, false, true);
+        QVERIFY(!lines[0].difference && lines[0].isAtLeastB && !lines[0].isAtLeastA);
+        QCOMPARE(lines[0].b.value(), 4.0);
+        QVERIFY(lines[1].difference->isSignificant());
+        QVERIFY(metricDifferences(gaps, whole, false, true)[0].isAtLeastA);
+    }
+
     void aSharedErrorOfScaleLeavesThePathLengthsAlone()
     {
         // The same way: what the scale does to one length it does to the other.
