@@ -42,7 +42,7 @@ private Q_SLOTS:
         const QByteArray bytes = content(m_file);
         QVERIFY(bytes.startsWith("SQLite format 3"));
         QCOMPARE(bytes.mid(68, 4), QByteArray("Odog"));
-        QCOMPARE(bytes.mid(60, 4), QByteArray("\0\0\0\20", 4));
+        QCOMPARE(bytes.mid(60, 4), QByteArray("\0\0\0\21", 4));
     }
 
     void ofTwoThatWriteOneWaitsForTheOther()
@@ -183,7 +183,7 @@ private Q_SLOTS:
         const QByteArray whole = content(m_file);
         QByteArray foreign = whole, newer = whole;
         foreign.replace(68, 4, "\0\0\0\0", 4);
-        newer.replace(60, 4, "\0\0\0\x11", 4);
+        newer.replace(60, 4, "\0\0\0\x12", 4);
         expectRefusal(foreign, ErrorCode::InvalidInput,
                       QStringLiteral("it is a database of another program"));
         expectRefusal(newer, ErrorCode::NewerFormat,
