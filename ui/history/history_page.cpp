@@ -4,6 +4,7 @@
 #include "core/project/class_repository.h"
 #include "core/project/project.h"
 #include "core/project/repositories.h"
+#include "core/workflow/job.h"
 #include "core/workflow/track/stored_verdicts.h"
 #include "ui/history/internal/mark_actions.h"
 #include "ui/history/internal/teams_panel.h"
@@ -307,11 +308,13 @@ void HistoryPage::takeVerdicts(Result<std::vector<StoredVerdict>> verdicts)
     }
     checkMore();
     if (m_unchecked.empty()) {
+        if (m_trials->filter().doubtful) // some may have to appear
+            filter();
         m_table->fit();
         showCurrent();
         showCount();
     }
-    showSettled();
+    callLater(this, [this] { showSettled(); }); // once the facts have their place
 }
 
 void HistoryPage::offerFilters()
