@@ -3,6 +3,7 @@
 #include "tests/support/registered_test.h"
 
 #include <QJsonArray>
+#include <QJsonDocument>
 #include <QTest>
 
 using namespace odo;
