@@ -119,12 +119,12 @@ QJsonArray metricsOf(const Profile &profile)
 {
     QJsonArray metrics;
     for (const Metric &metric : profile.metrics)
-        metrics.append(QJsonObject{
-            {QStringLiteral("name"), qtText(metric.name)},
-            {QStringLiteral("unit"), qtText(metric.unit)},
-            {QStringLiteral("value"), numberOrNull(metric.value)},
-            {QStringLiteral("sigma"), metric.sigma ? numberOrNull(*metric.sigma) : QJsonValue()},
-            {QStringLiteral("at_least"), metric.isAtLeast}});
+        metrics.append(
+            QJsonObject{{QStringLiteral("name"), qtText(metric.name)},
+                        {QStringLiteral("unit"), qtText(metric.unit)},
+                        {QStringLiteral("value"), numberOrNull(metric.value)},
+                        {QStringLiteral("sigma"), metric.sigma ? numberOrNull(*metric.sigma) : QJsonValue()},
+                        {QStringLiteral("at_least"), metric.isAtLeast}});
     return metrics;
 }
 
