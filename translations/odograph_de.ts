@@ -206,6 +206,20 @@
         <source>Spread of one run</source>
         <translation>Streuung einer Fahrt</translation>
     </message>
+    <message numerus="yes">
+        <source>%n trial(s) not counted: bad results.</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>! %n trial(s) with doubtful results counted.</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>ComparisonExplanation</name>
@@ -337,6 +351,10 @@
         <source>σ of the smoothed velocity there, including the calibration&apos;s scale uncertainty</source>
         <translation>σ der geglätteten Geschwindigkeit dort, mit dem Maßstabsfehler der Kalibrierung</translation>
     </message>
+    <message>
+        <source>none: a run was not measured all the time, and is at least so large</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>ComparisonReport</name>
@@ -423,6 +441,10 @@
     <message>
         <source>Metrics</source>
         <translation>Kennwerte</translation>
+    </message>
+    <message>
+        <source>Verdict on %1: %2</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -1875,24 +1897,16 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <translation>Rate schwankt</translation>
     </message>
     <message>
-        <source>passed</source>
-        <translation>bestanden</translation>
-    </message>
-    <message>
-        <source>doubtful</source>
-        <translation>fraglich</translation>
-    </message>
-    <message>
-        <source>do not rely on it</source>
-        <translation>nicht verwenden</translation>
-    </message>
-    <message>
         <source>Verdict</source>
         <translation>Urteil</translation>
     </message>
     <message>
-        <source>all %1 checks passed</source>
-        <translation>alle %1 Prüfungen bestanden</translation>
+        <source>Accept…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Withdraw</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -1986,12 +2000,31 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <translation>Aufgabe</translation>
     </message>
     <message>
-        <source>Do not rely on these results: they were changed in the file after the analysis.</source>
-        <translation>Verlassen Sie sich nicht auf diese Ergebnisse: Sie wurden seit der Auswertung in der Datei geändert.</translation>
-    </message>
-    <message>
         <source>%1 times in all</source>
         <translation>insgesamt %1-mal</translation>
+    </message>
+    <message numerus="yes">
+        <source>… and %n more</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Bad results: do not use them.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Doubtful results, which were accepted.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Doubtful results: read the reasons before you use them.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Verdict</source>
+        <translation type="unfinished">Urteil</translation>
     </message>
 </context>
 <context>
@@ -2003,6 +2036,33 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>%1 (%2 to %3)</source>
         <translation>%1 (%2 bis %3)</translation>
+    </message>
+</context>
+<context>
+    <name>VerdictMark</name>
+    <message>
+        <source>accepted</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>doubtful</source>
+        <translation type="unfinished">fraglich</translation>
+    </message>
+    <message>
+        <source>bad</source>
+        <translation type="unfinished">schlecht</translation>
+    </message>
+    <message>
+        <source>passed</source>
+        <translation type="unfinished">bestanden</translation>
+    </message>
+    <message>
+        <source>Accepted: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>all checks passed</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -9667,6 +9727,10 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <source>Gap at cursor</source>
         <translation>Hier</translation>
     </message>
+    <message>
+        <source>Verdict</source>
+        <translation type="unfinished">Urteil</translation>
+    </message>
 </context>
 <context>
     <name>odo::CompareDesk</name>
@@ -12233,6 +12297,14 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <source>Import trial from videos…</source>
         <translation>Versuch aus Videos importieren…</translation>
     </message>
+    <message>
+        <source>Accept doubtful results</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Why can these results be used? The reason is shown wherever they are.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>odo::RevisionImage</name>
@@ -13085,6 +13157,17 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <source>Progress</source>
         <translation>Fortschritt</translation>
     </message>
+    <message numerus="yes">
+        <source>%1, %n doubtful</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Those with bad results do not count</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>odo::StartCard</name>
@@ -13679,6 +13762,13 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <translation>
             <numerusform>%n Versuch ausgelassen: nach einem anderen Parcours ausgewertet; bitte neu auswerten</numerusform>
             <numerusform>%n Versuche ausgelassen: nach einem anderen Parcours ausgewertet; bitte neu auswerten</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n trial(s) not counted: bad results</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
         </translation>
     </message>
 </context>
@@ -14389,6 +14479,10 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <source>No trial selected</source>
         <translation>Kein Versuch ausgewählt</translation>
     </message>
+    <message>
+        <source>Verdict</source>
+        <translation type="unfinished">Urteil</translation>
+    </message>
 </context>
 <context>
     <name>odo::TrialFilterBar</name>
@@ -14488,6 +14582,18 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <source>Show only starred trials</source>
         <translation>Nur Versuche mit Stern zeigen</translation>
     </message>
+    <message>
+        <source>Doubtful</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Only trials with doubtful or bad results</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Show only trials with doubtful or bad results</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>odo::TrialModel</name>
@@ -14558,6 +14664,10 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>Tags</source>
         <translation>Schlagwörter</translation>
+    </message>
+    <message>
+        <source>Verdict</source>
+        <translation type="unfinished">Urteil</translation>
     </message>
 </context>
 <context>
@@ -14797,6 +14907,13 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>Zone %1</source>
         <translation>Zone %1</translation>
+    </message>
+</context>
+<context>
+    <name>project.acceptance_reason</name>
+    <message>
+        <source>reason for accepting the results</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -15371,6 +15488,13 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>messages as codes with their arguments</source>
         <translation>Sätze als Codes mit ihren Argumenten</translation>
+    </message>
+</context>
+<context>
+    <name>project.format_17</name>
+    <message>
+        <source>verdicts, and their acceptance</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -16347,6 +16471,13 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
 </context>
 <context>
+    <name>project.reason_is_blank</name>
+    <message>
+        <source>it is blank</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>project.record_another</name>
     <message>
         <source>record another trial</source>
@@ -16582,6 +16713,13 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>run a check of the project</source>
         <translation>prüfen Sie das Projekt</translation>
+    </message>
+</context>
+<context>
+    <name>project.say_why</name>
+    <message>
+        <source>write why the results can be used</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -16876,6 +17014,13 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>a value is too large to store</source>
         <translation>ein Wert ist zu groß zum Speichern</translation>
+    </message>
+</context>
+<context>
+    <name>project.verdict</name>
+    <message>
+        <source>verdict on a trial</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -19224,6 +19369,13 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
 </context>
 <context>
+    <name>workflow.accept_results</name>
+    <message>
+        <source>accept the results of %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>workflow.add_one_with</name>
     <message>
         <source>add one with</source>
@@ -19277,6 +19429,13 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>the registration assumes a lens without distortion, because the lens was not calibrated</source>
         <translation>ihr Objektiv wurde nicht kalibriert, sondern als verzeichnungsfrei angenommen</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.bad_is_not_accepted</name>
+    <message>
+        <source>bad results cannot be accepted (%1)</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -19515,6 +19674,13 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>check whether camera %1 has moved</source>
         <translation>prüfen, ob sich Kamera %1 bewegt hat</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.checking_trials</name>
+    <message>
+        <source>checks of the trials</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -20512,6 +20678,13 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
 </context>
 <context>
+    <name>workflow.nothing_to_accept</name>
+    <message>
+        <source>all checks were passed</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>workflow.nothing_to_analyse_again</name>
     <message>
         <source>it has not been tracked yet, so it cannot be reanalysed</source>
@@ -20523,6 +20696,13 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>no action is needed</source>
         <translation>es gibt nichts zu tun</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.nothing_to_withdraw</name>
+    <message>
+        <source>leave it as it is</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -20939,6 +21119,13 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
 </context>
 <context>
+    <name>workflow.remove_cause</name>
+    <message>
+        <source>remove the cause and reanalyse, or record it again</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>workflow.remove_for_good</name>
     <message>
         <source>remove %1 for good</source>
@@ -21275,6 +21462,13 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
 </context>
 <context>
+    <name>workflow.use_as_it_is</name>
+    <message>
+        <source>use the results as they are</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>workflow.use_earlier_registration</name>
     <message>
         <source>if it moved before this trial, register it again and reanalyse</source>
@@ -21286,6 +21480,13 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>use frame %1 of %2</source>
         <translation>Bild %1 von %2 verwenden</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.verdict_on</name>
+    <message>
+        <source>verdict on trial &apos;%1&apos;</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -21373,10 +21574,24 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
 </context>
 <context>
+    <name>workflow.was_not_accepted</name>
+    <message>
+        <source>nobody accepted it</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>workflow.why_views_contradict</name>
     <message>
         <source>a camera has moved since its registration, the views are not synchronised, or the robot&apos;s height is wrong</source>
         <translation>eine Kamera wurde nach dem Einmessen bewegt, die Sichten laufen nicht synchron, oder der Roboter ist nicht so hoch wie angegeben</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.withdraw_acceptance</name>
+    <message>
+        <source>withdraw the acceptance of %1</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>

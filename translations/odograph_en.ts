@@ -17,6 +17,20 @@
             <numerusform>%n trials not counted: analysed with a different course. Reanalyse them.</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>%n trial(s) not counted: bad results.</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>! %n trial(s) with doubtful results counted.</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>RangeFacts</name>
@@ -55,6 +69,16 @@
         <translation>
             <numerusform>(%n sample)</numerusform>
             <numerusform>(%n samples)</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>TrialReport</name>
+    <message numerus="yes">
+        <source>… and %n more</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
         </translation>
     </message>
 </context>
@@ -171,6 +195,16 @@
     </message>
 </context>
 <context>
+    <name>odo::StandingsModel</name>
+    <message numerus="yes">
+        <source>%1, %n doubtful</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>odo::TasksDialog</name>
     <message numerus="yes">
         <source>%n trial(s)</source>
@@ -246,6 +280,13 @@
         <translation>
             <numerusform>%n trial not counted: analysed with a different course. Reanalyse it</numerusform>
             <numerusform>%n trials not counted: analysed with a different course. Reanalyse them</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n trial(s) not counted: bad results</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
         </translation>
     </message>
 </context>

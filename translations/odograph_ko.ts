@@ -204,6 +204,18 @@
         <source>Spread of one run</source>
         <translation>주행 하나의 산포</translation>
     </message>
+    <message numerus="yes">
+        <source>%n trial(s) not counted: bad results.</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>! %n trial(s) with doubtful results counted.</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>ComparisonExplanation</name>
@@ -335,6 +347,10 @@
         <source>σ of the smoothed velocity there, including the calibration&apos;s scale uncertainty</source>
         <translation>그 지점에서 평활화된 속도의 σ, 보정의 축척 오차 포함</translation>
     </message>
+    <message>
+        <source>none: a run was not measured all the time, and is at least so large</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>ComparisonReport</name>
@@ -421,6 +437,10 @@
     <message>
         <source>Metrics</source>
         <translation>지표</translation>
+    </message>
+    <message>
+        <source>Verdict on %1: %2</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -1869,24 +1889,16 @@ Much more than expected means that a setting is wrong: the views are not synchro
         <translation>속도 불규칙</translation>
     </message>
     <message>
-        <source>passed</source>
-        <translation>통과</translation>
-    </message>
-    <message>
-        <source>doubtful</source>
-        <translation>의심스러움</translation>
-    </message>
-    <message>
-        <source>do not rely on it</source>
-        <translation>사용하지 마세요</translation>
-    </message>
-    <message>
         <source>Verdict</source>
         <translation>판정</translation>
     </message>
     <message>
-        <source>all %1 checks passed</source>
-        <translation>검사 %1개 모두 통과</translation>
+        <source>Accept…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Withdraw</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -1980,12 +1992,30 @@ Much more than expected means that a setting is wrong: the views are not synchro
         <translation>과제</translation>
     </message>
     <message>
-        <source>Do not rely on these results: they were changed in the file after the analysis.</source>
-        <translation>이 결과를 신뢰하지 마십시오: 분석 후 파일에서 변경되었습니다.</translation>
-    </message>
-    <message>
         <source>%1 times in all</source>
         <translation>모두 %1회</translation>
+    </message>
+    <message numerus="yes">
+        <source>… and %n more</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Bad results: do not use them.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Doubtful results, which were accepted.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Doubtful results: read the reasons before you use them.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Verdict</source>
+        <translation type="unfinished">판정</translation>
     </message>
 </context>
 <context>
@@ -1997,6 +2027,33 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>%1 (%2 to %3)</source>
         <translation>%1(%2~%3)</translation>
+    </message>
+</context>
+<context>
+    <name>VerdictMark</name>
+    <message>
+        <source>accepted</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>doubtful</source>
+        <translation type="unfinished">의심스러움</translation>
+    </message>
+    <message>
+        <source>bad</source>
+        <translation type="unfinished">나쁨</translation>
+    </message>
+    <message>
+        <source>passed</source>
+        <translation type="unfinished">통과</translation>
+    </message>
+    <message>
+        <source>Accepted: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>all checks passed</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -9659,6 +9716,10 @@ Much more than expected means that a setting is wrong: the views are not synchro
         <source>Gap at cursor</source>
         <translation>여기서</translation>
     </message>
+    <message>
+        <source>Verdict</source>
+        <translation type="unfinished">판정</translation>
+    </message>
 </context>
 <context>
     <name>odo::CompareDesk</name>
@@ -12214,6 +12275,14 @@ Much more than expected means that a setting is wrong: the views are not synchro
         <source>Import trial from videos…</source>
         <translation>동영상에서 시행 가져오기…</translation>
     </message>
+    <message>
+        <source>Accept doubtful results</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Why can these results be used? The reason is shown wherever they are.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>odo::RevisionImage</name>
@@ -13066,6 +13135,16 @@ Much more than expected means that a setting is wrong: the views are not synchro
         <source>Progress</source>
         <translation>향상</translation>
     </message>
+    <message numerus="yes">
+        <source>%1, %n doubtful</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Those with bad results do not count</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>odo::StartCard</name>
@@ -13650,6 +13729,12 @@ Much more than expected means that a setting is wrong: the views are not synchro
         <source>%n trial(s) not counted: analysed with a different course. Reanalyse them</source>
         <translation>
             <numerusform>시행 %n개 제외: 다른 코스로 측정됨. 다시 측정하십시오</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n trial(s) not counted: bad results</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
         </translation>
     </message>
 </context>
@@ -14356,6 +14441,10 @@ Much more than expected means that a setting is wrong: the views are not synchro
         <source>No trial selected</source>
         <translation>선택한 시행이 없습니다</translation>
     </message>
+    <message>
+        <source>Verdict</source>
+        <translation type="unfinished">판정</translation>
+    </message>
 </context>
 <context>
     <name>odo::TrialFilterBar</name>
@@ -14455,6 +14544,18 @@ Much more than expected means that a setting is wrong: the views are not synchro
         <source>Show only starred trials</source>
         <translation>별표를 붙인 시행만 표시합니다</translation>
     </message>
+    <message>
+        <source>Doubtful</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Only trials with doubtful or bad results</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Show only trials with doubtful or bad results</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>odo::TrialModel</name>
@@ -14525,6 +14626,10 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>Tags</source>
         <translation>태그</translation>
+    </message>
+    <message>
+        <source>Verdict</source>
+        <translation type="unfinished">판정</translation>
     </message>
 </context>
 <context>
@@ -14764,6 +14869,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>Zone %1</source>
         <translation>구역 %1</translation>
+    </message>
+</context>
+<context>
+    <name>project.acceptance_reason</name>
+    <message>
+        <source>reason for accepting the results</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -15338,6 +15450,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>messages as codes with their arguments</source>
         <translation>코드와 인수로 된 문장</translation>
+    </message>
+</context>
+<context>
+    <name>project.format_17</name>
+    <message>
+        <source>verdicts, and their acceptance</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -16314,6 +16433,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>project.reason_is_blank</name>
+    <message>
+        <source>it is blank</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>project.record_another</name>
     <message>
         <source>record another trial</source>
@@ -16549,6 +16675,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>run a check of the project</source>
         <translation>프로젝트 검사를 실행하십시오</translation>
+    </message>
+</context>
+<context>
+    <name>project.say_why</name>
+    <message>
+        <source>write why the results can be used</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -16843,6 +16976,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>a value is too large to store</source>
         <translation>값이 너무 커서 저장할 수 없습니다</translation>
+    </message>
+</context>
+<context>
+    <name>project.verdict</name>
+    <message>
+        <source>verdict on a trial</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -19191,6 +19331,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>workflow.accept_results</name>
+    <message>
+        <source>accept the results of %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>workflow.add_one_with</name>
     <message>
         <source>add one with</source>
@@ -19244,6 +19391,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>the registration assumes a lens without distortion, because the lens was not calibrated</source>
         <translation>렌즈를 보정하지 않고 왜곡이 없다고 가정했습니다</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.bad_is_not_accepted</name>
+    <message>
+        <source>bad results cannot be accepted (%1)</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -19482,6 +19636,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>check whether camera %1 has moved</source>
         <translation>카메라 %1이(가) 움직였는지 확인</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.checking_trials</name>
+    <message>
+        <source>checks of the trials</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -20479,6 +20640,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>workflow.nothing_to_accept</name>
+    <message>
+        <source>all checks were passed</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>workflow.nothing_to_analyse_again</name>
     <message>
         <source>it has not been tracked yet, so it cannot be reanalysed</source>
@@ -20490,6 +20658,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>no action is needed</source>
         <translation>할 일이 없습니다</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.nothing_to_withdraw</name>
+    <message>
+        <source>leave it as it is</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -20906,6 +21081,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>workflow.remove_cause</name>
+    <message>
+        <source>remove the cause and reanalyse, or record it again</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>workflow.remove_for_good</name>
     <message>
         <source>remove %1 for good</source>
@@ -21242,6 +21424,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>workflow.use_as_it_is</name>
+    <message>
+        <source>use the results as they are</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>workflow.use_earlier_registration</name>
     <message>
         <source>if it moved before this trial, register it again and reanalyse</source>
@@ -21253,6 +21442,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>use frame %1 of %2</source>
         <translation>%2의 프레임 %1 사용</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.verdict_on</name>
+    <message>
+        <source>verdict on trial &apos;%1&apos;</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -21340,10 +21536,24 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>workflow.was_not_accepted</name>
+    <message>
+        <source>nobody accepted it</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>workflow.why_views_contradict</name>
     <message>
         <source>a camera has moved since its registration, the views are not synchronised, or the robot&apos;s height is wrong</source>
         <translation>정합 후 카메라가 움직였거나, 뷰가 동기화되지 않았거나, 로봇의 높이가 입력한 값과 다릅니다</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.withdraw_acceptance</name>
+    <message>
+        <source>withdraw the acceptance of %1</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>

@@ -204,6 +204,18 @@
         <source>Spread of one run</source>
         <translation>单次运行的离散度</translation>
     </message>
+    <message numerus="yes">
+        <source>%n trial(s) not counted: bad results.</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>! %n trial(s) with doubtful results counted.</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>ComparisonExplanation</name>
@@ -335,6 +347,10 @@
         <source>σ of the smoothed velocity there, including the calibration&apos;s scale uncertainty</source>
         <translation>该处平滑速度的 σ，含标定的尺度误差</translation>
     </message>
+    <message>
+        <source>none: a run was not measured all the time, and is at least so large</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>ComparisonReport</name>
@@ -421,6 +437,10 @@
     <message>
         <source>Metrics</source>
         <translation>指标</translation>
+    </message>
+    <message>
+        <source>Verdict on %1: %2</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -1869,24 +1889,16 @@ Much more than expected means that a setting is wrong: the views are not synchro
         <translation>帧率不恒定</translation>
     </message>
     <message>
-        <source>passed</source>
-        <translation>通过</translation>
-    </message>
-    <message>
-        <source>doubtful</source>
-        <translation>存疑</translation>
-    </message>
-    <message>
-        <source>do not rely on it</source>
-        <translation>请勿采用</translation>
-    </message>
-    <message>
         <source>Verdict</source>
         <translation>评定</translation>
     </message>
     <message>
-        <source>all %1 checks passed</source>
-        <translation>全部 %1 项检查通过</translation>
+        <source>Accept…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Withdraw</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -1980,12 +1992,30 @@ Much more than expected means that a setting is wrong: the views are not synchro
         <translation>任务</translation>
     </message>
     <message>
-        <source>Do not rely on these results: they were changed in the file after the analysis.</source>
-        <translation>请勿采信这些结果：分析后它们在文件中被更改过。</translation>
-    </message>
-    <message>
         <source>%1 times in all</source>
         <translation>共 %1 次</translation>
+    </message>
+    <message numerus="yes">
+        <source>… and %n more</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Bad results: do not use them.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Doubtful results, which were accepted.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Doubtful results: read the reasons before you use them.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Verdict</source>
+        <translation type="unfinished">评定</translation>
     </message>
 </context>
 <context>
@@ -1997,6 +2027,33 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>%1 (%2 to %3)</source>
         <translation>%1（%2 至 %3）</translation>
+    </message>
+</context>
+<context>
+    <name>VerdictMark</name>
+    <message>
+        <source>accepted</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>doubtful</source>
+        <translation type="unfinished">存疑</translation>
+    </message>
+    <message>
+        <source>bad</source>
+        <translation type="unfinished">不良</translation>
+    </message>
+    <message>
+        <source>passed</source>
+        <translation type="unfinished">通过</translation>
+    </message>
+    <message>
+        <source>Accepted: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>all checks passed</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -9659,6 +9716,10 @@ Much more than expected means that a setting is wrong: the views are not synchro
         <source>Gap at cursor</source>
         <translation>此处</translation>
     </message>
+    <message>
+        <source>Verdict</source>
+        <translation type="unfinished">评定</translation>
+    </message>
 </context>
 <context>
     <name>odo::CompareDesk</name>
@@ -12214,6 +12275,14 @@ Much more than expected means that a setting is wrong: the views are not synchro
         <source>Import trial from videos…</source>
         <translation>从视频导入试验…</translation>
     </message>
+    <message>
+        <source>Accept doubtful results</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Why can these results be used? The reason is shown wherever they are.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>odo::RevisionImage</name>
@@ -13066,6 +13135,16 @@ Much more than expected means that a setting is wrong: the views are not synchro
         <source>Progress</source>
         <translation>进步</translation>
     </message>
+    <message numerus="yes">
+        <source>%1, %n doubtful</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Those with bad results do not count</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>odo::StartCard</name>
@@ -13650,6 +13729,12 @@ Much more than expected means that a setting is wrong: the views are not synchro
         <source>%n trial(s) not counted: analysed with a different course. Reanalyse them</source>
         <translation>
             <numerusform>有 %n 次试验未计入：是按另一赛道测量的，请重新测量</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n trial(s) not counted: bad results</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
         </translation>
     </message>
 </context>
@@ -14356,6 +14441,10 @@ Much more than expected means that a setting is wrong: the views are not synchro
         <source>No trial selected</source>
         <translation>未选择试验</translation>
     </message>
+    <message>
+        <source>Verdict</source>
+        <translation type="unfinished">评定</translation>
+    </message>
 </context>
 <context>
     <name>odo::TrialFilterBar</name>
@@ -14455,6 +14544,18 @@ Much more than expected means that a setting is wrong: the views are not synchro
         <source>Show only starred trials</source>
         <translation>仅显示加星标的试验</translation>
     </message>
+    <message>
+        <source>Doubtful</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Only trials with doubtful or bad results</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Show only trials with doubtful or bad results</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>odo::TrialModel</name>
@@ -14525,6 +14626,10 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>Tags</source>
         <translation>标签</translation>
+    </message>
+    <message>
+        <source>Verdict</source>
+        <translation type="unfinished">评定</translation>
     </message>
 </context>
 <context>
@@ -14764,6 +14869,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>Zone %1</source>
         <translation>区域 %1</translation>
+    </message>
+</context>
+<context>
+    <name>project.acceptance_reason</name>
+    <message>
+        <source>reason for accepting the results</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -15338,6 +15450,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>messages as codes with their arguments</source>
         <translation>以代码及其参数存储的语句</translation>
+    </message>
+</context>
+<context>
+    <name>project.format_17</name>
+    <message>
+        <source>verdicts, and their acceptance</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -16314,6 +16433,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>project.reason_is_blank</name>
+    <message>
+        <source>it is blank</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>project.record_another</name>
     <message>
         <source>record another trial</source>
@@ -16549,6 +16675,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>run a check of the project</source>
         <translation>请运行项目检查</translation>
+    </message>
+</context>
+<context>
+    <name>project.say_why</name>
+    <message>
+        <source>write why the results can be used</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -16843,6 +16976,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>a value is too large to store</source>
         <translation>有一个值太大，无法保存</translation>
+    </message>
+</context>
+<context>
+    <name>project.verdict</name>
+    <message>
+        <source>verdict on a trial</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -19191,6 +19331,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>workflow.accept_results</name>
+    <message>
+        <source>accept the results of %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>workflow.add_one_with</name>
     <message>
         <source>add one with</source>
@@ -19244,6 +19391,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>the registration assumes a lens without distortion, because the lens was not calibrated</source>
         <translation>其镜头未经标定，被视为无畸变</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.bad_is_not_accepted</name>
+    <message>
+        <source>bad results cannot be accepted (%1)</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -19482,6 +19636,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>check whether camera %1 has moved</source>
         <translation>检查相机 %1 是否移动</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.checking_trials</name>
+    <message>
+        <source>checks of the trials</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -20479,6 +20640,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>workflow.nothing_to_accept</name>
+    <message>
+        <source>all checks were passed</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>workflow.nothing_to_analyse_again</name>
     <message>
         <source>it has not been tracked yet, so it cannot be reanalysed</source>
@@ -20490,6 +20658,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>no action is needed</source>
         <translation>无需操作</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.nothing_to_withdraw</name>
+    <message>
+        <source>leave it as it is</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -20906,6 +21081,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>workflow.remove_cause</name>
+    <message>
+        <source>remove the cause and reanalyse, or record it again</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>workflow.remove_for_good</name>
     <message>
         <source>remove %1 for good</source>
@@ -21242,6 +21424,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>workflow.use_as_it_is</name>
+    <message>
+        <source>use the results as they are</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>workflow.use_earlier_registration</name>
     <message>
         <source>if it moved before this trial, register it again and reanalyse</source>
@@ -21253,6 +21442,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>use frame %1 of %2</source>
         <translation>使用 %2 的第 %1 帧</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.verdict_on</name>
+    <message>
+        <source>verdict on trial &apos;%1&apos;</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -21340,10 +21536,24 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>workflow.was_not_accepted</name>
+    <message>
+        <source>nobody accepted it</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>workflow.why_views_contradict</name>
     <message>
         <source>a camera has moved since its registration, the views are not synchronised, or the robot&apos;s height is wrong</source>
         <translation>某台相机在配准后被移动、各视角不同步，或机器人的高度与所给的不符</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.withdraw_acceptance</name>
+    <message>
+        <source>withdraw the acceptance of %1</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
