@@ -450,10 +450,6 @@
 <context>
     <name>Explanation</name>
     <message>
-        <source>σ² = σa²/|v|² + |a|²σv²/|v|⁴, first order</source>
-        <translation>σ² = σa²/|v|² + |a|²σv²/|v|⁴, erste Ordnung</translation>
-    </message>
-    <message>
         <source>smoothed by Kalman filter and RTS smoother, noise by maximum likelihood (Rauch, Tung, Striebel 1965; Bar-Shalom et al. 2001)</source>
         <translation>geglättet mit Kalman-Filter und RTS-Glätter, Rauschen nach Maximum-Likelihood (Rauch, Tung, Striebel 1965; Bar-Shalom et al. 2001)</translation>
     </message>
@@ -510,20 +506,8 @@
         <translation>Fahrtrichtung</translation>
     </message>
     <message>
-        <source>atan2(vy, vx) of the smoothed curve at this frame, anticlockwise from X, without jumps of a whole turn</source>
-        <translation>atan2(vy, vx) der geglätteten Kurve bei diesem Bild, gegen den Uhrzeigersinn ab X, ohne Sprünge um eine volle Drehung</translation>
-    </message>
-    <message>
-        <source>σ of the velocity across the motion divided by the speed</source>
-        <translation>σ der Geschwindigkeit quer zur Bewegung geteilt durch die Geschwindigkeit</translation>
-    </message>
-    <message>
         <source>Turn rate</source>
         <translation>Drehrate</translation>
-    </message>
-    <message>
-        <source>(vx·ay − vy·ax)/|v|² of the smoothed curve at this frame</source>
-        <translation>(vx·ay − vy·ax)/|v|² der geglätteten Kurve bei diesem Bild</translation>
     </message>
     <message>
         <source>Position X</source>
@@ -644,6 +628,30 @@
     <message>
         <source>the views&apos; floor positions differ by %1 there</source>
         <translation>die Sichten liegen dort %1 auseinander</translation>
+    </message>
+    <message>
+        <source>Of the body where its outline or an imported track shows it: the smoothed heading. Elsewhere the direction of motion: atan2(vy, vx) of the smoothed curve, kept where the robot stands still and continued where it reverses. Anticlockwise from X, without jumps of a whole turn.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>of the body: σ of its smoothed heading; of the direction of motion: σ of the velocity across the motion divided by the speed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Of the body where its heading was measured: the rate of the smoothed heading. Elsewhere (vx·ay − vy·ax)/|v|² of the smoothed curve.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>of the body: σ of the smoothed heading&apos;s rate; of the direction of motion: σ² = σa²/|v|² + |a|²σv²/|v|⁴, first order</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>of the robot&apos;s body, which was measured</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>of the direction of motion</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -2338,8 +2346,8 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
 <context>
     <name>analysis.formula_max_turn_rate</name>
     <message>
-        <source>(vx·ay − vy·ax)/|v|² of the smoothed curve, to the left or right, where its amount minus 2σ is largest.</source>
-        <translation>(vx·ay − vy·ax)/|v|² der geglätteten Kurve, in beiden Richtungen, wo ihr Betrag minus 2σ am größten ist.</translation>
+        <source>How fast the robot turns, to the left or right, where the amount minus 2σ is largest. Of the body where its heading was measured, also on the spot: the rate of the smoothed heading. Elsewhere of the direction of motion: (vx·ay − vy·ax)/|v|² of the smoothed curve.</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -3178,8 +3186,8 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
 <context>
     <name>analysis.uncertainty_max_turn_rate</name>
     <message>
-        <source>σ² = σa²/|v|² + |a|²σv²/|v|⁴, first order</source>
-        <translation>σ² = σa²/|v|² + |a|²σv²/|v|⁴, erste Ordnung</translation>
+        <source>of the body: that of the smoothed heading&apos;s rate; of the direction of motion: σ² = σa²/|v|² + |a|²σv²/|v|⁴, first order</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -11798,6 +11806,10 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>shaded: hidden or ambiguous</source>
         <translation>schattiert: verdeckt oder zweifelhaft</translation>
+    </message>
+    <message>
+        <source>of the body, anticlockwise from X</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>

@@ -450,10 +450,6 @@
 <context>
     <name>Explanation</name>
     <message>
-        <source>σ² = σa²/|v|² + |a|²σv²/|v|⁴, first order</source>
-        <translation>σ² = σa²/|v|² + |a|²σv²/|v|⁴, au premier ordre</translation>
-    </message>
-    <message>
         <source>smoothed by Kalman filter and RTS smoother, noise by maximum likelihood (Rauch, Tung, Striebel 1965; Bar-Shalom et al. 2001)</source>
         <translation>lissé par filtre de Kalman et lisseur RTS, bruit par maximum de vraisemblance (Rauch, Tung, Striebel 1965&#xa0;; Bar-Shalom et al. 2001)</translation>
     </message>
@@ -510,20 +506,8 @@
         <translation>Cap</translation>
     </message>
     <message>
-        <source>atan2(vy, vx) of the smoothed curve at this frame, anticlockwise from X, without jumps of a whole turn</source>
-        <translation>atan2(vy, vx) de la courbe lissée à cette image, dans le sens trigonométrique depuis X, sans sauts d’un tour</translation>
-    </message>
-    <message>
-        <source>σ of the velocity across the motion divided by the speed</source>
-        <translation>σ de la vitesse en travers du mouvement, divisé par la vitesse</translation>
-    </message>
-    <message>
         <source>Turn rate</source>
         <translation>Vitesse angulaire</translation>
-    </message>
-    <message>
-        <source>(vx·ay − vy·ax)/|v|² of the smoothed curve at this frame</source>
-        <translation>(vx·ay − vy·ax)/|v|² de la courbe lissée à cette image</translation>
     </message>
     <message>
         <source>Position X</source>
@@ -644,6 +628,30 @@
     <message>
         <source>the views&apos; floor positions differ by %1 there</source>
         <translation>les vues y sont distantes de %1</translation>
+    </message>
+    <message>
+        <source>Of the body where its outline or an imported track shows it: the smoothed heading. Elsewhere the direction of motion: atan2(vy, vx) of the smoothed curve, kept where the robot stands still and continued where it reverses. Anticlockwise from X, without jumps of a whole turn.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>of the body: σ of its smoothed heading; of the direction of motion: σ of the velocity across the motion divided by the speed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Of the body where its heading was measured: the rate of the smoothed heading. Elsewhere (vx·ay − vy·ax)/|v|² of the smoothed curve.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>of the body: σ of the smoothed heading&apos;s rate; of the direction of motion: σ² = σa²/|v|² + |a|²σv²/|v|⁴, first order</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>of the robot&apos;s body, which was measured</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>of the direction of motion</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -2338,8 +2346,8 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>analysis.formula_max_turn_rate</name>
     <message>
-        <source>(vx·ay − vy·ax)/|v|² of the smoothed curve, to the left or right, where its amount minus 2σ is largest.</source>
-        <translation>(vx·ay − vy·ax)/|v|² de la courbe lissée, dans un sens ou dans l’autre, là où sa valeur moins 2σ est maximale.</translation>
+        <source>How fast the robot turns, to the left or right, where the amount minus 2σ is largest. Of the body where its heading was measured, also on the spot: the rate of the smoothed heading. Elsewhere of the direction of motion: (vx·ay − vy·ax)/|v|² of the smoothed curve.</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -3178,8 +3186,8 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>analysis.uncertainty_max_turn_rate</name>
     <message>
-        <source>σ² = σa²/|v|² + |a|²σv²/|v|⁴, first order</source>
-        <translation>σ² = σa²/|v|² + |a|²σv²/|v|⁴, au premier ordre</translation>
+        <source>of the body: that of the smoothed heading&apos;s rate; of the direction of motion: σ² = σa²/|v|² + |a|²σv²/|v|⁴, first order</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -11798,6 +11806,10 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>shaded: hidden or ambiguous</source>
         <translation>ombré&#xa0;: caché ou en doute</translation>
+    </message>
+    <message>
+        <source>of the body, anticlockwise from X</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>

@@ -446,10 +446,6 @@
 <context>
     <name>Explanation</name>
     <message>
-        <source>σ² = σa²/|v|² + |a|²σv²/|v|⁴, first order</source>
-        <translation>σ² = σa²/|v|² + |a|²σv²/|v|⁴, 1차 근사</translation>
-    </message>
-    <message>
         <source>smoothed by Kalman filter and RTS smoother, noise by maximum likelihood (Rauch, Tung, Striebel 1965; Bar-Shalom et al. 2001)</source>
         <translation>칼만 필터와 RTS 평활기로 평활화, 잡음은 최대 가능도로 추정(Rauch, Tung, Striebel 1965; Bar-Shalom et al. 2001)</translation>
     </message>
@@ -506,20 +502,8 @@
         <translation>진행 방향</translation>
     </message>
     <message>
-        <source>atan2(vy, vx) of the smoothed curve at this frame, anticlockwise from X, without jumps of a whole turn</source>
-        <translation>이 프레임에서 평활화된 곡선의 atan2(vy, vx), X축에서 반시계 방향, 한 바퀴만큼의 건너뜀 없이 이음</translation>
-    </message>
-    <message>
-        <source>σ of the velocity across the motion divided by the speed</source>
-        <translation>움직임에 수직인 방향 속도의 σ를 속력으로 나눈 값</translation>
-    </message>
-    <message>
         <source>Turn rate</source>
         <translation>선회율</translation>
-    </message>
-    <message>
-        <source>(vx·ay − vy·ax)/|v|² of the smoothed curve at this frame</source>
-        <translation>이 프레임에서 평활화된 곡선의 (vx·ay − vy·ax)/|v|²</translation>
     </message>
     <message>
         <source>Position X</source>
@@ -640,6 +624,30 @@
     <message>
         <source>the views&apos; floor positions differ by %1 there</source>
         <translation>그 지점에서 뷰 사이의 차이가 %1</translation>
+    </message>
+    <message>
+        <source>Of the body where its outline or an imported track shows it: the smoothed heading. Elsewhere the direction of motion: atan2(vy, vx) of the smoothed curve, kept where the robot stands still and continued where it reverses. Anticlockwise from X, without jumps of a whole turn.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>of the body: σ of its smoothed heading; of the direction of motion: σ of the velocity across the motion divided by the speed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Of the body where its heading was measured: the rate of the smoothed heading. Elsewhere (vx·ay − vy·ax)/|v|² of the smoothed curve.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>of the body: σ of the smoothed heading&apos;s rate; of the direction of motion: σ² = σa²/|v|² + |a|²σv²/|v|⁴, first order</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>of the robot&apos;s body, which was measured</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>of the direction of motion</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -2329,8 +2337,8 @@ Much more than expected means that a setting is wrong: the views are not synchro
 <context>
     <name>analysis.formula_max_turn_rate</name>
     <message>
-        <source>(vx·ay − vy·ax)/|v|² of the smoothed curve, to the left or right, where its amount minus 2σ is largest.</source>
-        <translation>평활화된 곡선의 (vx·ay − vy·ax)/|v|²로, 방향에 관계없이 크기에서 2σ를 뺀 값이 가장 큰 곳의 값입니다.</translation>
+        <source>How fast the robot turns, to the left or right, where the amount minus 2σ is largest. Of the body where its heading was measured, also on the spot: the rate of the smoothed heading. Elsewhere of the direction of motion: (vx·ay − vy·ax)/|v|² of the smoothed curve.</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -3169,8 +3177,8 @@ Much more than expected means that a setting is wrong: the views are not synchro
 <context>
     <name>analysis.uncertainty_max_turn_rate</name>
     <message>
-        <source>σ² = σa²/|v|² + |a|²σv²/|v|⁴, first order</source>
-        <translation>σ² = σa²/|v|² + |a|²σv²/|v|⁴, 1차 근사</translation>
+        <source>of the body: that of the smoothed heading&apos;s rate; of the direction of motion: σ² = σa²/|v|² + |a|²σv²/|v|⁴, first order</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -11780,6 +11788,10 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>shaded: hidden or ambiguous</source>
         <translation>음영: 가려짐 또는 불확실</translation>
+    </message>
+    <message>
+        <source>of the body, anticlockwise from X</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>

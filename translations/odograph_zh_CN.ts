@@ -446,10 +446,6 @@
 <context>
     <name>Explanation</name>
     <message>
-        <source>σ² = σa²/|v|² + |a|²σv²/|v|⁴, first order</source>
-        <translation>σ² = σa²/|v|² + |a|²σv²/|v|⁴，一阶近似</translation>
-    </message>
-    <message>
         <source>smoothed by Kalman filter and RTS smoother, noise by maximum likelihood (Rauch, Tung, Striebel 1965; Bar-Shalom et al. 2001)</source>
         <translation>用 Kalman 滤波器和 RTS 平滑器平滑，噪声由最大似然估计（Rauch, Tung, Striebel 1965；Bar-Shalom et al. 2001）</translation>
     </message>
@@ -506,20 +502,8 @@
         <translation>航向</translation>
     </message>
     <message>
-        <source>atan2(vy, vx) of the smoothed curve at this frame, anticlockwise from X, without jumps of a whole turn</source>
-        <translation>该帧处平滑曲线的 atan2(vy, vx)，自 X 轴起逆时针，不作整圈跳变</translation>
-    </message>
-    <message>
-        <source>σ of the velocity across the motion divided by the speed</source>
-        <translation>垂直于运动方向速度的 σ 除以速度</translation>
-    </message>
-    <message>
         <source>Turn rate</source>
         <translation>转向角速度</translation>
-    </message>
-    <message>
-        <source>(vx·ay − vy·ax)/|v|² of the smoothed curve at this frame</source>
-        <translation>该帧处平滑曲线的 (vx·ay − vy·ax)/|v|²</translation>
     </message>
     <message>
         <source>Position X</source>
@@ -640,6 +624,30 @@
     <message>
         <source>the views&apos; floor positions differ by %1 there</source>
         <translation>该处各视角相距 %1</translation>
+    </message>
+    <message>
+        <source>Of the body where its outline or an imported track shows it: the smoothed heading. Elsewhere the direction of motion: atan2(vy, vx) of the smoothed curve, kept where the robot stands still and continued where it reverses. Anticlockwise from X, without jumps of a whole turn.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>of the body: σ of its smoothed heading; of the direction of motion: σ of the velocity across the motion divided by the speed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Of the body where its heading was measured: the rate of the smoothed heading. Elsewhere (vx·ay − vy·ax)/|v|² of the smoothed curve.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>of the body: σ of the smoothed heading&apos;s rate; of the direction of motion: σ² = σa²/|v|² + |a|²σv²/|v|⁴, first order</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>of the robot&apos;s body, which was measured</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>of the direction of motion</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -2329,8 +2337,8 @@ Much more than expected means that a setting is wrong: the views are not synchro
 <context>
     <name>analysis.formula_max_turn_rate</name>
     <message>
-        <source>(vx·ay − vy·ax)/|v|² of the smoothed curve, to the left or right, where its amount minus 2σ is largest.</source>
-        <translation>平滑曲线的 (vx·ay − vy·ax)/|v|²，左转或右转均可，取其减去 2σ 后最大处。</translation>
+        <source>How fast the robot turns, to the left or right, where the amount minus 2σ is largest. Of the body where its heading was measured, also on the spot: the rate of the smoothed heading. Elsewhere of the direction of motion: (vx·ay − vy·ax)/|v|² of the smoothed curve.</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -3169,8 +3177,8 @@ Much more than expected means that a setting is wrong: the views are not synchro
 <context>
     <name>analysis.uncertainty_max_turn_rate</name>
     <message>
-        <source>σ² = σa²/|v|² + |a|²σv²/|v|⁴, first order</source>
-        <translation>σ² = σa²/|v|² + |a|²σv²/|v|⁴，一阶近似</translation>
+        <source>of the body: that of the smoothed heading&apos;s rate; of the direction of motion: σ² = σa²/|v|² + |a|²σv²/|v|⁴, first order</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -11780,6 +11788,10 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>shaded: hidden or ambiguous</source>
         <translation>阴影：被遮挡或存疑</translation>
+    </message>
+    <message>
+        <source>of the body, anticlockwise from X</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>

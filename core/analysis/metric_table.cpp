@@ -152,9 +152,14 @@ std::vector<MetricKind> allKinds()
          ofItsIntervals()},
         {"max_turn_rate", "rad/s", Better::More, atLeast,
          ODO_TEXT("analysis.metric_max_turn_rate", "Fastest turn"),
-         ODO_TEXT("analysis.formula_max_turn_rate", "(vx·ay − vy·ax)/|v|² of the smoothed curve, to the left "
-                                                    "or right, where its amount minus 2σ is largest."),
-         ODO_TEXT("analysis.uncertainty_max_turn_rate", "σ² = σa²/|v|² + |a|²σv²/|v|⁴, first order")},
+         ODO_TEXT("analysis.formula_max_turn_rate",
+                  "How fast the robot turns, to the left or right, where the amount minus 2σ is largest. Of "
+                  "the body where its heading was measured, also on the spot: the rate of the smoothed "
+                  "heading. Elsewhere of the direction of motion: (vx·ay − vy·ax)/|v|² of the smoothed "
+                  "curve."),
+         ODO_TEXT("analysis.uncertainty_max_turn_rate",
+                  "of the body: that of the smoothed heading's rate; of the direction of motion: "
+                  "σ² = σa²/|v|² + |a|²σv²/|v|⁴, first order")},
         {"circle_radius", "m", Better::More, 0, ODO_TEXT("analysis.metric_circle_radius", "Circle's radius"),
          ODO_TEXT("analysis.formula_circle_radius",
                   "The least-squares circle through the positions of the motion."),

@@ -10,7 +10,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <numbers>
 #include <string_view>
 #include <vector>
@@ -147,20 +146,24 @@ void addCircle(std::vector<Metric> &metrics, const std::vector<RunInstant> &inst
                            std::hypot(circle->sigmaRadiusM, scale * circle->radiusM)});
 }
 
-/// The fastest significant turn: by its rate minus twice its σ, as of a curve's largest value.
-UncertainValue fastestTurn(const std::vector<RunInstant> &instants, const std::vector<MotionStretch> &motions)
+/// The fastest significant turn: by its rate minus twice its σ, as of a curve's largest value. Of the body
+/// wherever that was measured, also at standstill; elsewhere of the path.
+std::optional<UncertainValue> fastestTurn(const std::vector<RunInstant> &instants,
+                                          const std::vector<MotionStretch> &motions)
 {
-    UncertainValue fastest;
-    double surest = -std::numeric_limits<double>::infinity();
-    for (const MotionStretch &motion : motions) {
-        for (std::size_t i = motion.first; i <= motion.last; ++i) {
-            const auto course = courseOf(*instants[i].point);
-            if (!course || std::abs(course->turnRateRadps) - 2 * course->sigmaTurnRateRadps <= surest)
-                continue;
-            fastest = {std::abs(course->turnRateRadps), course->sigmaTurnRateRadps};
-            surest = fastest.value - 2 * fastest.sigma;
-        }
-    }
+    std::optional<UncertainValue> fastest;
+    const auto consider = [&](const ProfilePoint &point) {
+        const auto rate = turnRateOf(point);
+        if (rate &&
+            (!fastest || std::abs(rate->value) - 2 * rate->sigma > fastest->value - 2 * fastest->sigma))
+            fastest = {std::abs(rate->value), rate->sigma};
+    };
+    for (const RunInstant &instant : instants)
+        if (instant.point->body)
+            consider(*instant.point);
+    for (const MotionStretch &motion : motions)
+        for (std::size_t i = motion.first; i <= motion.last; ++i)
+            consider(*instants[i].point);
     return fastest;
 }
 
@@ -188,7 +191,6 @@ std::vector<Metric> measureRun(const std::vector<RunInstant> &instants)
     const auto at = [](const RunInstant &instant, Curve curve) {
         return UncertainValue{instant.point->*curve.value, instant.point->*curve.sigma};
     };
-    const UncertainValue turn = fastestTurn(instants, motions); // an angle has no scale
     std::vector<Metric> metrics{
         course[0],
         course[1],
@@ -204,8 +206,9 @@ std::vector<Metric> measureRun(const std::vector<RunInstant> &instants)
         scaled("median_speed", "m/s", percentile(instants, motions, speedCurve, 0.5)),
         scaled("p95_speed", "m/s", percentile(instants, motions, speedCurve, 0.95)),
         scaled("p95_accel", "m/s²", percentile(instants, motions, accelCurve, 0.95)),
-        {"max_turn_rate", "rad/s", turn.value, turn.sigma},
     };
+    if (const auto turn = fastestTurn(instants, motions)) // an angle has no scale
+        metrics.push_back({"max_turn_rate", "rad/s", turn->value, turn->sigma});
     addCircle(metrics, instants, motions, scale);
     const std::vector<TimeSpan> gaps = gapsBetween(instants);
     // The ends of a run say how straight it was only if all of it was seen.

@@ -16,8 +16,9 @@ namespace odo {
 /// to the last stop), path_length (m), mean_speed (m/s, path_length over duration), max_speed, rms_speed
 /// (m/s), max_accel, rms_accel (m/s²), straightness (1, end to end over path_length), moving_time (s), stops
 /// (1, pauses between onset and end), standing_time (s, in those pauses), median_speed, p95_speed (m/s),
-/// p95_accel (m/s²; half and 95 % of the moving time stay below them), max_turn_rate (rad/s, either way), and
-/// where the path is a circle circle_radius (m, fitCircle). Moving means faster than 20 mm/s and than three σ
+/// p95_accel (m/s²; half and 95 % of the moving time stay below them), where any is known max_turn_rate
+/// (rad/s, either way: turnRateOf, of the body also while the robot stands), and where the path is a circle
+/// circle_radius (m, fitCircle). Moving means faster than 20 mm/s and than three σ
 /// of the speed, for at least three valid points in a row; the moments between frames are interpolated. Only
 /// the speed while moving is integrated, so noise adds nothing to the path of a robot that stands still. A
 /// gap (GapWatch) contributes to the duration alone: all others are of what was measured, mean_speed over the

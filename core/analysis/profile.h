@@ -54,6 +54,17 @@ constexpr bool isRejected(SampleFlags flags)
     return (flags & rejectingFlags) != 0;
 }
 
+/// Where a robot's front points, measured at one time: anticlockwise from the world's X.
+struct MeasuredHeading
+{
+    double radians = 0;
+    double sigmaRad = 0;       ///< frame to frame
+    double commonSigmaRad = 0; ///< of what neighbouring frames share, with unknownFrontSigmaRad on top
+    bool operator==(const MeasuredHeading &) const = default;
+};
+/// Added to σ of a heading that shows how the body turns, but not which of its sides is the front.
+inline constexpr double unknownFrontSigmaRad = 3.141592653589793;
+
 /// One robot at one time on the floor: the fused measurement, before smoothing. World frame, metres.
 struct Sample
 {
@@ -66,6 +77,7 @@ struct Sample
     std::uint32_t views = 0;                 ///< bit i: view i was used
     std::optional<double> viewDisagreementM; ///< largest distance between two views' positions
     SampleFlags flags = 0;
+    std::optional<MeasuredHeading> heading = {}; ///< of the body, where it was measured
 };
 
 /// Whether the smoother uses a sample: it has a position, and that is not rejected.
@@ -73,6 +85,15 @@ inline bool isUsed(const Sample &sample)
 {
     return sample.position && !isRejected(sample.flags);
 }
+
+/// The smoothed heading of a robot's body, and how fast it turns: anticlockwise, also on the spot.
+struct BodyHeading
+{
+    double radians = 0, sigmaRad = 0; ///< without steps of a whole turn; σ with the common part
+    double turnRateRadps = 0, sigmaTurnRateRadps = 0;
+    bool isFrontKnown() const { return sigmaRad < unknownFrontSigmaRad; }
+    bool operator==(const BodyHeading &) const = default;
+};
 
 /// The smoothed state at one sample's time. World frame, SI.
 struct ProfilePoint
@@ -82,6 +103,7 @@ struct ProfilePoint
     double speedMps = 0, sigmaSpeedMps = 0;
     double accelMps2 = 0, sigmaAccelMps2 = 0; ///< |a|
     bool valid = false; ///< false in long gaps and before the first or after the last sighting
+    std::optional<BodyHeading> body = {}; ///< empty: only its motion is known
 };
 
 /// A named metric with its uncertainty. Unit of the value: as named ("s", "m", "m/s", "m/s²", "rad/s", "mm",

@@ -51,17 +51,32 @@ std::optional<CurveValue> measuredAcceleration(const Profile &profile, std::size
     return CurveValue{alongPath(profile.points[i], change / (7 * step * step)), 0};
 }
 
-/// Of all angles that are the same direction the one next to the smoothed heading.
+/// Of all angles that are the same direction the one next to another.
+double nextTo(double other, double angle)
+{
+    return other + std::remainder(angle - other, 2 * std::numbers::pi);
+}
+
+/// Next to the smoothed heading; of a robot that reverses the direction that it comes from.
 std::optional<CurveValue> measuredHeading(const Profile &profile, std::size_t i,
                                           const std::optional<Heading> &smoothed)
 {
+    if (smoothed && smoothed->isOfBody) {
+        const auto &measured = profile.samples[i].heading;
+        if (!measured || !isUsed(profile.samples[i]))
+            return std::nullopt;
+        return CurveValue{nextTo(smoothed->radians, measured->radians), 0};
+    }
     if (!smoothed || !smoothed->sigmaRad || !areUsed(profile, i, 1))
         return std::nullopt;
     const auto velocity = measuredVelocity(profile, i);
     if (!velocity || velocity->isZero())
         return std::nullopt;
-    const double angle = std::atan2(velocity->y(), velocity->x());
-    return CurveValue{smoothed->radians + std::remainder(angle - smoothed->radians, 2 * std::numbers::pi), 0};
+    const double along = std::atan2(velocity->y(), velocity->x());
+    const double angle = nextTo(smoothed->radians, along),
+                 back = nextTo(smoothed->radians, along + std::numbers::pi);
+    const bool isReversing = std::abs(back - smoothed->radians) < std::abs(angle - smoothed->radians);
+    return CurveValue{isReversing ? back : angle, 0};
 }
 
 } // namespace
@@ -70,7 +85,7 @@ Values quantityValues(const Profile &profile, Quantity quantity)
 {
     Values values(profile.points.size());
     const auto headings =
-        quantity == Quantity::Heading ? headingsOf(profile.points) : std::vector<std::optional<Heading>>();
+        quantity == Quantity::Heading ? headingsOf(profile) : std::vector<std::optional<Heading>>();
     for (std::size_t i = 0; i < values.size(); ++i) {
         const ProfilePoint &point = profile.points[i];
         if (!point.valid)
@@ -87,8 +102,7 @@ Values quantityValues(const Profile &profile, Quantity quantity)
                 values[i] = {headings[i]->radians, headings[i]->sigmaRad.value_or(0)};
             break;
         case Quantity::TurnRate:
-            if (const auto course = courseOf(point))
-                values[i] = {course->turnRateRadps, course->sigmaTurnRateRadps};
+            values[i] = turnRateOf(point);
             break;
         case Quantity::PositionX:
             values[i] = {point.position.x(), point.sigmaXM};
@@ -105,7 +119,7 @@ Values measuredValues(const Profile &profile, Quantity quantity)
 {
     Values values(profile.samples.size());
     const auto headings =
-        quantity == Quantity::Heading ? headingsOf(profile.points) : std::vector<std::optional<Heading>>();
+        quantity == Quantity::Heading ? headingsOf(profile) : std::vector<std::optional<Heading>>();
     for (std::size_t i = 0; i < values.size(); ++i) {
         const Sample &sample = profile.samples[i];
         const int axis = quantity == Quantity::PositionX ? 0 : 1;
@@ -137,55 +151,6 @@ std::optional<double> measuredSpeed(const Profile &profile, std::size_t sample)
 {
     const auto velocity = measuredVelocity(profile, sample);
     return velocity ? std::optional(velocity->norm()) : std::nullopt;
-}
-
-namespace {
-
-constexpr double sigmasForCourse = 3;
-
-double unwrapped(double angle, double last)
-{
-    return last + std::remainder(angle - last, 2 * std::numbers::pi);
-}
-
-} // namespace
-
-std::optional<Course> courseOf(const ProfilePoint &point)
-{
-    const Eigen::Vector2d &v = point.velocity, &a = point.acceleration;
-    const double speed = v.norm();
-    if (!point.valid || !v.allFinite() || !(speed > sigmasForCourse * point.sigmaSpeedMps))
-        return std::nullopt;
-    Course course;
-    course.headingRad = std::atan2(v.y(), v.x());
-    course.sigmaHeadingRad = point.sigmaSpeedMps / speed;
-    course.turnRateRadps = (v.x() * a.y() - v.y() * a.x()) / (speed * speed);
-    course.sigmaTurnRateRadps =
-        std::hypot(point.sigmaAccelMps2 / speed, a.norm() * point.sigmaSpeedMps / (speed * speed));
-    return course;
-}
-
-std::vector<std::optional<Heading>> headingsOf(const std::vector<ProfilePoint> &points)
-{
-    std::vector<std::optional<Heading>> headings(points.size());
-    std::optional<double> last;
-    for (const ProfilePoint &point : points) {
-        if (const auto course = courseOf(point)) {
-            last = course->headingRad;
-            break;
-        }
-    }
-    if (!last)
-        return headings;
-    for (std::size_t i = 0; i < points.size(); ++i) {
-        if (!points[i].valid)
-            continue;
-        const auto course = courseOf(points[i]);
-        if (course)
-            last = unwrapped(course->headingRad, *last);
-        headings[i] = Heading{*last, course ? std::optional(course->sigmaHeadingRad) : std::nullopt};
-    }
-    return headings;
 }
 
 namespace {

@@ -5,6 +5,7 @@
 
 #include <optional>
 #include <span>
+#include <string_view>
 #include <vector>
 
 namespace odo {
@@ -23,14 +24,15 @@ constexpr double coverage95 = 1.959964;
 
 /// The smoothed values of a quantity at all points of a profile, as many as there are points; nullopt where
 /// it has none. World frame, SI. Speed: |v|. Acceleration: along the path, a·v/|v|, so that braking is
-/// negative; |a| while it stands still. Heading: of the motion, without steps of a whole turn; at standstill
-/// the last one with a σ of 0. Turn rate: none at standstill. Position: σ with the calibration's part. Pure.
+/// negative; |a| while it stands still. Heading: headingsOf; one that is kept has a σ of 0. Turn rate:
+/// turnRateOf. Position: σ with the calibration's part. Pure.
 std::vector<std::optional<CurveValue>> quantityValues(const Profile &profile, Quantity quantity);
 
 /// The same out of the positions before smoothing, by the differences that Tracker uses: speed and heading of
 /// (x₊₁ − x₋₁)/2Δt, acceleration of (2x₊₂ − x₊₁ − 2x − x₋₁ + 2x₋₂)/7Δt² along the smoothed path, a position
-/// as it was measured. nullopt where one of the samples that it takes is rejected or missing, for a heading
-/// at standstill, and everywhere for the turn rate, which is nothing but noise. No σ (0) but for positions,
+/// as it was measured; of a body that was measured the heading of that. nullopt where one of the samples that
+/// it takes is rejected or missing, for a heading of the motion at standstill, and everywhere for the turn
+/// rate, which is nothing but noise. No σ (0) but for positions,
 /// whose σ is the measurement's own, without the calibration's part.
 std::vector<std::optional<CurveValue>> measuredValues(const Profile &profile, Quantity quantity);
 
@@ -51,17 +53,28 @@ struct Course
 /// track they are): σ²(heading) = σᵥ²/|v|², σ²(turn rate) = σₐ²/|v|² + |a|²σᵥ²/|v|⁴.
 std::optional<Course> courseOf(const ProfilePoint &point);
 
+/// How fast a robot turns at a point, anticlockwise, rad/s: its body where that was measured, also on the
+/// spot, else its course. nullopt where neither is known.
+std::optional<CurveValue> turnRateOf(const ProfilePoint &point);
+
 /// A heading through time, without steps of a whole turn.
 struct Heading
 {
     double radians = 0;
     std::optional<double> sigmaRad; ///< empty: kept from the last time that it was known
+    bool isOfBody = false;          ///< false: the direction of motion
 };
+/// "body", "motion".
+std::string_view headingSource(const Heading &heading);
 
 /// The headings of a profile's points, unwrapped: of all headings that are the same direction the one next to
-/// the last. At standstill the last one is kept; before it first moves, that of its start. nullopt where the
-/// point is not valid, and everywhere for a robot that never moves. The result is as long as points.
-std::vector<std::optional<Heading>> headingsOf(const std::vector<ProfilePoint> &points);
+/// the last. Of the body where it was measured and its front is known. Elsewhere the direction of motion,
+/// continued where the robot reverses: where it slows down and moves in the opposite direction (to 45°)
+/// within a second, it is assumed to move backwards. A stretch of such motion begins forwards, unless more
+/// than two thirds of it would be backwards; or as the body says, where that is known in it. At standstill
+/// the last heading is kept; before it first moves, that of its start. nullopt where the point is not valid,
+/// and everywhere where neither is ever known. The result is as long as the points.
+std::vector<std::optional<Heading>> headingsOf(const Profile &profile);
 
 /// What of a curve a chart of some width can show: the points themselves, or, where there are more of them
 /// than pixels, the extremes of each pixel column. Plain values; any thread.

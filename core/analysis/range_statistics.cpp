@@ -152,7 +152,11 @@ std::vector<CurvePoint> pointsWithin(const Profile &profile, Quantity quantity, 
         const double position = sigmaAlong(measured.own, errorDirection(*measured.point, quantity));
         CurvePoint point{measured.timeS, values[i]->value, isPosition(quantity) ? position : values[i]->sigma,
                          errorRate(position, measured.point->sigmaSpeedMps), measured.point->sigmaSpeedMps};
-        if (isAngle(quantity))
+        const auto &body = measured.point->body;
+        if (isAngle(quantity) && body) { // its errors are those of its own measurement
+            point.errorRate = errorRate(body->sigmaRad, body->sigmaTurnRateRadps);
+            point.integralSigma = body->sigmaRad;
+        } else if (isAngle(quantity))
             point.integralSigma /= std::max(measured.point->sigmaSpeedMps, measured.point->speedMps);
         points.push_back(point);
     }

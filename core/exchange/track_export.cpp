@@ -173,7 +173,7 @@ std::string javaNumber(double value)
 Result<void> writeTrackTum(const AnalysisRecord &analysis, const TextSink &sink)
 {
     const Profile &profile = analysis.profile;
-    const auto headings = headingsOf(profile.points);
+    const auto headings = headingsOf(profile);
     TextPieces text(sink);
     for (std::size_t i = 0; i < profile.points.size(); ++i) {
         const ProfilePoint &point = profile.points[i];

@@ -29,8 +29,7 @@ Result<void> writeTrackCsv(const AnalysisRecord &analysis, CsvStyle style, const
 /// every locale.
 
 /// TUM, as evo reads it: "timestamp tx ty tz qx qy qz qw" with single blanks and none at the end of a line; z
-/// = 0 and a rotation about Z only: the direction of motion, kept while the robot is slower than three σ of
-/// its speed.
+/// = 0 and a rotation about Z only: the heading (headingsOf), 0 where none is known.
 std::string trackTum(const AnalysisRecord &analysis);
 Result<void> writeTrackTum(const AnalysisRecord &analysis, const TextSink &sink);
 

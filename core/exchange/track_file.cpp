@@ -5,9 +5,12 @@
 #include "core/exchange/text_file.h"
 #include "core/files/file_words.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
 #include <chrono>
+#include <cmath>
+#include <numbers>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -19,7 +22,7 @@ namespace odo {
 struct UnitColumn
 {
     std::size_t index = 0;
-    double unit = 1; ///< in seconds or metres
+    double unit = 1; ///< in seconds, metres or radians
 };
 
 /// Where the columns of one track lie.
@@ -27,7 +30,7 @@ struct TrackColumns
 {
     std::string name; ///< may be empty
     UnitColumn x, y;
-    std::optional<UnitColumn> sigmaX, sigmaY;
+    std::optional<UnitColumn> sigmaX, sigmaY, heading;
 };
 
 /// What the header of a table of tracks says.
@@ -49,6 +52,8 @@ struct Unit
 constexpr std::array<Unit, 6> timeUnits{
     {{"s", 1}, {"sec", 1}, {"seconds", 1}, {"ms", 1e-3}, {"us", 1e-6}, {"ns", 1e-9}}};
 constexpr std::array<Unit, 3> lengthUnits{{{"m", 1}, {"cm", 1e-2}, {"mm", 1e-3}}};
+constexpr std::array<Unit, 3> angleUnits{
+    {{"rad", 1}, {"deg", std::numbers::pi / 180}, {"°", std::numbers::pi / 180}}};
 
 /// A header cell: "x [m]" is the quantity x in the unit m.
 struct ColumnName
@@ -127,6 +132,20 @@ public:
         }
         return std::nullopt;
     }
+    /// A column that says its unit; others of its names are passed over.
+    template <std::size_t count>
+    std::optional<UnitColumn> findWithUnit(std::initializer_list<std::string_view> quantities,
+                                           const std::array<Unit, count> &units, std::size_t from,
+                                           std::size_t to) const
+    {
+        for (std::size_t i = from; i < to; ++i) {
+            const ColumnName name = nameOf(m_cells[i]);
+            const auto unit = std::ranges::find(units, std::string_view(name.unit), &Unit::name);
+            if (unit != units.end() && std::ranges::find(quantities, name.quantity) != quantities.end())
+                return UnitColumn{i, unit->inSi};
+        }
+        return std::nullopt;
+    }
     const std::optional<Error> &error() const { return m_error; }
 
 private:
@@ -152,7 +171,7 @@ std::vector<TrackColumns> namedPairs(const std::vector<std::string_view> &cells)
                                y = cells[i + 1].substr(0, cells[i + 1].find(' '));
         if (x.size() > 1 && y.size() == x.size() && x[0] == 'x' && y[0] == 'y' &&
             x.substr(1) == y.substr(1) && x[1] != '_')
-            tracks.push_back({std::string(x.substr(1)), {i, 1}, {i + 1, 1}, {}, {}});
+            tracks.push_back({std::string(x.substr(1)), {i, 1}, {i + 1, 1}, {}, {}, {}});
     }
     return tracks;
 }
@@ -160,7 +179,8 @@ std::vector<TrackColumns> namedPairs(const std::vector<std::string_view> &cells)
 } // namespace
 
 /// Reads a header: a time (t, time, timestamp) and pairs of x and y, perhaps sigma_x and sigma_y; each with
-/// its unit as `x_mm`, `x [m]`, `x (cm)`, `x/m`, or none (s, m); of more tracks `xNAME` and `yNAME`, or the
+/// its unit as `x_mm`, `x [m]`, `x (cm)`, `x/m`, or none (s, m); perhaps a heading, yaw or theta with the
+/// unit rad or deg; of more tracks `xNAME` and `yNAME`, or the
 /// names in the line above. Other columns are passed over. nullopt: it is no such header. The Error is the
 /// reason alone, of a unit that is not known.
 std::optional<Result<TrackHeader>> readTrackHeader(const std::vector<std::string_view> &cells,
@@ -186,7 +206,8 @@ std::optional<Result<TrackHeader>> readTrackHeader(const std::vector<std::string
             break;
         header.tracks.push_back({nameAbove(namesAbove, from, x->index), *x, *y,
                                  search.find({"sigma_x"}, lengthUnits, from, end),
-                                 search.find({"sigma_y"}, lengthUnits, from, end)});
+                                 search.find({"sigma_y"}, lengthUnits, from, end),
+                                 search.findWithUnit({"heading", "yaw", "theta"}, angleUnits, from, end)});
         from = std::max(x->index, y->index) + 1;
     }
     const bool isNamed = header.tracks.empty(); // as only Tracker does it
@@ -209,7 +230,7 @@ constexpr std::size_t mostTrackBytes = std::size_t(256) << 20;
 constexpr std::size_t mostPositions = 1'500'000; // with what is computed of them they take half a gigabyte
 constexpr double mostM = 100e3;
 constexpr auto longest = std::chrono::hours(24 * 7);
-constexpr std::size_t leastPositions = 3, tumEntries = 8;
+constexpr std::size_t leastPositions = 3, tumEntries = 8, tumRotation = 4; // its first cell
 constexpr int linesAboveHeader = 4;
 constexpr int linesBetweenQuestions = 4096; // about cancellation
 
@@ -228,6 +249,12 @@ Message positionsOf(const std::string &track, std::size_t count)
 Message chooseLongerTrack()
 {
     return ODO_TEXT("exchange.choose_longer_track", "choose a file with three positions or more");
+}
+
+/// As programs write an orientation that they do not know.
+bool isNotANumber(std::string_view cell)
+{
+    return lowerCase(cell) == "nan" || lowerCase(cell) == "-nan";
 }
 
 Message writeDigits()
@@ -256,6 +283,7 @@ private:
     Result<void> add(FileTrack &track, const ImportedPosition &position);
     Result<TrackFile> checked(TrackFile file) const;
     Result<double> numberOf(std::size_t cell) const;
+    std::optional<double> tumHeadingRad() const;
     tl::unexpected<Error> wrong(Message why, Message advice) const
     {
         return fail(ErrorCode::InvalidInput, atLine(m_file, std::max(1, m_lines.number())), std::move(why),
@@ -365,17 +393,37 @@ Result<TrackFile> TrackReader::readTum()
                 ODO_TEXT("exchange.write_tum_or_header", "write %1, or begin the file with the line %2")(
                     std::string(tumMark), std::string(csvMark)));
         for (std::size_t cell = 1; cell < tumEntries; ++cell)
-            ODO_TRY(numberOf(cell));
+            if (cell < tumRotation || !isNotANumber(m_cells[cell]))
+                ODO_TRY(numberOf(cell));
         const auto time = cellTime(m_cells[0], m_delimiter, 1);
         if (!time)
             return wrong(
                 ODO_TEXT("exchange.not_a_time_in_seconds", "'%1' is not a time in seconds")(shown(0)),
                 writeDigits());
-        if (auto added = add(file.tracks[0], {*time, Eigen::Vector2d(*numberOf(1), *numberOf(2)), {}});
+        if (auto added = add(file.tracks[0],
+                             {*time, Eigen::Vector2d(*numberOf(1), *numberOf(2)), {}, tumHeadingRad()});
             !added)
             return tl::unexpected(added.error());
     }
     return checked(std::move(file));
+}
+
+/// The yaw of the line's quaternion. nullopt: it is none, or not that of a robot whose Z axis points up.
+std::optional<double> TrackReader::tumHeadingRad() const
+{
+    constexpr double leastUpright = 0.7, mostOffUnit = 0.1;
+    Eigen::Vector4d q; // x, y, z, w, as Eigen keeps them
+    for (std::size_t i = 0; i < 4; ++i) {
+        if (isNotANumber(m_cells[tumRotation + i]))
+            return std::nullopt;
+        q[Eigen::Index(i)] = *cellNumber(m_cells[tumRotation + i], m_delimiter);
+    }
+    if (!(std::abs(q.norm() - 1) < mostOffUnit))
+        return std::nullopt;
+    const Eigen::Matrix3d axes = Eigen::Quaterniond(Eigen::Vector4d(q.normalized())).toRotationMatrix();
+    if (axes(2, 2) < leastUpright)
+        return std::nullopt;
+    return std::atan2(axes(1, 0), axes(0, 0));
 }
 
 /// nullopt in the value: the line is no header, whatever parts its cells.
@@ -427,12 +475,14 @@ Result<void> TrackReader::addRow(const TrackHeader &header, std::vector<FileTrac
         const auto position =
             ODO_TRY(pairOf(columns.x, columns.y,
                            ODO_TEXT("exchange.one_place_blank", "one of its two coordinates is blank")));
-        ImportedPosition row{*time, position, {}};
+        ImportedPosition row{*time, position, {}, {}};
         if (row.position && columns.sigmaX && columns.sigmaY) {
             row.sigmaM = ODO_TRY(
                 pairOf(*columns.sigmaX, *columns.sigmaY,
                        ODO_TEXT("exchange.one_error_blank", "one of its two uncertainties is blank")));
         }
+        if (columns.heading && !m_cells[columns.heading->index].empty())
+            row.headingRad = ODO_TRY(numberOf(columns.heading->index)) * columns.heading->unit;
         ODO_TRY(add(tracks[i], row));
     }
     return {};

@@ -32,11 +32,11 @@ struct TrackFile
 };
 
 /// Reads a file of finished tracks, recognising by its content what it is: TUM (`timestamp tx ty tz qx qy qz
-/// qw`), a table with a header (readTrackHeader; parted by tabs, `;`, `,` or blanks, decimals with a point or
-/// comma), or Tracker's text. Metres and seconds, as in the file: times are not shifted to zero. At most
-/// 256 MiB. Any thread; asks for cancellation. Errors, with file and line: no such content, a wrong number of
-/// cells, a value that is no finite number, times that do not increase, a position beyond 100 km, a track
-/// over more than a week or with fewer than three positions.
+/// qw`; the yaw is the heading), a table with a header (readTrackHeader; parted by tabs, `;`, `,` or blanks,
+/// decimals with a point or comma), or Tracker's text. Metres and seconds, as in the file: times are not
+/// shifted to zero. At most 256 MiB. Any thread; asks for cancellation. Errors, with file and line: no such
+/// content, a wrong number of cells, a value that is no finite number, times that do not increase, a position
+/// beyond 100 km, a track over more than a week or with fewer than three positions.
 Result<TrackFile> readTrackFile(const std::filesystem::path &file, const JobControl &control);
 
 } // namespace odo

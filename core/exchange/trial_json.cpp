@@ -166,24 +166,30 @@ void addColumn(TextPieces &text, const char *name, std::size_t count, const Valu
     text.add("]");
 }
 
-/// Direction of motion without steps of a whole turn (also while the robot stands still, then without σ), and
+/// Heading without steps of a whole turn (kept while it is not known, then without σ), what it is of, and
 /// turn rate; SI units.
 void addHeadings(TextPieces &text, const Profile &profile)
 {
     using Number = std::optional<double>;
-    const auto headings = headingsOf(profile.points);
+    const auto headings = headingsOf(profile);
     const std::size_t count = profile.points.size();
     addColumn(text, "heading_rad", count,
               [&](std::size_t i) { return headings[i] ? Number(headings[i]->radians) : std::nullopt; });
     addColumn(text, "sigma_heading_rad", count,
               [&](std::size_t i) { return headings[i] ? headings[i]->sigmaRad : std::nullopt; });
+    text.add(",\n\"heading_source\": [");
+    for (std::size_t i = 0; i < count; ++i) {
+        text.add(i > 0 ? "," : "");
+        text.add(headings[i] ? '"' + std::string(headingSource(*headings[i])) + '"' : std::string("null"));
+    }
+    text.add("]");
     addColumn(text, "turn_rate_rad_s", count, [&](std::size_t i) {
-        const auto course = courseOf(profile.points[i]);
-        return course ? Number(course->turnRateRadps) : std::nullopt;
+        const auto rate = turnRateOf(profile.points[i]);
+        return rate ? Number(rate->value) : std::nullopt;
     });
     addColumn(text, "sigma_turn_rate_rad_s", count, [&](std::size_t i) {
-        const auto course = courseOf(profile.points[i]);
-        return course ? Number(course->sigmaTurnRateRadps) : std::nullopt;
+        const auto rate = turnRateOf(profile.points[i]);
+        return rate ? Number(rate->sigma) : std::nullopt;
     });
 }
 

@@ -89,7 +89,8 @@ struct PositionedRobot
     double planeSigmaM = 0; ///< of the plane used
     double heightM = 0;     ///< of the robot's top
     bool estimated = false;
-    std::optional<double> clearanceM; ///< of a solid
+    std::optional<double> clearanceM;                          ///< of a solid
+    std::vector<std::optional<MeasuredHeading>> headings = {}; ///< of a solid, one a frame; or none at all
 };
 
 /// Sightings on one plane. Where the views show that the point strays from it (a person's head, a wrong
@@ -131,6 +132,7 @@ std::optional<PositionedRobot> positionSolid(const std::vector<ViewTrack> &views
     placed.heightM = solid->shape.topM;
     placed.estimated = !given.heightM;
     placed.clearanceM = solid->shape.baseM;
+    placed.headings = std::move(solid->headings);
     return placed;
 }
 
@@ -275,6 +277,8 @@ Result<MeasuredRobot> measure(const std::vector<ViewTrack> &views, const RobotSh
     flagContradictions(robot.track, apartM);
     chooseByMotion(robot.track, settings, options.longestBridgedGap);
     alignSingleViews(robot.track, placed.views, views);
+    for (std::size_t i = 0; i < placed.headings.size(); ++i)
+        robot.track.samples[i].heading = placed.headings[i];
     applyOverrides(robot.track.samples, options.overrides);
     return robot;
 }

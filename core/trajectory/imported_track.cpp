@@ -6,6 +6,7 @@
 #include "core/analysis/task_metrics.h"
 #include "core/base/percentile.h"
 #include "core/trajectory/analyser.h"
+#include "core/trajectory/internal/heading_curve.h"
 #include "core/trajectory/internal/spike_flags.h"
 #include "core/trajectory/internal/track_profile.h"
 
@@ -61,6 +62,58 @@ MeasurementNoise importedNoise()
     return measurement;
 }
 
+constexpr double leastHeadingSigmaRad = 1e-4;
+constexpr double leastAlongRatio = 10; // of a path along a heading that never changes, to its width
+
+/// Whether headings that never change are those of a robot that drives along them, forwards or backwards, and
+/// not what a program writes that knows none.
+bool liesAlong(const std::vector<ImportedPosition> &track, double headingRad)
+{
+    Eigen::Vector2d sum = Eigen::Vector2d::Zero(), squares = Eigen::Vector2d::Zero();
+    double count = 0;
+    const Eigen::Rotation2Dd back(-headingRad);
+    for (const ImportedPosition &one : track) {
+        if (!one.position)
+            continue;
+        const Eigen::Vector2d position = back * Eigen::Vector2d(*one.position);
+        sum += position;
+        squares += position.cwiseAbs2();
+        count += 1;
+    }
+    const Eigen::Vector2d spread = (squares / count - (sum / count).cwiseAbs2()).cwiseMax(0.0).cwiseSqrt();
+    return spread.x() > leastAlongRatio * std::max(spread.y(), leastImportedNoiseM);
+}
+
+/// Whether the headings of a track are of its robot.
+bool saysHeading(const std::vector<ImportedPosition> &track)
+{
+    std::optional<double> first;
+    for (const ImportedPosition &one : track) {
+        if (!one.headingRad)
+            continue;
+        if (first && *one.headingRad != *first)
+            return true;
+        first = one.headingRad;
+    }
+    return first && liesAlong(track, *first);
+}
+
+/// How far the headings scatter, as estimateImportedNoiseM of positions.
+double estimateHeadingSigmaRad(const std::vector<ImportedPosition> &track)
+{
+    std::vector<Sample> samples;
+    for (std::size_t i = 0; i < std::min(noisePositions, track.size()); ++i) {
+        Sample &sample = samples.emplace_back();
+        sample.time = track[i].time;
+        if (!track[i].position || !track[i].headingRad)
+            continue;
+        sample.position = *track[i].position;
+        sample.heading = MeasuredHeading{*track[i].headingRad, 0, 0};
+    }
+    return std::max(leastHeadingSigmaRad,
+                    headingScatterRad(samples, optionsForImported({}, samples).longestBridgedGap));
+}
+
 } // namespace
 
 std::vector<Sample> samplesOfImported(const std::vector<ImportedPosition> &track, double noiseM)
@@ -89,6 +142,11 @@ ImportedSeries::ImportedSeries(const std::vector<ImportedPosition> &track, doubl
             m_sigmas.push_back(one.sigmaM ? std::array{one.sigmaM->x(), one.sigmaM->y()}
                                           : std::array{noiseM, noiseM});
     }
+    if (!saysHeading(track))
+        return;
+    for (const ImportedPosition &one : track)
+        m_headings.push_back(one.headingRad.value_or(none));
+    m_headingSigmaRad = estimateHeadingSigmaRad(track);
 }
 
 Sample ImportedSeries::sample(std::size_t i) const
@@ -96,6 +154,8 @@ Sample ImportedSeries::sample(std::size_t i) const
     Sample sample;
     sample.time = m_times[i];
     sample.frame = static_cast<std::int64_t>(i);
+    if (!m_headings.empty() && !std::isnan(m_headings[i]))
+        sample.heading = MeasuredHeading{m_headings[i], m_headingSigmaRad, 0};
     if (std::isnan(m_positions[i][0])) {
         sample.flags = flagBit(SampleFlag::Lost);
         return sample;
@@ -224,7 +284,8 @@ private:
         auto samples = ODO_TRY(m_raw.chunk(from, to - from));
         FusedTrack track = trackOf(std::move(samples), m_options);
         const std::vector<MotionChange> changes = flagSpikesKnowing(m_known, track.samples, m_options);
-        const auto points = makePoints(track.samples, changes, m_options, m_known.noise);
+        auto points = makePoints(track.samples, changes, m_options, m_known.noise);
+        smoothHeadings(track.samples, m_options.longestBridgedGap, points);
         for (Spike &spike : describeSpikes(track, points, m_options.longestBridgedGap)) {
             const std::size_t at = from + static_cast<std::size_t>(spike.sampleIndex);
             if (at < begin || at >= end)

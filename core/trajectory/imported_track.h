@@ -40,12 +40,14 @@ struct ImportedPosition
 {
     using Pair = Eigen::Matrix<double, 2, 1, Eigen::DontAlign>; // millions of them need not take a third more
     Nanoseconds time{0};
-    std::optional<Pair> position; ///< empty: the robot was not measured then
-    std::optional<Pair> sigmaM;   ///< of x and y, where it is stated
+    std::optional<Pair> position;          ///< empty: the robot was not measured then
+    std::optional<Pair> sigmaM;            ///< of x and y, where it is stated
+    std::optional<double> headingRad = {}; ///< of the body, anticlockwise from the world's X
 };
 
 /// The samples of such a track; Sample::frame is the line's index, no view is named. Positions without a
-/// stated σ get noiseM.
+/// stated σ get noiseM. Headings get a σ by their scatter. Those that never change do not count, unless the
+/// robot drives along them: programs that know no orientation write the same one in every line.
 std::vector<Sample> samplesOfImported(const std::vector<ImportedPosition> &track, double noiseM);
 
 /// The same, held in a sixth of the memory of the samples.
@@ -60,7 +62,8 @@ private:
     std::vector<Nanoseconds> m_times;
     std::vector<std::array<double, 2>> m_positions; ///< NaN: not measured
     std::vector<std::array<double, 2>> m_sigmas;    ///< as stated; empty: none is, all have the noise
-    double m_noiseM;
+    std::vector<double> m_headings;                 ///< NaN: not known; empty: none is
+    double m_noiseM, m_headingSigmaRad = 0;
 };
 
 /// How far the positions scatter from frame to frame, metres: what the motion noise's maximum likelihood

@@ -2,6 +2,7 @@
 #include "core/trajectory/solid_choice.h"
 
 #include "core/trajectory/internal/body_direction.h"
+#include "core/trajectory/internal/body_heading.h"
 #include "core/trajectory/internal/body_outline.h"
 #include "core/trajectory/internal/height_estimation.h"
 #include "core/trajectory/internal/level_fit.h"
@@ -25,6 +26,10 @@ constexpr double taper = 0.1, topShift = 0.15; // of guesses whose upper part si
 // (tests/workflow/tst_any_look). Across the heading most robots are alike on both sides.
 constexpr double positionAlong = 0.008, positionAcross = 0.005;
 
+// A body whose middle is known so well has ends that are known alike: they turn it by that over a part of its
+// length (measured with rendered robots before one and two cameras, tests/workflow/tst_turning_robots).
+constexpr double headingArm = 1.0 / 3;
+
 using Axes = std::vector<std::vector<BodyAxis>>;
 
 /// A box where each view saw it, with its axes.
@@ -32,13 +37,16 @@ struct PositionedSolid
 {
     FoundSolid solid;
     Axes axes;
+    std::vector<MeasuredAxis> measured;
 };
 
 PositionedSolid positionedSolid(const std::vector<ViewTrack> &views, const ShapeEstimate &estimate)
 {
-    Axes axes = trackAxis(views, estimate.shape);
+    std::vector<MeasuredAxis> measured;
+    Axes axes = trackAxis(views, estimate.shape, &measured);
     return {{estimate.shape, estimate.sigmaMiddleM, positionBody(views, estimate.shape, axes)},
-            std::move(axes)};
+            std::move(axes),
+            std::move(measured)};
 }
 
 /// Positions a box or cylinder by another point of it, for which its front must be known: of a cylinder only
@@ -111,8 +119,12 @@ std::optional<FoundSolid> findSolidOfLevels(const std::vector<ViewTrack> &views,
         learned->outlines, best->lastingPx,
         std::hypot(learned->sigmaForwardM, positionAlong * best->shape.lengthM),
         std::hypot(learned->sigmaLeftM, positionAcross * best->shape.lengthM)};
-    solid.seen = positionBody(
-        views, solid.shape, trackDirection(views, solid.shape, learned->outlines, best->poses), uncertainty);
+    TrackedBody body{best->shape, given.lengthM && given.widthM};
+    body.shapeSigmaRad =
+        std::hypot(learned->sigmaForwardM, learned->sigmaLeftM) / (headingArm * best->shape.lengthM);
+    body.axes = trackDirection(views, solid.shape, learned->outlines, best->poses, &body.measured);
+    solid.seen = positionBody(views, solid.shape, body.axes, uncertainty);
+    solid.headings = headingsOfBody(views, solid.seen, body);
     return solid;
 }
 
@@ -158,6 +170,10 @@ std::optional<FoundSolid> findSolid(const std::vector<ViewTrack> &views, const R
     if (!box || box->misfit > worstShapeMisfit)
         return std::nullopt;
     PositionedSolid placed = positionedSolid(views, *box);
+    if (box->shape.form == SolidShape::Form::Box)
+        placed.solid.headings =
+            headingsOfBody(views, placed.solid.seen,
+                           {box->shape, given.lengthM && given.widthM, placed.axes, placed.measured, 0});
     if (!given.referenceM.isZero())
         moveToReference(views, given.referenceM, placed);
     return std::move(placed.solid);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/analysis/profile.h"
 #include "core/geometry/silhouette.h"
 #include "core/trajectory/analyser.h"
 #include "core/trajectory/internal/floor_positions.h"
@@ -16,6 +17,8 @@ struct FoundSolid
     SolidShape shape;
     double sigmaMiddleM = 0;                 ///< of the height of its middle
     std::vector<std::vector<Sighting>> seen; ///< of each observation of each view
+    /// of each observation of the first view; a cylinder has none
+    std::vector<std::optional<MeasuredHeading>> headings = {};
 };
 
 /// The simplest solid that explains the outlines of all views: a box or a cylinder (estimateShape), or, where

@@ -24,6 +24,16 @@ ProfilePoint point(Eigen::Vector2d velocity, Eigen::Vector2d acceleration, doubl
     return made;
 }
 
+/// A point every thirtieth of a second.
+Profile profileOf(std::vector<ProfilePoint> points)
+{
+    Profile profile;
+    profile.points = std::move(points);
+    for (std::size_t i = 0; i < profile.points.size(); ++i)
+        profile.samples.emplace_back().time = fromSeconds(static_cast<double>(i) / 30);
+    return profile;
+}
+
 /// Anticlockwise on a circle: turn rate w, speed w·r.
 ProfilePoint onCircle(double radius, double w, double t)
 {
@@ -59,7 +69,7 @@ private Q_SLOTS:
             const double angle = i * std::numbers::pi / 3;
             points.push_back(point({std::cos(angle), std::sin(angle)}, {0, 0}));
         }
-        const auto headings = headingsOf(points);
+        const auto headings = headingsOf(profileOf(points));
         for (std::size_t i = 0; i < points.size(); ++i)
             QVERIFY(std::abs(headings[i]->radians - static_cast<double>(i) * std::numbers::pi / 3) < 1e-9);
     }
@@ -71,8 +81,8 @@ private Q_SLOTS:
         unknown.valid = false;
         QVERIFY(!courseOf(resting));
         QVERIFY(!courseOf(unknown));
-        const auto headings =
-            headingsOf({resting, point({0, 1}, {0, 0}), resting, unknown, point({-1, -0.01}, {0, 0})});
+        const auto headings = headingsOf(
+            profileOf({resting, point({0, 1}, {0, 0}), resting, unknown, point({-1, -0.01}, {0, 0})}));
         QVERIFY(std::abs(headings[0]->radians - std::numbers::pi / 2) < 1e-12);
         QVERIFY(!headings[0]->sigmaRad.has_value());
         QVERIFY(headings[1]->sigmaRad.has_value());
@@ -81,9 +91,70 @@ private Q_SLOTS:
         QVERIFY(!headings[3].has_value());
         // 180.6°, not −179.4°
         QVERIFY(headings[4]->radians > std::numbers::pi);
-        for (const auto &heading : headingsOf({resting, resting, unknown}))
+        for (const auto &heading : headingsOf(profileOf({resting, resting, unknown})))
             QVERIFY(!heading.has_value());
-        QVERIFY(headingsOf({}).empty());
+        QVERIFY(headingsOf(Profile()).empty());
+    }
+
+    /// Along a line in the direction 0.5 rad: forwards, back, forwards; each part takes a second, or more.
+    static Profile shuttle(const std::vector<double> &largestMps, double pauseS)
+    {
+        std::vector<ProfilePoint> points;
+        const Eigen::Vector2d ahead(std::cos(0.5), std::sin(0.5));
+        for (const double most : largestMps) {
+            for (int i = 0; i < 30; ++i)
+                points.push_back(point(most * std::sin(i / 30.0 * std::numbers::pi) * ahead, {0, 0}));
+            points.resize(points.size() + std::size_t(std::lround(30 * pauseS)), point({0, 0}, {0, 0}));
+        }
+        return profileOf(std::move(points));
+    }
+    static double worstAway(const Profile &profile, double heading)
+    {
+        double worst = 0;
+        for (const auto &one : headingsOf(profile)) {
+            if (one->isOfBody || std::abs(one->radians - heading) > worst)
+                worst = one->isOfBody ? HUGE_VAL : std::abs(one->radians - heading);
+        }
+        return worst;
+    }
+
+    void aReversalDoesNotTurnIt()
+    {
+        QVERIFY(worstAway(shuttle({0.5, -0.4, 0.6}, 0.2), 0.5) < 1e-9);
+        // As long back as ahead.
+        QVERIFY(worstAway(shuttle({0.5, -0.5}, 0), 0.5) < 1e-9);
+        // First a little back, then far ahead.
+        QVERIFY(worstAway(shuttle({-0.1, 0.6}, 0), 0.5) < 1e-9);
+        // After a long stop it may have turned on the spot.
+        const auto headings = headingsOf(shuttle({0.5, -0.5}, 1.5));
+        QVERIFY(std::abs(headings[15]->radians - 0.5) < 1e-9);
+        QVERIFY(std::abs(std::abs(headings[90]->radians - 0.5) - std::numbers::pi) < 1e-9);
+        QVERIFY(!headings[50]->sigmaRad && headings[90]->sigmaRad);
+    }
+    void aBodyIsKnownOnTheSpot()
+    {
+        Profile profile = shuttle({0.5, -0.5}, 0.5);
+        for (std::size_t i = 30; i < 45; ++i) // stands, and turns by 1.5 rad
+            profile.points[i].body = BodyHeading{0.5 + 0.1 * double(i - 30), 0.02, 3, 0.1};
+        const auto headings = headingsOf(profile);
+        QVERIFY(headings[40]->isOfBody && headings[40]->radians == 1.5);
+        QCOMPARE(*headings[40]->sigmaRad, 0.02);
+        QVERIFY(!headings[60]->isOfBody);
+        QCOMPARE(headingSource(*headings[40]), std::string_view("body"));
+        QCOMPARE(headingSource(*headings[60]), std::string_view("motion"));
+        QCOMPARE(turnRateOf(profile.points[40])->value, 3.0);
+        // How it turns is known, but not where its front is.
+        for (std::size_t i = 30; i < 45; ++i)
+            profile.points[i].body->sigmaRad += unknownFrontSigmaRad;
+        QVERIFY(!headingsOf(profile)[40]->isOfBody);
+        QVERIFY(std::abs(headingsOf(profile)[40]->radians - 0.5) < 1e-9);
+        QCOMPARE(turnRateOf(profile.points[40])->value, 3.0);
+        // Of a stretch that the body says is driven backwards first.
+        for (ProfilePoint &one : profile.points)
+            one.body.reset();
+        for (std::size_t i = 5; i < 25; ++i)
+            profile.points[i].body = BodyHeading{0.5 - std::numbers::pi, 0.02, 0, 0.1};
+        QVERIFY(std::abs(std::abs(headingsOf(profile)[60]->radians - 0.5) - std::numbers::pi) < 1e-9);
     }
 
     void sigmasAgreeWithMonteCarlo()

@@ -116,6 +116,26 @@ private Q_SLOTS:
         QVERIFY(text.starts_with("0 0.25 -1.5 0 0 0 0.707106781186547"));
         QVERIFY(lines[1].startsWith(QStringLiteral("0.033333333 0.25 -1.5 0 0 0 ")));
     }
+    /// The heading of the body counts where it was measured, and the JSON says which of the two it is.
+    void headingsOfTheBody()
+    {
+        AnalysisRecord analysis = sampleTrack();
+        analysis.profile.points[1].body = BodyHeading{2 * std::acos(-1.0), 0.125, -1.5, 0.25};
+        const QStringList lines = QString::fromStdString(trackTum(analysis)).split(u'\n', Qt::SkipEmptyParts);
+        const QStringList cells = lines[1].split(u' ');
+        QVERIFY(std::abs(cells[6].toDouble()) < 1e-15 && std::abs(std::abs(cells[7].toDouble()) - 1) < 1e-15);
+        QVERIFY(!lines[0].endsWith(QStringLiteral(" 1")));
+        const auto document =
+            QJsonDocument::fromJson(QByteArray::fromStdString(trialJson({}, {}, {analysis})));
+        const QJsonValue columns = document[QStringLiteral("robots")][0][QStringLiteral("columns")];
+        const QJsonValue source = columns[QStringLiteral("heading_source")];
+        QCOMPARE(source[0].toString(), QStringLiteral("motion"));
+        QCOMPARE(source[1].toString(), QStringLiteral("body"));
+        QVERIFY(source[2].isNull() && source.toArray().size() == 3);
+        QCOMPARE(columns[QStringLiteral("sigma_heading_rad")][1].toDouble(), 0.125);
+        QCOMPARE(columns[QStringLiteral("turn_rate_rad_s")][1].toDouble(), -1.5);
+        QCOMPARE(columns[QStringLiteral("sigma_turn_rate_rad_s")][1].toDouble(), 0.25);
+    }
     /// As evo's file_interface.read_tum_trajectory_file has it: cells parted by one blank, exactly eight in a
     /// line, all of them numbers.
     void tumAsEvoReadsIt()

@@ -9,6 +9,7 @@
 #include <QLocale>
 #include <QTemporaryDir>
 #include <QTest>
+#include <cmath>
 #include <ctime>
 #include <limits>
 
@@ -51,6 +52,54 @@ class TestTrackFile : public QObject
     inline static const QString same = QStringLiteral("|0 100000000 200000000|0 0.5 1|-1 -1.5 -2");
 
 private Q_SLOTS:
+    void headings_data()
+    {
+        QTest::addColumn<QByteArray>("text");
+        QTest::addColumn<QList<double>>("degrees"); // NaN: not known
+        constexpr double none = std::numeric_limits<double>::quiet_NaN();
+        const auto tum = [](const QList<QByteArray> &rotations) {
+            QByteArray text;
+            for (qsizetype i = 0; i < rotations.size(); ++i)
+                text += QByteArray::number(i) + " 0 0 0 " + rotations[i] + '\n';
+            return text;
+        };
+        QTest::newRow("TUM") << tum({"0 0 0 1", "0 0 0.7071067811865476 0.7071067811865476", "0 0 -1 0",
+                                     "0 0 0.5 -0.8660254037844386"})
+                             << QList<double>{0, 90, 180, -60};
+        QTest::newRow("TUM of a robot that pitches by 10°")
+            << tum({"0 0.08715574274765817 0 0.9961946980917455",
+                    "-0.06162841671621936 0.06162841671621936 "
+                    "0.7044160264027587 0.7044160264027587",
+                    "0 0 0 1"})
+            << QList<double>{0, 90, 0};
+        QTest::newRow("TUM without rotations, lying on its side and not normalised")
+            << tum({"nan nan nan nan", "0 0 0 0", "0.7071067811865476 0 0 0.7071067811865476", "0 0 2 2",
+                    "-NaN 0 0 1"})
+            << QList<double>{none, none, none, none, none};
+        QTest::newRow("degrees") << QByteArray("t_s,x_m,y_m,heading_deg\n0,0,0,10\n1,1,0,\n2,2,0,-370\n")
+                                 << QList<double>{10, none, -370};
+        QTest::newRow("radians") << QByteArray(
+                                        "t,x,y,theta [rad]\n0,0,0,0\n1,1,0,3.141592653589793\n2,2,0,0\n")
+                                 << QList<double>{0, 180, 0};
+        QTest::newRow("a unit that is not said, and one that is none of an angle")
+            << QByteArray("t,x,y,theta,yaw_px\n0,0,0,a,b\n1,1,0,1,2\n2,2,0,1,2\n")
+            << QList<double>{none, none, none};
+    }
+    void headings()
+    {
+        QFETCH(QByteArray, text);
+        QFETCH(QList<double>, degrees);
+        const auto file = read(text);
+        QVERIFY2(file, file ? "" : file.error().message().c_str());
+        const auto &positions = file->tracks[0].positions;
+        QCOMPARE(qsizetype(positions.size()), degrees.size());
+        for (qsizetype i = 0; i < degrees.size(); ++i) {
+            const auto &heading = positions[std::size_t(i)].headingRad;
+            QCOMPARE(heading.has_value(), !std::isnan(degrees[i]));
+            QVERIFY2(!heading || std::abs(*heading * 180 / M_PI - degrees[i]) < 1e-9,
+                     qPrintable(QString::number(heading.value_or(0))));
+        }
+    }
     void layouts_data()
     {
         QTest::addColumn<QByteArray>("text");

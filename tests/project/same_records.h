@@ -95,7 +95,7 @@ inline bool sameSample(const Sample &a, const Sample &b)
     return a.time == b.time && a.frame == b.frame && a.position.has_value() == b.position.has_value() &&
            (!a.position || sameMatrix(*a.position, *b.position)) && sameMatrix(a.covariance, b.covariance) &&
            sameMatrix(a.commonCovariance, b.commonCovariance) && a.views == b.views &&
-           a.viewDisagreementM == b.viewDisagreementM && a.flags == b.flags;
+           a.viewDisagreementM == b.viewDisagreementM && a.flags == b.flags && a.heading == b.heading;
 }
 
 inline bool samePoint(const ProfilePoint &a, const ProfilePoint &b)
@@ -104,7 +104,7 @@ inline bool samePoint(const ProfilePoint &a, const ProfilePoint &b)
            sameMatrix(a.acceleration, b.acceleration) && same(a.sigmaXM, b.sigmaXM) &&
            same(a.sigmaYM, b.sigmaYM) && same(a.speedMps, b.speedMps) &&
            same(a.sigmaSpeedMps, b.sigmaSpeedMps) && same(a.accelMps2, b.accelMps2) &&
-           same(a.sigmaAccelMps2, b.sigmaAccelMps2) && a.valid == b.valid;
+           same(a.sigmaAccelMps2, b.sigmaAccelMps2) && a.valid == b.valid && a.body == b.body;
 }
 
 } // namespace odo::test

@@ -157,9 +157,13 @@ AnalysisRecord RecordSource::analysis(RecordId trial, RecordId robot, std::size_
         if (i % 4 != 0)
             sample.viewDisagreementM = number();
         sample.flags = static_cast<SampleFlags>(i);
+        if (i % 5 == 1)
+            sample.heading = MeasuredHeading{positive(), positive(), positive()};
         profile.samples.push_back(sample);
         profile.points.push_back({vector(), vector(), vector(), positive(), positive(), positive(),
                                   positive(), positive(), positive(), i % 2 == 0});
+        if (i % 5 == 2)
+            profile.points.back().body = BodyHeading{positive(), positive(), positive(), positive()};
     }
     if (samples > 0)
         profile.spikes = {{0, Nanoseconds(integer()), 0x80000003u, foreignWords("views disagree by 84 mm")}};

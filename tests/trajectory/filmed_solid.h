@@ -19,7 +19,7 @@ inline Ellipse ellipseOf(const RegionMoments &moments)
 
 inline double headingOf(const Truth &truth)
 {
-    return std::atan2(truth.velocity.y(), truth.velocity.x());
+    return truth.headingRad.value_or(std::atan2(truth.velocity.y(), truth.velocity.x()));
 }
 
 /// What a view sees of a solid that runs a course with its length ahead.

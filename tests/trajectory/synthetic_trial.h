@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <functional>
+#include <optional>
 #include <random>
 
 namespace odo::test {
@@ -14,6 +15,7 @@ struct Truth
 {
     Eigen::Vector2d position = Eigen::Vector2d::Zero(), velocity = Eigen::Vector2d::Zero(),
                     acceleration = Eigen::Vector2d::Zero();
+    std::optional<double> headingRad = {}; ///< of its body; empty: it drives ahead
 };
 using Course = std::function<Truth(double timeS)>;
 

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/trajectory/imported_track.h"
 
+#include "core/analysis/quantity_curve.h"
 #include "tests/support/registered_test.h"
+#include "tests/trajectory/driven_course.h"
 
 #include <QTest>
 #include <random>
@@ -33,6 +35,28 @@ class TestImportedTrack : public QObject
             if (metric.name == name)
                 return metric.value;
         return -1;
+    }
+
+    /// The same for 10 s of spins and reverses, with headings.
+    static std::vector<ImportedPosition> driven(const test::DrivenCourse &course, double noiseM,
+                                                double noiseRad, double perSecond)
+    {
+        std::mt19937 random(5);
+        std::normal_distribution<double> noise(0, 1);
+        std::vector<ImportedPosition> track;
+        for (int i = 0; i <= course.durationS() * perSecond; ++i) {
+            const test::DrivenState state = course.at(i / perSecond);
+            track.push_back({fromSeconds(i / perSecond),
+                             state.truth.position + noiseM * Eigen::Vector2d(noise(random), noise(random)),
+                             {},
+                             // as a file has it
+                             std::remainder(*state.truth.headingRad + noiseRad * noise(random), 2 * M_PI)});
+        }
+        return track;
+    }
+    static Profile profileOf(const std::vector<ImportedPosition> &track)
+    {
+        return *analyseImported(samplesOfImported(track, estimateImportedNoiseM(track)), {});
     }
 
 private Q_SLOTS:
@@ -115,6 +139,8 @@ private Q_SLOTS:
     void longTracksArePartedUnseen()
     {
         std::vector<ImportedPosition> track = circle(0.001, 2000, 100);
+        for (ImportedPosition &one : track) // its right side ahead
+            one.headingRad = std::remainder(2 * toSeconds(one.time), 2 * M_PI);
         const std::size_t spikes[] = {10, 16'383, 32'768, 65'536, 199'000}; // where parts begin too
         for (const std::size_t at : spikes)
             *track[at].position += Eigen::Vector2d(0.3, 0);
@@ -147,6 +173,12 @@ private Q_SLOTS:
         QVERIFY(std::abs(metricOf(*profile, "mean_speed") - 1) < 0.001);
         QVERIFY(std::abs(metricOf(*profile, "duration") - 2000) < 0.1);
 
+        for (std::size_t i = 0; i < profile->points.size(); ++i) {
+            const auto &body = profile->points[i].body;
+            QVERIFY(body && std::abs(body->turnRateRadps - 2) < 0.01);
+            QVERIFY(std::abs(std::remainder(body->radians - 2 * toSeconds(track[i].time), 2 * M_PI)) < 1e-3);
+        }
+
         // What is around the end of a part, at once.
         constexpr std::size_t from = 60'000, count = 11'000;
         const auto around = analyseImported(*source.chunk(from, count), {});
@@ -170,6 +202,90 @@ private Q_SLOTS:
         control.cancel.cancel();
         const auto stopped = analyseImported(source, {}, control);
         QVERIFY(!stopped && stopped.error().code == ErrorCode::Cancelled);
+    }
+    void spinsAndReversesAreFollowed_data()
+    {
+        QTest::addColumn<double>("noiseRad");
+        QTest::addColumn<double>("perSecond");
+        for (const double noiseRad : {0.0, 0.001, 0.02})
+            for (const double perSecond : {20.0, 100.0})
+                QTest::addRow("%g rad, %g a second", noiseRad, perSecond) << noiseRad << perSecond;
+    }
+    void spinsAndReversesAreFollowed()
+    {
+        QFETCH(double, noiseRad);
+        QFETCH(double, perSecond);
+        const test::DrivenCourse course = test::spinsAndReverses();
+        const Profile profile = profileOf(driven(course, 0.001, noiseRad, perSecond));
+        const auto headings = headingsOf(profile);
+        double headingHolds = 0, rateHolds = 0;
+        for (std::size_t i = 0; i < headings.size(); ++i) {
+            const test::DrivenState truth = course.at(toSeconds(profile.samples[i].time));
+            QVERIFY(headings[i] && headings[i]->isOfBody);
+            // from the first one on without whole turns
+            headingHolds +=
+                std::abs(headings[i]->radians - *truth.truth.headingRad) <= 2 * *headings[i]->sigmaRad;
+            const auto rate = turnRateOf(profile.points[i]);
+            rateHolds += std::abs(rate->value - truth.turnRateRadps) <= 2 * rate->sigma;
+        }
+        const auto count = static_cast<double>(headings.size());
+        const auto turn = std::ranges::find(profile.metrics, "max_turn_rate", &Metric::name);
+        qInfo("heading %.3f, rate %.3f; fastest %.4f ± %.4f, σ %.5f", headingHolds / count, rateHolds / count,
+              turn->value, *turn->sigma, *headings[headings.size() / 2]->sigmaRad);
+        QVERIFY(headingHolds > 0.9 * count);
+        QVERIFY(rateHolds > 0.9 * count);
+        QVERIFY(std::abs(turn->value - 4) < 2 * *turn->sigma);
+    }
+    /// Programs that know no orientation write the same one in every line.
+    void headingsThatNeverChange()
+    {
+        auto track = circle(0.001, 5);
+        for (ImportedPosition &one : track)
+            one.headingRad = 0;
+        const Profile round = profileOf(track);
+        QVERIFY(
+            std::ranges::none_of(round.samples, [](const Sample &one) { return one.heading.has_value(); }));
+        QVERIFY(
+            std::ranges::none_of(round.points, [](const ProfilePoint &one) { return one.body.has_value(); }));
+        const auto turn = std::ranges::find(round.metrics, "max_turn_rate", &Metric::name);
+        QVERIFY(std::abs(turn->value - 2) < 3 * *turn->sigma);
+
+        // To and fro along a line it is that of the robot.
+        for (std::size_t i = 0; i < track.size(); ++i) {
+            const double along = std::sin(1.5 * toSeconds(track[i].time));
+            track[i].position = Eigen::Vector2d(along * std::cos(0.3), along * std::sin(0.3));
+            track[i].headingRad = 0.3;
+        }
+        for (const auto &heading : headingsOf(profileOf(track)))
+            QVERIFY(heading && heading->isOfBody && std::abs(heading->radians - 0.3) < 1e-3);
+        for (ImportedPosition &one : track)
+            one.headingRad = 0.9;
+        for (const auto &heading : headingsOf(profileOf(track)))
+            QVERIFY(heading && !heading->isOfBody && std::abs(heading->radians - 0.3) < 0.05);
+    }
+    /// A wrong one among good ones, and lines without any.
+    void aHeadingThatLeapsDoesNotCount()
+    {
+        const test::DrivenCourse course = test::spinsAndReverses();
+        auto track = driven(course, 0.001, 0.005, 50);
+        *track[100].headingRad += 2;
+        for (std::size_t i = 200; i < 210; ++i)
+            track[i].headingRad.reset();
+        const Profile profile = profileOf(track);
+        for (std::size_t i = 95; i < 215; ++i) {
+            const double truth = *course.at(toSeconds(profile.samples[i].time)).truth.headingRad;
+            QVERIFY(profile.points[i].body);
+            QVERIFY(std::abs(profile.points[i].body->radians - truth) < 4 * profile.points[i].body->sigmaRad);
+        }
+        QVERIFY(profile.points[205].body->sigmaRad > profile.points[190].body->sigmaRad);
+    }
+    void aRobotThatNeverTurnsHasNoFastestTurn()
+    {
+        std::vector<ImportedPosition> standing(100);
+        for (std::size_t i = 0; i < standing.size(); ++i)
+            standing[i] = {std::chrono::milliseconds(33 * i), Eigen::Vector2d(1, 2), {}, {}};
+        QVERIFY(std::ranges::none_of(profileOf(standing).metrics,
+                                     [](const Metric &one) { return one.name == "max_turn_rate"; }));
     }
     void tooFew()
     {

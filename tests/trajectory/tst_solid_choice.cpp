@@ -2,6 +2,7 @@
 #include "tests/trajectory/filmed_solid.h"
 
 #include "core/trajectory/internal/body_direction.h"
+#include "core/trajectory/internal/body_heading.h"
 #include "core/trajectory/solid_choice.h"
 #include "tests/support/registered_test.h"
 

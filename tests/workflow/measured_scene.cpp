@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/workflow/measured_scene.h"
 
+#include "core/analysis/quantity_curve.h"
 #include "core/simulation/renderer.h"
 #include "core/video/video_reader.h"
 #include "core/workflow/track/settled_views.h"
@@ -8,14 +9,48 @@
 #include <QTemporaryDir>
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace odo::test {
 
 namespace {
 
+void compareHeadings(const Profile &profile, const SimulatedScene &scene, SceneMetrics &metrics)
+{
+    constexpr double halfS = 1e-3;
+    const auto headingAt = [&](double timeS) { return scene.robots.front().motion->at(timeS).headingRad; };
+    const auto between = [](double a, double b) { return std::remainder(b - a, 2 * std::numbers::pi); };
+    const auto headings = headingsOf(profile);
+    double count = 0;
+    for (std::size_t i = 0; i < headings.size(); ++i) {
+        if (!headings[i] || !headings[i]->isOfBody)
+            continue;
+        const double timeS = sceneTimeOfStamp(scene, 0, profile.samples[i].time),
+                     away = between(headingAt(timeS), headings[i]->radians),
+                     turnRate = between(headingAt(timeS - halfS), headingAt(timeS + halfS)) / (2 * halfS);
+        const auto rate = turnRateOf(profile.points[i]);
+        metrics.headingInside += std::abs(away) <= 2 * *headings[i]->sigmaRad;
+        metrics.turnRateInside += std::abs(rate->value - turnRate) <= 2 * rate->sigma;
+        metrics.headingRmsRad += away * away;
+        metrics.turnRateRms += std::pow(rate->value - turnRate, 2);
+        count += 1;
+    }
+    metrics.bodyShare = count / double(headings.size());
+    if (count > 0) {
+        metrics.headingInside /= count;
+        metrics.turnRateInside /= count;
+        metrics.headingRmsRad = std::sqrt(metrics.headingRmsRad / count);
+        metrics.turnRateRms = std::sqrt(metrics.turnRateRms / count);
+    }
+    const auto turn = std::ranges::find(profile.metrics, "max_turn_rate", &Metric::name);
+    if (turn != profile.metrics.end())
+        metrics.fastestTurn = *turn;
+}
+
 SceneMetrics compared(const Profile &profile, const SimulatedScene &scene)
 {
     SceneMetrics metrics;
+    compareHeadings(profile, scene, metrics);
     double count = 0;
     for (std::size_t i = 0; i < profile.points.size(); ++i) {
         metrics.foundShare += profile.samples[i].position.has_value() / double(profile.points.size());
@@ -49,14 +84,23 @@ SceneMetrics compared(const Profile &profile, const SimulatedScene &scene)
 
 QString SceneMetrics::words() const
 {
-    return QStringLiteral("found %1, %2 mm, %3 inside, %4 mm/s, %5 mm/s2, %6 spikes, views disagree in %7")
+    return QStringLiteral("found %1, %2 mm, %3 inside, %4 mm/s, %5 mm/s2, %6 spikes, views disagree in %7, "
+                          "heading of the body in %8: %9 mrad, %10 inside, turn rate %11 rad/s, %12 inside, "
+                          "fastest %13 ± %14")
         .arg(foundShare, 0, 'f', 3)
         .arg(1e3 * rmsM, 0, 'f', 2)
         .arg(insideShare, 0, 'f', 2)
         .arg(1e3 * velocityRms, 0, 'f', 1)
         .arg(1e3 * accelerationRms, 0, 'f', 0)
         .arg(spikes)
-        .arg(disagreeShare, 0, 'f', 2);
+        .arg(disagreeShare, 0, 'f', 2)
+        .arg(bodyShare, 0, 'f', 2)
+        .arg(1e3 * headingRmsRad, 0, 'f', 1)
+        .arg(headingInside, 0, 'f', 2)
+        .arg(turnRateRms, 0, 'f', 3)
+        .arg(turnRateInside, 0, 'f', 2)
+        .arg(fastestTurn ? fastestTurn->value : 0, 0, 'f', 3)
+        .arg(fastestTurn ? fastestTurn->sigma.value_or(0) : 0, 0, 'f', 3);
 }
 
 Result<std::vector<RegisteredView>> renderedViews(const SimulatedScene &scene,

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/analysis/profile.h"
 #include "core/base/error.h"
 #include "core/simulation/scene.h"
 #include "core/workflow/track/view_tracking.h"
 
 #include <QString>
 #include <filesystem>
+#include <optional>
 #include <vector>
 
 namespace odo::test {
@@ -20,6 +22,11 @@ struct SceneMetrics
     double velocityRms = 0, accelerationRms = 0;
     int spikes = 0;
     double disagreeShare = 0; ///< of the frames, in which the views contradict one another
+    double bodyShare = 0;     ///< of the frames, in which the heading is the body's
+    /// of those: heading, and turn rate, that are within two stated σ
+    double headingInside = 0, turnRateInside = 0;
+    double headingRmsRad = 0, turnRateRms = 0;
+    std::optional<Metric> fastestTurn;
 
     QString words() const;
 };

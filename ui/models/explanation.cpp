@@ -147,14 +147,20 @@ CurveWords curveWords(Quantity quantity)
                 ExplanationWords::tr(
                     "σ of the smoothed acceleration there, including the calibration's scale uncertainty")};
     case Quantity::Heading:
-        return {ExplanationWords::tr("Heading"),
-                ExplanationWords::tr("atan2(vy, vx) of the smoothed curve at this frame, anticlockwise from "
-                                     "X, without jumps of a whole turn"),
-                ExplanationWords::tr("σ of the velocity across the motion divided by the speed")};
+        return {
+            ExplanationWords::tr("Heading"),
+            ExplanationWords::tr("Of the body where its outline or an imported track shows it: the smoothed "
+                                 "heading. Elsewhere the direction of motion: atan2(vy, vx) of the "
+                                 "smoothed curve, kept where the robot stands still and continued where "
+                                 "it reverses. Anticlockwise from X, without jumps of a whole turn."),
+            ExplanationWords::tr("of the body: σ of its smoothed heading; of the direction of motion: σ of "
+                                 "the velocity across the motion divided by the speed")};
     case Quantity::TurnRate:
         return {ExplanationWords::tr("Turn rate"),
-                ExplanationWords::tr("(vx·ay − vy·ax)/|v|² of the smoothed curve at this frame"),
-                ExplanationWords::tr("σ² = σa²/|v|² + |a|²σv²/|v|⁴, first order")};
+                ExplanationWords::tr("Of the body where its heading was measured: the rate of the smoothed "
+                                     "heading. Elsewhere (vx·ay − vy·ax)/|v|² of the smoothed curve."),
+                ExplanationWords::tr("of the body: σ of the smoothed heading's rate; of the direction of "
+                                     "motion: σ² = σa²/|v|² + |a|²σv²/|v|⁴, first order")};
     case Quantity::PositionX:
     case Quantity::PositionY:
         break;
@@ -186,6 +192,13 @@ QStringList sampleLines(const TrialScene &scene, std::size_t robot, std::size_t 
     if (isRejected(sample.flags))
         lines << ExplanationWords::tr("it is flagged and not used: the curve follows its neighbours");
     return lines;
+}
+
+/// Which of the two directions a heading or a turn rate is of.
+QString headingLine(const ProfilePoint &point)
+{
+    return point.body ? ExplanationWords::tr("of the robot's body, which was measured")
+                      : ExplanationWords::tr("of the direction of motion");
 }
 
 /// What a flag means: the words of SampleFlag.
@@ -315,9 +328,12 @@ Explanation explainCurve(const TrialScene &scene, std::size_t robot, Quantity qu
     if (analysis) {
         const auto &samples = analysis->profile.samples;
         const auto after = std::ranges::upper_bound(samples, time, {}, &Sample::time);
-        if (after != samples.begin())
-            explanation.inputs =
-                sampleLines(scene, robot, static_cast<std::size_t>(after - samples.begin()) - 1);
+        if (after != samples.begin()) {
+            const auto index = static_cast<std::size_t>(after - samples.begin()) - 1;
+            explanation.inputs = sampleLines(scene, robot, index);
+            if (quantity == Quantity::Heading || quantity == Quantity::TurnRate)
+                explanation.inputs << headingLine(analysis->profile.points[index]);
+        }
     }
     explanation.inputs += analysisInputs(scene, robot);
     return explanation;

@@ -25,6 +25,8 @@ std::optional<double> drivenHeadingAt(const Profile &profile, std::ptrdiff_t ind
     constexpr double standingMps = 0.05;
     for (; index >= 0; --index) {
         const ProfilePoint &point = profile.points[static_cast<std::size_t>(index)];
+        if (point.valid && point.body && point.body->isFrontKnown())
+            return point.body->radians;
         if (point.valid && point.speedMps > std::max(standingMps, 2 * point.sigmaSpeedMps))
             return std::atan2(point.velocity.y(), point.velocity.x());
     }

@@ -23,8 +23,8 @@ namespace odo {
 /// The last point at or before a time; -1 before the first one, and where the profile does not know.
 std::ptrdiff_t pointIndexAt(const Profile &profile, Nanoseconds time);
 
-/// Direction of motion at a point, radians; while the robot stands still, the last one. nullopt: it never
-/// moved before.
+/// Heading of the body at a point, radians, where it was measured; else the direction of motion, and while
+/// the robot stands still the last one. nullopt: neither is known, nor was before.
 std::optional<double> drivenHeadingAt(const Profile &profile, std::ptrdiff_t index);
 
 class Project;

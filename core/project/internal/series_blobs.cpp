@@ -5,6 +5,7 @@
 #include "core/project/internal/words.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace odo {
@@ -20,13 +21,21 @@ constexpr BlobLayout supportedLayout{'O', 2,
                                      observationsLayout.bytesPerRow + 4 * std::uint32_t(supportDirections)};
 constexpr BlobLayout samplesLayout{'S', 1, 8 + 8 + 1 + 8 * 8 + 4 + 8 + 4};
 constexpr BlobLayout pointsLayout{'P', 1, 1 + 12 * 8};
+// with the body's heading
+constexpr BlobLayout headedSamplesLayout{'S', 2, samplesLayout.bytesPerRow + 3 * 8};
+constexpr BlobLayout headedPointsLayout{'P', 2, pointsLayout.bytesPerRow + 4 * 8};
 constexpr BlobLayout truthLayout{'R', 1, 8 + 6 * 8};
 constexpr BlobLayout cornersLayout{'C', 1, 1 + 6 * 8};
 constexpr BlobLayout numbersLayout{'D', 1, 8};
 constexpr BlobLayout squareLayout{'M', 1, 8};
 
 constexpr std::uint8_t foundBit = 1, duplicateBit = 2, borderBit = 4;
-constexpr std::uint8_t positionBit = 1, disagreementBit = 2;
+constexpr std::uint8_t positionBit = 1, disagreementBit = 2, headingBit = 4;
+constexpr std::uint8_t validBit = 1, bodyBit = 2;
+constexpr std::array headingNumbers{&MeasuredHeading::radians, &MeasuredHeading::sigmaRad,
+                                    &MeasuredHeading::commonSigmaRad};
+constexpr std::array bodyNumbers{&BodyHeading::radians, &BodyHeading::sigmaRad, &BodyHeading::turnRateRadps,
+                                 &BodyHeading::sigmaTurnRateRadps};
 constexpr std::uint8_t outlierBit = 1, leftOutBit = 2;
 constexpr std::size_t maxSquareSize = 64;
 
@@ -71,6 +80,30 @@ void takeCovariance(BlobReader &reader, Rows &&rows, Matrix matrix)
             matrix(value)(column, row) = number;
         });
     }
+}
+
+/// Columns of something that a row need not have: each number of it, 0 where it is missing.
+template <class Rows, class Part, class Numbers>
+void putOptional(BlobWriter &writer, const Rows &rows, Part part, const Numbers &numbers)
+{
+    for (const auto number : numbers)
+        putColumn(writer, rows, [&](const auto &row) { return row.*part ? *(row.*part).*number : 0.0; });
+}
+
+template <class Rows, class Part, class Numbers>
+void takeOptional(BlobReader &reader, Rows &&rows, Part part, const Numbers &numbers)
+{
+    for (const auto number : numbers)
+        takeColumn<double>(reader, rows, [&](auto &row, double value) {
+            if (row.*part)
+                *(row.*part).*number = value;
+        });
+}
+
+/// The layout that a blob is of by its version: the plain one, or the one with more columns.
+const BlobLayout &layoutOf(const QByteArray &bytes, const BlobLayout &plain, const BlobLayout &longer)
+{
+    return bytes.size() > 1 && std::uint8_t(bytes[1]) == longer.version ? longer : plain;
 }
 
 template <class Rows, class Vector>
@@ -176,8 +209,9 @@ QByteArray packObservations(std::span<const Observation> observations)
 Result<void> unpackObservations(const QByteArray &bytes, const Message &what,
                                 std::vector<Observation> &appendTo)
 {
-    const bool hasSupport = bytes.size() > 1 && std::uint8_t(bytes[1]) == supportedLayout.version;
-    auto reader = ODO_TRY(BlobReader::open(bytes, hasSupport ? supportedLayout : observationsLayout, what));
+    const BlobLayout &layout = layoutOf(bytes, observationsLayout, supportedLayout);
+    const bool hasSupport = layout.version == supportedLayout.version;
+    auto reader = ODO_TRY(BlobReader::open(bytes, layout, what));
     const auto rows = appended(appendTo, reader.rows());
     takeColumn<std::int64_t>(reader, rows, [](Observation &o, std::int64_t value) { o.frame = value; });
     takeColumn<std::int64_t>(reader, rows,
@@ -209,13 +243,16 @@ Result<void> unpackObservations(const QByteArray &bytes, const Message &what,
 
 QByteArray packSamples(std::span<const Sample> samples)
 {
-    BlobWriter writer(samplesLayout, samples.size());
+    const bool hasHeading =
+        std::ranges::any_of(samples, [](const Sample &s) { return s.heading.has_value(); });
+    BlobWriter writer(hasHeading ? headedSamplesLayout : samplesLayout, samples.size());
     const auto column = [&](auto value) { putColumn(writer, samples, value); };
     column([](const Sample &s) { return static_cast<std::int64_t>(s.time.count()); });
     column([](const Sample &s) { return s.frame; });
     column([](const Sample &s) {
         return static_cast<std::uint8_t>((s.position ? positionBit : 0) |
-                                         (s.viewDisagreementM ? disagreementBit : 0));
+                                         (s.viewDisagreementM ? disagreementBit : 0) |
+                                         (s.heading ? headingBit : 0));
     });
     putVector(writer, samples, [](const Sample &s) -> Eigen::Vector2d {
         return s.position ? *s.position : Eigen::Vector2d(0, 0);
@@ -225,21 +262,27 @@ QByteArray packSamples(std::span<const Sample> samples)
     column([](const Sample &s) { return s.views; });
     column([](const Sample &s) { return s.viewDisagreementM.value_or(0.0); });
     column([](const Sample &s) { return s.flags; });
+    if (hasHeading)
+        putOptional(writer, samples, &Sample::heading, headingNumbers);
     return writer.take();
 }
 
 Result<void> unpackSamples(const QByteArray &bytes, const Message &what, std::vector<Sample> &appendTo)
 {
-    auto reader = ODO_TRY(BlobReader::open(bytes, samplesLayout, what));
+    const BlobLayout &layout = layoutOf(bytes, samplesLayout, headedSamplesLayout);
+    const bool hasHeading = layout.version == headedSamplesLayout.version;
+    auto reader = ODO_TRY(BlobReader::open(bytes, layout, what));
     const auto rows = appended(appendTo, reader.rows());
     takeColumn<std::int64_t>(reader, rows,
                              [](Sample &s, std::int64_t value) { s.time = Nanoseconds(value); });
     takeColumn<std::int64_t>(reader, rows, [](Sample &s, std::int64_t value) { s.frame = value; });
-    takeColumn<std::uint8_t>(reader, rows, [](Sample &s, std::uint8_t bits) {
+    takeColumn<std::uint8_t>(reader, rows, [hasHeading](Sample &s, std::uint8_t bits) {
         if ((bits & positionBit) != 0)
             s.position = Eigen::Vector2d(0, 0);
         if ((bits & disagreementBit) != 0)
             s.viewDisagreementM = 0;
+        if (hasHeading && (bits & headingBit) != 0)
+            s.heading.emplace();
     });
     for (int axis : {0, 1}) {
         takeColumn<double>(reader, rows, [axis](Sample &s, double value) {
@@ -255,14 +298,19 @@ Result<void> unpackSamples(const QByteArray &bytes, const Message &what, std::ve
             s.viewDisagreementM = value;
     });
     takeColumn<std::uint32_t>(reader, rows, [](Sample &s, std::uint32_t value) { s.flags = value; });
+    if (hasHeading)
+        takeOptional(reader, rows, &Sample::heading, headingNumbers);
     return {};
 }
 
 QByteArray packPoints(std::span<const ProfilePoint> points)
 {
-    BlobWriter writer(pointsLayout, points.size());
-    putColumn(writer, points,
-              [](const ProfilePoint &p) { return static_cast<std::uint8_t>(p.valid ? 1 : 0); });
+    const bool hasBody =
+        std::ranges::any_of(points, [](const ProfilePoint &p) { return p.body.has_value(); });
+    BlobWriter writer(hasBody ? headedPointsLayout : pointsLayout, points.size());
+    putColumn(writer, points, [](const ProfilePoint &p) {
+        return static_cast<std::uint8_t>((p.valid ? validBit : 0) | (p.body ? bodyBit : 0));
+    });
     putVector(writer, points, [](const ProfilePoint &p) { return p.position; });
     putVector(writer, points, [](const ProfilePoint &p) { return p.velocity; });
     putVector(writer, points, [](const ProfilePoint &p) { return p.acceleration; });
@@ -270,14 +318,22 @@ QByteArray packPoints(std::span<const ProfilePoint> points)
          {&ProfilePoint::sigmaXM, &ProfilePoint::sigmaYM, &ProfilePoint::speedMps,
           &ProfilePoint::sigmaSpeedMps, &ProfilePoint::accelMps2, &ProfilePoint::sigmaAccelMps2})
         putColumn(writer, points, [member](const ProfilePoint &p) { return p.*member; });
+    if (hasBody)
+        putOptional(writer, points, &ProfilePoint::body, bodyNumbers);
     return writer.take();
 }
 
 Result<void> unpackPoints(const QByteArray &bytes, const Message &what, std::vector<ProfilePoint> &appendTo)
 {
-    auto reader = ODO_TRY(BlobReader::open(bytes, pointsLayout, what));
+    const BlobLayout &layout = layoutOf(bytes, pointsLayout, headedPointsLayout);
+    const bool hasBody = layout.version == headedPointsLayout.version;
+    auto reader = ODO_TRY(BlobReader::open(bytes, layout, what));
     const auto rows = appended(appendTo, reader.rows());
-    takeColumn<std::uint8_t>(reader, rows, [](ProfilePoint &p, std::uint8_t value) { p.valid = value != 0; });
+    takeColumn<std::uint8_t>(reader, rows, [hasBody](ProfilePoint &p, std::uint8_t bits) {
+        p.valid = hasBody ? (bits & validBit) != 0 : bits != 0;
+        if (hasBody && (bits & bodyBit) != 0)
+            p.body.emplace();
+    });
     takeVector(reader, rows, [](ProfilePoint &p) -> Eigen::Vector2d & { return p.position; });
     takeVector(reader, rows, [](ProfilePoint &p) -> Eigen::Vector2d & { return p.velocity; });
     takeVector(reader, rows, [](ProfilePoint &p) -> Eigen::Vector2d & { return p.acceleration; });
@@ -285,6 +341,8 @@ Result<void> unpackPoints(const QByteArray &bytes, const Message &what, std::vec
          {&ProfilePoint::sigmaXM, &ProfilePoint::sigmaYM, &ProfilePoint::speedMps,
           &ProfilePoint::sigmaSpeedMps, &ProfilePoint::accelMps2, &ProfilePoint::sigmaAccelMps2})
         takeColumn<double>(reader, rows, [member](ProfilePoint &p, double value) { p.*member = value; });
+    if (hasBody)
+        takeOptional(reader, rows, &ProfilePoint::body, bodyNumbers);
     return {};
 }
 

@@ -12,61 +12,6 @@
 
 namespace odo {
 
-namespace {
-
-constexpr double longestUnknownS = 1; // after which it may have turned to any side
-
-struct DirectedNode
-{
-    double timeS = 0;
-    std::size_t view = 0, observation = 0;
-};
-
-/// How far the body moved forward since the sighting before in the same view.
-double forwardM(const std::vector<Sighting> &sightings, std::size_t at, double angleRad)
-{
-    if (at == 0 || !sightings[at].seen || !sightings[at - 1].seen)
-        return 0;
-    const Eigen::Vector2d moved =
-        sightings[at].position.pointInWorld - sightings[at - 1].position.pointInWorld;
-    return moved.dot(Eigen::Vector2d(std::cos(angleRad), std::sin(angleRad)));
-}
-
-} // namespace
-
-std::vector<std::vector<BodyAxis>> directedAxes(const std::vector<ViewTrack> &views,
-                                                const std::vector<std::vector<Sighting>> &sightings,
-                                                std::vector<std::vector<BodyAxis>> axes)
-{
-    std::vector<DirectedNode> nodes;
-    for (std::size_t v = 0; v < views.size(); ++v) {
-        for (std::size_t i = 0; i < axes[v].size() && !sightings[v].empty(); ++i) {
-            if (axes[v][i].sigmaRad <= unknownAxisSigmaRad)
-                nodes.push_back({toSeconds(timeOf(views[v], views[v].observations[i])), v, i});
-        }
-    }
-    std::ranges::stable_sort(nodes, {}, &DirectedNode::timeS);
-    for (std::size_t first = 0; first < nodes.size();) {
-        double forward = 0;
-        std::size_t end = first;
-        for (; end < nodes.size() &&
-               (end == first || nodes[end].timeS - nodes[end - 1].timeS < longestUnknownS);
-             ++end) {
-            const DirectedNode &node = nodes[end];
-            double &angle = axes[node.view][node.observation].angleRad;
-            if (end > first) {
-                const double before = axes[nodes[end - 1].view][nodes[end - 1].observation].angleRad;
-                angle = before + std::remainder(angle - before, std::numbers::pi);
-            }
-            forward += forwardM(sightings[node.view], node.observation, angle);
-        }
-        for (std::size_t i = first; i < end && forward < 0; ++i)
-            axes[nodes[i].view][nodes[i].observation].angleRad += std::numbers::pi;
-        first = end;
-    }
-    return axes;
-}
-
 std::vector<std::vector<BodyAxis>> directionsOfMotion(const std::vector<ViewTrack> &views,
                                                       const std::vector<std::vector<Sighting>> &sightings,
                                                       const std::vector<std::vector<BodyAxis>> &axes)
@@ -219,6 +164,20 @@ public:
         return placed && placed->axis.sigmaRad < followRad / 2 ? std::optional(placed->axis) : std::nullopt;
     }
 
+    /// All that were measured, in order of time.
+    std::vector<MeasuredAxis> measured() const
+    {
+        std::vector<MeasuredAxis> axes;
+        for (std::size_t i = 0; i < m_nodes.size(); ++i) {
+            const Eigen::Vector2d &doubled = m_nodes[i].position;
+            if (m_nodes[i].measured)
+                axes.push_back({m_positions[i].view,
+                                m_positions[i].observation,
+                                {std::atan2(doubled.y(), doubled.x()) / 2, m_sigmaRad[i]}});
+        }
+        return axes;
+    }
+
     void measure(std::size_t i, const BodyAxis &axis)
     {
         m_nodes[i].measured = true;
@@ -339,7 +298,8 @@ void refineAxes(AxisNodes &nodes, const std::vector<BodyAxis> &smoothed)
 
 } // namespace
 
-std::vector<std::vector<BodyAxis>> trackAxis(const std::vector<ViewTrack> &views, const SolidShape &shape)
+std::vector<std::vector<BodyAxis>> trackAxis(const std::vector<ViewTrack> &views, const SolidShape &shape,
+                                             std::vector<MeasuredAxis> *measured)
 {
     std::vector<std::vector<BodyAxis>> axes;
     for (const ViewTrack &view : views)
@@ -350,6 +310,8 @@ std::vector<std::vector<BodyAxis>> trackAxis(const std::vector<ViewTrack> &views
     measureAxes(all);
     refineAxes(all, smooth(all));
     const std::vector<BodyAxis> smoothed = smooth(all);
+    if (measured)
+        *measured = all.measured();
     for (std::size_t i = 0; i < all.size(); ++i)
         axes[all.position(i).view][all.position(i).observation] = smoothed[i];
     return axes;
@@ -358,7 +320,8 @@ std::vector<std::vector<BodyAxis>> trackAxis(const std::vector<ViewTrack> &views
 std::vector<std::vector<BodyAxis>> trackDirection(const std::vector<ViewTrack> &views,
                                                   const SolidShape &shape,
                                                   const OutlineDifference &difference,
-                                                  const std::vector<BodyPose> &poses)
+                                                  const std::vector<BodyPose> &poses,
+                                                  std::vector<MeasuredAxis> *measured)
 {
     AxisNodes all(views, shape);
     std::vector<double> headings(all.size());
@@ -388,6 +351,8 @@ std::vector<std::vector<BodyAxis>> trackDirection(const std::vector<ViewTrack> &
     for (const ViewTrack &view : views)
         axes.emplace_back(view.observations.size());
     const std::vector<BodyAxis> smoothed = smooth(all);
+    if (measured)
+        *measured = all.measured();
     for (std::size_t i = 0; i < all.size(); ++i)
         axes[all.position(i).view][all.position(i).observation] = {
             headings[i] + std::remainder(smoothed[i].angleRad - headings[i], std::numbers::pi),

@@ -14,15 +14,6 @@
 
 namespace odo {
 
-/// Which end of a body is its front: the axes of a run, which outlines show modulo π, each turned by half a
-/// turn where needed so that the body turns on without a jump, and moves forward rather than backward over
-/// each stretch in which its axis was known throughout. Of a robot that moves only backward the rear is
-/// called its front, always alike. axes, sightings: of every observation of every view (trackAxis,
-/// positionBody).
-std::vector<std::vector<BodyAxis>> directedAxes(const std::vector<ViewTrack> &views,
-                                                const std::vector<std::vector<Sighting>> &sightings,
-                                                std::vector<std::vector<BodyAxis>> axes);
-
 /// The directions of a body that moves along its length, as wheels make it: at each observation of each view
 /// that of the motion, from the positions within a fifth of a second around, or the end of the axis that is
 /// near it; unknown where it hardly moves. Guesses to begin with, where outlines do not determine the axis
@@ -42,12 +33,20 @@ struct BodyMotion
 /// nullopt: too few, or it hardly moves. Pure.
 std::optional<BodyMotion> motionAt(const std::vector<std::vector<Sighting>> &sightings, Nanoseconds time);
 
+/// The axis that one outline shows, before smoothing.
+struct MeasuredAxis
+{
+    std::uint32_t view = 0, observation = 0;
+    BodyAxis axis;
+};
+
 /// The body's axis at the time of every observation of every view, in their order: from the outlines of all
 /// views, smoothed over time together (as the point (cos 2α, sin 2α), which knows no jump at the half turn,
 /// by the Kalman smoother that serves the positions). σ is at least the uncertainty of the outlines, which
 /// does not average out. Where no outline shows the axis, σ is larger than unknownAxisSigmaRad. Views that
-/// are not registered give nothing.
-std::vector<std::vector<BodyAxis>> trackAxis(const std::vector<ViewTrack> &views, const SolidShape &shape);
+/// are not registered give nothing. measured: is given what was smoothed, in order of time.
+std::vector<std::vector<BodyAxis>> trackAxis(const std::vector<ViewTrack> &views, const SolidShape &shape,
+                                             std::vector<MeasuredAxis> *measured = nullptr);
 
 /// Position and direction of a body at a time.
 struct BodyPose
@@ -63,7 +62,8 @@ struct BodyPose
 std::vector<std::vector<BodyAxis>> trackDirection(const std::vector<ViewTrack> &views,
                                                   const SolidShape &shape,
                                                   const OutlineDifference &difference,
-                                                  const std::vector<BodyPose> &poses);
+                                                  const std::vector<BodyPose> &poses,
+                                                  std::vector<MeasuredAxis> *measured = nullptr);
 
 /// Angles of half a turn that a body's axis is searched at.
 constexpr std::size_t axisBins = 48;

@@ -3,6 +3,7 @@
 
 #include "core/analysis/metrics.h"
 #include "core/analysis/task_metrics.h"
+#include "core/trajectory/internal/heading_curve.h"
 #include "core/trajectory/internal/spike_flags.h"
 
 #include <Eigen/QR>
@@ -38,6 +39,7 @@ Result<Profile> profileOfTrack(FusedTrack track, const AnalysisOptions &options,
     const SpikeVerdict verdict = flagSpikes(track.samples, options, measurement);
     Profile profile;
     profile.points = makePoints(track.samples, verdict.changes, options, verdict.noise);
+    smoothHeadings(track.samples, options.longestBridgedGap, profile.points);
     const auto used = static_cast<std::size_t>(
         std::count_if(track.samples.begin(), track.samples.end(),
                       [](const Sample &sample) { return sample.position && !isRejected(sample.flags); }));

@@ -12,6 +12,7 @@
 #include <QComboBox>
 #include <QPainter>
 #include <QStringList>
+#include <algorithm>
 #include <limits>
 
 namespace odo {
@@ -256,7 +257,7 @@ void ProfileChart::setScene(TrialScenePtr scene)
 void ProfileChart::describe()
 {
     qsizetype spikes = 0;
-    bool analysed = false;
+    bool analysed = false, showsBody = false;
     QStringList spoken;
     for (std::size_t robot = 0; m_scene && robot < m_scene->robots.size(); ++robot) {
         const auto &analysis = m_scene->robots[robot].analysis;
@@ -264,6 +265,9 @@ void ProfileChart::describe()
             continue;
         analysed = true;
         spikes += qsizetype(analysis->profile.spikes.size());
+        showsBody = showsBody || std::ranges::any_of(analysis->profile.points, [](const ProfilePoint &point) {
+                        return point.body.has_value();
+                    });
         for (const Metric &metric : analysis->profile.metrics) {
             if (metric.name == tellingMetric(m_quantity))
                 spoken += QStringLiteral("%1: %2 %3")
@@ -281,7 +285,8 @@ void ProfileChart::describe()
     if (m_quantity == Quantity::Acceleration && analysed)
         remark += tr("along the path");
     if (m_quantity == Quantity::Heading && analysed)
-        remark += tr("of the motion, anticlockwise from X");
+        remark +=
+            showsBody ? tr("of the body, anticlockwise from X") : tr("of the motion, anticlockwise from X");
     if (m_quantity == Quantity::TurnRate && analysed)
         remark += tr("anticlockwise positive");
     if (m_area->hasUncertainIntervals())
