@@ -138,6 +138,30 @@ struct GatePassage
     double commonSigmaS = 0; ///< the calibration's part: the same at each passage of a gate at one speed
 };
 
+/// What can make views contradict each other, and what of it their positions tell.
+struct ContradictionCause
+{
+    enum class Kind {
+        CameraMoved,  ///< since its registration
+        CamerasMoved, ///< two of them
+        Offset,       ///< the time offset of a view is wrong
+        ClockRate,    ///< it changes along the run
+        Height,       ///< the height that was given for the robot is wrong
+    };
+    Kind kind = Kind::CameraMoved;
+    std::size_t view = 0, otherView = 0; ///< numbers; the second of CamerasMoved
+    double size = 0;                     ///< px in the image, s, s of a second, or m of the robot's top
+    std::optional<Nanoseconds> since;    ///< it began during the run
+};
+
+/// Views contradict each other by more than their errors allow for.
+struct ViewsContradiction
+{
+    /// The likeliest first, and others that explain it as well; empty: none explains it.
+    std::vector<ContradictionCause> causes;
+    double apartM = 0; ///< median distance of two views' positions where they contradict each other
+};
+
 /// Height of the plane onto which a robot's silhouette is projected: its centre is, to first order, the image
 /// of the body's centre, at half its height.
 constexpr double silhouettePlaneM(double heightM)
@@ -162,6 +186,7 @@ struct Profile
     /// of the solid that the outlines were measured by: from the floor to its lowest part; it is not stored
     std::optional<double> clearanceM = {};
     double meanViewDisagreementM = 0;
+    std::optional<ViewsContradiction> contradiction = {}; ///< it is not stored
 };
 
 /// The root mean square σ of a coordinate of all samples that were added, metres; 0 without a position.

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/trajectory/analyser.h"
 
+#include "core/trajectory/internal/contradiction_model.h"
 #include "core/trajectory/internal/floor_positions.h"
 #include "core/trajectory/internal/fused_track.h"
 #include "core/trajectory/internal/height_estimation.h"
 #include "core/trajectory/internal/track_profile.h"
 #include "core/trajectory/internal/view_alignment.h"
 #include "core/trajectory/solid_choice.h"
+#include "core/trajectory/view_contradiction.h"
 #include "core/trajectory/view_disagreement.h"
 
 #include <algorithm>
@@ -86,22 +88,25 @@ Result<void> checkViews(const std::vector<ViewTrack> &views)
 struct PositionedRobot
 {
     std::vector<std::vector<Sighting>> views;
-    double planeSigmaM = 0; ///< of the plane used
-    double heightM = 0;     ///< of the robot's top
+    double planeM = 0, planeSigmaM = 0; ///< of the plane used
+    double heightM = 0;                 ///< of the robot's top
     bool estimated = false;
     std::optional<double> clearanceM;                          ///< of a solid
     std::vector<std::optional<MeasuredHeading>> headings = {}; ///< of a solid, one a frame; or none at all
+    bool strays = false; ///< from its plane: the views then agree by their bearings, whatever its height
 };
 
 /// Sightings on one plane. Where the views show that the point strays from it (a person's head, a wrong
 /// height given), each ray is trusted less along its own direction: two views then determine the position by
 /// their bearings.
 std::vector<std::vector<Sighting>> lookAtPlane(const std::vector<ViewTrack> &views,
-                                               const std::vector<Nanoseconds> &times, double planeM)
+                                               const std::vector<Nanoseconds> &times, double planeM,
+                                               bool &strays)
 {
     auto sightings = viewFromAllSides(views, times, planeM);
     const double scatterM = heightScatterM(viewFromAllSides(views, times, 0), planeM);
-    if (scatterM < leastScatterM)
+    strays = scatterM >= leastScatterM;
+    if (!strays)
         return sightings;
     for (auto &view : sightings) {
         for (Sighting &sighting : view) {
@@ -115,9 +120,9 @@ std::vector<std::vector<Sighting>> lookAtPlane(const std::vector<ViewTrack> &vie
 
 /// The outlines are a solid's silhouettes: each gives the floor position of that solid.
 std::optional<PositionedRobot> positionSolid(const std::vector<ViewTrack> &views,
-                                             const std::vector<Nanoseconds> &times, const RobotShape &given)
+                                             const std::vector<Nanoseconds> &times, const RobotShape &given,
+                                             std::optional<FoundSolid> solid)
 {
-    auto solid = findSolid(views, given);
     if (!solid)
         return std::nullopt;
     PositionedRobot placed;
@@ -128,6 +133,7 @@ std::optional<PositionedRobot> positionSolid(const std::vector<ViewTrack> &views
     }
     const double ofTop =
         given.heightM ? givenHeightSigmaM * middleHeightM(solid->shape) / solid->shape.topM : 0;
+    placed.planeM = middleHeightM(solid->shape);
     placed.planeSigmaM = std::hypot(ofTop, solid->sigmaMiddleM);
     placed.heightM = solid->shape.topM;
     placed.estimated = !given.heightM;
@@ -168,7 +174,7 @@ Result<PositionedRobot> positionAtOneHeight(const std::vector<ViewTrack> &views,
 {
     const bool markShown = shape.heightM && isMarkAtTop(views, *shape.heightM);
     if (!markShown) {
-        if (auto solid = positionSolid(views, times, shape))
+        if (auto solid = positionSolid(views, times, shape, findSolid(views, shape)))
             return std::move(*solid);
     }
     if (!shape.referenceM.isZero())
@@ -179,12 +185,15 @@ Result<PositionedRobot> positionAtOneHeight(const std::vector<ViewTrack> &views,
             ODO_TEXT("trajectory.centre_reference", "set its reference point to 0,0 and track again"));
     const PlaneChoice plane = choosePlane(views, times, shape);
     const bool known = plane.heightM > 0;
-    PositionedRobot placed{known ? lookAtPlane(views, times, plane.planeM)
+    bool strays = false;
+    PositionedRobot placed{known ? lookAtPlane(views, times, plane.planeM, strays)
                                  : viewFromAllSides(views, times, 0),
+                           known ? plane.planeM : 0,
                            plane.sigmaM,
                            plane.heightM,
                            plane.estimated,
                            {}};
+    placed.strays = strays;
     uncertaintyUnexplained(views, placed.views);
     return placed;
 }
@@ -200,7 +209,7 @@ Result<PositionedRobot> position(const std::vector<ViewTrack> &views, const std:
                     ODO_TEXT("trajectory.seldom_together", "its height is set to be triangulated, but two "
                                                            "registered views rarely saw it at the same time"),
                     ODO_TEXT("trajectory.add_view", "add a second view, or set one height for the robot"));
-    return PositionedRobot{std::move(placed->views), freePlaneSigmaM, placed->medianHeightM, true, {}};
+    return PositionedRobot{std::move(placed->views), 0, freePlaneSigmaM, placed->medianHeightM, true, {}};
 }
 
 double meanDisagreement(const std::vector<Sample> &samples)
@@ -255,25 +264,125 @@ struct MeasuredRobot
     double heightM = 0;
     bool heightEstimated = false;
     std::optional<double> clearanceM;
+    std::optional<ViewsContradiction> contradiction;
 };
+
+std::vector<Nanoseconds> timesOf(const ViewTrack &view)
+{
+    std::vector<Nanoseconds> times;
+    for (const Observation &observation : view.observations)
+        times.push_back(timeOf(view, observation));
+    return times;
+}
+
+tl::unexpected<Error> viewsExchanged(const ViewTrack &a, const ViewTrack &b)
+{
+    return fail(ErrorCode::Undetermined, cannotMeasurePath(),
+                ODO_TEXT("trajectory.views_exchanged",
+                         "the videos of %1 and %2 seem to be exchanged: exchanged, they agree")(
+                    Named::camera(a.view), Named::camera(b.view)),
+                ODO_TEXT("trajectory.import_exchanged", "import them again, each for its own camera"));
+}
+
+/// A robot's form is bent by what makes two views contradict each other, and may hide it. So that is looked
+/// for with a plain form as well; where there is something, the form is found once more as if it were put
+/// right, and the views are then taken as they are with that form.
+bool positionUnbent(const std::vector<ViewTrack> &views, const std::vector<Nanoseconds> &times,
+                    const RobotShape &shape, PositionedRobot &placed)
+{
+    constexpr int mostTimes = 3;
+    if (placed.strays)
+        return false;
+    const bool isMark = shape.heightM && isMarkAtTop(views, *shape.heightM);
+    const auto plain = [&](const std::vector<ViewTrack> &seen, const RobotShape &told) {
+        return isMark ? std::nullopt : positionSolid(seen, times, told, findPlainSolid(seen, told));
+    };
+    const auto correctionOf = [&](const PositionedRobot &robot) {
+        return likelyCorrection(views, robot.views,
+                                {robot.planeM, robot.planeSigmaM, shape.heightM.has_value()});
+    };
+    auto correction = correctionOf(placed);
+    if (!correction) {
+        auto unlearned = plain(views, shape);
+        correction = unlearned ? correctionOf(*unlearned) : std::nullopt;
+        if (correction)
+            placed = std::move(*unlearned);
+    }
+    const bool isSuspicious = correction || views.size() > 2;
+    const double toldPlaneM = placed.planeM;
+    for (int i = 0; correction && i < mostTimes; ++i) {
+        RobotShape corrected = shape;
+        if (shape.heightM && toldPlaneM > 0)
+            *corrected.heightM *= std::max(0.1, 1 + correction->raiseM / toldPlaneM);
+        const std::vector<ViewTrack> agreeing = correctedViews(views[0], views[1], *correction);
+        auto unbent = plain(agreeing, corrected);
+        if (!unbent) {
+            auto other = position(agreeing, times, corrected);
+            if (!other)
+                return isSuspicious;
+            unbent = std::move(*other);
+        }
+        placed = std::move(*unbent);
+        placed.views = withoutCorrection(std::move(placed.views), *views[0].floorView, *views[1].floorView,
+                                         *correction, placed.planeM);
+        if (correction->raiseM != 0) {
+            for (auto &view : placed.views)
+                for (Sighting &one : view)
+                    one.position.pointInWorld +=
+                        (toldPlaneM - placed.planeM) * one.position.displacementPerMetreHeight;
+            placed.planeM = toldPlaneM;
+        }
+        if (shape.heightM)
+            placed.heightM = *shape.heightM;
+        correction = correctionOf(placed);
+    }
+    return isSuspicious;
+}
+
+/// Settles what makes the views contradict each other, first by its causes; gives how far apart they are.
+std::vector<double> settle(const std::vector<ViewTrack> &views, bool isSuspicious, bool isHeightGiven,
+                           PositionedRobot &placed, std::optional<ViewsContradiction> &contradiction)
+{
+    auto explained = !isSuspicious ? std::nullopt
+                                   : explainContradiction(views, placed.views,
+                                                          {placed.planeM, placed.planeSigmaM, isHeightGiven});
+    std::vector<double> apartM = settleContradictions(placed.views);
+    if (!explained)
+        return apartM;
+    for (std::size_t i = 0; i < apartM.size(); ++i)
+        apartM[i] = std::max(apartM[i], explained->apartM[i]);
+    contradiction = std::move(explained->contradiction);
+    for (ContradictionCause &cause : contradiction->causes)
+        if (cause.kind == ContradictionCause::Kind::Height) // from that of the plane to that of the top
+            cause.size *= placed.planeM > 0 ? placed.heightM / placed.planeM : 1;
+    return apartM;
+}
 
 Result<MeasuredRobot> measure(const std::vector<ViewTrack> &views, const RobotShape &shape,
                               const AnalysisOptions &options)
 {
-    std::vector<Nanoseconds> times;
+    const std::vector<Nanoseconds> times = timesOf(views.front());
     std::vector<std::int64_t> frames;
-    for (const Observation &observation : views.front().observations) {
-        times.push_back(timeOf(views.front(), observation));
+    for (const Observation &observation : views.front().observations)
         frames.push_back(observation.frame);
-    }
     auto placed = ODO_TRY(position(views, times, shape));
     FusionSettings settings;
     settings.planeSigmaM = placed.planeSigmaM;
     settings.measurement = estimateOutlineNoise(placed.views);
-    const std::vector<double> apartM =
-        shape.heightVaries ? std::vector<double>() : settleContradictions(placed.views);
-    MeasuredRobot robot{fuseViews(times, frames, placed.views, settings), settings.measurement,
-                        placed.heightM, placed.estimated, placed.clearanceM};
+    std::optional<ViewsContradiction> contradiction;
+    std::vector<double> apartM;
+    if (!shape.heightVaries) {
+        if (const auto exchanged = exchangedViews(views, placed.views, placed.planeM))
+            return viewsExchanged(views[exchanged->first], views[exchanged->second]);
+        const bool isSuspicious = positionUnbent(views, times, shape, placed);
+        apartM = settle(views, isSuspicious, shape.heightM.has_value(), placed, contradiction);
+    }
+    MeasuredRobot robot{fuseViews(times, frames, placed.views, settings),
+                        settings.measurement,
+                        placed.heightM,
+                        placed.estimated,
+                        placed.clearanceM,
+                        std::move(contradiction)};
     flagContradictions(robot.track, apartM);
     chooseByMotion(robot.track, settings, options.longestBridgedGap);
     alignSingleViews(robot.track, placed.views, views);
@@ -296,7 +405,23 @@ Result<Profile> analyse(const std::vector<ViewTrack> &views, const RobotShape &s
     profile.heightEstimated = robot.heightEstimated;
     profile.clearanceM = robot.clearanceM;
     profile.meanViewDisagreementM = meanDisagreement(profile.samples);
+    profile.contradiction = std::move(robot.contradiction);
     return profile;
+}
+
+std::optional<ViewsContradiction> contradictionOf(const std::vector<ViewTrack> &views,
+                                                  const RobotShape &shape)
+{
+    if (shape.heightVaries || !checkViews(views))
+        return std::nullopt;
+    const std::vector<Nanoseconds> times = timesOf(views.front());
+    auto placed = position(views, times, shape);
+    if (!placed)
+        return std::nullopt;
+    const bool isSuspicious = positionUnbent(views, times, shape, *placed);
+    std::optional<ViewsContradiction> contradiction;
+    settle(views, isSuspicious, shape.heightM.has_value(), *placed, contradiction);
+    return contradiction;
 }
 
 void applyOverrides(std::vector<Sample> &samples, std::span<const ManualOverride> overrides)

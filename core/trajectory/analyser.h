@@ -37,6 +37,7 @@ struct ViewTrack
     std::vector<Observation> observations; ///< in order of time
     /// by how much its clock runs faster than the first view's (core/trajectory/analyser.h)
     double clockRate = 0;
+    double startOffsetSigmaS = 0; ///< 0: not measured
 };
 
 struct RobotShape
@@ -77,6 +78,11 @@ AnalysisOptions withTask(AnalysisOptions options, const Task &task);
 /// that show no heading.
 Result<Profile> analyse(const std::vector<ViewTrack> &views, const RobotShape &shape,
                         const AnalysisOptions &options);
+
+/// What analyse() finds of views that contradict each other for a reason (Profile::contradiction), from the
+/// same observations; nullopt also where it would fail. Pure and thread-safe.
+std::optional<ViewsContradiction> contradictionOf(const std::vector<ViewTrack> &views,
+                                                  const RobotShape &shape);
 
 /// Sets ByHand on the samples that a person has judged: with Jump where it is called a spike, without any
 /// flag that rejects where it is called valid. Samples without a position have nothing to judge and stay as

@@ -166,6 +166,11 @@ std::optional<FoundSolid> findSolid(const std::vector<ViewTrack> &views, const R
                 guess ? findSolidOfLevels(views, given, positionedSolid(views, *guess)) : std::nullopt)
             return levels;
     }
+    return findPlainSolid(views, given);
+}
+
+std::optional<FoundSolid> findPlainSolid(const std::vector<ViewTrack> &views, const RobotShape &given)
+{
     const auto box = estimateShape(views, given);
     if (!box || box->misfit > worstShapeMisfit)
         return std::nullopt;

@@ -25,6 +25,9 @@ struct FoundSolid
 /// outlines were measured by their support, one of several levels (fitLevels), with what they show beyond
 /// that (learnReach). nullopt: none explains them. Pure.
 std::optional<FoundSolid> findSolid(const std::vector<ViewTrack> &views, const RobotShape &given);
+/// A box or a cylinder only: what views that contradict each other show can bend it less than a form that is
+/// learned from them. nullopt: neither explains the outlines.
+std::optional<FoundSolid> findPlainSolid(const std::vector<ViewTrack> &views, const RobotShape &given);
 
 /// How badly the best solid of several levels explains the outlines of all views, in units of half a pixel;
 /// nullopt: they were not measured by their support, or too few of them show all of a robot. Pure.

@@ -195,6 +195,57 @@ private Q_SLOTS:
                 "not synchronised, or the robot's height is wrong; register the cameras again"));
     }
 
+    void whyTheViewsContradictIsSaid()
+    {
+        using Kind = ContradictionCause::Kind;
+        AnalysisRecord analysis;
+        analysis.robotName = "Blue 1";
+        analysis.views = {"A", "B"};
+        const auto said = [&](std::vector<ContradictionCause> causes) {
+            analysis.profile.contradiction = ViewsContradiction{std::move(causes), 0.0219};
+            const auto sentences = analysisWarnings(analysis, "t");
+            return sentences.size() == 1 ? QString::fromStdString(sentences.front().english()) : QString();
+        };
+        const QString start =
+            QStringLiteral("robot 'Blue 1' in trial 't': the views contradict each other by 21.9 mm: ");
+        QCOMPARE(said({{Kind::CameraMoved, 1, 0, 2.83, {}}}),
+                 start + QStringLiteral("camera B seems to have moved by 2.8 px since its registration; "
+                                        "register it again and reanalyse"));
+        QCOMPARE(said({{Kind::CameraMoved, 0, 0, 5, std::chrono::seconds(4)}}),
+                 start +
+                     QStringLiteral("camera A seems to have moved by 5.0 px at 4.0 s; use the time before "
+                                    "that only"));
+        QCOMPARE(said({{Kind::Offset, 1, 0, -0.04, {}}, {Kind::CamerasMoved, 0, 1, 3, {}}}),
+                 start + QStringLiteral("the time offset of view B seems wrong by 40 ms, or cameras A and B "
+                                        "seem to have moved since their registration; synchronise the views "
+                                        "again and reanalyse"));
+        QCOMPARE(said({{Kind::Height, 0, 0, -0.03, {}}}),
+                 start +
+                     QStringLiteral("the height given for the robot seems wrong by about 30 mm; measure its "
+                                    "height, enter it and reanalyse"));
+        QCOMPARE(said({{Kind::ClockRate, 1, 0, 0.0005, {}}}),
+                 start +
+                     QStringLiteral("the time offset of view B seems to change by 0.50 ms in each second; "
+                                    "synchronise the views again and reanalyse"));
+    }
+
+    void aCameraThatMovedDuringTheRunIsNamed()
+    {
+        ObservationSeries series;
+        series.algorithm = "silhouette 1";
+        QVERIFY(!storedMove(series));
+        series.algorithm += "; camera moved 2.83 px after 3733333333 ns";
+        const auto move = storedMove(series);
+        QVERIFY(move);
+        RecordingRecord view;
+        view.cameraName = "B";
+        view.startOffsetS = 0.5;
+        QCOMPARE(QString::fromStdString(movedSentence("t", view, *move).english()),
+                 QStringLiteral("view 'B' in trial 't': the camera moved by 2.8 px after 4.2 s; what it saw "
+                                "from then on was not measured; fix the camera, register it again and repeat "
+                                "the run"));
+    }
+
     void hardlyEverFoundIsAnError()
     {
         RobotRecord robot;

@@ -125,6 +125,22 @@ private Q_SLOTS:
         QVERIFY(example.check("synchronised").level == CheckLevel::Doubtful);
     }
 
+    void aContradictionIsDoubtfulIfItIsExplained()
+    {
+        Example example;
+        example.profile().contradiction =
+            ViewsContradiction{{{ContradictionCause::Kind::CameraMoved, 1, 0, 3, {}}}, 0.02};
+        QVERIFY(example.check("views_agree").level == CheckLevel::Doubtful);
+        example.profile().contradiction->apartM = 0.3;
+        QVERIFY(example.check("views_agree").level == CheckLevel::Bad);
+        example.profile().contradiction = std::nullopt;
+        for (Sample &sample : example.profile().samples) {
+            sample.viewDisagreementM = 0.05;
+            sample.flags |= flagBit(SampleFlag::ViewsDisagree);
+        }
+        QVERIFY(example.check("views_agree").level == CheckLevel::Bad);
+    }
+
     void impossibleSpeeds()
     {
         Example example;

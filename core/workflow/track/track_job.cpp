@@ -237,6 +237,8 @@ Result<void> TrackJob::run(const JobControl &control)
     d.outcome.warnings = stepWarnings(d.trialName, d.views);
     for (Message &warning : damageWarnings(d.trialName, d.views, tracked->views))
         d.outcome.warnings.push_back(std::move(warning));
+    for (Message &warning : moveWarnings(d.trialName, d.views, tracked->views))
+        d.outcome.warnings.push_back(std::move(warning));
     control.report(0.97, ODO_TEXT("workflow.analysing", "analysing"));
     ODO_TRY(d.analyseAll(tracked->views));
 

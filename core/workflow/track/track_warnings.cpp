@@ -5,6 +5,7 @@
 #include "core/base/percentile.h"
 #include "core/trajectory/occlusions.h"
 #include "core/trajectory/view_disagreement.h"
+#include "core/workflow/trial_sources.h"
 
 #include <algorithm>
 #include <cmath>
@@ -50,7 +51,7 @@ std::vector<Message> analysisWarnings(const AnalysisRecord &analysis, const std:
         std::ranges::transform(analysis.profile.gaps, std::back_inserter(sentences), unmeasuredSentence);
     if (analysis.proof == AnalysisRecord::Proof::Broken)
         sentences.insert(sentences.begin(), changedResults());
-    if (Message apart = viewsApartSentence(analysis.profile); !apart.isEmpty())
+    if (Message apart = viewsApartSentence(analysis.profile, analysis.views); !apart.isEmpty())
         sentences.push_back(std::move(apart));
     if (!analysis.ambiguousNames.empty())
         sentences.push_back(joined({ambiguousNamesText(analysis.ambiguousNames, analysis.robotName),
@@ -62,8 +63,69 @@ std::vector<Message> analysisWarnings(const AnalysisRecord &analysis, const std:
     return sentences;
 }
 
-Message viewsApartSentence(const Profile &profile)
+namespace {
+
+/// What a cause says, and what to do about it.
+std::pair<Message, Message> textOf(const ContradictionCause &cause, const std::vector<std::string> &views)
 {
+    using Kind = ContradictionCause::Kind;
+    const auto named = [&](std::size_t view) {
+        return Named::camera(view < views.size() ? views[view] : std::string());
+    };
+    const double ms = 1e3 * std::abs(cause.size); // or mm
+    const Message synchronise =
+        ODO_TEXT("workflow.synchronise_again", "synchronise the views again and reanalyse");
+    switch (cause.kind) {
+    case Kind::CameraMoved:
+        if (cause.since)
+            return {ODO_TEXT("workflow.cause_camera_moved_at", "camera %1 seems to have moved by %2 at %3")(
+                        named(cause.view), quantity(cause.size, 1, "px"),
+                        quantity(toSeconds(*cause.since), 1, "s")),
+                    ODO_TEXT("workflow.use_time_before", "use the time before that only")};
+        return {ODO_TEXT("workflow.cause_camera_moved",
+                         "camera %1 seems to have moved by %2 since its registration")(
+                    named(cause.view), quantity(cause.size, 1, "px")),
+                ODO_TEXT("workflow.register_moved_again", "register it again and reanalyse")};
+    case Kind::CamerasMoved:
+        return {ODO_TEXT("workflow.cause_cameras_moved",
+                         "cameras %1 and %2 seem to have moved since their registration")(
+                    named(cause.view), named(cause.otherView)),
+                ODO_TEXT("workflow.register_both_again", "register both again and reanalyse")};
+    case Kind::Offset:
+        return {ODO_TEXT("workflow.cause_offset", "the time offset of view %1 seems wrong by %2")(
+                    named(cause.view), quantity(ms, 0, "ms")),
+                synchronise};
+    case Kind::ClockRate:
+        return {ODO_TEXT("workflow.cause_clock_rate",
+                         "the time offset of view %1 seems to change by %2 in each second")(
+                    named(cause.view), quantity(ms, 2, "ms")),
+                synchronise};
+    case Kind::Height:
+        break;
+    }
+    return {ODO_TEXT("workflow.cause_height",
+                     "the height given for the robot seems wrong by about %1")(quantity(ms, 0, "mm")),
+            ODO_TEXT("workflow.measure_height", "measure its height, enter it and reanalyse")};
+}
+
+Message explainedSentence(const ViewsContradiction &contradiction, const std::vector<std::string> &views)
+{
+    const auto [cause, advice] = textOf(contradiction.causes.front(), views);
+    Message causes = cause;
+    for (std::size_t i = 1; i < contradiction.causes.size(); ++i)
+        causes = ODO_TEXT("workflow.cause_or_cause",
+                          "%1, or %2")(std::move(causes), textOf(contradiction.causes[i], views).first);
+    return wholeMessage(ODO_TEXT("workflow.views_contradict_by", "the views contradict each other by %1")(
+                            quantity(1000 * contradiction.apartM, 1, "mm")),
+                        causes, advice);
+}
+
+} // namespace
+
+Message viewsApartSentence(const Profile &profile, const std::vector<std::string> &views)
+{
+    if (profile.contradiction && !profile.contradiction->causes.empty())
+        return explainedSentence(*profile.contradiction, views);
     static constexpr double mostApart = 0.1; // of what several views saw
     ViewsApart found = viewsApart(profile.samples);
     const std::size_t apart = found.apartM.size();
@@ -134,6 +196,27 @@ std::vector<Message> damageWarnings(const std::string &trialName, const std::vec
                 quantity(toSeconds(one.damaged.begin), 1, "s"), quantity(toSeconds(one.damaged.end), 1, "s")),
             ODO_TEXT("workflow.copy_file_again", "copy the file from the camera again")));
     }
+    return sentences;
+}
+
+Message movedSentence(const std::string &trialName, const RecordingRecord &view, const CameraMove &move)
+{
+    return wholeMessage(
+        viewInTrialSubject(view.cameraName, trialName),
+        ODO_TEXT("workflow.camera_moved_during",
+                 "the camera moved by %1 after %2; what it saw from then on was not measured")(
+            quantity(move.shiftPx, 1, "px"),
+            quantity(toSeconds(clockOf(view).commonTime(move.time)), 1, "s")),
+        ODO_TEXT("workflow.fix_camera", "fix the camera, register it again and repeat the run"));
+}
+
+std::vector<Message> moveWarnings(const std::string &trialName, const std::vector<RegisteredView> &views,
+                                  const std::vector<TrackedView> &tracked)
+{
+    std::vector<Message> sentences;
+    for (std::size_t v = 0; v < views.size(); ++v)
+        if (tracked[v].cameraMove)
+            sentences.push_back(movedSentence(trialName, views[v].recording, *tracked[v].cameraMove));
     return sentences;
 }
 

@@ -20,8 +20,9 @@ std::vector<Message> analysisWarnings(const AnalysisRecord &analysis, const std:
 Message changedResults();
 
 /// "in 40 of 200 frames the views contradict each other: …", or show it far apart, with what to do. Empty
-/// where they agree, but for some moments.
-Message viewsApartSentence(const Profile &profile);
+/// where they agree, but for some moments. Where it is known why they contradict each other, that is said.
+/// views: names of the views that were measured with.
+Message viewsApartSentence(const Profile &profile, const std::vector<std::string> &views);
 
 /// "from 3.20 s to 3.90 s this may be Blue 1 or Blue 2": a robot and those that it may be as well. Of several
 /// stretches the first one, how many there are, and all those robots. Empty for none.
@@ -42,6 +43,13 @@ std::vector<Message> stepWarnings(const std::string &trialName,
 
 /// The same for a trial as it would be tracked now. Project's thread.
 std::vector<Message> stepWarnings(const std::string &trialName, const std::vector<RegisteredView> &views);
+
+/// A whole sentence on a view whose camera was moved while it was recorded: by how much, when, and what to
+/// do.
+Message movedSentence(const std::string &trialName, const RecordingRecord &view, const CameraMove &move);
+/// Those of the views that were moved.
+std::vector<Message> moveWarnings(const std::string &trialName, const std::vector<RegisteredView> &views,
+                                  const std::vector<TrackedView> &tracked);
 
 /// A whole sentence for each view of which some frames are damaged: how many, when, and what to do.
 std::vector<Message> damageWarnings(const std::string &trialName, const std::vector<RegisteredView> &views,

@@ -7,6 +7,8 @@
 #include "core/project/repositories.h"
 #include "core/trajectory/view_disagreement.h"
 #include "core/workflow/track/track_warnings.h"
+#include "core/workflow/track/view_tracking.h"
+#include "core/workflow/trial_sources.h"
 
 #include <algorithm>
 
@@ -114,13 +116,24 @@ void checkMotion(const AnalysisRecord &analysis, const Message &robot, Checks &c
                           Join::Colon));
 }
 
+/// Doubtful where the cause is known, which the stated errors then hold; else bad.
+void checkViews(const AnalysisRecord &analysis, const Message &robot, Checks &checks)
+{
+    Message apart = viewsApartSentence(analysis.profile, analysis.views);
+    if (apart.isEmpty())
+        return;
+    const auto &known = analysis.profile.contradiction;
+    const bool isHeld = known && !known->causes.empty() && known->apartM < farApartM;
+    checks.add(viewsAgree, isHeld ? CheckLevel::Doubtful : CheckLevel::Bad,
+               joined({robot, std::move(apart)}, Join::Colon));
+}
+
 void checkAnalysis(const AnalysisRecord &analysis, const std::string &trial, Checks &checks)
 {
     const Message robot = robotInTrialSubject(analysis.robotName, trial);
     if (analysis.proof == AnalysisRecord::Proof::Broken)
         checks.add(resultsIntact, CheckLevel::Bad, joined({robot, changedResults()}, Join::Colon));
-    if (Message apart = viewsApartSentence(analysis.profile); !apart.isEmpty())
-        checks.add(viewsAgree, CheckLevel::Bad, joined({robot, std::move(apart)}, Join::Colon));
+    checkViews(analysis, robot, checks);
     checkTime(analysis, robot, checks);
     checkMotion(analysis, robot, checks);
     if (!analysis.ambiguousNames.empty())
@@ -189,6 +202,16 @@ void checkRegistration(const RegistrationRecord &registration, const std::string
                                          "if it moved before this trial, register it again and reanalyse")));
 }
 
+/// A camera that was moved while the trial was recorded.
+Result<void> checkMoves(Project &project, const AnalysisRecord &analysis, const RecordingRecord &view,
+                        const std::string &trial, Checks &checks)
+{
+    const auto series = ODO_TRY(project.trials().currentObservations(view.id, analysis.robot));
+    if (const auto move = series ? storedMove(*series) : std::nullopt)
+        checks.add(cameraStill, CheckLevel::Doubtful, movedSentence(trial, view, *move));
+    return {};
+}
+
 void passTheRest(bool isFilmed, std::size_t views, Checks &checks)
 {
     checks.pass(resultsIntact, ODO_TEXT("workflow.passed_results", "the stored results are as computed"));
@@ -208,6 +231,42 @@ void passTheRest(bool isFilmed, std::size_t views, Checks &checks)
     checks.pass(synchronised, ODO_TEXT("workflow.passed_synchronisation", "the views are synchronised"));
 }
 
+/// An analysis as it was stored, with why its views contradict each other: that is found once more from the
+/// stored observations. nullopt where it is known, where they agree and where it cannot be found.
+Result<std::optional<AnalysisRecord>>
+withContradiction(Project &project, const AnalysisRecord &analysis,
+                  const std::vector<const RecordingRecord *> &recordings)
+{
+    const Profile &profile = analysis.profile;
+    if (profile.contradiction || viewsApart(profile.samples).apartM.empty() ||
+        recordings.size() != analysis.registrations.size())
+        return std::nullopt;
+    std::vector<ViewTrack> views;
+    for (std::size_t v = 0; v < recordings.size(); ++v) {
+        const RecordingRecord &recording = *recordings[v];
+        ViewTrack view{recording.cameraName, {}, fromSeconds(recording.startOffsetS), {}};
+        view.clockRate = recording.clockRate;
+        view.startOffsetSigmaS = recording.startOffsetSigmaS;
+        if (analysis.registrations[v] != 0) {
+            const auto registration = ODO_TRY(project.cameras().registration(analysis.registrations[v]));
+            view.floorView = ODO_TRY(floorViewOf(project, registration));
+        }
+        auto series = ODO_TRY(project.trials().currentObservations(recording.id, analysis.robot));
+        if (series)
+            view.observations = std::move(series->observations);
+        views.push_back(std::move(view));
+    }
+    const auto robot = ODO_TRY(project.robots().get(analysis.robot));
+    RobotShape shape = shapeOf(robot);
+    shape.heightM = profile.heightEstimated ? std::nullopt : std::optional(profile.heightM);
+    auto contradiction = contradictionOf(views, shape);
+    if (!contradiction)
+        return std::nullopt;
+    AnalysisRecord known = analysis;
+    known.profile.contradiction = std::move(contradiction);
+    return known;
+}
+
 } // namespace
 
 Result<TrialVerdict> verdictOn(Project &project, const TrialRecord &trial,
@@ -217,8 +276,10 @@ Result<TrialVerdict> verdictOn(Project &project, const TrialRecord &trial,
     if (analyses.empty())
         return TrialVerdict{};
     Checks checks;
-    for (const AnalysisRecord &analysis : analyses)
-        checkAnalysis(analysis, trial.name, checks);
+    for (const AnalysisRecord &analysis : analyses) {
+        const auto known = ODO_TRY(withContradiction(project, analysis, recordings));
+        checkAnalysis(known ? *known : analysis, trial.name, checks);
+    }
     for (const RecordingRecord *view : recordings)
         checkFrames(*view, trial.name, checks);
     const std::vector<std::size_t> used = usedViews(analyses.front(), recordings.size());
@@ -226,6 +287,7 @@ Result<TrialVerdict> verdictOn(Project &project, const TrialRecord &trial,
         const auto registration =
             ODO_TRY(project.cameras().registration(analyses.front().registrations[view]));
         checkRegistration(registration, recordings[view]->cameraName, checks);
+        ODO_TRY(checkMoves(project, analyses.front(), *recordings[view], trial.name, checks));
     }
     if (!recordings.empty())
         checkDecoding(analyses.front(), *recordings.front(), trial.name, checks);

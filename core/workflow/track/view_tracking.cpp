@@ -16,9 +16,12 @@
 #include "core/workflow/trial_sources.h"
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <chrono>
 #include <cmath>
+#include <cstdio>
+#include <cstring>
 #include <functional>
 #include <mutex>
 #include <optional>
@@ -113,6 +116,30 @@ Result<std::unique_ptr<RobotTracker>> trackerFor(const RegisteredView &view,
     return RobotTracker::create(targets, background, view.floorView, othersFollowed);
 }
 
+/// Behind the tracker's version in a series.
+constexpr const char *movedWords = "; camera moved";
+
+/// Leaves out what a camera saw after it was moved: where that is on the floor is not known.
+void leaveOutMoved(TrackedView &tracked, const std::optional<CameraMove> &move)
+{
+    if (!move)
+        return;
+    tracked.cameraMove = move;
+    const auto leaveOut = [&](std::vector<Observation> &observations) {
+        for (Observation &one : observations)
+            one.found = one.found && one.time <= move->time;
+    };
+    for (ObservationSeries &series : tracked.series) {
+        leaveOut(series.observations);
+        std::array<char, 80> text{};
+        std::snprintf(text.data(), text.size(), "%s %.2f px after %lld ns", movedWords, move->shiftPx,
+                      static_cast<long long>(move->time.count()));
+        series.algorithm += text.data();
+    }
+    for (std::vector<Observation> &observations : tracked.others)
+        leaveOut(observations);
+}
+
 /// Frames that the decoder left out.
 void addDamaged(std::size_t begin, std::size_t end, const std::vector<Nanoseconds> &times,
                 TrackedView &tracked)
@@ -140,6 +167,7 @@ Result<TrackedView> trackView(const RegisteredView &view, const std::vector<Robo
     TrackedView tracked;
     tracked.background = std::move(background);
     LightMeter lightMeter;
+    CameraWatch watch;
     for (std::size_t r = 0; r < robots.size(); ++r)
         tracked.series.push_back({view.recording.id,
                                   robots[r].id,
@@ -164,6 +192,8 @@ Result<TrackedView> trackView(const RegisteredView &view, const std::vector<Robo
         next = index + 1;
         if (light == WithLight::Measured)
             tracked.light.push_back(lightMeter.measure(*frame));
+        if (tracker)
+            watch.add(*frame);
         const std::vector<Observation> observations =
             tracker ? tracker->track(*frame) : std::vector<Observation>{};
         for (std::size_t r = 0; r < observations.size(); ++r)
@@ -177,6 +207,7 @@ Result<TrackedView> trackView(const RegisteredView &view, const std::vector<Robo
     }
     addDamaged(next, times.size(), times, tracked);
     tracked.decodeCpuTime = stream.decodeCpuTime();
+    leaveOutMoved(tracked, watch.move());
     if (tracker)
         tracked.sharesAlike = tracker->sharesAlike();
     return tracked;
@@ -314,6 +345,17 @@ bool isEverSeen(const std::vector<RegisteredView> &views, const std::vector<Trac
     return false;
 }
 
+std::optional<CameraMove> storedMove(const ObservationSeries &series)
+{
+    const std::size_t at = series.algorithm.find(movedWords);
+    double shiftPx = 0;
+    long long time = 0;
+    if (at == std::string::npos || std::sscanf(series.algorithm.c_str() + at + std::strlen(movedWords),
+                                               " %lf px after %lld ns", &shiftPx, &time) != 2)
+        return std::nullopt;
+    return CameraMove{Nanoseconds(time), shiftPx};
+}
+
 std::vector<ViewTrack> takeViewTracks(const std::vector<RegisteredView> &views,
                                       std::vector<TrackedView> &tracked, std::size_t robot)
 {
@@ -321,7 +363,8 @@ std::vector<ViewTrack> takeViewTracks(const std::vector<RegisteredView> &views,
     for (std::size_t v = 0; v < views.size(); ++v)
         tracks.push_back({views[v].recording.cameraName, views[v].floorView,
                           fromSeconds(views[v].recording.startOffsetS),
-                          std::move(tracked[v].series[robot].observations), views[v].recording.clockRate});
+                          std::move(tracked[v].series[robot].observations), views[v].recording.clockRate,
+                          views[v].recording.startOffsetSigmaS});
     return tracks;
 }
 

@@ -4,6 +4,7 @@
 #include "core/base/job_control.h"
 #include "core/project/records.h"
 #include "core/tracking/background.h"
+#include "core/tracking/camera_watch.h"
 #include "core/workflow/trial_sources.h"
 
 #include <functional>
@@ -25,6 +26,8 @@ struct TrackedView
     Nanoseconds decodeCpuTime{0};
     /// Of each robot: the part of the first frame with its given colour. Empty where nothing was decoded.
     std::vector<double> sharesAlike;
+    /// The camera was moved; from then on nothing is measured in this view.
+    std::optional<CameraMove> cameraMove;
     std::vector<LightLevel> light;        ///< of every frame, where it was asked for
     std::optional<Background> background; ///< by which robots were found, where one was needed
 };
@@ -47,6 +50,9 @@ Result<std::vector<TrackedView>> trackAgain(const std::vector<RegisteredView> &v
                                             const std::vector<RobotRecord> &robots,
                                             const std::vector<TrackedView> &before, float darkestShadow,
                                             const JobControl &control);
+
+/// What a stored series says of its camera's move; nullopt: it was not moved, or not watched.
+std::optional<CameraMove> storedMove(const ObservationSeries &series);
 
 /// Whether any registered view found a robot, by its number, in any frame.
 bool isEverSeen(const std::vector<RegisteredView> &views, const std::vector<TrackedView> &tracked,
