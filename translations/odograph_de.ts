@@ -208,16 +208,16 @@
     </message>
     <message numerus="yes">
         <source>%n trial(s) not counted: bad results.</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n Versuch nicht gezählt: schlechte Ergebnisse.</numerusform>
+            <numerusform>%n Versuche nicht gezählt: schlechte Ergebnisse.</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>! %n trial(s) with doubtful results counted.</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>! %n Versuch mit zweifelhaften Ergebnissen gezählt.</numerusform>
+            <numerusform>! %n Versuche mit zweifelhaften Ergebnissen gezählt.</numerusform>
         </translation>
     </message>
 </context>
@@ -353,7 +353,7 @@
     </message>
     <message>
         <source>none: a run was not measured all the time, and is at least so large</source>
-        <translation type="unfinished"></translation>
+        <translation>keine: ein Lauf wurde nicht durchgehend gemessen und ist mindestens so groß</translation>
     </message>
 </context>
 <context>
@@ -444,7 +444,7 @@
     </message>
     <message>
         <source>Verdict on %1: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>Urteil über %1: %2</translation>
     </message>
 </context>
 <context>
@@ -631,27 +631,27 @@
     </message>
     <message>
         <source>Of the body where its outline or an imported track shows it: the smoothed heading. Elsewhere the direction of motion: atan2(vy, vx) of the smoothed curve, kept where the robot stands still and continued where it reverses. Anticlockwise from X, without jumps of a whole turn.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die des Rumpfs, wo sein Umriss oder eine importierte Spur sie zeigt: die geglättete Ausrichtung. Sonst die Bewegungsrichtung: atan2(vy, vx) der geglätteten Kurve, beibehalten, wo der Roboter steht, und fortgesetzt, wo er rückwärts fährt. Gegen den Uhrzeigersinn ab X, ohne Sprünge um eine volle Drehung.</translation>
     </message>
     <message>
         <source>of the body: σ of its smoothed heading; of the direction of motion: σ of the velocity across the motion divided by the speed</source>
-        <translation type="unfinished"></translation>
+        <translation>des Rumpfs: σ seiner geglätteten Ausrichtung; der Bewegungsrichtung: σ der Geschwindigkeit quer zur Bewegung geteilt durch die Geschwindigkeit</translation>
     </message>
     <message>
         <source>Of the body where its heading was measured: the rate of the smoothed heading. Elsewhere (vx·ay − vy·ax)/|v|² of the smoothed curve.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die des Rumpfs, wo seine Ausrichtung gemessen wurde: die Rate der geglätteten Ausrichtung. Sonst (vx·ay − vy·ax)/|v|² der geglätteten Kurve.</translation>
     </message>
     <message>
         <source>of the body: σ of the smoothed heading&apos;s rate; of the direction of motion: σ² = σa²/|v|² + |a|²σv²/|v|⁴, first order</source>
-        <translation type="unfinished"></translation>
+        <translation>des Rumpfs: σ der Rate der geglätteten Ausrichtung; der Bewegungsrichtung: σ² = σa²/|v|² + |a|²σv²/|v|⁴, erste Ordnung</translation>
     </message>
     <message>
         <source>of the robot&apos;s body, which was measured</source>
-        <translation type="unfinished"></translation>
+        <translation>des Rumpfs, der gemessen wurde</translation>
     </message>
     <message>
         <source>of the direction of motion</source>
-        <translation type="unfinished"></translation>
+        <translation>der Bewegungsrichtung</translation>
     </message>
 </context>
 <context>
@@ -1910,11 +1910,11 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
     <message>
         <source>Accept…</source>
-        <translation type="unfinished"></translation>
+        <translation>Akzeptieren…</translation>
     </message>
     <message>
         <source>Withdraw</source>
-        <translation type="unfinished"></translation>
+        <translation>Zurücknehmen</translation>
     </message>
 </context>
 <context>
@@ -2013,26 +2013,26 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
     <message numerus="yes">
         <source>… and %n more</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>… und %n weiterer</numerusform>
+            <numerusform>… und %n weitere</numerusform>
         </translation>
     </message>
     <message>
         <source>Bad results: do not use them.</source>
-        <translation type="unfinished"></translation>
+        <translation>Schlechte Ergebnisse: nicht verwenden.</translation>
     </message>
     <message>
         <source>Doubtful results, which were accepted.</source>
-        <translation type="unfinished"></translation>
+        <translation>Zweifelhafte Ergebnisse, die akzeptiert wurden.</translation>
     </message>
     <message>
         <source>Doubtful results: read the reasons before you use them.</source>
-        <translation type="unfinished"></translation>
+        <translation>Zweifelhafte Ergebnisse: vor der Verwendung die Gründe lesen.</translation>
     </message>
     <message>
         <source>Verdict</source>
-        <translation type="unfinished">Urteil</translation>
+        <translation>Urteil</translation>
     </message>
 </context>
 <context>
@@ -2050,27 +2050,27 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <name>VerdictMark</name>
     <message>
         <source>accepted</source>
-        <translation type="unfinished"></translation>
+        <translation>akzeptiert</translation>
     </message>
     <message>
         <source>doubtful</source>
-        <translation type="unfinished">fraglich</translation>
+        <translation>zweifelhaft</translation>
     </message>
     <message>
         <source>bad</source>
-        <translation type="unfinished">schlecht</translation>
+        <translation>schlecht</translation>
     </message>
     <message>
         <source>passed</source>
-        <translation type="unfinished">bestanden</translation>
+        <translation>bestanden</translation>
     </message>
     <message>
         <source>Accepted: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Akzeptiert: %1</translation>
     </message>
     <message>
         <source>all checks passed</source>
-        <translation type="unfinished"></translation>
+        <translation>alle Prüfungen bestanden</translation>
     </message>
 </context>
 <context>
@@ -2347,7 +2347,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <name>analysis.formula_max_turn_rate</name>
     <message>
         <source>How fast the robot turns, to the left or right, where the amount minus 2σ is largest. Of the body where its heading was measured, also on the spot: the rate of the smoothed heading. Elsewhere of the direction of motion: (vx·ay − vy·ax)/|v|² of the smoothed curve.</source>
-        <translation type="unfinished"></translation>
+        <translation>Wie schnell sich der Roboter dreht, nach links oder rechts, wo der Betrag minus 2σ am größten ist. Die des Rumpfs, wo dessen Ausrichtung gemessen wurde, auch auf der Stelle: die Rate der geglätteten Ausrichtung. Sonst die der Bewegungsrichtung: (vx·ay − vy·ax)/|v|² der geglätteten Kurve.</translation>
     </message>
 </context>
 <context>
@@ -3187,7 +3187,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <name>analysis.uncertainty_max_turn_rate</name>
     <message>
         <source>of the body: that of the smoothed heading&apos;s rate; of the direction of motion: σ² = σa²/|v|² + |a|²σv²/|v|⁴, first order</source>
-        <translation type="unfinished"></translation>
+        <translation>des Rumpfs: die der Rate der geglätteten Ausrichtung; der Bewegungsrichtung: σ² = σa²/|v|² + |a|²σv²/|v|⁴, erste Ordnung</translation>
     </message>
 </context>
 <context>
@@ -9737,7 +9737,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
     <message>
         <source>Verdict</source>
-        <translation type="unfinished">Urteil</translation>
+        <translation>Urteil</translation>
     </message>
 </context>
 <context>
@@ -11809,7 +11809,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
     <message>
         <source>of the body, anticlockwise from X</source>
-        <translation type="unfinished"></translation>
+        <translation>des Rumpfs, gegen den Uhrzeigersinn ab X</translation>
     </message>
 </context>
 <context>
@@ -12311,11 +12311,11 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
     <message>
         <source>Accept doubtful results</source>
-        <translation type="unfinished"></translation>
+        <translation>Zweifelhafte Ergebnisse akzeptieren</translation>
     </message>
     <message>
         <source>Why can these results be used? The reason is shown wherever they are.</source>
-        <translation type="unfinished"></translation>
+        <translation>Warum sind diese Ergebnisse brauchbar? Der Grund steht überall dabei, wo sie erscheinen.</translation>
     </message>
 </context>
 <context>
@@ -13171,14 +13171,14 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
     <message numerus="yes">
         <source>%1, %n doubtful</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%1, %n zweifelhaft</numerusform>
+            <numerusform>%1, %n zweifelhaft</numerusform>
         </translation>
     </message>
     <message>
         <source>Those with bad results do not count</source>
-        <translation type="unfinished"></translation>
+        <translation>Die mit schlechten Ergebnissen zählen nicht</translation>
     </message>
 </context>
 <context>
@@ -13778,9 +13778,9 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
     <message numerus="yes">
         <source>%n trial(s) not counted: bad results</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n Versuch nicht gezählt: schlechte Ergebnisse</numerusform>
+            <numerusform>%n Versuche nicht gezählt: schlechte Ergebnisse</numerusform>
         </translation>
     </message>
 </context>
@@ -14493,7 +14493,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
     <message>
         <source>Verdict</source>
-        <translation type="unfinished">Urteil</translation>
+        <translation>Urteil</translation>
     </message>
 </context>
 <context>
@@ -14596,15 +14596,15 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
     <message>
         <source>Doubtful</source>
-        <translation type="unfinished"></translation>
+        <translation>Zweifelhaft</translation>
     </message>
     <message>
         <source>Only trials with doubtful or bad results</source>
-        <translation type="unfinished"></translation>
+        <translation>Nur Versuche mit zweifelhaften oder schlechten Ergebnissen</translation>
     </message>
     <message>
         <source>Show only trials with doubtful or bad results</source>
-        <translation type="unfinished"></translation>
+        <translation>Nur Versuche mit zweifelhaften oder schlechten Ergebnissen zeigen</translation>
     </message>
 </context>
 <context>
@@ -14679,7 +14679,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
     <message>
         <source>Verdict</source>
-        <translation type="unfinished">Urteil</translation>
+        <translation>Urteil</translation>
     </message>
 </context>
 <context>
@@ -14925,7 +14925,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <name>project.acceptance_reason</name>
     <message>
         <source>reason for accepting the results</source>
-        <translation type="unfinished"></translation>
+        <translation>Grund, die Ergebnisse zu akzeptieren</translation>
     </message>
 </context>
 <context>
@@ -15506,7 +15506,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <name>project.format_17</name>
     <message>
         <source>verdicts, and their acceptance</source>
-        <translation type="unfinished"></translation>
+        <translation>Urteile und ihre Annahme</translation>
     </message>
 </context>
 <context>
@@ -16486,7 +16486,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <name>project.reason_is_blank</name>
     <message>
         <source>it is blank</source>
-        <translation type="unfinished"></translation>
+        <translation>er ist leer</translation>
     </message>
 </context>
 <context>
@@ -16731,7 +16731,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <name>project.say_why</name>
     <message>
         <source>write why the results can be used</source>
-        <translation type="unfinished"></translation>
+        <translation>schreiben Sie, warum die Ergebnisse brauchbar sind</translation>
     </message>
 </context>
 <context>
@@ -17032,7 +17032,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <name>project.verdict</name>
     <message>
         <source>verdict on a trial</source>
-        <translation type="unfinished"></translation>
+        <translation>Urteil über einen Versuch</translation>
     </message>
 </context>
 <context>
@@ -17449,6 +17449,13 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
 </context>
 <context>
+    <name>trajectory.import_exchanged</name>
+    <message>
+        <source>import them again, each for its own camera</source>
+        <translation>importieren Sie sie erneut, jedes für seine eigene Kamera</translation>
+    </message>
+</context>
+<context>
     <name>trajectory.import_video</name>
     <message>
         <source>import at least one video for it</source>
@@ -17698,6 +17705,13 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>views disagree by %1</source>
         <translation>die Sichten weichen um %1 voneinander ab</translation>
+    </message>
+</context>
+<context>
+    <name>trajectory.views_exchanged</name>
+    <message>
+        <source>the videos of %1 and %2 seem to be exchanged: exchanged, they agree</source>
+        <translation>die Videos von %1 und %2 scheinen vertauscht zu sein: vertauscht stimmen sie überein</translation>
     </message>
 </context>
 <context>
@@ -19384,7 +19398,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <name>workflow.accept_results</name>
     <message>
         <source>accept the results of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Ergebnisse von %1 akzeptieren</translation>
     </message>
 </context>
 <context>
@@ -19447,7 +19461,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <name>workflow.bad_is_not_accepted</name>
     <message>
         <source>bad results cannot be accepted (%1)</source>
-        <translation type="unfinished"></translation>
+        <translation>schlechte Ergebnisse können nicht akzeptiert werden (%1)</translation>
     </message>
 </context>
 <context>
@@ -19598,6 +19612,13 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
 </context>
 <context>
+    <name>workflow.camera_moved_during</name>
+    <message>
+        <source>the camera moved by %1 after %2; what it saw from then on was not measured</source>
+        <translation>die Kamera hat sich nach %2 um %1 bewegt; was sie von da an sah, wurde nicht gemessen</translation>
+    </message>
+</context>
+<context>
     <name>workflow.camera_not_on_floor</name>
     <message>
         <source>camera &apos;%1&apos; is not registered to the floor</source>
@@ -19609,6 +19630,55 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>camera &apos;%1&apos; is not registered</source>
         <translation>Kamera &apos;%1&apos; ist nicht eingemessen</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.cause_camera_moved</name>
+    <message>
+        <source>camera %1 seems to have moved by %2 since its registration</source>
+        <translation>Kamera %1 scheint sich seit ihrem Einmessen um %2 bewegt zu haben</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.cause_camera_moved_at</name>
+    <message>
+        <source>camera %1 seems to have moved by %2 at %3</source>
+        <translation>Kamera %1 scheint sich bei %3 um %2 bewegt zu haben</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.cause_cameras_moved</name>
+    <message>
+        <source>cameras %1 and %2 seem to have moved since their registration</source>
+        <translation>die Kameras %1 und %2 scheinen sich seit ihrem Einmessen bewegt zu haben</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.cause_clock_rate</name>
+    <message>
+        <source>the time offset of view %1 seems to change by %2 in each second</source>
+        <translation>der Zeitversatz der Sicht %1 scheint sich in jeder Sekunde um %2 zu ändern</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.cause_height</name>
+    <message>
+        <source>the height given for the robot seems wrong by about %1</source>
+        <translation>die für den Roboter angegebene Höhe scheint um etwa %1 falsch zu sein</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.cause_offset</name>
+    <message>
+        <source>the time offset of view %1 seems wrong by %2</source>
+        <translation>der Zeitversatz der Sicht %1 scheint um %2 falsch zu sein</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.cause_or_cause</name>
+    <message>
+        <source>%1, or %2</source>
+        <translation>%1, oder %2</translation>
     </message>
 </context>
 <context>
@@ -19692,7 +19762,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <name>workflow.checking_trials</name>
     <message>
         <source>checks of the trials</source>
-        <translation type="unfinished"></translation>
+        <translation>Prüfung der Versuche</translation>
     </message>
 </context>
 <context>
@@ -19959,6 +20029,13 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>fitting %1 cameras jointly</source>
         <translation>%1 Kameras werden gemeinsam eingemessen</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.fix_camera</name>
+    <message>
+        <source>fix the camera, register it again and repeat the run</source>
+        <translation>befestigen Sie die Kamera, messen Sie sie erneut ein und wiederholen Sie den Lauf</translation>
     </message>
 </context>
 <context>
@@ -20382,6 +20459,13 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
 </context>
 <context>
+    <name>workflow.measure_height</name>
+    <message>
+        <source>measure its height, enter it and reanalyse</source>
+        <translation>messen Sie die Höhe, geben Sie sie ein und werten Sie neu aus</translation>
+    </message>
+</context>
+<context>
     <name>workflow.measure_it_again</name>
     <message>
         <source>repeat the analysis</source>
@@ -20693,7 +20777,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <name>workflow.nothing_to_accept</name>
     <message>
         <source>all checks were passed</source>
-        <translation type="unfinished"></translation>
+        <translation>alle Prüfungen sind bestanden</translation>
     </message>
 </context>
 <context>
@@ -20714,7 +20798,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <name>workflow.nothing_to_withdraw</name>
     <message>
         <source>leave it as it is</source>
-        <translation type="unfinished"></translation>
+        <translation>lassen Sie es, wie es ist</translation>
     </message>
 </context>
 <context>
@@ -21012,6 +21096,13 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
 </context>
 <context>
+    <name>workflow.register_both_again</name>
+    <message>
+        <source>register both again and reanalyse</source>
+        <translation>messen Sie beide erneut ein und werten Sie neu aus</translation>
+    </message>
+</context>
+<context>
     <name>workflow.register_camera</name>
     <message>
         <source>register camera %1</source>
@@ -21058,6 +21149,13 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>register it first, with markers or via another camera</source>
         <translation>messen Sie sie zuerst ein, über Marker oder über eine andere Kamera</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.register_moved_again</name>
+    <message>
+        <source>register it again and reanalyse</source>
+        <translation>messen Sie sie erneut ein und werten Sie neu aus</translation>
     </message>
 </context>
 <context>
@@ -21134,7 +21232,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <name>workflow.remove_cause</name>
     <message>
         <source>remove the cause and reanalyse, or record it again</source>
-        <translation type="unfinished"></translation>
+        <translation>beheben Sie die Ursache und werten Sie neu aus, oder nehmen Sie noch einmal auf</translation>
     </message>
 </context>
 <context>
@@ -21289,6 +21387,13 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>synchronisation of view &apos;%1&apos;</source>
         <translation>Synchronisierung der Sicht &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.synchronise_again</name>
+    <message>
+        <source>synchronise the views again and reanalyse</source>
+        <translation>synchronisieren Sie die Sichten erneut und werten Sie neu aus</translation>
     </message>
 </context>
 <context>
@@ -21477,7 +21582,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <name>workflow.use_as_it_is</name>
     <message>
         <source>use the results as they are</source>
-        <translation type="unfinished"></translation>
+        <translation>verwenden Sie die Ergebnisse, wie sie sind</translation>
     </message>
 </context>
 <context>
@@ -21495,10 +21600,17 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
 </context>
 <context>
+    <name>workflow.use_time_before</name>
+    <message>
+        <source>use the time before that only</source>
+        <translation>verwenden Sie nur die Zeit davor</translation>
+    </message>
+</context>
+<context>
     <name>workflow.verdict_on</name>
     <message>
         <source>verdict on trial &apos;%1&apos;</source>
-        <translation type="unfinished"></translation>
+        <translation>Urteil über Versuch „%1“</translation>
     </message>
 </context>
 <context>
@@ -21565,6 +21677,13 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
 </context>
 <context>
+    <name>workflow.views_contradict_by</name>
+    <message>
+        <source>the views contradict each other by %1</source>
+        <translation>die Sichten widersprechen einander um %1</translation>
+    </message>
+</context>
+<context>
     <name>workflow.views_far_apart</name>
     <message>
         <source>in %1 of %2 frames the views show it at positions far apart</source>
@@ -21589,7 +21708,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <name>workflow.was_not_accepted</name>
     <message>
         <source>nobody accepted it</source>
-        <translation type="unfinished"></translation>
+        <translation>niemand hat es akzeptiert</translation>
     </message>
 </context>
 <context>
@@ -21603,7 +21722,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <name>workflow.withdraw_acceptance</name>
     <message>
         <source>withdraw the acceptance of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Annahme von %1 zurücknehmen</translation>
     </message>
 </context>
 <context>

@@ -19,16 +19,16 @@
     </message>
     <message numerus="yes">
         <source>%n trial(s) not counted: bad results.</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n trial not counted: bad results.</numerusform>
+            <numerusform>%n trials not counted: bad results.</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>! %n trial(s) with doubtful results counted.</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>! %n trial with doubtful results counted.</numerusform>
+            <numerusform>! %n trials with doubtful results counted.</numerusform>
         </translation>
     </message>
 </context>
@@ -76,9 +76,9 @@
     <name>TrialReport</name>
     <message numerus="yes">
         <source>… and %n more</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>… and %n more</numerusform>
+            <numerusform>… and %n more</numerusform>
         </translation>
     </message>
 </context>
@@ -198,9 +198,9 @@
     <name>odo::StandingsModel</name>
     <message numerus="yes">
         <source>%1, %n doubtful</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%1, %n doubtful</numerusform>
+            <numerusform>%1, %n doubtful</numerusform>
         </translation>
     </message>
 </context>
@@ -284,9 +284,9 @@
     </message>
     <message numerus="yes">
         <source>%n trial(s) not counted: bad results</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n trial not counted: bad results</numerusform>
+            <numerusform>%n trials not counted: bad results</numerusform>
         </translation>
     </message>
 </context>

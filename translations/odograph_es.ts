@@ -208,16 +208,16 @@
     </message>
     <message numerus="yes">
         <source>%n trial(s) not counted: bad results.</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n ensayo no contado: resultados malos.</numerusform>
+            <numerusform>%n ensayos no contados: resultados malos.</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>! %n trial(s) with doubtful results counted.</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>! %n ensayo con resultados dudosos contado.</numerusform>
+            <numerusform>! %n ensayos con resultados dudosos contados.</numerusform>
         </translation>
     </message>
 </context>
@@ -353,7 +353,7 @@
     </message>
     <message>
         <source>none: a run was not measured all the time, and is at least so large</source>
-        <translation type="unfinished"></translation>
+        <translation>ninguna: una vuelta no se midió todo el tiempo y es al menos así de grande</translation>
     </message>
 </context>
 <context>
@@ -444,7 +444,7 @@
     </message>
     <message>
         <source>Verdict on %1: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>Veredicto de %1: %2</translation>
     </message>
 </context>
 <context>
@@ -631,27 +631,27 @@
     </message>
     <message>
         <source>Of the body where its outline or an imported track shows it: the smoothed heading. Elsewhere the direction of motion: atan2(vy, vx) of the smoothed curve, kept where the robot stands still and continued where it reverses. Anticlockwise from X, without jumps of a whole turn.</source>
-        <translation type="unfinished"></translation>
+        <translation>El del cuerpo donde su contorno o una trayectoria importada lo muestra: el rumbo suavizado. En lo demás, la dirección del movimiento: atan2(vy, vx) de la curva suavizada, conservada donde el robot está parado y continuada donde va marcha atrás. En sentido antihorario desde X, sin saltos de una vuelta completa.</translation>
     </message>
     <message>
         <source>of the body: σ of its smoothed heading; of the direction of motion: σ of the velocity across the motion divided by the speed</source>
-        <translation type="unfinished"></translation>
+        <translation>del cuerpo: σ de su rumbo suavizado; de la dirección del movimiento: σ del vector velocidad en dirección transversal al movimiento, dividida por la velocidad</translation>
     </message>
     <message>
         <source>Of the body where its heading was measured: the rate of the smoothed heading. Elsewhere (vx·ay − vy·ax)/|v|² of the smoothed curve.</source>
-        <translation type="unfinished"></translation>
+        <translation>La del cuerpo donde se midió su rumbo: la variación del rumbo suavizado. En lo demás, (vx·ay − vy·ax)/|v|² de la curva suavizada.</translation>
     </message>
     <message>
         <source>of the body: σ of the smoothed heading&apos;s rate; of the direction of motion: σ² = σa²/|v|² + |a|²σv²/|v|⁴, first order</source>
-        <translation type="unfinished"></translation>
+        <translation>del cuerpo: σ de la variación del rumbo suavizado; de la dirección del movimiento: σ² = σa²/|v|² + |a|²σv²/|v|⁴, primer orden</translation>
     </message>
     <message>
         <source>of the robot&apos;s body, which was measured</source>
-        <translation type="unfinished"></translation>
+        <translation>del cuerpo del robot, que se midió</translation>
     </message>
     <message>
         <source>of the direction of motion</source>
-        <translation type="unfinished"></translation>
+        <translation>de la dirección del movimiento</translation>
     </message>
 </context>
 <context>
@@ -1910,11 +1910,11 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     </message>
     <message>
         <source>Accept…</source>
-        <translation type="unfinished"></translation>
+        <translation>Aceptar…</translation>
     </message>
     <message>
         <source>Withdraw</source>
-        <translation type="unfinished"></translation>
+        <translation>Retirar</translation>
     </message>
 </context>
 <context>
@@ -2013,26 +2013,26 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     </message>
     <message numerus="yes">
         <source>… and %n more</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>… y %n más</numerusform>
+            <numerusform>… y %n más</numerusform>
         </translation>
     </message>
     <message>
         <source>Bad results: do not use them.</source>
-        <translation type="unfinished"></translation>
+        <translation>Resultados malos: no los use.</translation>
     </message>
     <message>
         <source>Doubtful results, which were accepted.</source>
-        <translation type="unfinished"></translation>
+        <translation>Resultados dudosos que se aceptaron.</translation>
     </message>
     <message>
         <source>Doubtful results: read the reasons before you use them.</source>
-        <translation type="unfinished"></translation>
+        <translation>Resultados dudosos: lea los motivos antes de usarlos.</translation>
     </message>
     <message>
         <source>Verdict</source>
-        <translation type="unfinished">Veredicto</translation>
+        <translation>Veredicto</translation>
     </message>
 </context>
 <context>
@@ -2050,27 +2050,27 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <name>VerdictMark</name>
     <message>
         <source>accepted</source>
-        <translation type="unfinished"></translation>
+        <translation>aceptado</translation>
     </message>
     <message>
         <source>doubtful</source>
-        <translation type="unfinished">dudoso</translation>
+        <translation>dudoso</translation>
     </message>
     <message>
         <source>bad</source>
-        <translation type="unfinished">mal</translation>
+        <translation>malo</translation>
     </message>
     <message>
         <source>passed</source>
-        <translation type="unfinished">superado</translation>
+        <translation>superado</translation>
     </message>
     <message>
         <source>Accepted: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Aceptado: %1</translation>
     </message>
     <message>
         <source>all checks passed</source>
-        <translation type="unfinished"></translation>
+        <translation>todas las comprobaciones superadas</translation>
     </message>
 </context>
 <context>
@@ -2347,7 +2347,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <name>analysis.formula_max_turn_rate</name>
     <message>
         <source>How fast the robot turns, to the left or right, where the amount minus 2σ is largest. Of the body where its heading was measured, also on the spot: the rate of the smoothed heading. Elsewhere of the direction of motion: (vx·ay − vy·ax)/|v|² of the smoothed curve.</source>
-        <translation type="unfinished"></translation>
+        <translation>La rapidez con que gira el robot, a izquierda o derecha, donde su valor menos 2σ es máximo. La del cuerpo donde se midió su rumbo, también sobre el sitio: la variación del rumbo suavizado. En lo demás, la de la dirección del movimiento: (vx·ay − vy·ax)/|v|² de la curva suavizada.</translation>
     </message>
 </context>
 <context>
@@ -3187,7 +3187,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <name>analysis.uncertainty_max_turn_rate</name>
     <message>
         <source>of the body: that of the smoothed heading&apos;s rate; of the direction of motion: σ² = σa²/|v|² + |a|²σv²/|v|⁴, first order</source>
-        <translation type="unfinished"></translation>
+        <translation>del cuerpo: la de la variación del rumbo suavizado; de la dirección del movimiento: σ² = σa²/|v|² + |a|²σv²/|v|⁴, primer orden</translation>
     </message>
 </context>
 <context>
@@ -9737,7 +9737,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     </message>
     <message>
         <source>Verdict</source>
-        <translation type="unfinished">Veredicto</translation>
+        <translation>Veredicto</translation>
     </message>
 </context>
 <context>
@@ -11809,7 +11809,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     </message>
     <message>
         <source>of the body, anticlockwise from X</source>
-        <translation type="unfinished"></translation>
+        <translation>del cuerpo, antihorario desde X</translation>
     </message>
 </context>
 <context>
@@ -12311,11 +12311,11 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     </message>
     <message>
         <source>Accept doubtful results</source>
-        <translation type="unfinished"></translation>
+        <translation>Aceptar resultados dudosos</translation>
     </message>
     <message>
         <source>Why can these results be used? The reason is shown wherever they are.</source>
-        <translation type="unfinished"></translation>
+        <translation>¿Por qué se pueden usar estos resultados? El motivo se muestra dondequiera que aparezcan.</translation>
     </message>
 </context>
 <context>
@@ -13171,14 +13171,14 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     </message>
     <message numerus="yes">
         <source>%1, %n doubtful</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%1, %n dudoso</numerusform>
+            <numerusform>%1, %n dudosos</numerusform>
         </translation>
     </message>
     <message>
         <source>Those with bad results do not count</source>
-        <translation type="unfinished"></translation>
+        <translation>Los que tienen resultados malos no cuentan</translation>
     </message>
 </context>
 <context>
@@ -13778,9 +13778,9 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     </message>
     <message numerus="yes">
         <source>%n trial(s) not counted: bad results</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n ensayo no contado: resultados malos</numerusform>
+            <numerusform>%n ensayos no contados: resultados malos</numerusform>
         </translation>
     </message>
 </context>
@@ -14493,7 +14493,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     </message>
     <message>
         <source>Verdict</source>
-        <translation type="unfinished">Veredicto</translation>
+        <translation>Veredicto</translation>
     </message>
 </context>
 <context>
@@ -14596,15 +14596,15 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     </message>
     <message>
         <source>Doubtful</source>
-        <translation type="unfinished"></translation>
+        <translation>Dudosos</translation>
     </message>
     <message>
         <source>Only trials with doubtful or bad results</source>
-        <translation type="unfinished"></translation>
+        <translation>Solo ensayos con resultados dudosos o malos</translation>
     </message>
     <message>
         <source>Show only trials with doubtful or bad results</source>
-        <translation type="unfinished"></translation>
+        <translation>Mostrar solo ensayos con resultados dudosos o malos</translation>
     </message>
 </context>
 <context>
@@ -14679,7 +14679,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     </message>
     <message>
         <source>Verdict</source>
-        <translation type="unfinished">Veredicto</translation>
+        <translation>Veredicto</translation>
     </message>
 </context>
 <context>
@@ -14925,7 +14925,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <name>project.acceptance_reason</name>
     <message>
         <source>reason for accepting the results</source>
-        <translation type="unfinished"></translation>
+        <translation>motivo para aceptar los resultados</translation>
     </message>
 </context>
 <context>
@@ -15506,7 +15506,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <name>project.format_17</name>
     <message>
         <source>verdicts, and their acceptance</source>
-        <translation type="unfinished"></translation>
+        <translation>veredictos y su aceptación</translation>
     </message>
 </context>
 <context>
@@ -16486,7 +16486,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <name>project.reason_is_blank</name>
     <message>
         <source>it is blank</source>
-        <translation type="unfinished"></translation>
+        <translation>está en blanco</translation>
     </message>
 </context>
 <context>
@@ -16731,7 +16731,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <name>project.say_why</name>
     <message>
         <source>write why the results can be used</source>
-        <translation type="unfinished"></translation>
+        <translation>escriba por qué se pueden usar los resultados</translation>
     </message>
 </context>
 <context>
@@ -17032,7 +17032,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <name>project.verdict</name>
     <message>
         <source>verdict on a trial</source>
-        <translation type="unfinished"></translation>
+        <translation>veredicto de un ensayo</translation>
     </message>
 </context>
 <context>
@@ -17449,6 +17449,13 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     </message>
 </context>
 <context>
+    <name>trajectory.import_exchanged</name>
+    <message>
+        <source>import them again, each for its own camera</source>
+        <translation>impórtelos de nuevo, cada uno para su propia cámara</translation>
+    </message>
+</context>
+<context>
     <name>trajectory.import_video</name>
     <message>
         <source>import at least one video for it</source>
@@ -17698,6 +17705,13 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <message>
         <source>views disagree by %1</source>
         <translation>las vistas discrepan en %1</translation>
+    </message>
+</context>
+<context>
+    <name>trajectory.views_exchanged</name>
+    <message>
+        <source>the videos of %1 and %2 seem to be exchanged: exchanged, they agree</source>
+        <translation>los vídeos de %1 y %2 parecen estar intercambiados: intercambiados, concuerdan</translation>
     </message>
 </context>
 <context>
@@ -19384,7 +19398,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <name>workflow.accept_results</name>
     <message>
         <source>accept the results of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>aceptar los resultados de %1</translation>
     </message>
 </context>
 <context>
@@ -19447,7 +19461,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <name>workflow.bad_is_not_accepted</name>
     <message>
         <source>bad results cannot be accepted (%1)</source>
-        <translation type="unfinished"></translation>
+        <translation>los resultados malos no se pueden aceptar (%1)</translation>
     </message>
 </context>
 <context>
@@ -19598,6 +19612,13 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     </message>
 </context>
 <context>
+    <name>workflow.camera_moved_during</name>
+    <message>
+        <source>the camera moved by %1 after %2; what it saw from then on was not measured</source>
+        <translation>la cámara se movió %1 después de %2; lo que vio desde entonces no se midió</translation>
+    </message>
+</context>
+<context>
     <name>workflow.camera_not_on_floor</name>
     <message>
         <source>camera &apos;%1&apos; is not registered to the floor</source>
@@ -19609,6 +19630,55 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <message>
         <source>camera &apos;%1&apos; is not registered</source>
         <translation>la cámara &apos;%1&apos; no está registrada</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.cause_camera_moved</name>
+    <message>
+        <source>camera %1 seems to have moved by %2 since its registration</source>
+        <translation>la cámara %1 parece haberse movido %2 desde su registro</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.cause_camera_moved_at</name>
+    <message>
+        <source>camera %1 seems to have moved by %2 at %3</source>
+        <translation>la cámara %1 parece haberse movido %2 a los %3</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.cause_cameras_moved</name>
+    <message>
+        <source>cameras %1 and %2 seem to have moved since their registration</source>
+        <translation>las cámaras %1 y %2 parecen haberse movido desde su registro</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.cause_clock_rate</name>
+    <message>
+        <source>the time offset of view %1 seems to change by %2 in each second</source>
+        <translation>el desfase de tiempo de la vista %1 parece cambiar %2 cada segundo</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.cause_height</name>
+    <message>
+        <source>the height given for the robot seems wrong by about %1</source>
+        <translation>la altura indicada del robot parece errónea en unos %1</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.cause_offset</name>
+    <message>
+        <source>the time offset of view %1 seems wrong by %2</source>
+        <translation>el desfase de tiempo de la vista %1 parece erróneo en %2</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.cause_or_cause</name>
+    <message>
+        <source>%1, or %2</source>
+        <translation>%1, o %2</translation>
     </message>
 </context>
 <context>
@@ -19692,7 +19762,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <name>workflow.checking_trials</name>
     <message>
         <source>checks of the trials</source>
-        <translation type="unfinished"></translation>
+        <translation>comprobación de los ensayos</translation>
     </message>
 </context>
 <context>
@@ -19959,6 +20029,13 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <message>
         <source>fitting %1 cameras jointly</source>
         <translation>ajustando %1 cámaras juntas</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.fix_camera</name>
+    <message>
+        <source>fix the camera, register it again and repeat the run</source>
+        <translation>fije la cámara, regístrela de nuevo y repita la carrera</translation>
     </message>
 </context>
 <context>
@@ -20382,6 +20459,13 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     </message>
 </context>
 <context>
+    <name>workflow.measure_height</name>
+    <message>
+        <source>measure its height, enter it and reanalyse</source>
+        <translation>mida su altura, introdúzcala y reanalice</translation>
+    </message>
+</context>
+<context>
     <name>workflow.measure_it_again</name>
     <message>
         <source>repeat the analysis</source>
@@ -20693,7 +20777,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <name>workflow.nothing_to_accept</name>
     <message>
         <source>all checks were passed</source>
-        <translation type="unfinished"></translation>
+        <translation>se superaron todas las comprobaciones</translation>
     </message>
 </context>
 <context>
@@ -20714,7 +20798,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <name>workflow.nothing_to_withdraw</name>
     <message>
         <source>leave it as it is</source>
-        <translation type="unfinished"></translation>
+        <translation>déjelo como está</translation>
     </message>
 </context>
 <context>
@@ -21012,6 +21096,13 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     </message>
 </context>
 <context>
+    <name>workflow.register_both_again</name>
+    <message>
+        <source>register both again and reanalyse</source>
+        <translation>registre ambas de nuevo y reanalice</translation>
+    </message>
+</context>
+<context>
     <name>workflow.register_camera</name>
     <message>
         <source>register camera %1</source>
@@ -21058,6 +21149,13 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <message>
         <source>register it first, with markers or via another camera</source>
         <translation>regístrela antes, con marcadores o mediante otra cámara</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.register_moved_again</name>
+    <message>
+        <source>register it again and reanalyse</source>
+        <translation>regístrela de nuevo y reanalice</translation>
     </message>
 </context>
 <context>
@@ -21134,7 +21232,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <name>workflow.remove_cause</name>
     <message>
         <source>remove the cause and reanalyse, or record it again</source>
-        <translation type="unfinished"></translation>
+        <translation>elimine la causa y vuelva a analizar, o grabe de nuevo</translation>
     </message>
 </context>
 <context>
@@ -21289,6 +21387,13 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <message>
         <source>synchronisation of view &apos;%1&apos;</source>
         <translation>sincronización de la vista &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.synchronise_again</name>
+    <message>
+        <source>synchronise the views again and reanalyse</source>
+        <translation>sincronice las vistas de nuevo y reanalice</translation>
     </message>
 </context>
 <context>
@@ -21477,7 +21582,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <name>workflow.use_as_it_is</name>
     <message>
         <source>use the results as they are</source>
-        <translation type="unfinished"></translation>
+        <translation>use los resultados tal como están</translation>
     </message>
 </context>
 <context>
@@ -21495,10 +21600,17 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     </message>
 </context>
 <context>
+    <name>workflow.use_time_before</name>
+    <message>
+        <source>use the time before that only</source>
+        <translation>use solo el tiempo anterior</translation>
+    </message>
+</context>
+<context>
     <name>workflow.verdict_on</name>
     <message>
         <source>verdict on trial &apos;%1&apos;</source>
-        <translation type="unfinished"></translation>
+        <translation>veredicto del ensayo «%1»</translation>
     </message>
 </context>
 <context>
@@ -21565,6 +21677,13 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     </message>
 </context>
 <context>
+    <name>workflow.views_contradict_by</name>
+    <message>
+        <source>the views contradict each other by %1</source>
+        <translation>las vistas se contradicen en %1</translation>
+    </message>
+</context>
+<context>
     <name>workflow.views_far_apart</name>
     <message>
         <source>in %1 of %2 frames the views show it at positions far apart</source>
@@ -21589,7 +21708,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <name>workflow.was_not_accepted</name>
     <message>
         <source>nobody accepted it</source>
-        <translation type="unfinished"></translation>
+        <translation>nadie lo aceptó</translation>
     </message>
 </context>
 <context>
@@ -21603,7 +21722,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <name>workflow.withdraw_acceptance</name>
     <message>
         <source>withdraw the acceptance of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>retirar la aceptación de %1</translation>
     </message>
 </context>
 <context>

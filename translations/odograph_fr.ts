@@ -208,16 +208,16 @@
     </message>
     <message numerus="yes">
         <source>%n trial(s) not counted: bad results.</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n essai non compté : résultats mauvais.</numerusform>
+            <numerusform>%n essais non comptés : résultats mauvais.</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>! %n trial(s) with doubtful results counted.</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>! %n essai aux résultats douteux compté.</numerusform>
+            <numerusform>! %n essais aux résultats douteux comptés.</numerusform>
         </translation>
     </message>
 </context>
@@ -353,7 +353,7 @@
     </message>
     <message>
         <source>none: a run was not measured all the time, and is at least so large</source>
-        <translation type="unfinished"></translation>
+        <translation>aucune : un parcours n’a pas été mesuré tout le temps, et vaut au moins autant</translation>
     </message>
 </context>
 <context>
@@ -444,7 +444,7 @@
     </message>
     <message>
         <source>Verdict on %1: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>Verdict sur %1 : %2</translation>
     </message>
 </context>
 <context>
@@ -631,27 +631,27 @@
     </message>
     <message>
         <source>Of the body where its outline or an imported track shows it: the smoothed heading. Elsewhere the direction of motion: atan2(vy, vx) of the smoothed curve, kept where the robot stands still and continued where it reverses. Anticlockwise from X, without jumps of a whole turn.</source>
-        <translation type="unfinished"></translation>
+        <translation>Celui du corps là où son contour ou une trajectoire importée le montre : le cap lissé. Ailleurs, la direction du mouvement : atan2(vy, vx) de la courbe lissée, conservée là où le robot est à l’arrêt et prolongée là où il recule. Dans le sens trigonométrique depuis X, sans sauts d’un tour.</translation>
     </message>
     <message>
         <source>of the body: σ of its smoothed heading; of the direction of motion: σ of the velocity across the motion divided by the speed</source>
-        <translation type="unfinished"></translation>
+        <translation>du corps : σ de son cap lissé ; de la direction du mouvement : σ de la vitesse en travers du mouvement, divisé par la vitesse</translation>
     </message>
     <message>
         <source>Of the body where its heading was measured: the rate of the smoothed heading. Elsewhere (vx·ay − vy·ax)/|v|² of the smoothed curve.</source>
-        <translation type="unfinished"></translation>
+        <translation>Celle du corps là où son cap a été mesuré : la variation du cap lissé. Ailleurs (vx·ay − vy·ax)/|v|² de la courbe lissée.</translation>
     </message>
     <message>
         <source>of the body: σ of the smoothed heading&apos;s rate; of the direction of motion: σ² = σa²/|v|² + |a|²σv²/|v|⁴, first order</source>
-        <translation type="unfinished"></translation>
+        <translation>du corps : σ de la variation du cap lissé ; de la direction du mouvement : σ² = σa²/|v|² + |a|²σv²/|v|⁴, au premier ordre</translation>
     </message>
     <message>
         <source>of the robot&apos;s body, which was measured</source>
-        <translation type="unfinished"></translation>
+        <translation>du corps du robot, qui a été mesuré</translation>
     </message>
     <message>
         <source>of the direction of motion</source>
-        <translation type="unfinished"></translation>
+        <translation>de la direction du mouvement</translation>
     </message>
 </context>
 <context>
@@ -1910,11 +1910,11 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
     <message>
         <source>Accept…</source>
-        <translation type="unfinished"></translation>
+        <translation>Accepter…</translation>
     </message>
     <message>
         <source>Withdraw</source>
-        <translation type="unfinished"></translation>
+        <translation>Retirer</translation>
     </message>
 </context>
 <context>
@@ -2013,26 +2013,26 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
     <message numerus="yes">
         <source>… and %n more</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>… et %n autre</numerusform>
+            <numerusform>… et %n autres</numerusform>
         </translation>
     </message>
     <message>
         <source>Bad results: do not use them.</source>
-        <translation type="unfinished"></translation>
+        <translation>Résultats mauvais : ne les utilisez pas.</translation>
     </message>
     <message>
         <source>Doubtful results, which were accepted.</source>
-        <translation type="unfinished"></translation>
+        <translation>Résultats douteux, qui ont été acceptés.</translation>
     </message>
     <message>
         <source>Doubtful results: read the reasons before you use them.</source>
-        <translation type="unfinished"></translation>
+        <translation>Résultats douteux : lisez les raisons avant de les utiliser.</translation>
     </message>
     <message>
         <source>Verdict</source>
-        <translation type="unfinished">Verdict</translation>
+        <translation>Verdict</translation>
     </message>
 </context>
 <context>
@@ -2050,27 +2050,27 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <name>VerdictMark</name>
     <message>
         <source>accepted</source>
-        <translation type="unfinished"></translation>
+        <translation>accepté</translation>
     </message>
     <message>
         <source>doubtful</source>
-        <translation type="unfinished">douteux</translation>
+        <translation>douteux</translation>
     </message>
     <message>
         <source>bad</source>
-        <translation type="unfinished">mauvais</translation>
+        <translation>mauvais</translation>
     </message>
     <message>
         <source>passed</source>
-        <translation type="unfinished">réussi</translation>
+        <translation>réussi</translation>
     </message>
     <message>
         <source>Accepted: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Accepté : %1</translation>
     </message>
     <message>
         <source>all checks passed</source>
-        <translation type="unfinished"></translation>
+        <translation>tous les contrôles réussis</translation>
     </message>
 </context>
 <context>
@@ -2347,7 +2347,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <name>analysis.formula_max_turn_rate</name>
     <message>
         <source>How fast the robot turns, to the left or right, where the amount minus 2σ is largest. Of the body where its heading was measured, also on the spot: the rate of the smoothed heading. Elsewhere of the direction of motion: (vx·ay − vy·ax)/|v|² of the smoothed curve.</source>
-        <translation type="unfinished"></translation>
+        <translation>La vitesse à laquelle le robot tourne, dans un sens ou dans l’autre, là où sa valeur moins 2σ est maximale. Celle du corps là où son cap a été mesuré, aussi sur place : la variation du cap lissé. Ailleurs, celle de la direction du mouvement : (vx·ay − vy·ax)/|v|² de la courbe lissée.</translation>
     </message>
 </context>
 <context>
@@ -3187,7 +3187,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <name>analysis.uncertainty_max_turn_rate</name>
     <message>
         <source>of the body: that of the smoothed heading&apos;s rate; of the direction of motion: σ² = σa²/|v|² + |a|²σv²/|v|⁴, first order</source>
-        <translation type="unfinished"></translation>
+        <translation>du corps : celle de la variation du cap lissé ; de la direction du mouvement : σ² = σa²/|v|² + |a|²σv²/|v|⁴, au premier ordre</translation>
     </message>
 </context>
 <context>
@@ -9737,7 +9737,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
     <message>
         <source>Verdict</source>
-        <translation type="unfinished">Verdict</translation>
+        <translation>Verdict</translation>
     </message>
 </context>
 <context>
@@ -11809,7 +11809,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
     <message>
         <source>of the body, anticlockwise from X</source>
-        <translation type="unfinished"></translation>
+        <translation>du corps, sens trigonométrique depuis X</translation>
     </message>
 </context>
 <context>
@@ -12311,11 +12311,11 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
     <message>
         <source>Accept doubtful results</source>
-        <translation type="unfinished"></translation>
+        <translation>Accepter des résultats douteux</translation>
     </message>
     <message>
         <source>Why can these results be used? The reason is shown wherever they are.</source>
-        <translation type="unfinished"></translation>
+        <translation>Pourquoi ces résultats sont-ils utilisables ? La raison est affichée partout où ils apparaissent.</translation>
     </message>
 </context>
 <context>
@@ -13171,14 +13171,14 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
     <message numerus="yes">
         <source>%1, %n doubtful</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%1, %n douteux</numerusform>
+            <numerusform>%1, %n douteux</numerusform>
         </translation>
     </message>
     <message>
         <source>Those with bad results do not count</source>
-        <translation type="unfinished"></translation>
+        <translation>Ceux aux résultats mauvais ne comptent pas</translation>
     </message>
 </context>
 <context>
@@ -13778,9 +13778,9 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
     <message numerus="yes">
         <source>%n trial(s) not counted: bad results</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n essai non compté : résultats mauvais</numerusform>
+            <numerusform>%n essais non comptés : résultats mauvais</numerusform>
         </translation>
     </message>
 </context>
@@ -14493,7 +14493,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
     <message>
         <source>Verdict</source>
-        <translation type="unfinished">Verdict</translation>
+        <translation>Verdict</translation>
     </message>
 </context>
 <context>
@@ -14596,15 +14596,15 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
     <message>
         <source>Doubtful</source>
-        <translation type="unfinished"></translation>
+        <translation>Douteux</translation>
     </message>
     <message>
         <source>Only trials with doubtful or bad results</source>
-        <translation type="unfinished"></translation>
+        <translation>Seulement les essais aux résultats douteux ou mauvais</translation>
     </message>
     <message>
         <source>Show only trials with doubtful or bad results</source>
-        <translation type="unfinished"></translation>
+        <translation>Montrer seulement les essais aux résultats douteux ou mauvais</translation>
     </message>
 </context>
 <context>
@@ -14679,7 +14679,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
     <message>
         <source>Verdict</source>
-        <translation type="unfinished">Verdict</translation>
+        <translation>Verdict</translation>
     </message>
 </context>
 <context>
@@ -14925,7 +14925,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <name>project.acceptance_reason</name>
     <message>
         <source>reason for accepting the results</source>
-        <translation type="unfinished"></translation>
+        <translation>raison d’accepter les résultats</translation>
     </message>
 </context>
 <context>
@@ -15506,7 +15506,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <name>project.format_17</name>
     <message>
         <source>verdicts, and their acceptance</source>
-        <translation type="unfinished"></translation>
+        <translation>les verdicts et leur acceptation</translation>
     </message>
 </context>
 <context>
@@ -16486,7 +16486,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <name>project.reason_is_blank</name>
     <message>
         <source>it is blank</source>
-        <translation type="unfinished"></translation>
+        <translation>elle est vide</translation>
     </message>
 </context>
 <context>
@@ -16731,7 +16731,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <name>project.say_why</name>
     <message>
         <source>write why the results can be used</source>
-        <translation type="unfinished"></translation>
+        <translation>écrivez pourquoi les résultats sont utilisables</translation>
     </message>
 </context>
 <context>
@@ -17032,7 +17032,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <name>project.verdict</name>
     <message>
         <source>verdict on a trial</source>
-        <translation type="unfinished"></translation>
+        <translation>verdict sur un essai</translation>
     </message>
 </context>
 <context>
@@ -17449,6 +17449,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
 </context>
 <context>
+    <name>trajectory.import_exchanged</name>
+    <message>
+        <source>import them again, each for its own camera</source>
+        <translation>importez-les de nouveau, chacune pour sa propre caméra</translation>
+    </message>
+</context>
+<context>
     <name>trajectory.import_video</name>
     <message>
         <source>import at least one video for it</source>
@@ -17698,6 +17705,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>views disagree by %1</source>
         <translation>les vues sont en désaccord de %1</translation>
+    </message>
+</context>
+<context>
+    <name>trajectory.views_exchanged</name>
+    <message>
+        <source>the videos of %1 and %2 seem to be exchanged: exchanged, they agree</source>
+        <translation>les vidéos de %1 et %2 semblent échangées : échangées, elles concordent</translation>
     </message>
 </context>
 <context>
@@ -19384,7 +19398,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <name>workflow.accept_results</name>
     <message>
         <source>accept the results of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>accepter les résultats de %1</translation>
     </message>
 </context>
 <context>
@@ -19447,7 +19461,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <name>workflow.bad_is_not_accepted</name>
     <message>
         <source>bad results cannot be accepted (%1)</source>
-        <translation type="unfinished"></translation>
+        <translation>les résultats mauvais ne peuvent pas être acceptés (%1)</translation>
     </message>
 </context>
 <context>
@@ -19598,6 +19612,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
 </context>
 <context>
+    <name>workflow.camera_moved_during</name>
+    <message>
+        <source>the camera moved by %1 after %2; what it saw from then on was not measured</source>
+        <translation>la caméra a bougé de %1 après %2 ; ce qu&apos;elle a vu ensuite n&apos;a pas été mesuré</translation>
+    </message>
+</context>
+<context>
     <name>workflow.camera_not_on_floor</name>
     <message>
         <source>camera &apos;%1&apos; is not registered to the floor</source>
@@ -19609,6 +19630,55 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>camera &apos;%1&apos; is not registered</source>
         <translation>la caméra &apos;%1&apos; n’est pas localisée</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.cause_camera_moved</name>
+    <message>
+        <source>camera %1 seems to have moved by %2 since its registration</source>
+        <translation>la caméra %1 semble avoir bougé de %2 depuis sa localisation</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.cause_camera_moved_at</name>
+    <message>
+        <source>camera %1 seems to have moved by %2 at %3</source>
+        <translation>la caméra %1 semble avoir bougé de %2 à %3</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.cause_cameras_moved</name>
+    <message>
+        <source>cameras %1 and %2 seem to have moved since their registration</source>
+        <translation>les caméras %1 et %2 semblent avoir bougé depuis leur localisation</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.cause_clock_rate</name>
+    <message>
+        <source>the time offset of view %1 seems to change by %2 in each second</source>
+        <translation>le décalage temporel de la vue %1 semble changer de %2 chaque seconde</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.cause_height</name>
+    <message>
+        <source>the height given for the robot seems wrong by about %1</source>
+        <translation>la hauteur indiquée du robot semble fausse d&apos;environ %1</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.cause_offset</name>
+    <message>
+        <source>the time offset of view %1 seems wrong by %2</source>
+        <translation>le décalage temporel de la vue %1 semble faux de %2</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.cause_or_cause</name>
+    <message>
+        <source>%1, or %2</source>
+        <translation>%1, ou %2</translation>
     </message>
 </context>
 <context>
@@ -19692,7 +19762,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <name>workflow.checking_trials</name>
     <message>
         <source>checks of the trials</source>
-        <translation type="unfinished"></translation>
+        <translation>contrôle des essais</translation>
     </message>
 </context>
 <context>
@@ -19959,6 +20029,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>fitting %1 cameras jointly</source>
         <translation>ajustement de %1 caméras ensemble</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.fix_camera</name>
+    <message>
+        <source>fix the camera, register it again and repeat the run</source>
+        <translation>fixez la caméra, localisez-la de nouveau et refaites la course</translation>
     </message>
 </context>
 <context>
@@ -20382,6 +20459,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
 </context>
 <context>
+    <name>workflow.measure_height</name>
+    <message>
+        <source>measure its height, enter it and reanalyse</source>
+        <translation>mesurez sa hauteur, saisissez-la et réanalysez</translation>
+    </message>
+</context>
+<context>
     <name>workflow.measure_it_again</name>
     <message>
         <source>repeat the analysis</source>
@@ -20693,7 +20777,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <name>workflow.nothing_to_accept</name>
     <message>
         <source>all checks were passed</source>
-        <translation type="unfinished"></translation>
+        <translation>tous les contrôles sont réussis</translation>
     </message>
 </context>
 <context>
@@ -20714,7 +20798,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <name>workflow.nothing_to_withdraw</name>
     <message>
         <source>leave it as it is</source>
-        <translation type="unfinished"></translation>
+        <translation>laissez-le tel quel</translation>
     </message>
 </context>
 <context>
@@ -21012,6 +21096,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
 </context>
 <context>
+    <name>workflow.register_both_again</name>
+    <message>
+        <source>register both again and reanalyse</source>
+        <translation>localisez de nouveau les deux et réanalysez</translation>
+    </message>
+</context>
+<context>
     <name>workflow.register_camera</name>
     <message>
         <source>register camera %1</source>
@@ -21058,6 +21149,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>register it first, with markers or via another camera</source>
         <translation>localisez-la d’abord, par marqueurs ou par une autre caméra</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.register_moved_again</name>
+    <message>
+        <source>register it again and reanalyse</source>
+        <translation>localisez-la de nouveau et réanalysez</translation>
     </message>
 </context>
 <context>
@@ -21134,7 +21232,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <name>workflow.remove_cause</name>
     <message>
         <source>remove the cause and reanalyse, or record it again</source>
-        <translation type="unfinished"></translation>
+        <translation>supprimez la cause et réanalysez, ou enregistrez à nouveau</translation>
     </message>
 </context>
 <context>
@@ -21289,6 +21387,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>synchronisation of view &apos;%1&apos;</source>
         <translation>synchronisation de la vue &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.synchronise_again</name>
+    <message>
+        <source>synchronise the views again and reanalyse</source>
+        <translation>synchronisez de nouveau les vues et réanalysez</translation>
     </message>
 </context>
 <context>
@@ -21477,7 +21582,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <name>workflow.use_as_it_is</name>
     <message>
         <source>use the results as they are</source>
-        <translation type="unfinished"></translation>
+        <translation>utilisez les résultats tels quels</translation>
     </message>
 </context>
 <context>
@@ -21495,10 +21600,17 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
 </context>
 <context>
+    <name>workflow.use_time_before</name>
+    <message>
+        <source>use the time before that only</source>
+        <translation>n&apos;utilisez que le temps d&apos;avant</translation>
+    </message>
+</context>
+<context>
     <name>workflow.verdict_on</name>
     <message>
         <source>verdict on trial &apos;%1&apos;</source>
-        <translation type="unfinished"></translation>
+        <translation>verdict sur l’essai « %1 »</translation>
     </message>
 </context>
 <context>
@@ -21565,6 +21677,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
 </context>
 <context>
+    <name>workflow.views_contradict_by</name>
+    <message>
+        <source>the views contradict each other by %1</source>
+        <translation>les vues se contredisent de %1</translation>
+    </message>
+</context>
+<context>
     <name>workflow.views_far_apart</name>
     <message>
         <source>in %1 of %2 frames the views show it at positions far apart</source>
@@ -21589,7 +21708,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <name>workflow.was_not_accepted</name>
     <message>
         <source>nobody accepted it</source>
-        <translation type="unfinished"></translation>
+        <translation>personne ne l’a accepté</translation>
     </message>
 </context>
 <context>
@@ -21603,7 +21722,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <name>workflow.withdraw_acceptance</name>
     <message>
         <source>withdraw the acceptance of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>retirer l’acceptation de %1</translation>
     </message>
 </context>
 <context>

@@ -206,14 +206,14 @@
     </message>
     <message numerus="yes">
         <source>%n trial(s) not counted: bad results.</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>시행 %n개 제외: 나쁜 결과.</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>! %n trial(s) with doubtful results counted.</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>! 결과가 의심스러운 시행 %n개 포함.</numerusform>
         </translation>
     </message>
 </context>
@@ -349,7 +349,7 @@
     </message>
     <message>
         <source>none: a run was not measured all the time, and is at least so large</source>
-        <translation type="unfinished"></translation>
+        <translation>없음: 한 주행이 계속 측정되지 않았으며 적어도 이만큼입니다</translation>
     </message>
 </context>
 <context>
@@ -440,7 +440,7 @@
     </message>
     <message>
         <source>Verdict on %1: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 판정: %2</translation>
     </message>
 </context>
 <context>
@@ -627,27 +627,27 @@
     </message>
     <message>
         <source>Of the body where its outline or an imported track shows it: the smoothed heading. Elsewhere the direction of motion: atan2(vy, vx) of the smoothed curve, kept where the robot stands still and continued where it reverses. Anticlockwise from X, without jumps of a whole turn.</source>
-        <translation type="unfinished"></translation>
+        <translation>윤곽이나 가져온 궤적이 보여 주는 곳에서는 몸체의 방향(평활화된 방향)입니다. 그 밖에는 움직임의 방향, 즉 평활화된 곡선의 atan2(vy, vx)이며, 로봇이 멈춘 동안에는 유지되고 후진할 때는 이어집니다. X축에서 반시계 방향, 한 바퀴만큼의 건너뜀 없이 이음.</translation>
     </message>
     <message>
         <source>of the body: σ of its smoothed heading; of the direction of motion: σ of the velocity across the motion divided by the speed</source>
-        <translation type="unfinished"></translation>
+        <translation>몸체: 평활화된 방향의 σ; 움직임 방향: 움직임에 수직인 방향 속도의 σ를 속력으로 나눈 값</translation>
     </message>
     <message>
         <source>Of the body where its heading was measured: the rate of the smoothed heading. Elsewhere (vx·ay − vy·ax)/|v|² of the smoothed curve.</source>
-        <translation type="unfinished"></translation>
+        <translation>몸체의 방향을 측정한 곳에서는 평활화된 방향의 변화율입니다. 그 밖에는 평활화된 곡선의 (vx·ay − vy·ax)/|v|²입니다.</translation>
     </message>
     <message>
         <source>of the body: σ of the smoothed heading&apos;s rate; of the direction of motion: σ² = σa²/|v|² + |a|²σv²/|v|⁴, first order</source>
-        <translation type="unfinished"></translation>
+        <translation>몸체: 평활화된 방향 변화율의 σ; 움직임 방향: σ² = σa²/|v|² + |a|²σv²/|v|⁴, 1차 근사</translation>
     </message>
     <message>
         <source>of the robot&apos;s body, which was measured</source>
-        <translation type="unfinished"></translation>
+        <translation>측정된 로봇 몸체의 값</translation>
     </message>
     <message>
         <source>of the direction of motion</source>
-        <translation type="unfinished"></translation>
+        <translation>움직임 방향의 값</translation>
     </message>
 </context>
 <context>
@@ -1902,11 +1902,11 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
     <message>
         <source>Accept…</source>
-        <translation type="unfinished"></translation>
+        <translation>승인…</translation>
     </message>
     <message>
         <source>Withdraw</source>
-        <translation type="unfinished"></translation>
+        <translation>철회</translation>
     </message>
 </context>
 <context>
@@ -2005,25 +2005,25 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
     <message numerus="yes">
         <source>… and %n more</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>… 외 %n개</numerusform>
         </translation>
     </message>
     <message>
         <source>Bad results: do not use them.</source>
-        <translation type="unfinished"></translation>
+        <translation>나쁜 결과: 사용하지 마십시오.</translation>
     </message>
     <message>
         <source>Doubtful results, which were accepted.</source>
-        <translation type="unfinished"></translation>
+        <translation>의심스럽지만 승인된 결과.</translation>
     </message>
     <message>
         <source>Doubtful results: read the reasons before you use them.</source>
-        <translation type="unfinished"></translation>
+        <translation>의심스러운 결과: 사용하기 전에 이유를 읽으십시오.</translation>
     </message>
     <message>
         <source>Verdict</source>
-        <translation type="unfinished">판정</translation>
+        <translation>판정</translation>
     </message>
 </context>
 <context>
@@ -2041,27 +2041,27 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <name>VerdictMark</name>
     <message>
         <source>accepted</source>
-        <translation type="unfinished"></translation>
+        <translation>승인됨</translation>
     </message>
     <message>
         <source>doubtful</source>
-        <translation type="unfinished">의심스러움</translation>
+        <translation>의심스러움</translation>
     </message>
     <message>
         <source>bad</source>
-        <translation type="unfinished">나쁨</translation>
+        <translation>나쁨</translation>
     </message>
     <message>
         <source>passed</source>
-        <translation type="unfinished">통과</translation>
+        <translation>통과</translation>
     </message>
     <message>
         <source>Accepted: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>승인됨: %1</translation>
     </message>
     <message>
         <source>all checks passed</source>
-        <translation type="unfinished"></translation>
+        <translation>모든 검사 통과</translation>
     </message>
 </context>
 <context>
@@ -2338,7 +2338,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <name>analysis.formula_max_turn_rate</name>
     <message>
         <source>How fast the robot turns, to the left or right, where the amount minus 2σ is largest. Of the body where its heading was measured, also on the spot: the rate of the smoothed heading. Elsewhere of the direction of motion: (vx·ay − vy·ax)/|v|² of the smoothed curve.</source>
-        <translation type="unfinished"></translation>
+        <translation>로봇이 도는 빠르기로, 방향에 관계없이 크기에서 2σ를 뺀 값이 가장 큰 곳의 값입니다. 몸체의 방향을 측정한 곳에서는 제자리 회전을 포함해 몸체의 값(평활화된 방향의 변화율)이고, 그 밖에는 움직임 방향의 값, 즉 평활화된 곡선의 (vx·ay − vy·ax)/|v|²입니다.</translation>
     </message>
 </context>
 <context>
@@ -3178,7 +3178,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <name>analysis.uncertainty_max_turn_rate</name>
     <message>
         <source>of the body: that of the smoothed heading&apos;s rate; of the direction of motion: σ² = σa²/|v|² + |a|²σv²/|v|⁴, first order</source>
-        <translation type="unfinished"></translation>
+        <translation>몸체: 평활화된 방향의 변화율의 불확도; 움직임 방향: σ² = σa²/|v|² + |a|²σv²/|v|⁴, 1차 근사</translation>
     </message>
 </context>
 <context>
@@ -9726,7 +9726,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
     <message>
         <source>Verdict</source>
-        <translation type="unfinished">판정</translation>
+        <translation>판정</translation>
     </message>
 </context>
 <context>
@@ -11791,7 +11791,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
     <message>
         <source>of the body, anticlockwise from X</source>
-        <translation type="unfinished"></translation>
+        <translation>몸체의 방향, X축에서 반시계 방향</translation>
     </message>
 </context>
 <context>
@@ -12289,11 +12289,11 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
     <message>
         <source>Accept doubtful results</source>
-        <translation type="unfinished"></translation>
+        <translation>의심스러운 결과 승인</translation>
     </message>
     <message>
         <source>Why can these results be used? The reason is shown wherever they are.</source>
-        <translation type="unfinished"></translation>
+        <translation>이 결과를 왜 쓸 수 있습니까? 이유는 결과가 표시되는 모든 곳에 표시됩니다.</translation>
     </message>
 </context>
 <context>
@@ -13149,13 +13149,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
     <message numerus="yes">
         <source>%1, %n doubtful</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%1, 의심 %n개</numerusform>
         </translation>
     </message>
     <message>
         <source>Those with bad results do not count</source>
-        <translation type="unfinished"></translation>
+        <translation>결과가 나쁜 시행는 세지 않습니다</translation>
     </message>
 </context>
 <context>
@@ -13745,8 +13745,8 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
     <message numerus="yes">
         <source>%n trial(s) not counted: bad results</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>시행 %n개 제외: 나쁜 결과</numerusform>
         </translation>
     </message>
 </context>
@@ -14455,7 +14455,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
     <message>
         <source>Verdict</source>
-        <translation type="unfinished">판정</translation>
+        <translation>판정</translation>
     </message>
 </context>
 <context>
@@ -14558,15 +14558,15 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
     <message>
         <source>Doubtful</source>
-        <translation type="unfinished"></translation>
+        <translation>의심스러움</translation>
     </message>
     <message>
         <source>Only trials with doubtful or bad results</source>
-        <translation type="unfinished"></translation>
+        <translation>결과가 의심스럽거나 나쁜 시행만</translation>
     </message>
     <message>
         <source>Show only trials with doubtful or bad results</source>
-        <translation type="unfinished"></translation>
+        <translation>결과가 의심스럽거나 나쁜 시행만 표시</translation>
     </message>
 </context>
 <context>
@@ -14641,7 +14641,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
     <message>
         <source>Verdict</source>
-        <translation type="unfinished">판정</translation>
+        <translation>판정</translation>
     </message>
 </context>
 <context>
@@ -14887,7 +14887,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <name>project.acceptance_reason</name>
     <message>
         <source>reason for accepting the results</source>
-        <translation type="unfinished"></translation>
+        <translation>결과를 승인하는 이유</translation>
     </message>
 </context>
 <context>
@@ -15468,7 +15468,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <name>project.format_17</name>
     <message>
         <source>verdicts, and their acceptance</source>
-        <translation type="unfinished"></translation>
+        <translation>판정과 그 승인</translation>
     </message>
 </context>
 <context>
@@ -16448,7 +16448,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <name>project.reason_is_blank</name>
     <message>
         <source>it is blank</source>
-        <translation type="unfinished"></translation>
+        <translation>비어 있습니다</translation>
     </message>
 </context>
 <context>
@@ -16693,7 +16693,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <name>project.say_why</name>
     <message>
         <source>write why the results can be used</source>
-        <translation type="unfinished"></translation>
+        <translation>결과를 왜 쓸 수 있는지 적으십시오</translation>
     </message>
 </context>
 <context>
@@ -16994,7 +16994,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <name>project.verdict</name>
     <message>
         <source>verdict on a trial</source>
-        <translation type="unfinished"></translation>
+        <translation>시행에 대한 판정</translation>
     </message>
 </context>
 <context>
@@ -17411,6 +17411,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>trajectory.import_exchanged</name>
+    <message>
+        <source>import them again, each for its own camera</source>
+        <translation>각각 자기 카메라로 다시 가져오십시오</translation>
+    </message>
+</context>
+<context>
     <name>trajectory.import_video</name>
     <message>
         <source>import at least one video for it</source>
@@ -17660,6 +17667,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>views disagree by %1</source>
         <translation>뷰 간 불일치 %1</translation>
+    </message>
+</context>
+<context>
+    <name>trajectory.views_exchanged</name>
+    <message>
+        <source>the videos of %1 and %2 seem to be exchanged: exchanged, they agree</source>
+        <translation>%1와(과) %2의 영상이 서로 바뀐 것 같습니다. 바꾸면 일치합니다</translation>
     </message>
 </context>
 <context>
@@ -19346,7 +19360,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <name>workflow.accept_results</name>
     <message>
         <source>accept the results of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>%1의 결과 승인</translation>
     </message>
 </context>
 <context>
@@ -19409,7 +19423,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <name>workflow.bad_is_not_accepted</name>
     <message>
         <source>bad results cannot be accepted (%1)</source>
-        <translation type="unfinished"></translation>
+        <translation>나쁜 결과는 승인할 수 없습니다 (%1)</translation>
     </message>
 </context>
 <context>
@@ -19560,6 +19574,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>workflow.camera_moved_during</name>
+    <message>
+        <source>the camera moved by %1 after %2; what it saw from then on was not measured</source>
+        <translation>카메라가 %2 이후 %1 움직였습니다. 그 이후에 본 것은 측정하지 않았습니다</translation>
+    </message>
+</context>
+<context>
     <name>workflow.camera_not_on_floor</name>
     <message>
         <source>camera &apos;%1&apos; is not registered to the floor</source>
@@ -19571,6 +19592,55 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>camera &apos;%1&apos; is not registered</source>
         <translation>카메라 &apos;%1&apos;이(가) 정합되지 않았습니다</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.cause_camera_moved</name>
+    <message>
+        <source>camera %1 seems to have moved by %2 since its registration</source>
+        <translation>카메라 %1이(가) 정합 이후 %2 움직인 것 같습니다</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.cause_camera_moved_at</name>
+    <message>
+        <source>camera %1 seems to have moved by %2 at %3</source>
+        <translation>카메라 %1이(가) %3에 %2 움직인 것 같습니다</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.cause_cameras_moved</name>
+    <message>
+        <source>cameras %1 and %2 seem to have moved since their registration</source>
+        <translation>카메라 %1와(과) %2이(가) 정합 이후 움직인 것 같습니다</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.cause_clock_rate</name>
+    <message>
+        <source>the time offset of view %1 seems to change by %2 in each second</source>
+        <translation>뷰 %1의 시간 차이가 매초 %2씩 변하는 것 같습니다</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.cause_height</name>
+    <message>
+        <source>the height given for the robot seems wrong by about %1</source>
+        <translation>로봇에 지정된 높이가 약 %1 틀린 것 같습니다</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.cause_offset</name>
+    <message>
+        <source>the time offset of view %1 seems wrong by %2</source>
+        <translation>뷰 %1의 시간 차이가 %2 틀린 것 같습니다</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.cause_or_cause</name>
+    <message>
+        <source>%1, or %2</source>
+        <translation>%1, 또는 %2</translation>
     </message>
 </context>
 <context>
@@ -19654,7 +19724,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <name>workflow.checking_trials</name>
     <message>
         <source>checks of the trials</source>
-        <translation type="unfinished"></translation>
+        <translation>시행 검사</translation>
     </message>
 </context>
 <context>
@@ -19921,6 +19991,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>fitting %1 cameras jointly</source>
         <translation>카메라 %1대를 함께 피팅하는 중</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.fix_camera</name>
+    <message>
+        <source>fix the camera, register it again and repeat the run</source>
+        <translation>카메라를 고정하고 다시 정합한 뒤 주행을 반복하십시오</translation>
     </message>
 </context>
 <context>
@@ -20344,6 +20421,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>workflow.measure_height</name>
+    <message>
+        <source>measure its height, enter it and reanalyse</source>
+        <translation>높이를 재서 입력하고 다시 분석하십시오</translation>
+    </message>
+</context>
+<context>
     <name>workflow.measure_it_again</name>
     <message>
         <source>repeat the analysis</source>
@@ -20655,7 +20739,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <name>workflow.nothing_to_accept</name>
     <message>
         <source>all checks were passed</source>
-        <translation type="unfinished"></translation>
+        <translation>모든 검사를 통과했습니다</translation>
     </message>
 </context>
 <context>
@@ -20676,7 +20760,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <name>workflow.nothing_to_withdraw</name>
     <message>
         <source>leave it as it is</source>
-        <translation type="unfinished"></translation>
+        <translation>그대로 두십시오</translation>
     </message>
 </context>
 <context>
@@ -20974,6 +21058,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>workflow.register_both_again</name>
+    <message>
+        <source>register both again and reanalyse</source>
+        <translation>둘 다 다시 정합하고 다시 분석하십시오</translation>
+    </message>
+</context>
+<context>
     <name>workflow.register_camera</name>
     <message>
         <source>register camera %1</source>
@@ -21020,6 +21111,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>register it first, with markers or via another camera</source>
         <translation>먼저 마커나 다른 카메라를 통해 정합하십시오</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.register_moved_again</name>
+    <message>
+        <source>register it again and reanalyse</source>
+        <translation>다시 정합하고 다시 분석하십시오</translation>
     </message>
 </context>
 <context>
@@ -21096,7 +21194,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <name>workflow.remove_cause</name>
     <message>
         <source>remove the cause and reanalyse, or record it again</source>
-        <translation type="unfinished"></translation>
+        <translation>원인을 없애고 다시 분석하거나 다시 녹화하십시오</translation>
     </message>
 </context>
 <context>
@@ -21251,6 +21349,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>synchronisation of view &apos;%1&apos;</source>
         <translation>뷰 &apos;%1&apos;의 동기화</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.synchronise_again</name>
+    <message>
+        <source>synchronise the views again and reanalyse</source>
+        <translation>뷰를 다시 동기화하고 다시 분석하십시오</translation>
     </message>
 </context>
 <context>
@@ -21439,7 +21544,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <name>workflow.use_as_it_is</name>
     <message>
         <source>use the results as they are</source>
-        <translation type="unfinished"></translation>
+        <translation>결과를 그대로 사용하십시오</translation>
     </message>
 </context>
 <context>
@@ -21457,10 +21562,17 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>workflow.use_time_before</name>
+    <message>
+        <source>use the time before that only</source>
+        <translation>그 이전 시간만 사용하십시오</translation>
+    </message>
+</context>
+<context>
     <name>workflow.verdict_on</name>
     <message>
         <source>verdict on trial &apos;%1&apos;</source>
-        <translation type="unfinished"></translation>
+        <translation>시행 &apos;%1&apos;에 대한 판정</translation>
     </message>
 </context>
 <context>
@@ -21527,6 +21639,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>workflow.views_contradict_by</name>
+    <message>
+        <source>the views contradict each other by %1</source>
+        <translation>뷰들이 서로 %1 어긋납니다</translation>
+    </message>
+</context>
+<context>
     <name>workflow.views_far_apart</name>
     <message>
         <source>in %1 of %2 frames the views show it at positions far apart</source>
@@ -21551,7 +21670,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <name>workflow.was_not_accepted</name>
     <message>
         <source>nobody accepted it</source>
-        <translation type="unfinished"></translation>
+        <translation>아무도 승인하지 않았습니다</translation>
     </message>
 </context>
 <context>
@@ -21565,7 +21684,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <name>workflow.withdraw_acceptance</name>
     <message>
         <source>withdraw the acceptance of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>%1의 승인 철회</translation>
     </message>
 </context>
 <context>

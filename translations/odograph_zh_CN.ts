@@ -206,14 +206,14 @@
     </message>
     <message numerus="yes">
         <source>%n trial(s) not counted: bad results.</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n 次试验未计入：结果不可用。</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>! %n trial(s) with doubtful results counted.</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>! 计入 %n 次结果存疑的试验。</numerusform>
         </translation>
     </message>
 </context>
@@ -349,7 +349,7 @@
     </message>
     <message>
         <source>none: a run was not measured all the time, and is at least so large</source>
-        <translation type="unfinished"></translation>
+        <translation>无：有一次运行未全程测量，数值至少这么大</translation>
     </message>
 </context>
 <context>
@@ -440,7 +440,7 @@
     </message>
     <message>
         <source>Verdict on %1: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 的判定：%2</translation>
     </message>
 </context>
 <context>
@@ -627,27 +627,27 @@
     </message>
     <message>
         <source>Of the body where its outline or an imported track shows it: the smoothed heading. Elsewhere the direction of motion: atan2(vy, vx) of the smoothed curve, kept where the robot stands still and continued where it reverses. Anticlockwise from X, without jumps of a whole turn.</source>
-        <translation type="unfinished"></translation>
+        <translation>轮廓或导入的轨迹能显示之处取机身的朝向：平滑后的朝向。其余取运动方向：平滑曲线的 atan2(vy, vx)，机器人静止时保持，倒车时延续。自 X 轴起逆时针，不作整圈跳变。</translation>
     </message>
     <message>
         <source>of the body: σ of its smoothed heading; of the direction of motion: σ of the velocity across the motion divided by the speed</source>
-        <translation type="unfinished"></translation>
+        <translation>机身：其平滑朝向的 σ；运动方向：垂直于运动方向速度的 σ 除以速度</translation>
     </message>
     <message>
         <source>Of the body where its heading was measured: the rate of the smoothed heading. Elsewhere (vx·ay − vy·ax)/|v|² of the smoothed curve.</source>
-        <translation type="unfinished"></translation>
+        <translation>测得机身朝向之处：平滑朝向的变化率。其余：平滑曲线的 (vx·ay − vy·ax)/|v|²。</translation>
     </message>
     <message>
         <source>of the body: σ of the smoothed heading&apos;s rate; of the direction of motion: σ² = σa²/|v|² + |a|²σv²/|v|⁴, first order</source>
-        <translation type="unfinished"></translation>
+        <translation>机身：平滑朝向变化率的 σ；运动方向：σ² = σa²/|v|² + |a|²σv²/|v|⁴，一阶近似</translation>
     </message>
     <message>
         <source>of the robot&apos;s body, which was measured</source>
-        <translation type="unfinished"></translation>
+        <translation>机身的值，由测量得到</translation>
     </message>
     <message>
         <source>of the direction of motion</source>
-        <translation type="unfinished"></translation>
+        <translation>运动方向的值</translation>
     </message>
 </context>
 <context>
@@ -1902,11 +1902,11 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
     <message>
         <source>Accept…</source>
-        <translation type="unfinished"></translation>
+        <translation>接受…</translation>
     </message>
     <message>
         <source>Withdraw</source>
-        <translation type="unfinished"></translation>
+        <translation>撤回</translation>
     </message>
 </context>
 <context>
@@ -2005,25 +2005,25 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
     <message numerus="yes">
         <source>… and %n more</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>……另有 %n 项</numerusform>
         </translation>
     </message>
     <message>
         <source>Bad results: do not use them.</source>
-        <translation type="unfinished"></translation>
+        <translation>结果不可用：请勿使用。</translation>
     </message>
     <message>
         <source>Doubtful results, which were accepted.</source>
-        <translation type="unfinished"></translation>
+        <translation>存疑但已接受的结果。</translation>
     </message>
     <message>
         <source>Doubtful results: read the reasons before you use them.</source>
-        <translation type="unfinished"></translation>
+        <translation>结果存疑：使用前请阅读原因。</translation>
     </message>
     <message>
         <source>Verdict</source>
-        <translation type="unfinished">评定</translation>
+        <translation>判定</translation>
     </message>
 </context>
 <context>
@@ -2041,27 +2041,27 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <name>VerdictMark</name>
     <message>
         <source>accepted</source>
-        <translation type="unfinished"></translation>
+        <translation>已接受</translation>
     </message>
     <message>
         <source>doubtful</source>
-        <translation type="unfinished">存疑</translation>
+        <translation>存疑</translation>
     </message>
     <message>
         <source>bad</source>
-        <translation type="unfinished">不良</translation>
+        <translation>不可用</translation>
     </message>
     <message>
         <source>passed</source>
-        <translation type="unfinished">通过</translation>
+        <translation>通过</translation>
     </message>
     <message>
         <source>Accepted: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>已接受：%1</translation>
     </message>
     <message>
         <source>all checks passed</source>
-        <translation type="unfinished"></translation>
+        <translation>所有检查均通过</translation>
     </message>
 </context>
 <context>
@@ -2338,7 +2338,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <name>analysis.formula_max_turn_rate</name>
     <message>
         <source>How fast the robot turns, to the left or right, where the amount minus 2σ is largest. Of the body where its heading was measured, also on the spot: the rate of the smoothed heading. Elsewhere of the direction of motion: (vx·ay − vy·ax)/|v|² of the smoothed curve.</source>
-        <translation type="unfinished"></translation>
+        <translation>机器人转动的快慢，左转或右转均可，取其减去 2σ 后最大处。测得机身朝向之处（包括原地转动）取机身的值：平滑朝向的变化率；其余取运动方向的值：平滑曲线的 (vx·ay − vy·ax)/|v|²。</translation>
     </message>
 </context>
 <context>
@@ -3178,7 +3178,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <name>analysis.uncertainty_max_turn_rate</name>
     <message>
         <source>of the body: that of the smoothed heading&apos;s rate; of the direction of motion: σ² = σa²/|v|² + |a|²σv²/|v|⁴, first order</source>
-        <translation type="unfinished"></translation>
+        <translation>机身：平滑朝向变化率的不确定度；运动方向：σ² = σa²/|v|² + |a|²σv²/|v|⁴，一阶近似</translation>
     </message>
 </context>
 <context>
@@ -9726,7 +9726,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
     <message>
         <source>Verdict</source>
-        <translation type="unfinished">评定</translation>
+        <translation>判定</translation>
     </message>
 </context>
 <context>
@@ -11791,7 +11791,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
     <message>
         <source>of the body, anticlockwise from X</source>
-        <translation type="unfinished"></translation>
+        <translation>机身朝向，自 X 轴起逆时针</translation>
     </message>
 </context>
 <context>
@@ -12289,11 +12289,11 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
     <message>
         <source>Accept doubtful results</source>
-        <translation type="unfinished"></translation>
+        <translation>接受存疑的结果</translation>
     </message>
     <message>
         <source>Why can these results be used? The reason is shown wherever they are.</source>
-        <translation type="unfinished"></translation>
+        <translation>为什么可以使用这些结果？理由会在显示结果的所有地方显示。</translation>
     </message>
 </context>
 <context>
@@ -13149,13 +13149,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
     <message numerus="yes">
         <source>%1, %n doubtful</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%1，%n 个存疑</numerusform>
         </translation>
     </message>
     <message>
         <source>Those with bad results do not count</source>
-        <translation type="unfinished"></translation>
+        <translation>结果不可用的试验不计入</translation>
     </message>
 </context>
 <context>
@@ -13745,8 +13745,8 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
     <message numerus="yes">
         <source>%n trial(s) not counted: bad results</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n 次试验未计入：结果不可用</numerusform>
         </translation>
     </message>
 </context>
@@ -14455,7 +14455,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
     <message>
         <source>Verdict</source>
-        <translation type="unfinished">评定</translation>
+        <translation>判定</translation>
     </message>
 </context>
 <context>
@@ -14558,15 +14558,15 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
     <message>
         <source>Doubtful</source>
-        <translation type="unfinished"></translation>
+        <translation>存疑</translation>
     </message>
     <message>
         <source>Only trials with doubtful or bad results</source>
-        <translation type="unfinished"></translation>
+        <translation>仅显示结果存疑或不可用的试验</translation>
     </message>
     <message>
         <source>Show only trials with doubtful or bad results</source>
-        <translation type="unfinished"></translation>
+        <translation>仅显示结果存疑或不可用的试验</translation>
     </message>
 </context>
 <context>
@@ -14641,7 +14641,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
     <message>
         <source>Verdict</source>
-        <translation type="unfinished">评定</translation>
+        <translation>判定</translation>
     </message>
 </context>
 <context>
@@ -14887,7 +14887,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <name>project.acceptance_reason</name>
     <message>
         <source>reason for accepting the results</source>
-        <translation type="unfinished"></translation>
+        <translation>接受结果的理由</translation>
     </message>
 </context>
 <context>
@@ -15468,7 +15468,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <name>project.format_17</name>
     <message>
         <source>verdicts, and their acceptance</source>
-        <translation type="unfinished"></translation>
+        <translation>判定及其接受</translation>
     </message>
 </context>
 <context>
@@ -16448,7 +16448,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <name>project.reason_is_blank</name>
     <message>
         <source>it is blank</source>
-        <translation type="unfinished"></translation>
+        <translation>为空</translation>
     </message>
 </context>
 <context>
@@ -16693,7 +16693,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <name>project.say_why</name>
     <message>
         <source>write why the results can be used</source>
-        <translation type="unfinished"></translation>
+        <translation>请写明为什么可以使用这些结果</translation>
     </message>
 </context>
 <context>
@@ -16994,7 +16994,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <name>project.verdict</name>
     <message>
         <source>verdict on a trial</source>
-        <translation type="unfinished"></translation>
+        <translation>试验的判定</translation>
     </message>
 </context>
 <context>
@@ -17411,6 +17411,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>trajectory.import_exchanged</name>
+    <message>
+        <source>import them again, each for its own camera</source>
+        <translation>请重新导入,每个视频对应各自的相机</translation>
+    </message>
+</context>
+<context>
     <name>trajectory.import_video</name>
     <message>
         <source>import at least one video for it</source>
@@ -17660,6 +17667,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>views disagree by %1</source>
         <translation>视角之间相差 %1</translation>
+    </message>
+</context>
+<context>
+    <name>trajectory.views_exchanged</name>
+    <message>
+        <source>the videos of %1 and %2 seem to be exchanged: exchanged, they agree</source>
+        <translation>%1 和 %2 的视频似乎互换了:互换后二者一致</translation>
     </message>
 </context>
 <context>
@@ -19346,7 +19360,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <name>workflow.accept_results</name>
     <message>
         <source>accept the results of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>接受 %1 的结果</translation>
     </message>
 </context>
 <context>
@@ -19409,7 +19423,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <name>workflow.bad_is_not_accepted</name>
     <message>
         <source>bad results cannot be accepted (%1)</source>
-        <translation type="unfinished"></translation>
+        <translation>不可用的结果不能接受（%1）</translation>
     </message>
 </context>
 <context>
@@ -19560,6 +19574,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>workflow.camera_moved_during</name>
+    <message>
+        <source>the camera moved by %1 after %2; what it saw from then on was not measured</source>
+        <translation>相机在 %2 之后移动了 %1;此后所见未测量</translation>
+    </message>
+</context>
+<context>
     <name>workflow.camera_not_on_floor</name>
     <message>
         <source>camera &apos;%1&apos; is not registered to the floor</source>
@@ -19571,6 +19592,55 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>camera &apos;%1&apos; is not registered</source>
         <translation>相机“%1”未配准</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.cause_camera_moved</name>
+    <message>
+        <source>camera %1 seems to have moved by %2 since its registration</source>
+        <translation>相机 %1 自配准以来似乎移动了 %2</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.cause_camera_moved_at</name>
+    <message>
+        <source>camera %1 seems to have moved by %2 at %3</source>
+        <translation>相机 %1 似乎在 %3 移动了 %2</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.cause_cameras_moved</name>
+    <message>
+        <source>cameras %1 and %2 seem to have moved since their registration</source>
+        <translation>相机 %1 和 %2 自配准以来似乎移动了</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.cause_clock_rate</name>
+    <message>
+        <source>the time offset of view %1 seems to change by %2 in each second</source>
+        <translation>视角 %1 的时间偏移似乎每秒变化 %2</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.cause_height</name>
+    <message>
+        <source>the height given for the robot seems wrong by about %1</source>
+        <translation>给定的机器人高度似乎错了约 %1</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.cause_offset</name>
+    <message>
+        <source>the time offset of view %1 seems wrong by %2</source>
+        <translation>视角 %1 的时间偏移似乎错了 %2</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.cause_or_cause</name>
+    <message>
+        <source>%1, or %2</source>
+        <translation>%1,或者 %2</translation>
     </message>
 </context>
 <context>
@@ -19654,7 +19724,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <name>workflow.checking_trials</name>
     <message>
         <source>checks of the trials</source>
-        <translation type="unfinished"></translation>
+        <translation>试验检查</translation>
     </message>
 </context>
 <context>
@@ -19921,6 +19991,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>fitting %1 cameras jointly</source>
         <translation>正在联合拟合 %1 台相机</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.fix_camera</name>
+    <message>
+        <source>fix the camera, register it again and repeat the run</source>
+        <translation>请固定相机,重新配准并重做一次运行</translation>
     </message>
 </context>
 <context>
@@ -20344,6 +20421,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>workflow.measure_height</name>
+    <message>
+        <source>measure its height, enter it and reanalyse</source>
+        <translation>请测量其高度,输入后重新分析</translation>
+    </message>
+</context>
+<context>
     <name>workflow.measure_it_again</name>
     <message>
         <source>repeat the analysis</source>
@@ -20655,7 +20739,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <name>workflow.nothing_to_accept</name>
     <message>
         <source>all checks were passed</source>
-        <translation type="unfinished"></translation>
+        <translation>所有检查均已通过</translation>
     </message>
 </context>
 <context>
@@ -20676,7 +20760,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <name>workflow.nothing_to_withdraw</name>
     <message>
         <source>leave it as it is</source>
-        <translation type="unfinished"></translation>
+        <translation>保持原样即可</translation>
     </message>
 </context>
 <context>
@@ -20974,6 +21058,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>workflow.register_both_again</name>
+    <message>
+        <source>register both again and reanalyse</source>
+        <translation>请将两台都重新配准并重新分析</translation>
+    </message>
+</context>
+<context>
     <name>workflow.register_camera</name>
     <message>
         <source>register camera %1</source>
@@ -21020,6 +21111,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>register it first, with markers or via another camera</source>
         <translation>请先配准它，用标记或通过另一相机</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.register_moved_again</name>
+    <message>
+        <source>register it again and reanalyse</source>
+        <translation>请重新配准并重新分析</translation>
     </message>
 </context>
 <context>
@@ -21096,7 +21194,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <name>workflow.remove_cause</name>
     <message>
         <source>remove the cause and reanalyse, or record it again</source>
-        <translation type="unfinished"></translation>
+        <translation>排除原因并重新分析，或重新录制</translation>
     </message>
 </context>
 <context>
@@ -21251,6 +21349,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>synchronisation of view &apos;%1&apos;</source>
         <translation>视角“%1”的同步</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.synchronise_again</name>
+    <message>
+        <source>synchronise the views again and reanalyse</source>
+        <translation>请重新同步各视角并重新分析</translation>
     </message>
 </context>
 <context>
@@ -21439,7 +21544,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <name>workflow.use_as_it_is</name>
     <message>
         <source>use the results as they are</source>
-        <translation type="unfinished"></translation>
+        <translation>请直接使用结果</translation>
     </message>
 </context>
 <context>
@@ -21457,10 +21562,17 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>workflow.use_time_before</name>
+    <message>
+        <source>use the time before that only</source>
+        <translation>只使用此前的时间</translation>
+    </message>
+</context>
+<context>
     <name>workflow.verdict_on</name>
     <message>
         <source>verdict on trial &apos;%1&apos;</source>
-        <translation type="unfinished"></translation>
+        <translation>试验“%1”的判定</translation>
     </message>
 </context>
 <context>
@@ -21527,6 +21639,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>workflow.views_contradict_by</name>
+    <message>
+        <source>the views contradict each other by %1</source>
+        <translation>各视角相互矛盾,相差 %1</translation>
+    </message>
+</context>
+<context>
     <name>workflow.views_far_apart</name>
     <message>
         <source>in %1 of %2 frames the views show it at positions far apart</source>
@@ -21551,7 +21670,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <name>workflow.was_not_accepted</name>
     <message>
         <source>nobody accepted it</source>
-        <translation type="unfinished"></translation>
+        <translation>尚无人接受</translation>
     </message>
 </context>
 <context>
@@ -21565,7 +21684,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <name>workflow.withdraw_acceptance</name>
     <message>
         <source>withdraw the acceptance of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>撤回对 %1 的接受</translation>
     </message>
 </context>
 <context>
