@@ -2311,8 +2311,8 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
 <context>
     <name>analysis.formula_duration</name>
     <message>
-        <source>From the onset of motion to the last stop. Moving means faster than 20 mm/s and than three σ of the speed, for at least three frames; the moment between two frames is interpolated.</source>
-        <translation>Vom Bewegungsbeginn bis zum letzten Halt. In Bewegung heißt schneller als 20 mm/s und als drei σ der Geschwindigkeit, mindestens drei Bilder lang; der Zeitpunkt zwischen zwei Bildern wird interpoliert.</translation>
+        <source>From the onset of motion to the last stop. Moving means faster than three σ of the speed, for at least three frames, and further than noise explains; the moment between two frames is interpolated.</source>
+        <translation>Vom Bewegungsbeginn bis zum letzten Halt. In Bewegung heißt schneller als drei σ der Geschwindigkeit, mindestens drei Bilder lang, und weiter, als Rauschen erklärt; der Zeitpunkt zwischen zwei Bildern wird interpoliert.</translation>
     </message>
 </context>
 <context>
@@ -2374,8 +2374,8 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
 <context>
     <name>analysis.formula_moving_time</name>
     <message>
-        <source>The time in which it moves: faster than 20 mm/s and than three σ of the speed.</source>
-        <translation>Die Zeit, in der er sich bewegt: schneller als 20 mm/s und als drei σ der Geschwindigkeit.</translation>
+        <source>The time in which it moves: faster than three σ of the speed, and further than noise explains.</source>
+        <translation>Die Zeit, in der er sich bewegt: schneller als drei σ der Geschwindigkeit und weiter, als Rauschen erklärt.</translation>
     </message>
 </context>
 <context>

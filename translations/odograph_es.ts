@@ -2311,8 +2311,8 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
 <context>
     <name>analysis.formula_duration</name>
     <message>
-        <source>From the onset of motion to the last stop. Moving means faster than 20 mm/s and than three σ of the speed, for at least three frames; the moment between two frames is interpolated.</source>
-        <translation>Del inicio del movimiento a la última parada. Moverse significa ir a más de 20 mm/s y de tres σ de la velocidad, durante al menos tres fotogramas; el instante entre dos fotogramas se interpola.</translation>
+        <source>From the onset of motion to the last stop. Moving means faster than three σ of the speed, for at least three frames, and further than noise explains; the moment between two frames is interpolated.</source>
+        <translation>Del inicio del movimiento a la última parada. Moverse significa ir a más de tres σ de la velocidad, durante al menos tres fotogramas, y más lejos de lo que explica el ruido; el instante entre dos fotogramas se interpola.</translation>
     </message>
 </context>
 <context>
@@ -2374,8 +2374,8 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
 <context>
     <name>analysis.formula_moving_time</name>
     <message>
-        <source>The time in which it moves: faster than 20 mm/s and than three σ of the speed.</source>
-        <translation>El tiempo durante el cual se mueve: a más de 20 mm/s y de tres σ de la velocidad.</translation>
+        <source>The time in which it moves: faster than three σ of the speed, and further than noise explains.</source>
+        <translation>El tiempo durante el cual se mueve: a más de tres σ de la velocidad y más lejos de lo que explica el ruido.</translation>
     </message>
 </context>
 <context>

@@ -2311,8 +2311,8 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>analysis.formula_duration</name>
     <message>
-        <source>From the onset of motion to the last stop. Moving means faster than 20 mm/s and than three σ of the speed, for at least three frames; the moment between two frames is interpolated.</source>
-        <translation>Du début du mouvement au dernier arrêt. Être en mouvement, c’est aller plus vite que 20 mm/s et que trois σ de la vitesse, pendant au moins trois images&#xa0;; l’instant entre deux images est interpolé.</translation>
+        <source>From the onset of motion to the last stop. Moving means faster than three σ of the speed, for at least three frames, and further than noise explains; the moment between two frames is interpolated.</source>
+        <translation>Du début du mouvement au dernier arrêt. Être en mouvement, c’est aller plus vite que trois σ de la vitesse, pendant au moins trois images, et plus loin que le bruit ne l’explique&#xa0;; l’instant entre deux images est interpolé.</translation>
     </message>
 </context>
 <context>
@@ -2374,8 +2374,8 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>analysis.formula_moving_time</name>
     <message>
-        <source>The time in which it moves: faster than 20 mm/s and than three σ of the speed.</source>
-        <translation>Le temps pendant lequel il est en mouvement&#xa0;: plus rapide que 20 mm/s et que trois σ de la vitesse.</translation>
+        <source>The time in which it moves: faster than three σ of the speed, and further than noise explains.</source>
+        <translation>Le temps pendant lequel il est en mouvement&#xa0;: plus vite que trois σ de la vitesse et plus loin que le bruit ne l’explique.</translation>
     </message>
 </context>
 <context>

@@ -2302,8 +2302,8 @@ Much more than expected means that a setting is wrong: the views are not synchro
 <context>
     <name>analysis.formula_duration</name>
     <message>
-        <source>From the onset of motion to the last stop. Moving means faster than 20 mm/s and than three σ of the speed, for at least three frames; the moment between two frames is interpolated.</source>
-        <translation>움직이기 시작한 때부터 마지막으로 멈춘 때까지입니다. 속력이 20 mm/s보다 크고 속력의 3 σ보다도 큰 상태가 3프레임 이상 이어지면 움직이는 것으로 봅니다. 두 프레임 사이의 시각은 보간합니다.</translation>
+        <source>From the onset of motion to the last stop. Moving means faster than three σ of the speed, for at least three frames, and further than noise explains; the moment between two frames is interpolated.</source>
+        <translation>움직이기 시작한 때부터 마지막으로 멈춘 때까지입니다. 속력이 속력의 3 σ보다 큰 상태가 3프레임 이상 이어지고 잡음으로 설명되는 것보다 멀리 가면 움직이는 것으로 봅니다. 두 프레임 사이의 시각은 보간합니다.</translation>
     </message>
 </context>
 <context>
@@ -2365,8 +2365,8 @@ Much more than expected means that a setting is wrong: the views are not synchro
 <context>
     <name>analysis.formula_moving_time</name>
     <message>
-        <source>The time in which it moves: faster than 20 mm/s and than three σ of the speed.</source>
-        <translation>움직인 시간, 곧 속력이 20 mm/s보다 크고 속력의 3 σ보다도 큰 시간입니다.</translation>
+        <source>The time in which it moves: faster than three σ of the speed, and further than noise explains.</source>
+        <translation>움직인 시간, 곧 속력이 속력의 3 σ보다 크고 잡음으로 설명되는 것보다 멀리 간 시간입니다.</translation>
     </message>
 </context>
 <context>

@@ -2302,8 +2302,8 @@ Much more than expected means that a setting is wrong: the views are not synchro
 <context>
     <name>analysis.formula_duration</name>
     <message>
-        <source>From the onset of motion to the last stop. Moving means faster than 20 mm/s and than three σ of the speed, for at least three frames; the moment between two frames is interpolated.</source>
-        <translation>从开始运动到最后一次停下。运动是指速度大于 20 mm/s 且大于速度的三个 σ，并持续至少三帧；两帧之间的时刻由插值得出。</translation>
+        <source>From the onset of motion to the last stop. Moving means faster than three σ of the speed, for at least three frames, and further than noise explains; the moment between two frames is interpolated.</source>
+        <translation>从开始运动到最后一次停下。运动是指速度大于速度的三个 σ，持续至少三帧，且移动距离超出噪声所能解释的范围；两帧之间的时刻由插值得出。</translation>
     </message>
 </context>
 <context>
@@ -2365,8 +2365,8 @@ Much more than expected means that a setting is wrong: the views are not synchro
 <context>
     <name>analysis.formula_moving_time</name>
     <message>
-        <source>The time in which it moves: faster than 20 mm/s and than three σ of the speed.</source>
-        <translation>处于运动中的时间：速度大于 20 mm/s 且大于速度的三个 σ。</translation>
+        <source>The time in which it moves: faster than three σ of the speed, and further than noise explains.</source>
+        <translation>处于运动中的时间：速度大于速度的三个 σ，且移动距离超出噪声所能解释的范围。</translation>
     </message>
 </context>
 <context>

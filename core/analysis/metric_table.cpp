@@ -49,10 +49,11 @@ std::vector<MetricKind> allKinds()
                   "√(mean of the squared distance from the reference path), averaged along the path"),
          ODO_TEXT("analysis.uncertainty_cross_track_rms", "of the position across the path")},
         {"duration", "s", Better::Less, scored, ODO_TEXT("analysis.metric_duration", "Time"),
-         ODO_TEXT(
-             "analysis.formula_duration",
-             "From the onset of motion to the last stop. Moving means faster than 20 mm/s and than three σ "
-             "of the speed, for at least three frames; the moment between two frames is interpolated."),
+         ODO_TEXT("analysis.formula_duration",
+                  "From the onset of motion to the last stop. Moving means faster than three σ of the speed, "
+                  "for at "
+                  "least three frames, and further than noise explains; the moment between two frames is "
+                  "interpolated."),
          ODO_TEXT("analysis.uncertainty_duration",
                   "of both moments: σ of the speed divided by its slope there")},
         {"path_length", "m", Better::Less, scored | atLeast, ODO_TEXT("analysis.metric_path_length", "Path"),
@@ -76,8 +77,8 @@ std::vector<MetricKind> allKinds()
                   "The acceleration |a| of the smoothed curve where |a| − 2σ is largest."),
          ofTheCurve()},
         {"moving_time", "s", Better::Less, atLeast, ODO_TEXT("analysis.metric_moving_time", "Time in motion"),
-         ODO_TEXT("analysis.formula_moving_time",
-                  "The time in which it moves: faster than 20 mm/s and than three σ of the speed."),
+         ODO_TEXT("analysis.formula_moving_time", "The time in which it moves: faster than three σ of the "
+                                                  "speed, and further than noise explains."),
          ODO_TEXT("analysis.uncertainty_moving_time",
                   "of each start and stop: σ of the speed divided by its slope")},
         {"mean_lap", "s", Better::Less, ofTask | scored, ODO_TEXT("analysis.metric_mean_lap", "Mean lap"),

@@ -18,13 +18,13 @@ namespace odo {
 /// (1, pauses between onset and end), standing_time (s, in those pauses), median_speed, p95_speed (m/s),
 /// p95_accel (m/s²; half and 95 % of the moving time stay below them), where any is known max_turn_rate
 /// (rad/s, either way: turnRateOf, of the body also while the robot stands), and where the path is a circle
-/// circle_radius (m, fitCircle). Moving means faster than 20 mm/s and than three σ
-/// of the speed, for at least three valid points in a row; the moments between frames are interpolated. Only
-/// the speed while moving is integrated, so noise adds nothing to the path of a robot that stands still. A
-/// gap (GapWatch) contributes to the duration alone: all others are of what was measured, mean_speed over the
-/// measured time, a pause that a gap interrupts is no stop, and straightness is left out. σ: from the
-/// profile's σ; the calibration's part as a common scale uncertainty. A maximum is that of the smoothed curve
-/// (see largest). A robot that never moves has a duration of 0, and 0 for all that depends on it.
+/// circle_radius (m, fitCircle). Moving means as findMotions says it (motion_stretches.h); the moments
+/// between frames are interpolated. Only the speed while moving is integrated, so noise adds nothing to the
+/// path of a robot that stands still. A gap (GapWatch) contributes to the duration alone: all others are of
+/// what was measured, mean_speed over the measured time, a pause that a gap interrupts is no stop, and
+/// straightness is left out. σ: from the profile's σ; the calibration's part as a common scale uncertainty. A
+/// maximum is that of the smoothed curve (see largest). A robot that never moves has a duration of 0, and 0
+/// for all that depends on it.
 std::vector<Metric> measureRun(const std::vector<Sample> &samples, const std::vector<ProfilePoint> &points);
 std::vector<Metric> measureRun(const std::vector<RunInstant> &instants);
 

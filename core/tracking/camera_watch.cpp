@@ -17,7 +17,7 @@ constexpr int columns = 8, rows = 5;     // of the grid that has one patch a cel
 constexpr double leastTexture = 8;       // code values² a px², of the weaker direction
 constexpr std::size_t fewestPatches = 8; // for a result
 constexpr double fewestFound = 0.6;      // of the patches
-constexpr double alikeAgain = 0.85;           // correlation of a patch that was found again
+constexpr double alikeAgain = 0.85;      // correlation of a patch that was found again
 constexpr double movedPx = 0.7, movedShare = 2.0 / 3;
 constexpr Nanoseconds lookInterval = std::chrono::milliseconds(250), ofParts = std::chrono::seconds(1);
 constexpr Nanoseconds lasting = std::chrono::seconds(1);
