@@ -297,14 +297,14 @@ bool positionUnbent(const std::vector<ViewTrack> &views, const std::vector<Nanos
     const auto plain = [&](const std::vector<ViewTrack> &seen, const RobotShape &told) {
         return isMark ? std::nullopt : positionSolid(seen, times, told, findPlainSolid(seen, told));
     };
-    const auto correctionOf = [&](const PositionedRobot &robot) {
+    const auto correctionOf = [&](const PositionedRobot &robot, double least = leastEvidence) {
         return likelyCorrection(views, robot.views,
-                                {robot.planeM, robot.planeSigmaM, shape.heightM.has_value()});
+                                {robot.planeM, robot.planeSigmaM, shape.heightM.has_value()}, least);
     };
     auto correction = correctionOf(placed);
     if (!correction) {
         auto unlearned = plain(views, shape);
-        correction = unlearned ? correctionOf(*unlearned) : std::nullopt;
+        correction = unlearned ? correctionOf(*unlearned, leastPlainEvidence) : std::nullopt;
         if (correction)
             placed = std::move(*unlearned);
     }
@@ -340,12 +340,18 @@ bool positionUnbent(const std::vector<ViewTrack> &views, const std::vector<Nanos
 }
 
 /// Settles what makes the views contradict each other, first by its causes; gives how far apart they are.
-std::vector<double> settle(const std::vector<ViewTrack> &views, bool isSuspicious, bool isHeightGiven,
-                           PositionedRobot &placed, std::optional<ViewsContradiction> &contradiction)
+std::vector<double> settle(const std::vector<ViewTrack> &views, const std::vector<Nanoseconds> &times,
+                           const RobotShape &shape, PositionedRobot &placed,
+                           std::optional<ViewsContradiction> &contradiction)
 {
-    auto explained = !isSuspicious ? std::nullopt
-                                   : explainContradiction(views, placed.views,
-                                                          {placed.planeM, placed.planeSigmaM, isHeightGiven});
+    PositionedRobot unbent = placed;
+    const bool isSuspicious = positionUnbent(views, times, shape, unbent);
+    auto explained =
+        isSuspicious ? explainContradiction(views, unbent.views,
+                                            {unbent.planeM, unbent.planeSigmaM, shape.heightM.has_value()})
+                     : std::nullopt;
+    if (explained)
+        placed = std::move(unbent);
     std::vector<double> apartM = settleContradictions(placed.views);
     if (!explained)
         return apartM;
@@ -374,8 +380,7 @@ Result<MeasuredRobot> measure(const std::vector<ViewTrack> &views, const RobotSh
     if (!shape.heightVaries) {
         if (const auto exchanged = exchangedViews(views, placed.views, placed.planeM))
             return viewsExchanged(views[exchanged->first], views[exchanged->second]);
-        const bool isSuspicious = positionUnbent(views, times, shape, placed);
-        apartM = settle(views, isSuspicious, shape.heightM.has_value(), placed, contradiction);
+        apartM = settle(views, times, shape, placed, contradiction);
     }
     MeasuredRobot robot{fuseViews(times, frames, placed.views, settings),
                         settings.measurement,
@@ -418,9 +423,8 @@ std::optional<ViewsContradiction> contradictionOf(const std::vector<ViewTrack> &
     auto placed = position(views, times, shape);
     if (!placed)
         return std::nullopt;
-    const bool isSuspicious = positionUnbent(views, times, shape, *placed);
     std::optional<ViewsContradiction> contradiction;
-    settle(views, isSuspicious, shape.heightM.has_value(), *placed, contradiction);
+    settle(views, times, shape, *placed, contradiction);
     return contradiction;
 }
 

@@ -15,7 +15,6 @@ namespace odo {
 
 namespace {
 
-constexpr double leastEvidence = 5;  // nats, against the errors that are stated
 constexpr double overwhelming = 15;  // nats: a cause that moves the position by little as well
 constexpr double nearlyAsLikely = 6; // nats
 constexpr std::size_t mostNamed = 3;
@@ -133,12 +132,12 @@ bool isSimplerThere(const std::vector<ContradictionCause> &before, const Contrad
 
 std::optional<PairCorrection> likelyCorrection(const std::vector<ViewTrack> &views,
                                                const std::vector<std::vector<Sighting>> &sightings,
-                                               const ComparedPlane &plane)
+                                               const ComparedPlane &plane, double least)
 {
     if (views.size() != 2 || !views[0].floorView || !views[1].floorView)
         return std::nullopt;
     const auto causes = fitted(views, sightings, plane, 0, 1);
-    if (causes.empty() || causes.front().logEvidence < leastEvidence)
+    if (causes.empty() || causes.front().logEvidence < least)
         return std::nullopt;
     return causes.front().correction;
 }

@@ -17,6 +17,9 @@ struct ComparedPlane
     bool isGiven = false; ///< and not estimated from these views
 };
 
+/// Log evidence in nats from which on a cause counts; from a plain form, which is not all of a robot, more.
+inline constexpr double leastEvidence = 5, leastPlainEvidence = 10;
+
 /// What was found of views that contradict each other for a reason.
 struct ExplainedContradiction
 {
@@ -31,7 +34,7 @@ struct PairCorrection;
 /// two registered ones. Pure.
 std::optional<PairCorrection> likelyCorrection(const std::vector<ViewTrack> &views,
                                                const std::vector<std::vector<Sighting>> &sightings,
-                                               const ComparedPlane &plane);
+                                               const ComparedPlane &plane, double least);
 
 /// Finds whether two views contradict each other by something that changes over floor and time as a known
 /// cause does (a camera was moved before or during the run, the time offset or its rate is wrong, a given

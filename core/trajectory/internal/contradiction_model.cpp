@@ -33,7 +33,8 @@ constexpr int gaussNewtonSteps = 6, firstSteps = 2;
 constexpr std::size_t changePoints = 24, firstChangePoints = 6; // tried along the run
 constexpr double edgeShare = 0.04;                              // of the run, where none is tried
 constexpr std::size_t rotations = 3;
-constexpr double farLess = 20; // nats, below the best cause
+constexpr double firstDoubt = 3; // nats, by which a first look may miss a cause
+constexpr double farLess = 20;   // nats, below the best cause
 
 /// Both views at one time, and what follows from neighbouring ones.
 struct Common
@@ -693,7 +694,7 @@ std::vector<FittedCause> PairModel::fit() const
     addChanges(fits);
     std::ranges::sort(fits, std::greater(), &CauseFit::logEvidence);
     std::vector<FittedCause> causes;
-    if (m_isFirstLook && !fits.empty() && fits.front().logEvidence < none)
+    if (m_isFirstLook && !fits.empty() && fits.front().logEvidence < none - firstDoubt)
         return causes;
     for (const CauseFit &one : fits)
         if (one.logEvidence > fits.front().logEvidence - farLess)
