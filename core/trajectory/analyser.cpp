@@ -93,8 +93,16 @@ struct PositionedRobot
     bool estimated = false;
     std::optional<double> clearanceM;                          ///< of a solid
     std::vector<std::optional<MeasuredHeading>> headings = {}; ///< of a solid, one a frame; or none at all
-    bool strays = false; ///< from its plane: the views then agree by their bearings, whatever its height
+    bool strays = false; ///< a mark, from its plane: the views then agree by their bearings
 };
+
+bool areSilhouettes(const std::vector<ViewTrack> &views)
+{
+    return std::ranges::any_of(views, [](const ViewTrack &view) {
+        return std::ranges::any_of(view.observations,
+                                   [](const Observation &one) { return !one.supportPx.empty(); });
+    });
+}
 
 /// Sightings on one plane. Where the views show that the point strays from it (a person's head, a wrong
 /// height given), each ray is trusted less along its own direction: two views then determine the position by
@@ -105,9 +113,9 @@ std::vector<std::vector<Sighting>> lookAtPlane(const std::vector<ViewTrack> &vie
 {
     auto sightings = viewFromAllSides(views, times, planeM);
     const double scatterM = heightScatterM(viewFromAllSides(views, times, 0), planeM);
-    strays = scatterM >= leastScatterM;
-    if (!strays)
+    if (scatterM < leastScatterM)
         return sightings;
+    strays = !areSilhouettes(views);
     for (auto &view : sightings) {
         for (Sighting &sighting : view) {
             const Eigen::Vector2d shift = scatterM * sighting.position.displacementPerMetreHeight;

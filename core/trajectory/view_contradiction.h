@@ -18,7 +18,7 @@ struct ComparedPlane
 };
 
 /// Log evidence in nats from which on a cause counts; from a plain form, which is not all of a robot, more.
-inline constexpr double leastEvidence = 5, leastPlainEvidence = 10;
+inline constexpr double leastEvidence = 5, leastPlainEvidence = 8;
 
 /// What was found of views that contradict each other for a reason.
 struct ExplainedContradiction
