@@ -372,37 +372,75 @@ std::vector<double> settle(const std::vector<ViewTrack> &views, const std::vecto
     return apartM;
 }
 
+/// The track of a robot whose views have been settled.
+FusedTrack trackOf(const PositionedRobot &placed, const std::vector<ViewTrack> &views,
+                   const std::vector<double> &apartM, const FusionSettings &settings,
+                   const AnalysisOptions &options)
+{
+    std::vector<std::int64_t> frames;
+    for (const Observation &observation : views.front().observations)
+        frames.push_back(observation.frame);
+    FusedTrack track = fuseViews(timesOf(views.front()), frames, placed.views, settings);
+    flagContradictions(track, apartM);
+    chooseByMotion(track, settings, options.longestBridgedGap);
+    alignSingleViews(track, placed.views, views);
+    return track;
+}
+
+/// Whether views still contradict each other by a cause where their false sightings, by which they disagree
+/// for a while, are left out.
+bool isContradictedWithout(const FusedTrack &plain, std::vector<ViewTrack> views, const RobotShape &shape)
+{
+    for (std::size_t i = 0; i < plain.samples.size(); ++i) {
+        if (!hasFlag(plain.samples[i].flags, SampleFlag::ViewsDisagree))
+            continue;
+        for (ViewTrack &view : views) {
+            const auto near = std::ranges::find_if(view.observations, [&](const Observation &one) {
+                return timeOf(view, one) >= plain.samples[i].time - std::chrono::milliseconds(20);
+            });
+            if (near != view.observations.end())
+                near->found = false;
+        }
+    }
+    const std::vector<Nanoseconds> times = timesOf(views.front());
+    auto placed = position(views, times, shape);
+    std::optional<ViewsContradiction> contradiction;
+    if (placed)
+        settle(views, times, shape, *placed, contradiction);
+    return contradiction.has_value();
+}
+
 Result<MeasuredRobot> measure(const std::vector<ViewTrack> &views, const RobotShape &shape,
                               const AnalysisOptions &options)
 {
     const std::vector<Nanoseconds> times = timesOf(views.front());
-    std::vector<std::int64_t> frames;
-    for (const Observation &observation : views.front().observations)
-        frames.push_back(observation.frame);
     auto placed = ODO_TRY(position(views, times, shape));
     FusionSettings settings;
     settings.planeSigmaM = placed.planeSigmaM;
     settings.measurement = estimateOutlineNoise(placed.views);
     std::optional<ViewsContradiction> contradiction;
     std::vector<double> apartM;
+    PositionedRobot unexplained = placed;
     if (!shape.heightVaries) {
         if (const auto exchanged = exchangedViews(views, placed.views, placed.planeM))
             return viewsExchanged(views[exchanged->first], views[exchanged->second]);
         apartM = settle(views, times, shape, placed, contradiction);
     }
-    MeasuredRobot robot{fuseViews(times, frames, placed.views, settings),
-                        settings.measurement,
-                        placed.heightM,
-                        placed.estimated,
-                        placed.clearanceM,
-                        std::move(contradiction)};
-    flagContradictions(robot.track, apartM);
-    chooseByMotion(robot.track, settings, options.longestBridgedGap);
-    alignSingleViews(robot.track, placed.views, views);
+    FusedTrack track = trackOf(placed, views, apartM, settings, options);
+    if (contradiction) {
+        const std::vector<double> plainApartM = settleContradictions(unexplained.views);
+        FusedTrack plain = trackOf(unexplained, views, plainApartM, settings, options);
+        if (!isContradictedWithout(plain, views, shape)) {
+            track = std::move(plain);
+            placed = std::move(unexplained);
+            contradiction.reset();
+        }
+    }
     for (std::size_t i = 0; i < placed.headings.size(); ++i)
-        robot.track.samples[i].heading = placed.headings[i];
-    applyOverrides(robot.track.samples, options.overrides);
-    return robot;
+        track.samples[i].heading = placed.headings[i];
+    applyOverrides(track.samples, options.overrides);
+    return MeasuredRobot{std::move(track), settings.measurement, placed.heightM,
+                         placed.estimated, placed.clearanceM,    std::move(contradiction)};
 }
 
 } // namespace

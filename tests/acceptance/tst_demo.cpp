@@ -228,7 +228,8 @@ private Q_SLOTS:
         QVERIFY2(run.exitStatus == 0, run.err);
         const QJsonObject answer = run.json();
         QCOMPARE(answer.keys(), QStringList({QStringLiteral("aligned_by"), QStringLiteral("delta_t_s"),
-                                             QStringLiteral("distance_m"), QStringLiteral("metrics")}));
+                                             QStringLiteral("distance_m"), QStringLiteral("metrics"),
+                                             QStringLiteral("verdicts")}));
         QCOMPARE(answer.value(QStringLiteral("aligned_by")).toString(), QStringLiteral("start_gate"));
         const QJsonArray distances = answer.value(QStringLiteral("distance_m")).toArray(),
                          differences = answer.value(QStringLiteral("delta_t_s")).toArray();

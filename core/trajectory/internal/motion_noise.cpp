@@ -303,7 +303,8 @@ Levels likelihoods(const Levels &evidence)
 }
 
 /// The decade of each node, by all evidence (forward–backward algorithm): the mean and, because too smooth is
-/// worse than too rough, one standard deviation.
+/// worse than too rough, one standard deviation, up to what is usual in the run. Livelier than that it is by
+/// one decade at most: what seems livelier is rather a fault of the measurement.
 std::vector<double> decadesOf(std::span<const TrackNode> nodes, const MotionNoise &noise, double usualDensity)
 {
     std::vector<Levels> likely = evidenceFor(nodes, noise);
@@ -323,7 +324,9 @@ std::vector<double> decadesOf(std::span<const TrackNode> nodes, const MotionNois
             mean += probability[level] * decades[level];
             square += probability[level] * decades[level] * decades[level];
         }
-        found[i] = mean + std::sqrt(std::max(0.0, square - mean * mean));
+        const double usual = std::log10(usualDensity),
+                     rougher = mean + std::sqrt(std::max(0.0, square - mean * mean));
+        found[i] = std::clamp(mean, std::min(rougher, usual), usual + 1);
         const Levels here = product(likely[i], behind);
         Levels anew;
         anew.fill(0);
