@@ -172,7 +172,8 @@ private Q_SLOTS:
         for (const Course &course : {swaying, figureEight(0.8, 0.4, 6)}) {
             const auto samples = measured(course, 20, 0.001, 5);
             const auto segments = cutIntoSegments(samples, fromSeconds(1));
-            const MeasurementNoise found = withWobble(nodesOf(segments), {});
+            const auto nodes = nodesOf(segments);
+            const MeasurementNoise found = withWobble(nodes, {}, estimateMotionNoise(nodes, false));
             QCOMPARE(found.wobbleM, 0.0);
         }
     }

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <numeric>
 
 namespace odo {
 
@@ -145,7 +146,7 @@ MotionNoise estimateMotionNoise(const std::vector<std::span<const TrackNode>> &s
 }
 
 MeasurementNoise withWobble(const std::vector<std::span<const TrackNode>> &segments,
-                            const MeasurementNoise &measurement)
+                            const MeasurementNoise &measurement, const MotionNoise &still)
 {
     // Slower or wider it would be the robot that sways.
     constexpr double slowest = 6, fastest = 200, widestM = 0.003;
@@ -163,7 +164,6 @@ MeasurementNoise withWobble(const std::vector<std::span<const TrackNode>> &segme
     }
     if (measured < fewest)
         return measurement;
-    const MotionNoise still = estimateMotionNoise(segments, false, measurement);
     const double own = std::sqrt(still.measurementScale * variance / double(measured));
     std::array<double, 3> found{std::log10(still.jerkDensity) - 3, std::log10(2 * own), std::log10(20.0)};
     const std::array<double, 3> lowest{-6, std::log10(own) - 1, std::log10(slowest)},
@@ -329,10 +329,7 @@ std::vector<double> decadesOf(std::span<const TrackNode> nodes, const MotionNois
         found[i] = std::clamp(mean, std::min(rougher, usual), usual + 1);
         const Levels here = product(likely[i], behind);
         Levels anew;
-        anew.fill(0);
-        for (std::size_t level = 0; level < decades.size(); ++level)
-            anew[0] += prior[level] * here[level];
-        anew.fill(anew[0]);
+        anew.fill(std::inner_product(here.begin(), here.end(), prior.begin(), 0.0));
         behind = normalised(oneStepOn(here, anew, stepS(i)));
     }
     return found;

@@ -19,8 +19,9 @@ MotionNoise estimateMotionNoise(const std::vector<std::span<const TrackNode>> &s
 /// The measurement's noise with the wobble that the track shows, at the scale of `measurement`: by maximum
 /// likelihood again, with the jerk density; without one where it does not explain the track much better. Of
 /// what a robot does itself it takes nothing: it is faster than a third of a second, and a few millimetres.
+/// still: the noise if nothing wobbles, as estimateMotionNoise gives it.
 MeasurementNoise withWobble(const std::vector<std::span<const TrackNode>> &segments,
-                            const MeasurementNoise &measurement);
+                            const MeasurementNoise &measurement, const MotionNoise &still);
 
 /// How lively the motion is along a segment: sets each node's liveliness, relative to usualDensity, the
 /// jerk density of the whole run. Filters of several densities run over the segment in both directions; each

@@ -254,14 +254,18 @@ LearntMotion learnMotion(const std::vector<Sample> &samples, const Round &round,
 {
     constexpr int rounds = 2;
     LearntMotion learnt{partedSegments(samples, round, options), {}, 0};
-    if (measurement.mayWobble)
-        measurement = withWobble(nodesOf(learnt.segments), measurement);
-    learnt.noise = estimateMotionNoise(nodesOf(learnt.segments), false, measurement);
+    const auto nodes = nodesOf(learnt.segments);
+    learnt.noise = estimateMotionNoise(nodes, false, measurement);
+    if (measurement.mayWobble) {
+        measurement = withWobble(nodes, measurement, learnt.noise);
+        if (measurement.wobbleM > 0)
+            learnt.noise = estimateMotionNoise(nodes, false, measurement);
+    }
     learnt.usualDensity = learnt.noise.jerkDensity;
     for (int i = 0; i < rounds; ++i) {
         for (TrackSegment &segment : learnt.segments)
             adaptToMotion(segment.nodes, learnt.noise, learnt.usualDensity);
-        learnt.noise = estimateMotionNoise(nodesOf(learnt.segments), false, measurement);
+        learnt.noise = estimateMotionNoise(nodes, false, measurement);
     }
     return learnt;
 }
