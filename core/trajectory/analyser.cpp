@@ -374,33 +374,39 @@ std::vector<double> settle(const std::vector<ViewTrack> &views, const std::vecto
 
 /// The track of a robot whose views have been settled.
 FusedTrack trackOf(const PositionedRobot &placed, const std::vector<ViewTrack> &views,
-                   const std::vector<double> &apartM, const FusionSettings &settings,
-                   const AnalysisOptions &options)
+                   const std::vector<Nanoseconds> &times, const std::vector<double> &apartM,
+                   const FusionSettings &settings, const AnalysisOptions &options)
 {
     std::vector<std::int64_t> frames;
     for (const Observation &observation : views.front().observations)
         frames.push_back(observation.frame);
-    FusedTrack track = fuseViews(timesOf(views.front()), frames, placed.views, settings);
+    FusedTrack track = fuseViews(times, frames, placed.views, settings);
     flagContradictions(track, apartM);
     chooseByMotion(track, settings, options.longestBridgedGap);
     alignSingleViews(track, placed.views, views);
     return track;
 }
 
-/// Whether views still contradict each other by a cause where their false sightings, by which they disagree
-/// for a while, are left out.
+/// Whether views still contradict each other by a cause where their false sightings are left out: those by
+/// which they disagree for less than a second.
 bool isContradictedWithout(const FusedTrack &plain, std::vector<ViewTrack> views, const RobotShape &shape)
 {
-    for (std::size_t i = 0; i < plain.samples.size(); ++i) {
-        if (!hasFlag(plain.samples[i].flags, SampleFlag::ViewsDisagree))
-            continue;
+    constexpr Nanoseconds longestFalse = std::chrono::seconds(1), near = std::chrono::milliseconds(20);
+    const std::vector<Sample> &samples = plain.samples;
+    const auto disagrees = [](const Sample &sample) {
+        return hasFlag(sample.flags, SampleFlag::ViewsDisagree);
+    };
+    for (auto first = std::ranges::find_if(samples, disagrees); first != samples.end();) {
+        const auto end = std::find_if_not(first, samples.end(), disagrees);
+        const Nanoseconds from = first->time - near, to = std::prev(end)->time + near;
         for (ViewTrack &view : views) {
-            const auto near = std::ranges::find_if(view.observations, [&](const Observation &one) {
-                return timeOf(view, one) >= plain.samples[i].time - std::chrono::milliseconds(20);
-            });
-            if (near != view.observations.end())
-                near->found = false;
+            if (to - from > longestFalse)
+                break;
+            for (Observation &one : view.observations)
+                if (const Nanoseconds time = timeOf(view, one); time >= from && time <= to)
+                    one.found = false;
         }
+        first = std::find_if(end, samples.end(), disagrees);
     }
     const std::vector<Nanoseconds> times = timesOf(views.front());
     auto placed = position(views, times, shape);
@@ -426,10 +432,10 @@ Result<MeasuredRobot> measure(const std::vector<ViewTrack> &views, const RobotSh
             return viewsExchanged(views[exchanged->first], views[exchanged->second]);
         apartM = settle(views, times, shape, placed, contradiction);
     }
-    FusedTrack track = trackOf(placed, views, apartM, settings, options);
+    FusedTrack track = trackOf(placed, views, times, apartM, settings, options);
     if (contradiction) {
         const std::vector<double> plainApartM = settleContradictions(unexplained.views);
-        FusedTrack plain = trackOf(unexplained, views, plainApartM, settings, options);
+        FusedTrack plain = trackOf(unexplained, views, times, plainApartM, settings, options);
         if (!isContradictedWithout(plain, views, shape)) {
             track = std::move(plain);
             placed = std::move(unexplained);
@@ -465,13 +471,8 @@ std::optional<ViewsContradiction> contradictionOf(const std::vector<ViewTrack> &
 {
     if (shape.heightVaries || !checkViews(views))
         return std::nullopt;
-    const std::vector<Nanoseconds> times = timesOf(views.front());
-    auto placed = position(views, times, shape);
-    if (!placed)
-        return std::nullopt;
-    std::optional<ViewsContradiction> contradiction;
-    settle(views, times, shape, *placed, contradiction);
-    return contradiction;
+    auto robot = measure(views, shape, {});
+    return robot ? std::move(robot->contradiction) : std::nullopt;
 }
 
 void applyOverrides(std::vector<Sample> &samples, std::span<const ManualOverride> overrides)
