@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/trajectory/solid_choice.h"
 
+#include "core/base/quiet_ceres.h"
 #include "core/trajectory/internal/body_direction.h"
 #include "core/trajectory/internal/body_heading.h"
 #include "core/trajectory/internal/body_outline.h"
@@ -366,6 +367,7 @@ std::optional<ShapeFit> fitSolid(const std::vector<CommonOutlines> &times, const
     fit.misfit = std::sqrt(2 * fit.cost / share / std::max(1.0, freedom));
     if (problem.IsParameterBlockConstant(form.data()))
         return fit;
+    quietCeres();
     ceres::Covariance covariance({});
     std::array<double, 16> block{};
     const std::vector<std::pair<const double *, const double *>> wanted{{form.data(), form.data()}};

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/calibration/internal/lens_fit.h"
 
+#include "core/base/quiet_ceres.h"
 #include "core/calibration/internal/lens_cost.h"
 #include "core/calibration/internal/plane_pose.h"
 
@@ -14,7 +15,6 @@
 #include <ceres/solver.h>
 #include <cmath>
 #include <deque>
-#include <glog/logging.h>
 #include <limits>
 
 namespace odo {
@@ -35,16 +35,6 @@ public:
 private:
     const JobControl &m_control;
 };
-
-/// Ceres warns on standard error of steps that it then takes otherwise.
-void keepWarningsToItself()
-{
-    static const bool once = [] {
-        FLAGS_minloglevel = google::GLOG_ERROR;
-        return true;
-    }();
-    static_cast<void>(once);
-}
 
 Pose parametersOf(const RigidTransform &transform)
 {
@@ -134,7 +124,7 @@ public:
         // Coefficients of the rational lens that the images do not determine leave a matrix that cannot be
         // factored: some damping stays, and steps that need more of it are no news for the terminal.
         options.max_trust_region_radius = 1e9;
-        keepWarningsToItself();
+        quietCeres();
         options.logging_type = ceres::SILENT;
         options.callbacks.push_back(&stop);
         ceres::Solver::Summary summary;

@@ -136,4 +136,7 @@ void smoothMotion(std::span<const TrackNode> track, MotionNoise noise, const Tak
 /// χ² with two degrees of freedom, 99.9 %.
 constexpr double refusalGate = 13.8155;
 
+/// The first innovations of a segment, while velocity and acceleration are all ignorance: they say nothing.
+constexpr int startingInnovations = 2;
+
 } // namespace odo

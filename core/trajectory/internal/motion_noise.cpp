@@ -7,8 +7,6 @@
 #include <array>
 #include <cmath>
 #include <functional>
-#include <limits>
-#include <numeric>
 
 namespace odo {
 
@@ -21,7 +19,6 @@ struct Likelihood
     double scale = 1;
 };
 
-constexpr int startingInnovations = 2; // velocity and acceleration: still all ignorance, no information
 constexpr std::size_t blockLength = 500, mostSamples = 20000, mostForWobble = 8000;
 
 struct Sums
@@ -195,165 +192,6 @@ MeasurementNoise withWobble(const std::vector<std::span<const TrackNode>> &segme
     result.wobbleM = wobbling.wobbleM * std::sqrt(measurement.scale / still.measurementScale);
     result.wobbleRate = wobbling.wobbleRate;
     return result;
-}
-
-namespace {
-
-/// Logarithms of the densities that are tried: from an even motion to blows.
-constexpr std::array<double, 10> decades{-13, -11, -9, -7, -5, -3, -1, 1, 3, 5};
-constexpr double priorPerDecade = 0.85; // how likely they are beforehand, away from that of the whole run
-constexpr double dwellS = 1;            // how long one of them holds on average
-constexpr std::size_t reach = 2;        // steps beside a lively one: a velocity changes by two jerks at least
-using Levels = std::array<double, decades.size()>;
-
-/// Of what says nothing.
-constexpr double saysNothing = -std::numeric_limits<double>::infinity();
-
-/// −½ of the cost of each measurement's innovation, by the filter of each density.
-template <class Filter>
-std::vector<Levels> evidenceOf(std::span<const TrackNode> nodes, const MotionNoise &noise)
-{
-    Levels nothing;
-    nothing.fill(saysNothing);
-    std::vector<Levels> evidence(nodes.size(), nothing);
-    for (std::size_t level = 0; level < decades.size(); ++level) {
-        MotionNoise its = noise;
-        its.jerkDensity = std::pow(10.0, decades[level]);
-        Filter filter(its);
-        int taken = 0;
-        for (std::size_t i = 0; i < nodes.size(); ++i) {
-            if (!nodes[i].measured)
-                continue;
-            filter.predict(nodes[i]);
-            if (taken++ > startingInnovations) {
-                double logDeterminant = 0;
-                const double distance = filter.distanceSquared(nodes[i], &logDeterminant);
-                evidence[i][level] = -(distance + logDeterminant) / 2;
-            }
-            filter.update(nodes[i]);
-        }
-    }
-    return evidence;
-}
-
-std::vector<Levels> evidenceFor(std::span<const TrackNode> nodes, const MotionNoise &noise)
-{
-    return noise.wobbleM > 0 ? evidenceOf<WobbleFilter>(nodes, noise)
-                             : evidenceOf<MotionFilter>(nodes, noise);
-}
-
-/// From the end to the beginning.
-std::vector<TrackNode> reversed(std::span<const TrackNode> nodes)
-{
-    std::vector<TrackNode> reversed(nodes.rbegin(), nodes.rend());
-    for (std::size_t i = 0; i < reversed.size(); ++i) {
-        reversed[i].timeS *= -1;
-        reversed[i].travelM *= -1;
-        reversed[i].struck = i > 0 && nodes[nodes.size() - i].struck;
-    }
-    return reversed;
-}
-
-/// Probabilities of the levels at one step; they add up to 1.
-Levels normalised(Levels levels)
-{
-    double sum = 0;
-    for (const double one : levels)
-        sum += one;
-    for (double &one : levels)
-        one /= sum;
-    return levels;
-}
-
-Levels priorOfLevels(double usualDensity)
-{
-    const double usual = std::log10(usualDensity);
-    Levels prior;
-    for (std::size_t level = 0; level < decades.size(); ++level)
-        prior[level] = std::pow(priorPerDecade, std::abs(decades[level] - usual));
-    return normalised(prior);
-}
-
-/// What one step on makes of the probabilities: it stays at a level, or begins anew at any.
-Levels oneStepOn(const Levels &now, const Levels &anew, double stepS)
-{
-    const double stays = std::exp(-std::abs(stepS) / dwellS);
-    Levels next;
-    for (std::size_t level = 0; level < now.size(); ++level)
-        next[level] = stays * now[level] + (1 - stays) * anew[level];
-    return next;
-}
-
-Levels product(const Levels &a, const Levels &b)
-{
-    Levels both;
-    for (std::size_t level = 0; level < a.size(); ++level)
-        both[level] = a[level] * b[level];
-    return both;
-}
-
-/// Relative to the likeliest.
-Levels likelihoods(const Levels &evidence)
-{
-    const double best = *std::ranges::max_element(evidence);
-    Levels likely;
-    for (std::size_t level = 0; level < evidence.size(); ++level)
-        likely[level] = best == saysNothing ? 1 : std::exp(evidence[level] - best);
-    return likely;
-}
-
-/// The decade of each node, by all evidence (forward–backward algorithm): the mean and, because too smooth is
-/// worse than too rough, one standard deviation, up to what is usual in the run. Livelier than that it is by
-/// one decade at most: what seems livelier is rather a fault of the measurement.
-std::vector<double> decadesOf(std::span<const TrackNode> nodes, const MotionNoise &noise, double usualDensity)
-{
-    std::vector<Levels> likely = evidenceFor(nodes, noise);
-    std::ranges::transform(likely, likely.begin(), likelihoods);
-    const Levels prior = priorOfLevels(usualDensity);
-    const auto stepS = [&](std::size_t i) { return nodes[i].timeS - nodes[i - 1].timeS; };
-    std::vector<Levels> before(nodes.size(), prior);
-    for (std::size_t i = 1; i < nodes.size(); ++i)
-        before[i] = normalised(product(oneStepOn(before[i - 1], prior, stepS(i)), likely[i]));
-    std::vector<double> found(nodes.size());
-    Levels behind;
-    behind.fill(1);
-    for (std::size_t i = nodes.size(); i-- > 1;) {
-        const Levels probability = normalised(product(before[i], behind));
-        double mean = 0, square = 0;
-        for (std::size_t level = 0; level < decades.size(); ++level) {
-            mean += probability[level] * decades[level];
-            square += probability[level] * decades[level] * decades[level];
-        }
-        const double usual = std::log10(usualDensity),
-                     rougher = mean + std::sqrt(std::max(0.0, square - mean * mean));
-        found[i] = std::clamp(mean, std::min(rougher, usual), usual + 1);
-        const Levels here = product(likely[i], behind);
-        Levels anew;
-        anew.fill(std::inner_product(here.begin(), here.end(), prior.begin(), 0.0));
-        behind = normalised(oneStepOn(here, anew, stepS(i)));
-    }
-    return found;
-}
-
-} // namespace
-
-void adaptToMotion(std::span<TrackNode> segment, const MotionNoise &noise, double usualDensity)
-{
-    for (TrackNode &node : segment)
-        node.liveliness = 1;
-    if (segment.size() < 2)
-        return;
-    const std::vector<double> forwards = decadesOf(segment, noise, usualDensity);
-    std::vector<double> backwards = decadesOf(reversed(segment), noise, usualDensity);
-    std::ranges::reverse(backwards); // of the step behind each node
-    std::vector<double> livelier(segment.size());
-    for (std::size_t i = 1; i < segment.size(); ++i)
-        livelier[i] = std::max(forwards[i], backwards[i - 1]);
-    for (std::size_t i = 1; i < segment.size(); ++i) {
-        const auto first = livelier.begin() + std::ptrdiff_t(i > reach ? i - reach : 1),
-                   end = livelier.begin() + std::ptrdiff_t(std::min(i + reach + 1, segment.size()));
-        segment[i].liveliness = std::pow(10.0, *std::max_element(first, end)) / usualDensity;
-    }
 }
 
 } // namespace odo

@@ -23,11 +23,4 @@ MotionNoise estimateMotionNoise(const std::vector<std::span<const TrackNode>> &s
 MeasurementNoise withWobble(const std::vector<std::span<const TrackNode>> &segments,
                             const MeasurementNoise &measurement, const MotionNoise &still);
 
-/// How lively the motion is along a segment: sets each node's liveliness, relative to usualDensity, the
-/// jerk density of the whole run. Filters of several densities run over the segment in both directions; each
-/// step is explained by one of them, which changes seldom (a hidden Markov model: Rabiner 1989, § III), and
-/// gets the mean of their logarithms by their probabilities. So an impact does not roughen the slide before
-/// it, and a robot at rest is averaged for as long as it rests. Pure but for that.
-void adaptToMotion(std::span<TrackNode> segment, const MotionNoise &noise, double usualDensity);
-
 } // namespace odo

@@ -3,6 +3,7 @@
 
 #include "core/trajectory/analyser.h"
 #include "core/trajectory/internal/fused_track.h"
+#include "core/trajectory/internal/motion_levels.h"
 #include "core/trajectory/internal/motion_noise.h"
 #include "core/trajectory/internal/spike_search.h"
 
@@ -263,8 +264,7 @@ LearntMotion learnMotion(const std::vector<Sample> &samples, const Round &round,
     }
     learnt.usualDensity = learnt.noise.jerkDensity;
     for (int i = 0; i < rounds; ++i) {
-        for (TrackSegment &segment : learnt.segments)
-            adaptToMotion(segment.nodes, learnt.noise, learnt.usualDensity);
+        adaptToMotion(learnt.segments, learnt.noise, learnt.usualDensity);
         learnt.noise = estimateMotionNoise(nodes, false, measurement);
     }
     return learnt;
@@ -362,8 +362,7 @@ std::vector<MotionChange> flagSpikesKnowing(const SpikeVerdict &known, std::vect
     Round round = searchAll(samples, openSamples(samples), known.searchNoise, options);
     flagFound(samples, round);
     LearntMotion learnt{partedSegments(samples, round, options), known.noise, known.usualDensity};
-    for (TrackSegment &segment : learnt.segments)
-        adaptToMotion(segment.nodes, known.noise, known.usualDensity);
+    adaptToMotion(learnt.segments, known.noise, known.usualDensity);
     flagOutliers(samples, round, learnt);
     nameLimits(samples, options);
     refuseBeyondTask(samples, options, known.noise.measurementScale);
