@@ -102,6 +102,7 @@ inline const QString again = QStringLiteral("again");
 inline const QString align = QStringLiteral("align");
 inline const QString at = QStringLiteral("at");
 inline const QString board = QStringLiteral("board");
+inline const QString entry = QStringLiteral("entry");
 inline const QString box = QStringLiteral("box");
 inline const QString camera = QStringLiteral("camera");
 inline const QString clear = QStringLiteral("clear");

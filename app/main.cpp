@@ -74,7 +74,7 @@ void printHelp()
 {
     std::puts("odograph [PROJECT.odo]           open the workbench\n"
               "odograph --window [PROJECT.odo]  the same, but show problems with the project in the window\n"
-              "odograph COMMAND ...             run without a window; odograph COMMAND --help shows how\n");
+              "odograph COMMAND ...             run without a window; odograph help COMMAND shows how\n");
     for (const NamedCommand &command : commands)
         std::printf("  %-11s %s\n", command.name, command.summary);
 }
@@ -236,6 +236,11 @@ int run(int argc, char **argv)
 
 int main(int argc, char **argv)
 {
+    static char option[] = "--help";
+    if (argc > 2 && std::strcmp(argv[1], "help") == 0) { // help COMMAND is COMMAND --help
+        std::rotate(argv + 1, argv + 2, argv + argc);
+        argv[argc - 1] = option;
+    }
     isOutputClosed = openStandardFiles();
     isJsonAsked =
         std::any_of(argv + 1, argv + argc, [](const char *word) { return std::strcmp(word, "--json") == 0; });

@@ -185,12 +185,14 @@ Result<void> runCalibrate(const QStringList &arguments, const CancelToken &cance
 
 Result<void> runIntrinsics(const QStringList &arguments, const CancelToken &cancel)
 {
-    CommandCall call({QStringLiteral("intrinsics"),
-                      QStringLiteral("import P.odo CAMERA FILE | export P.odo CAMERA FILE [--force]"),
-                      4,
-                      4,
-                      {forceOption()}},
-                     cancel);
+    CommandCall call(
+        {QStringLiteral("intrinsics"),
+         QStringLiteral("import P.odo CAMERA FILE [--entry NAME] | export P.odo CAMERA FILE [--force]"),
+         4,
+         4,
+         {{option::entry, QStringLiteral("Which of several cameras in the file."), QStringLiteral("NAME")},
+          forceOption()}},
+        cancel);
     if (const auto parsed = call.parse(arguments); !parsed || !*parsed)
         return parsed.map([](bool) {});
     const bool importing = call.positional(0) == QStringLiteral("import");
@@ -202,7 +204,8 @@ Result<void> runIntrinsics(const QStringList &arguments, const CancelToken &canc
     QJsonObject json{{QStringLiteral("camera"), call.positional(2)},
                      {QStringLiteral("file"), call.positional(3)}};
     if (importing) {
-        const auto record = ODO_TRY(importIntrinsics(*project, call.text(2), call.text(3)));
+        const auto record =
+            ODO_TRY(importIntrinsics(*project, call.text(2), call.text(3), call.value(option::entry)));
         json.insert(QStringLiteral("intrinsics"), intrinsicsJson(record.calibration.intrinsics));
     } else {
         const auto target = ODO_TRY(outputOf(call, call.text(3), FileKind::Yaml, project.get()));

@@ -577,6 +577,8 @@ private Q_SLOTS:
         const ProgramRun help = runProgram({QStringLiteral("track"), QStringLiteral("--help")});
         QCOMPARE(help.exitStatus, 0);
         QVERIFY(help.out.contains("--smoother"));
+        QCOMPARE(runProgram({QStringLiteral("help"), QStringLiteral("track")}).out, help.out);
+        QCOMPARE(runProgram({QStringLiteral("help"), QStringLiteral("trac")}).exitStatus, 2);
     }
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/exchange/intrinsics_yaml.h"
+#include "core/exchange/calibration_file.h"
 #include "core/exchange/labelled_points.h"
 #include "core/exchange/text_file.h"
 #include "core/files/output_file.h"

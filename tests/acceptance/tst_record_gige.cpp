@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // From two GigE cameras to a robot's track, by the command line: the simulated testbed is streamed over the
 // loopback as raw Bayer pictures, by cameras whose clocks know nothing of one another.
-#include "core/exchange/intrinsics_yaml.h"
+#include "core/exchange/calibration_file.h"
 #include "core/simulation/demo_testbed.h"
 #include "tests/support/gige/raw_painters.h"
 #include "tests/support/program.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/exchange/intrinsics_yaml.h"
+#include "core/exchange/calibration_file.h"
 #include "core/project/project.h"
 #include "core/simulation/demo_testbed.h"
 #include "core/simulation/renderer.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/exchange/intrinsics_yaml.h"
+#include "core/exchange/calibration_file.h"
 #include "tests/fuzz/fuzz_file.h"
 
 namespace {
@@ -21,7 +21,7 @@ bool isSameIntrinsics(const odo::Intrinsics &a, const odo::Intrinsics &b)
 
 } // namespace
 
-/// A calibration as ROS or OpenCV writes it. What is read must be written and read again as the same.
+/// A calibration in any of the styles that are read. What is read must be written and read again as the same.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t *bytes, std::size_t count)
 {
     using namespace odo;

@@ -3,7 +3,7 @@
 
 #include "core/base/error.h"
 #include "core/capture/camera_source.h"
-#include "core/exchange/intrinsics_yaml.h"
+#include "core/exchange/calibration_file.h"
 #include "core/project/project.h"
 #include "core/project/recording_rows.h"
 #include "core/project/records.h"
@@ -27,9 +27,11 @@ Result<CameraRecord> findOrAddCamera(Project &project, const std::string &name)
 }
 
 Result<IntrinsicsRecord> importIntrinsics(Project &project, const std::string &camera,
-                                          const std::filesystem::path &file)
+                                          const std::filesystem::path &file, const std::string &entry)
 {
-    auto intrinsics = ODO_TRY(readIntrinsics(file));
+    const auto held = ODO_TRY(camerasInCalibration(file));
+    const bool isNamed = entry.empty() && std::ranges::find(held, camera) != held.end();
+    auto intrinsics = ODO_TRY(readIntrinsics(file, isNamed ? camera : entry));
     IntrinsicsRecord record;
     record.made = instantNow();
     const MessageArgument name = Named::file(file.filename());

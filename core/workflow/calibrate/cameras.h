@@ -19,9 +19,10 @@ class Project;
 /// or videos need not announce it first.
 Result<CameraRecord> findOrAddCamera(Project &project, const std::string &name);
 
-/// Reads a ROS camera_info or OpenCV YAML file and stores it as the camera's newest intrinsics.
+/// Reads a calibration file (readCalibrationFile) and stores it as the camera's newest intrinsics. entry:
+/// which of several cameras in it; where none is chosen, the one of the camera's name.
 Result<IntrinsicsRecord> importIntrinsics(Project &project, const std::string &camera,
-                                          const std::filesystem::path &file);
+                                          const std::filesystem::path &file, const std::string &entry = {});
 
 /// Writes the camera's intrinsics in force; the format follows the file's name (.yml OpenCV, otherwise ROS).
 Result<void> exportIntrinsics(Project &project, const std::string &camera, const OutputTarget &target);

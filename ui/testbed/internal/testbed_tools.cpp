@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/testbed/internal/testbed_tools.h"
 
+#include "core/exchange/calibration_file.h"
 #include "core/exchange/labelled_points.h"
 #include "core/project/project.h"
 #include "core/project/repositories.h"
@@ -270,18 +271,38 @@ void TestbedTools::registerTogether()
 void TestbedTools::importCalibration()
 {
     const QString file = QFileDialog::getOpenFileName(&m_window, tr("Lens calibration of a camera"), {},
-                                                      tr("Calibrations (*.yaml *.yml);;All files (*)"));
+                                                      tr("Calibrations (*.yaml *.yml *.json *.toml *.ini);;"
+                                                         "All files (*)"));
     if (file.isEmpty())
         return;
-    const QStringList names = cameraNames();
-    bool accepted = false;
-    const QString camera =
-        QInputDialog::getItem(&m_window, tr("Import lens calibration"), tr("Camera:"), names,
-                              std::max(0, int(names.indexOf(m_camera))), true, &accepted)
-            .trimmed();
-    if (!accepted || camera.isEmpty())
+    const Result<std::vector<std::string>> held = camerasInCalibration(pathOf(file));
+    if (!held) {
+        Q_EMIT failed(held.error());
         return;
-    const Result<IntrinsicsRecord> imported = importIntrinsics(m_project, camera.toStdString(), pathOf(file));
+    }
+    const auto choose = [this](const QString &question, const QStringList &names, const QString &likely,
+                               bool mayBeNew) {
+        bool accepted = false;
+        const QString chosen =
+            QInputDialog::getItem(&m_window, tr("Import lens calibration"), question, names,
+                                  std::max(0, int(names.indexOf(likely))), mayBeNew, &accepted);
+        return accepted ? chosen.trimmed() : QString();
+    };
+    const QString camera = choose(tr("Camera:"), cameraNames(), m_camera, true);
+    if (camera.isEmpty())
+        return;
+    QString entry;
+    if (held->size() > 1) {
+        QStringList names;
+        for (const std::string &name : *held)
+            names << QString::fromStdString(name);
+        entry =
+            choose(tr("The file holds several cameras. Which one is %1?").arg(camera), names, camera, false);
+        if (entry.isEmpty())
+            return;
+    }
+    const Result<IntrinsicsRecord> imported =
+        importIntrinsics(m_project, camera.toStdString(), pathOf(file), entry.toStdString());
     if (!imported)
         Q_EMIT failed(imported.error());
     else

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/exchange/intrinsics_yaml.h"
+#include "core/exchange/calibration_file.h"
 
 #include "tests/support/registered_test.h"
 
@@ -25,6 +25,94 @@ distortion_model: plumb_bob
 distortion_coefficients: {rows: 1, cols: 5, data: [-0.1, 2e-2, 0, 0, 0]}
 )";
 
+// The same camera as seven programs write it, and twice as a file of two cameras.
+const QByteArray rosMessage = R"(header:
+  frame_id: head
+height: 480
+width: 640
+distortion_model: plumb_bob
+d:
+- -0.1
+- 0.02
+- 0.001
+- -0.002
+- 0.0
+k: [500.5, 0.0, 320.25, 0.0, 501.0, 240.0, 0.0, 0.0, 1.0]
+p: [400.0, 0.0, 300.0, 0.0, 0.0, 400.0, 200.0, 0.0, 0.0, 0.0, 1.0, 0.0]
+---
+height: 480
+width: 640
+)";
+const QByteArray ini = R"(# a comment
+[image]
+width
+640
+height
+480
+
+[head]
+camera matrix
+500.5 0 320.25
+0 501.0 240.0
+0 0 1
+
+distortion
+-0.1 0.02 0.001 -0.002 0.0
+
+projection
+400 0 300 0
+0 400 200 0
+0 0 1 0
+)";
+const QByteArray kalibr = R"(cam0:
+  camera_model: pinhole
+  intrinsics: [500.5, 501.0, 320.25, 240.0]
+  distortion_model: radtan
+  distortion_coeffs: [-0.1, 0.02, 0.001, -0.002]
+  resolution: [640, 480]
+)";
+const QByteArray photonVision = R"({"resolution":{"width":640.0,"height":480.0},
+"cameraIntrinsics":{"rows":3,"cols":3,"type":6,"data":[500.5,0.0,320.25,0.0,501.0,240.0,0.0,0.0,1.0]},
+"distCoeffs":{"rows":1,"cols":5,"type":6,"data":[-0.1,0.02,0.001,-0.002,0.0]},"observations":[]})";
+const QByteArray upperCase = R"(%YAML:1.0
+---
+image_width: 640
+image_height: 480
+Camera_Matrix: !!opencv-matrix
+   rows: 3
+   cols: 3
+   dt: d
+   data: [ 500.5, 0., 320.25, 0., 501., 240., 0., 0., 1. ]
+Distortion_Coefficients: !!opencv-matrix
+   rows: 5
+   cols: 1
+   dt: d
+   data: [ -0.1, 0.02, 0.001, -0.002, 0. ]
+)";
+/// TOML, as anipose and Pose2Sim write it.
+const QByteArray toml = R"([cam_0]
+name = "head"
+size = [ 640, 480,]
+matrix = [ [ 500.5, 0.0, 320.25,], [ 0.0, 501.0, 240.0,], [ 0.0, 0.0, 1.0,],]
+distortions = [ -0.1, 0.02, 0.001, -0.002, 0.0,]
+fisheye = false
+
+[metadata]
+error = 0.2
+)";
+/// The same in a table of cameras.
+const QByteArray twoInToml = R"([cameras.0]
+size = [640, 480]
+matrix = [[500.5, 0.0, 320.25], [0.0, 501.0, 240.0], [0.0, 0.0, 1.0]]
+distortions = [-0.1, 0.02, 0.001, -0.002, 0.0]
+
+[cameras.1]
+size = [640, 480]
+matrix = [[700.0, 0.0, 300.0], [0.0, 700.0, 200.0], [0.0, 0.0, 1.0]]
+distortions = [0.0, 0.0, 0.0, 0.0]
+fisheye = true
+)";
+
 QString realFile(const char *name)
 {
     const QString folder =
@@ -35,7 +123,7 @@ QString realFile(const char *name)
 
 } // namespace
 
-class TestIntrinsicsYaml : public QObject
+class TestCalibrationFile : public QObject
 {
     Q_OBJECT
 private Q_SLOTS:
@@ -58,6 +146,64 @@ private Q_SLOTS:
         const auto read = readIntrinsics(write(text));
         QVERIFY2(read.has_value(), read ? "" : read.error().message().c_str());
         QCOMPARE(read->cxPx, 320.25);
+    }
+
+    void readsOtherPrograms_data()
+    {
+        QTest::addColumn<QByteArray>("text");
+        QTest::addColumn<QString>("entry");
+        QTest::newRow("messages of ROS 2") << rosMessage << QString();
+        QTest::newRow("messages of ROS 1")
+            << QByteArray(rosMessage).replace("d:\n-", "D:\n-").replace("k:", "K:") << QString();
+        QTest::newRow("INI of ROS") << ini << QString();
+        QTest::newRow("Kalibr") << kalibr << QString();
+        QTest::newRow("one of two of Kalibr")
+            << kalibr + QByteArray(kalibr).replace("cam0", "cam1").replace("500.5", "700")
+            << QStringLiteral("cam0");
+        QTest::newRow("PhotonVision") << photonVision << QString();
+        QTest::newRow("OpenCV with capitals") << upperCase << QString();
+        QTest::newRow("anipose") << toml << QString();
+        QTest::newRow("anipose, by its name") << toml << QStringLiteral("head");
+        QTest::newRow("caliscope") << twoInToml << QStringLiteral("0");
+    }
+    void readsOtherPrograms()
+    {
+        QFETCH(QByteArray, text);
+        QFETCH(QString, entry);
+        const auto read = readIntrinsics(write(text), entry.toStdString());
+        QVERIFY2(read.has_value(), read ? "" : read.error().message().c_str());
+        QCOMPARE(read->widthPx, 640);
+        QCOMPARE(read->heightPx, 480);
+        QCOMPARE(read->fxPx, 500.5);
+        QCOMPARE(read->fyPx, 501.0);
+        QCOMPARE(read->cxPx, 320.25);
+        QCOMPARE(read->cyPx, 240.0);
+        QCOMPARE(read->model, LensModel::Standard);
+        std::vector<double> distortion = read->distortion;
+        distortion.resize(5);
+        QVERIFY((distortion == std::vector<double>{-0.1, 0.02, 0.001, -0.002, 0}));
+    }
+    /// Five columns, as some write of eight numbers.
+    void coefficientsCountByThemselves()
+    {
+        QByteArray text = rosFile;
+        text.replace("plumb_bob", "rational_polynomial").replace("0, 0, 0]}", "0, 0, 0, 0.1, 0.02, 0.003]}");
+        const auto read = readIntrinsics(write(text));
+        QVERIFY2(read.has_value(), read ? "" : read.error().message().c_str());
+        QCOMPARE(read->model, LensModel::Rational);
+        QCOMPARE(read->distortion.size(), std::size_t(8));
+        QCOMPARE(read->distortion.back(), 0.003);
+    }
+    void ofSeveralCamerasOneIsChosen()
+    {
+        const auto names = camerasInCalibration(write(twoInToml));
+        QVERIFY(names.has_value());
+        QVERIFY((*names == std::vector<std::string>{"0", "1"}));
+        const auto second = readIntrinsics(write(twoInToml), "1");
+        QVERIFY(second.has_value());
+        QCOMPARE(second->fxPx, 700.0);
+        QCOMPARE(second->model, LensModel::Fisheye);
+        QCOMPARE(camerasInCalibration(write(rosFile))->size(), std::size_t(1));
     }
 
     void roundTripsBitForBit_data()
@@ -176,6 +322,18 @@ private Q_SLOTS:
         row("two documents", rosFile + "---\na: b\n", "more than one document");
         row("bad indentation", changed("  cols: 3", "    cols: 3"),
             ":7: it is not valid YAML (illegal map value)");
+        row("two cameras", twoInToml, ":1: it holds several cameras: 0 and 1; choose one of them");
+        row("a lens of Kalibr", QByteArray(kalibr).replace("pinhole", "omni"),
+            ":2: the lens model 'omni' is unknown");
+        row("five numbers", QByteArray(kalibr).replace("320.25,", "320.25, 0,"),
+            ":3: 'camera_matrix' has 5 numbers instead of 3 × 3");
+        row("TOML that ends too early", toml.left(60), "it is not valid TOML");
+        row("deep TOML", "[a]\nb = " + QByteArray(200, '[') + QByteArray(200, ']'), "values");
+        row("INI without a size", QByteArray(ini).replace("width", "breadth"),
+            ":1: the entry 'image_width' is missing");
+        row("an impossible lens", changed("501.0", "1e300"), "no lens has a focal length of");
+        row("an impossible centre", changed("240.", "-1e6"),
+            "lies far outside the image of 640 × 480 pixels");
         row("nul", QByteArray("a\0b", 3), "it is not a UTF-8 text file");
     }
     void refusesHostileFiles()
@@ -240,5 +398,5 @@ private:
     QTemporaryDir m_folder;
 };
 
-ODOGRAPH_TEST(TestIntrinsicsYaml, QCoreApplication)
-#include "tst_intrinsics_yaml.moc"
+ODOGRAPH_TEST(TestCalibrationFile, QCoreApplication)
+#include "tst_calibration_file.moc"
