@@ -503,7 +503,7 @@
     </message>
     <message>
         <source>Heading</source>
-        <translation>Fahrtrichtung</translation>
+        <translation>Ausrichtung</translation>
     </message>
     <message>
         <source>Turn rate</source>
@@ -11749,7 +11749,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
     <message>
         <source>Heading</source>
-        <translation>Fahrtrichtung</translation>
+        <translation>Ausrichtung</translation>
     </message>
     <message>
         <source>Turn rate</source>
@@ -16591,7 +16591,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <name>project.reference_without_heading</name>
     <message>
         <source>a reference point off its centre needs a heading, but a robot of changing height has none</source>
-        <translation>ein Bezugspunkt neben der Mitte braucht eine Fahrtrichtung, die nicht bekannt ist, wo sich die Höhe ändert</translation>
+        <translation>ein Bezugspunkt neben der Mitte braucht eine Ausrichtung, die nicht bekannt ist, wo sich die Höhe ändert</translation>
     </message>
 </context>
 <context>

@@ -278,7 +278,8 @@ void HistoryPage::endReading(std::vector<TrialRow> rows)
     showSettled();
 }
 
-/// Verdicts that are not stored are computed on another thread, some at a time, and stored here.
+/// Verdicts that are not stored are computed on another thread, some at a time, and stored here; but a window
+/// that is only painted leaves the project as it is.
 void HistoryPage::checkMore()
 {
     if (m_unchecked.empty())
@@ -295,7 +296,7 @@ void HistoryPage::checkMore()
 
 void HistoryPage::takeVerdicts(Result<std::vector<StoredVerdict>> verdicts)
 {
-    if (verdicts && !m_readOnly) {
+    if (verdicts && !m_readOnly && !window()->testAttribute(Qt::WA_DontShowOnScreen)) {
         if (const Result<void> stored = storeVerdicts(m_project, *verdicts); !stored)
             verdicts = tl::unexpected(stored.error());
     }

@@ -17,6 +17,7 @@ constexpr std::chrono::milliseconds askEach{50};
 
 QImage paintWindow(MainWindow &window, QSize size, const CancelToken &cancel)
 {
+    window.setAttribute(Qt::WA_DontShowOnScreen);
     window.resize(size);
     window.show();
     // Apply layouts first: the views then request images of their final size.

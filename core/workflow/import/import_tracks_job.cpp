@@ -298,10 +298,10 @@ Result<void> ImportTracksJob::store(Project &project)
         const std::vector<SampleFlags> flags = one.analysis.profile.flags;
         made.push_back(ODO_TRY(project.analyses().add(std::move(one.analysis), samplesOf(robot, flags))));
     }
-    auto stored = storeVerdict(project, m_trial, made);
+    const auto stored = storeVerdict(project, m_trial, made);
     for (std::size_t robot = 0; robot < made.size(); ++robot)
         m_imported[robot].analysis = std::move(made[robot]);
-    return stored;
+    return stored.map([](const TrialVerdict &) {});
 }
 
 } // namespace odo

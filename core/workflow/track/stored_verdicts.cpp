@@ -54,16 +54,18 @@ Message verdictSubject(const std::string &trial)
 
 } // namespace
 
-Result<void> storeVerdict(Project &project, const TrialRecord &trial, const std::vector<AnalysisRecord> &made)
+Result<TrialVerdict> storeVerdict(Project &project, const TrialRecord &trial,
+                                  const std::vector<AnalysisRecord> &made)
 {
     const auto newest = ODO_TRY(project.analyses().currentMetrics(trial.id));
     const bool isComplete = std::ranges::all_of(newest, [&made](const AnalysisRecord &one) {
         return std::ranges::find(made, one.id, &AnalysisRecord::id) != made.end();
     });
     auto basis = ODO_TRY(project.verdicts().basis(trial.id));
-    const auto stored = isComplete ? computeVerdict(project, trial, made, std::move(basis))
-                                   : computeVerdict(project, trial.id);
-    return stored ? project.verdicts().set(*stored) : tl::unexpected(stored.error());
+    auto computed = ODO_TRY(isComplete ? computeVerdict(project, trial, made, std::move(basis))
+                                       : computeVerdict(project, trial.id));
+    ODO_TRY(project.verdicts().set(computed));
+    return std::move(computed.verdict);
 }
 
 Result<std::vector<StoredVerdict>> computeVerdicts(Project &project, const std::vector<RecordId> &trials)

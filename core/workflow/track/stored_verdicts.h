@@ -13,10 +13,11 @@ namespace odo {
 
 class Project;
 
-/// Computes the verdict on a trial from what the project holds and stores it, in the transaction that changed
-/// results. made: its analyses that were just stored; of other robots they are read. Project's thread.
-Result<void> storeVerdict(Project &project, const TrialRecord &trial,
-                          const std::vector<AnalysisRecord> &made);
+/// Computes the verdict on a trial from what the project holds, stores it, in the transaction that changed
+/// results, and returns it. made: its analyses that were just stored; of other robots they are read.
+/// Project's thread.
+Result<TrialVerdict> storeVerdict(Project &project, const TrialRecord &trial,
+                                  const std::vector<AnalysisRecord> &made);
 
 /// Computes the verdicts on trials; leaves out those that cannot be read, which is said where they are
 /// opened. Reads all their series: some 10 ms each. Errors: Cancelled, in a CancelScope. On the thread of the

@@ -348,10 +348,11 @@ Result<void> TrackJob::Impl::storeAnalyses(Project &project)
     std::vector<AnalysisRecord> made;
     for (TrackedRobot &robot : outcome.robots)
         made.push_back(ODO_TRY(project.analyses().add(std::move(robot.analysis))));
-    auto stored = storeVerdict(project, trial, made);
+    auto verdict = storeVerdict(project, trial, made);
     for (std::size_t i = 0; i < made.size(); ++i)
         outcome.robots[i].analysis = std::move(made[i]);
-    return stored;
+    outcome.verdict = ODO_TRY(std::move(verdict));
+    return {};
 }
 
 Result<void> TrackJob::commit(Project &project)

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/project/records.h"
+#include "core/project/verdict_repository.h"
 #include "core/trajectory/occlusions.h"
 #include "core/workflow/job.h"
 
@@ -57,6 +58,7 @@ struct TrackOutcome
     double decodeS = 0;            ///< CPU time of the decoding threads
     double framesPerSecond = 0;    ///< of frames of all views
     std::vector<Message> warnings; ///< whole sentences: what makes the metrics uncertain, and what to do
+    TrialVerdict verdict;          ///< on these results; after commit
 };
 
 /// Tracks the robots of a trial in all its views and analyses them by its task: observations and a new

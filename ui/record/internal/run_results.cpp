@@ -5,6 +5,7 @@
 #include "ui/models/number_text.h"
 #include "ui/models/results.h"
 #include "ui/models/shown_message.h"
+#include "ui/models/verdict_mark.h"
 #include "ui/views/widgets/fact_list.h"
 #include "ui/views/widgets/theme.h"
 
@@ -62,12 +63,31 @@ void RunResultCard::setWorking(const QString &trial)
 {
     m_trial = trial;
     setRemark(trial);
+    setBadge({});
     m_grid->hide();
     m_open->hide();
     m_words->setText(tr("Analysing…"));
 }
 
-void RunResultCard::setResults(const QString &trial, const std::vector<Result> &results, From from)
+void RunResultCard::setLiveResults(const QString &trial, const std::vector<Result> &results)
+{
+    showMetrics(trial, results);
+    setBadge({});
+    m_words->setText(tr("From live tracking. The final results follow shortly, from the recording."));
+    m_open->hide();
+}
+
+void RunResultCard::setFinalResults(const QString &trial, const std::vector<Result> &results,
+                                    const TrialVerdict &verdict)
+{
+    showMetrics(trial, results);
+    setBadge(verdictBadge(verdict));
+    QStringList words{tr("Final, from every frame of the recording.")};
+    m_words->setText((words + verdictReasons(verdict)).join(u'\n'));
+    m_open->show();
+}
+
+void RunResultCard::showMetrics(const QString &trial, const std::vector<Result> &results)
 {
     m_trial = trial;
     setRemark(results.size() == 1 ? trial + QStringLiteral(" · ") + results.front().robot : trial);
@@ -84,16 +104,13 @@ void RunResultCard::setResults(const QString &trial, const std::vector<Result> &
     }
     m_grid->setMetrics(std::move(metrics));
     m_grid->show();
-    m_words->setText(from == From::Live
-                         ? tr("From live tracking. The final results follow shortly, from the recording.")
-                         : tr("Final, from every frame of the recording."));
-    m_open->setVisible(from == From::Recording);
 }
 
 void RunResultCard::setFailure(const QString &trial, const QString &words)
 {
     m_trial = trial;
     setRemark(trial);
+    setBadge({});
     m_grid->hide();
     m_words->setText(words);
     m_open->setVisible(!trial.isEmpty());
@@ -199,7 +216,7 @@ void RunMeasuring::finish(const std::optional<Error> &error)
         QStringList warnings;
         for (const Message &warning : job->outcome().warnings)
             warnings << shownWords(warning);
-        Q_EMIT measured(trial, results, warnings);
+        Q_EMIT measured(trial, results, job->outcome().verdict, warnings);
     }
     goOn();
 }
@@ -230,11 +247,14 @@ RunResults::RunResults(Project &project, RunResultCard &card, QObject *parent)
 {
     connect(m_measuring, &RunMeasuring::measuredLive, this,
             [this](const QString &trial, const auto &results) {
-                show(trial, results, RunResultCard::From::Live);
+                if (isShown(trial))
+                    m_card.setLiveResults(trial, results);
             });
     connect(m_measuring, &RunMeasuring::measured, this,
-            [this](const QString &trial, const auto &results, const QStringList &warnings) {
-                show(trial, results, RunResultCard::From::Recording);
+            [this](const QString &trial, const auto &results, const TrialVerdict &verdict,
+                   const QStringList &warnings) {
+                if (isShown(trial))
+                    m_card.setFinalResults(trial, results, verdict);
                 Q_EMIT changed(withWarnings(tr("%1 is analysed.").arg(trial), warnings));
             });
     connect(m_measuring, &RunMeasuring::failed, this, [this](const QString &trial, const Error &error) {
@@ -263,17 +283,9 @@ void RunResults::takeGivenUp(const QString &trial, const Error &error)
     Q_EMIT failed(error);
 }
 
-/// Another run may have ended since; then the card is about that one.
-void RunResults::show(const QString &trial, const std::vector<RunResultCard::Result> &results,
-                      RunResultCard::From from)
-{
-    if (m_card.trial() == trial)
-        m_card.setResults(trial, results, from);
-}
-
 void RunResults::showFailure(const QString &trial, const QString &words)
 {
-    if (m_card.trial() == trial)
+    if (isShown(trial))
         m_card.setFailure(trial, words);
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/analysis/profile.h"
+#include "core/project/verdict_repository.h"
 #include "core/workflow/job.h"
 #include "core/workflow/record/live_tracking.h"
 #include "ui/models/background_task.h"
@@ -36,9 +37,12 @@ public:
         std::vector<Metric> metrics;
         std::size_t spikes = 0;
     };
-    enum class From { Live, Recording };
     void setWorking(const QString &trial);
-    void setResults(const QString &trial, const std::vector<Result> &results, From from);
+    /// From live tracking, as long as there is no better.
+    void setLiveResults(const QString &trial, const std::vector<Result> &results);
+    /// From every frame of the recording, with the verdict on them.
+    void setFinalResults(const QString &trial, const std::vector<Result> &results,
+                         const TrialVerdict &verdict);
     /// No metrics, and why.
     void setFailure(const QString &trial, const QString &words);
 
@@ -49,6 +53,8 @@ Q_SIGNALS:
     void openRequested(const QString &trial);
 
 private:
+    void showMetrics(const QString &trial, const std::vector<Result> &results);
+
     QString m_trial;
     MetricGrid *m_grid;
     QLabel *m_words;
@@ -76,7 +82,7 @@ public:
 Q_SIGNALS:
     void measuredLive(const QString &trial, const std::vector<odo::RunResultCard::Result> &results);
     void measured(const QString &trial, const std::vector<odo::RunResultCard::Result> &results,
-                  const QStringList &warnings);
+                  const odo::TrialVerdict &verdict, const QStringList &warnings);
     void failed(const QString &trial, const odo::Error &error);
 
 private:
@@ -118,8 +124,8 @@ Q_SIGNALS:
     void failed(const odo::Error &error);
 
 private:
-    void show(const QString &trial, const std::vector<RunResultCard::Result> &results,
-              RunResultCard::From from);
+    /// Another run may have ended since; then the card is about that one.
+    bool isShown(const QString &trial) const { return m_card.trial() == trial; }
     void showFailure(const QString &trial, const QString &words);
 
     RunMeasuring *m_measuring;

@@ -3,6 +3,7 @@
 
 #include "ui/models/number_text.h"
 #include "ui/models/shown_names.h"
+#include "ui/models/verdict_mark.h"
 #include "ui/views/charts/chart_image.h"
 #include "ui/views/charts/chart_overlay.h"
 #include "ui/views/charts/profile_chart.h"
@@ -45,12 +46,15 @@ void paintCard(QPainter &painter, const QRectF &rect, const QColor &ground, cons
     painter.drawRoundedRect(rect.adjusted(-0.5, -0.5, 0.5, 0.5), 4, 4);
 }
 
+/// Team, task, and what the verdict is where it was not passed.
 QString trialFacts(const TrialScene &scene)
 {
     QStringList facts;
     for (const QString &fact : {shownTeam(scene.trial), QString::fromStdString(scene.trial.task)})
         if (!fact.isEmpty())
             facts << fact;
+    if (scene.verdict.level() != CheckLevel::Pass)
+        facts << verdictBadge(scene.verdict).text;
     return facts.join(QStringLiteral(" · "));
 }
 

@@ -176,16 +176,19 @@ QDate dayOf(double ms)
     return QDateTime::fromMSecsSinceEpoch(qint64(ms)).date();
 }
 
-ChartCurve runsOf(const TeamStanding &team)
+/// A point each of those whose verdict is doubtful, or of the others.
+ChartCurve runsOf(const TeamStanding &team, bool isDoubtful)
 {
     ChartCurve runs;
     runs.kind = ChartCurve::Kind::Points;
-    runs.ink = ChartInk::Text;
+    runs.ink = isDoubtful ? ChartInk::Spike : ChartInk::Text;
     runs.widthPx = 2;
     CurveRun points;
     for (const TeamRun &run : team.runs)
-        points.points.emplace_back(msOf(run.date), CurveValue{run.metric.value, 0});
-    runs.runs = {std::move(points)};
+        if (run.isDoubtful == isDoubtful)
+            points.points.emplace_back(msOf(run.date), CurveValue{run.metric.value, 0});
+    if (!points.points.empty())
+        runs.runs = {std::move(points)};
     return runs;
 }
 
@@ -209,7 +212,8 @@ ChartDrawing trendDrawing(const TeamStanding &team)
 {
     const double firstMs = msOf(team.runs.front().date), lastMs = msOf(team.runs.back().date);
     auto content = std::make_shared<ChartContent>();
-    content->curves = {progressOf(team, firstMs, std::max(lastMs, firstMs + 1)), runsOf(team)};
+    content->curves = {progressOf(team, firstMs, std::max(lastMs, firstMs + 1)), runsOf(team, false),
+                       runsOf(team, true)};
     const auto [low, high] = std::ranges::minmax(team.statistics.values);
     const double spread = team.progress.spread.value_or(0);
     content->range = {low - spread, high + spread};
