@@ -3,6 +3,7 @@
 
 #include "core/trajectory/internal/contradiction_model.h"
 #include "core/trajectory/internal/floor_positions.h"
+#include "core/trajectory/internal/free_height.h"
 #include "core/trajectory/internal/fused_track.h"
 #include "core/trajectory/internal/height_estimation.h"
 #include "core/trajectory/internal/track_profile.h"
