@@ -24,6 +24,17 @@ tl::unexpected<Error> viewsExchanged(const ViewTrack &a, const ViewTrack &b)
                 ODO_TEXT("trajectory.import_exchanged", "import them again, each for its own camera"));
 }
 
+/// Onto the plane that a robot of these proportions has by the given height.
+void moveToGivenHeight(PositionedRobot &placed, double givenM)
+{
+    const double planeM =
+        placed.heightM > 0 ? placed.planeM * givenM / placed.heightM : silhouettePlaneM(givenM);
+    for (auto &view : placed.views)
+        for (Sighting &one : view)
+            one.position.pointInWorld += (planeM - placed.planeM) * one.position.displacementPerMetreHeight;
+    placed.planeM = planeM;
+}
+
 /// A robot's form is bent by what makes two views contradict each other, and may hide it. So that is looked
 /// for with a plain form as well; where there is something, the form is found once more as if it were put
 /// right, and the views are then taken as they are with that form.
@@ -49,11 +60,11 @@ bool positionUnbent(const std::vector<ViewTrack> &views, const std::vector<Nanos
             placed = std::move(*unlearned);
     }
     const bool isSuspicious = correction || views.size() > 2;
-    const double toldPlaneM = placed.planeM;
     for (int i = 0; correction && i < mostTimes; ++i) {
+        const bool isHeightWrong = correction->raiseM != 0;
         RobotShape corrected = shape;
-        if (shape.heightM && toldPlaneM > 0)
-            *corrected.heightM *= std::max(0.1, 1 + correction->raiseM / toldPlaneM);
+        if (isHeightWrong)
+            corrected.heightM.reset();
         const std::vector<ViewTrack> agreeing = correctedViews(views[0], views[1], *correction);
         auto unbent = plain(agreeing, corrected);
         if (!unbent) {
@@ -65,13 +76,8 @@ bool positionUnbent(const std::vector<ViewTrack> &views, const std::vector<Nanos
         placed = std::move(*unbent);
         placed.views = withoutCorrection(std::move(placed.views), *views[0].floorView, *views[1].floorView,
                                          *correction, placed.planeM);
-        if (correction->raiseM != 0) {
-            for (auto &view : placed.views)
-                for (Sighting &one : view)
-                    one.position.pointInWorld +=
-                        (toldPlaneM - placed.planeM) * one.position.displacementPerMetreHeight;
-            placed.planeM = toldPlaneM;
-        }
+        if (isHeightWrong)
+            moveToGivenHeight(placed, *shape.heightM);
         if (shape.heightM)
             placed.heightM = *shape.heightM;
         correction = correctionOf(placed);
