@@ -160,6 +160,8 @@ std::optional<PositionedRobot> positionPlainSolid(const std::vector<ViewTrack> &
                                                   const std::vector<Nanoseconds> &times,
                                                   const RobotShape &shape)
 {
+    if (!areSilhouettes(views))
+        return std::nullopt;
     return positionSolid(views, times, shape, findPlainSolid(views, shape));
 }
 

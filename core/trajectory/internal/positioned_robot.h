@@ -33,7 +33,7 @@ Result<PositionedRobot> positionRobot(const std::vector<ViewTrack> &views,
                                       const std::vector<Nanoseconds> &times, const RobotShape &shape);
 
 /// By a box or a cylinder only, which views that contradict each other can bend less than a form that is
-/// learned from them. nullopt: neither explains the outlines.
+/// learned from them. nullopt: neither explains the outlines, or they show too little to learn another form.
 std::optional<PositionedRobot> positionPlainSolid(const std::vector<ViewTrack> &views,
                                                   const std::vector<Nanoseconds> &times,
                                                   const RobotShape &shape);
