@@ -35,6 +35,12 @@ void moveToGivenHeight(PositionedRobot &placed, double givenM)
     placed.planeM = planeM;
 }
 
+/// The plane on which a robot's views are compared.
+ComparedPlane planeOf(const PositionedRobot &placed, const RobotShape &shape)
+{
+    return {placed.planeM, placed.planeSigmaM, shape.heightM.has_value(), placed.isPlainAndRight};
+}
+
 /// A robot's form is bent by what makes two views contradict each other, and may hide it. So that is looked
 /// for with a plain form as well; where there is something, the form is found once more as if it were put
 /// right, and the views are then taken as they are with that form.
@@ -49,8 +55,7 @@ bool positionUnbent(const std::vector<ViewTrack> &views, const std::vector<Nanos
         return isMark ? std::nullopt : positionPlainSolid(seen, times, given);
     };
     const auto correctionOf = [&](const PositionedRobot &robot, double least = leastEvidence) {
-        return likelyCorrection(views, robot.views,
-                                {robot.planeM, robot.planeSigmaM, shape.heightM.has_value()}, least);
+        return likelyCorrection(views, robot.views, planeOf(robot, shape), least);
     };
     auto correction = correctionOf(placed);
     if (!correction) {
@@ -93,9 +98,7 @@ std::vector<double> settle(const std::vector<ViewTrack> &views, const std::vecto
     PositionedRobot unbent = placed;
     const bool isSuspicious = positionUnbent(views, times, shape, unbent);
     auto explained =
-        isSuspicious ? explainContradiction(views, unbent.views,
-                                            {unbent.planeM, unbent.planeSigmaM, shape.heightM.has_value()})
-                     : std::nullopt;
+        isSuspicious ? explainContradiction(views, unbent.views, planeOf(unbent, shape)) : std::nullopt;
     if (explained)
         placed = std::move(unbent);
     std::vector<double> apartM = settleContradictions(placed.views);

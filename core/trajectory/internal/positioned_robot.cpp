@@ -72,6 +72,7 @@ std::optional<PositionedRobot> positionSolid(const std::vector<ViewTrack> &views
     placed.heightM = solid->shape.topM;
     placed.estimated = !given.heightM;
     placed.clearanceM = solid->shape.baseM;
+    placed.isPlainAndRight = solid->isPlainAndRight;
     placed.headings = std::move(solid->headings);
     return placed;
 }

@@ -19,7 +19,8 @@ struct PositionedRobot
     bool estimated = false;
     std::optional<double> clearanceM;                          ///< of a solid
     std::vector<std::optional<MeasuredHeading>> headings = {}; ///< of a solid, one a frame; or none at all
-    bool strays = false; ///< a mark, from its plane: the views then agree by their bearings
+    bool isPlainAndRight = false; ///< of a solid: a box or a cylinder that explains the outlines
+    bool strays = false;          ///< a mark, from its plane: the views then agree by their bearings
 };
 
 /// When a view's frames were taken, on the first view's clock.
