@@ -22,6 +22,7 @@ int runsOfEach()
 struct Measured
 {
     bool isRefused = false, isDoubted = false, isNamed = false, isNamedFirst = false;
+    bool isHeightKept = true;      ///< the given one, however wrong it seems
     double errorM = 0, sigmaM = 0; ///< root mean square of a coordinate; median
     double insideShare = 0;        ///< of the frames, in which the stated 95 % hold both coordinates
     std::string words;
@@ -77,6 +78,8 @@ Measured measured(const DrawnRun &run)
         result.words = profile.error().message();
         return result;
     }
+    result.isHeightKept = profile->heightEstimated != run.told.heightM.has_value() &&
+                          (profile->heightEstimated || profile->heightM == *run.told.heightM);
     double squares = 0, count = 0, inside = 0;
     std::vector<double> sigmas;
     for (std::size_t i = 0; i < profile->points.size(); ++i) {
@@ -182,6 +185,7 @@ private Q_SLOTS:
                 const DrawnRun run = RunDrawer(seed).draw(wrong, (i + 0.5) / runs);
                 const Measured as = wrong == Wrong::Nothing ? untouched->second : measured(run);
                 print(run, i, as, untouched->second);
+                QVERIFY(as.isHeightKept);
                 if (wrong != Wrong::Nothing)
                     add(all[wrong], as, untouched->second);
             }

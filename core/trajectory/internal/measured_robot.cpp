@@ -33,6 +33,8 @@ void moveToGivenHeight(PositionedRobot &placed, double givenM)
         for (Sighting &one : view)
             one.position.pointInWorld += (planeM - placed.planeM) * one.position.displacementPerMetreHeight;
     placed.planeM = planeM;
+    placed.heightM = givenM;
+    placed.estimated = false;
 }
 
 /// The plane on which a robot's views are compared.
