@@ -176,6 +176,7 @@ std::optional<FoundSolid> findPlainSolid(const std::vector<ViewTrack> &views, co
     if (!box || box->misfit > worstShapeMisfit)
         return std::nullopt;
     PositionedSolid placed = positionedSolid(views, *box);
+    placed.solid.isPlainAndRight = box->misfit < 1;
     if (box->shape.form == SolidShape::Form::Box)
         placed.solid.headings =
             headingsOfBody(views, placed.solid.seen,

@@ -19,6 +19,8 @@ struct FoundSolid
     std::vector<std::vector<Sighting>> seen; ///< of each observation of each view
     /// of each observation of the first view; a cylinder has none
     std::vector<std::optional<MeasuredHeading>> headings = {};
+    /// a box or a cylinder from which the outlines differ by less than their uncertainty
+    bool isPlainAndRight = false;
 };
 
 /// The simplest solid that explains the outlines of all views: a box or a cylinder (estimateShape), or, where

@@ -88,60 +88,89 @@ private Q_SLOTS:
 
     void theCapIsFollowedInBothViews()
     {
-        for (const QString &camera : {QStringLiteral("A"), QStringLiteral("B")})
-            QCOMPARE(good({QStringLiteral("intrinsics"), QStringLiteral("import"), project(), camera,
-                           data("cap-two-views/") + camera + QStringLiteral(".yaml")})
-                         .exitStatus,
-                     0);
-        QCOMPARE(good({QStringLiteral("layout"), QStringLiteral("add"), project(), QStringLiteral("floor"),
-                       data("cap-two-views/layout.csv")})
-                     .exitStatus,
-                 0);
-        for (const QString &camera : {QStringLiteral("A"), QStringLiteral("B")}) {
-            const ProgramRun run = good(
-                {QStringLiteral("register"), project(), QStringLiteral("--camera"), camera,
-                 QStringLiteral("--layout"), QStringLiteral("floor"), QStringLiteral("--pixels"),
-                 data("cap-two-views/pixels_") + camera + QStringLiteral(".csv"), QStringLiteral("--json")});
-            QCOMPARE(run.exitStatus, 0);
-            qInfo("camera %s: %.1f mm RMS", qPrintable(camera),
-                  run.json().value(QStringLiteral("rms_mm")).toDouble());
-        }
-        QCOMPARE(good({QStringLiteral("robot"), QStringLiteral("add"), project(), QStringLiteral("cap"),
-                       QStringLiteral("--colour"), QStringLiteral("#2c717a"), QStringLiteral("--height"),
-                       QStringLiteral("1.6m")})
-                     .exitStatus,
-                 0);
-        QCOMPARE(good({QStringLiteral("import"), project(), QStringLiteral("--trial"), QStringLiteral("walk"),
-                       QStringLiteral("--video"), QStringLiteral("A=") + data("cap-two-views/A.mp4"),
-                       QStringLiteral("--video"), QStringLiteral("B=") + data("cap-two-views/B.mp4"),
-                       QStringLiteral("--sync"), QStringLiteral("0"), QStringLiteral("--robot"),
-                       QStringLiteral("cap")})
-                     .exitStatus,
-                 0);
-        const ProgramRun track =
-            good({QStringLiteral("track"), project(), QStringLiteral("walk"), QStringLiteral("--json")});
-        QCOMPARE(track.exitStatus, 0);
+        const QString file = m_folder.filePath(QStringLiteral("walk.odo"));
+        const QJsonObject track = trackedCap(file, "cap-two-views", QStringLiteral("1.6m"));
         const QJsonObject cap =
-            track.json().value(QStringLiteral("robots")).toObject().value(QStringLiteral("cap")).toObject();
+            track.value(QStringLiteral("robots")).toObject().value(QStringLiteral("cap")).toObject();
         QCOMPARE(cap.value(QStringLiteral("frames")).toInt(), 100);
         QVERIFY(cap.value(QStringLiteral("tracked")).toInt() >= 99);
-        QVERIFY2(track.json().value(QStringLiteral("warnings")).toArray().isEmpty(), track.err);
-        compareWithReference();
+        QVERIFY(track.value(QStringLiteral("warnings")).toArray().isEmpty());
+        compareWithReference(file, 150);
+    }
+
+    /// With its height free, in the frames of one view alone as well: no sample that is right is flagged.
+    void theCapIsTriangulated_data()
+    {
+        QTest::addColumn<bool>("hasReference");
+        QTest::newRow("cap-two-views") << true;
+        QTest::newRow("cap-many-people") << false;
+    }
+    void theCapIsTriangulated()
+    {
+        QFETCH(bool, hasReference);
+        const QString file =
+            m_folder.filePath(QString::fromLatin1(QTest::currentDataTag()) + QLatin1String(".odo"));
+        const QJsonObject track = trackedCap(file, QTest::currentDataTag(), QStringLiteral("free"));
+        const QJsonObject cap =
+            track.value(QStringLiteral("robots")).toObject().value(QStringLiteral("cap")).toObject();
+        QVERIFY(cap.value(QStringLiteral("tracked")).toInt() >= 99);
+        const QJsonObject shown =
+            good({QStringLiteral("show"), file, QStringLiteral("walk"), QStringLiteral("--json")}).json();
+        const QJsonArray spikes = shown.value(QStringLiteral("robots"))
+                                      .toObject()
+                                      .value(QStringLiteral("cap"))
+                                      .toObject()
+                                      .value(QStringLiteral("spikes"))
+                                      .toArray();
+        QCOMPARE(spikes, QJsonArray());
+        QCOMPARE(shown.value(QStringLiteral("verdict")).toObject().value(QStringLiteral("level")).toString(),
+                 QStringLiteral("pass"));
+        if (hasReference)
+            compareWithReference(file, 10);
     }
 
 private:
-    void compareWithReference()
+    /// A project of a person in a cap before two cameras; what tracking answers.
+    QJsonObject trackedCap(const QString &file, const char *folder, const QString &height) const
+    {
+        const auto run = [](const QStringList &arguments) { return good(arguments).exitStatus == 0; };
+        const auto in = [&](const char *name) { return data(folder) + u'/' + QLatin1String(name); };
+        bool isMade =
+            run({QStringLiteral("new"), file}) && run({QStringLiteral("layout"), QStringLiteral("add"), file,
+                                                       QStringLiteral("floor"), in("layout.csv")});
+        for (const QString &camera : {QStringLiteral("A"), QStringLiteral("B")})
+            isMade = isMade &&
+                     run({QStringLiteral("intrinsics"), QStringLiteral("import"), file, camera,
+                          data("cap-two-views/") + camera + QStringLiteral(".yaml")}) &&
+                     run({QStringLiteral("register"), file, QStringLiteral("--camera"), camera,
+                          QStringLiteral("--layout"), QStringLiteral("floor"), QStringLiteral("--pixels"),
+                          in("pixels_") + camera + QStringLiteral(".csv")});
+        isMade = isMade &&
+                 run({QStringLiteral("robot"), QStringLiteral("add"), file, QStringLiteral("cap"),
+                      QStringLiteral("--colour"), QStringLiteral("#2c717a"), QStringLiteral("--height"),
+                      height}) &&
+                 run({QStringLiteral("import"), file, QStringLiteral("--trial"), QStringLiteral("walk"),
+                      QStringLiteral("--video"), QStringLiteral("A=") + in("A.mp4"),
+                      QStringLiteral("--video"), QStringLiteral("B=") + in("B.mp4"), QStringLiteral("--sync"),
+                      QStringLiteral("0"), QStringLiteral("--robot"), QStringLiteral("cap")});
+        return isMade
+                   ? good({QStringLiteral("track"), file, QStringLiteral("walk"), QStringLiteral("--json")})
+                         .json()
+                   : QJsonObject();
+    }
+
+    void compareWithReference(const QString &file, double mostMm)
     {
         const QString out = m_folder.filePath(QStringLiteral("cap.csv"));
-        QCOMPARE(
-            good({QStringLiteral("export"), project(), QStringLiteral("walk"), QStringLiteral("-o"), out})
-                .exitStatus,
-            0);
+        QCOMPARE(good({QStringLiteral("export"), file, QStringLiteral("walk"), QStringLiteral("-o"), out,
+                       QStringLiteral("--force")})
+                     .exitStatus,
+                 0);
         const auto rows = [](const QString &name) {
-            QFile file(name);
+            QFile table(name);
             QList<QList<QByteArray>> all;
-            if (file.open(QIODevice::ReadOnly)) {
-                for (const QByteArray &line : file.readAll().trimmed().split('\n').mid(1))
+            if (table.open(QIODevice::ReadOnly)) {
+                for (const QByteArray &line : table.readAll().trimmed().split('\n').mid(1))
                     all << line.trimmed().split(',');
             }
             return all;
@@ -164,7 +193,7 @@ private:
         const double rmsMm = std::sqrt(sum / compared);
         qInfo("cap: %.1f mm RMS on the floor over %d frames", rmsMm, compared);
         QVERIFY(compared >= 95);
-        QVERIFY(rmsMm <= 150);
+        QVERIFY(rmsMm <= mostMm);
     }
 
 private Q_SLOTS:

@@ -79,6 +79,51 @@ private Q_SLOTS:
                  qPrintable(QString::number(errorsOf(*varying, course).positionM)));
     }
 
+    /// A cap on a walking person, lost by one view for a fifth of a second and for most of one, and taken for
+    /// something else in between: the height is then known from before and after only.
+    void whatOneViewSeesIsAsUncertainAsItsHeight()
+    {
+        const auto bobbing = [](double t) { return 1.3 + 0.1 * std::sin(5 * t); };
+        auto views = filmedOnRamp(bobbing, 7);
+        const auto isIn = [](const auto &at, double fromS, double toS) {
+            return toSeconds(at.time) >= fromS && toSeconds(at.time) < toS;
+        };
+        const auto isLost = [&](const auto &at) { return isIn(at, 2, 2.2) || isIn(at, 4, 4.8); };
+        const auto isFalse = [&](const auto &at) { return isIn(at, 6.5, 6.8); };
+        for (Observation &one : views[0].observations) {
+            one.found = !isLost(one);
+            if (isFalse(one))
+                one.ellipse.centrePx.x() += 300;
+        }
+        const Course course = figureEight(0.8, 0.4, 8);
+        const auto profile = analyse(views, {{}, {}, {}, true}, {});
+        QVERIFY(profile.has_value());
+        int alone = 0, inside = 0, refused = 0, falsePositions = 0;
+        double sigmaBothM = 0, sigmaAloneM = 0;
+        for (std::size_t i = 0; i < profile->samples.size(); ++i) {
+            const Sample &sample = profile->samples[i];
+            const double sigmaM = std::sqrt(sample.covariance.trace() / 2);
+            const double awayM = (*sample.position - course(toSeconds(sample.time)).position).norm();
+            if (isFalse(sample)) {
+                falsePositions += isUsed(sample) && awayM > 4 * sigmaM;
+                continue;
+            }
+            refused += !isUsed(sample);
+            if (isLost(sample)) {
+                ++alone;
+                inside += awayM < 2.45 * sigmaM; // 95 % of two coordinates
+                sigmaAloneM = std::max(sigmaAloneM, sigmaM);
+            } else {
+                sigmaBothM = std::max(sigmaBothM, sigmaM);
+            }
+        }
+        QCOMPARE(refused, 0);
+        QCOMPARE(falsePositions, 0);
+        QVERIFY2(10 * inside >= 9 * alone, qPrintable(QStringLiteral("%1 of %2").arg(inside).arg(alone)));
+        QVERIFY(sigmaAloneM > 5 * sigmaBothM);
+        QVERIFY(errorsOf(*profile, course).positionM < 0.1);
+    }
+
     void aWrongHeightIsMendedByTheBearingsOfTwoViews()
     {
         // Told 0.5 m, but between 0.05 and 0.45 m: one view alone is off by up to half a metre, both together

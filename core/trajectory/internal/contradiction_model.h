@@ -2,32 +2,14 @@
 #pragma once
 
 #include "core/analysis/profile.h"
-#include "core/trajectory/analyser.h"
+#include "core/trajectory/internal/compared_pair.h"
 #include "core/trajectory/internal/floor_positions.h"
+#include "core/trajectory/internal/pair_correction.h"
 
-#include <optional>
 #include <span>
 #include <vector>
 
 namespace odo {
-
-/// What is known of two views' positions besides their covariances.
-struct PairPriors
-{
-    double planeM = 0, planeSigmaM = 0; ///< height of the plane of the positions
-    bool isHeightGiven = false;         ///< and not estimated from these positions
-    double offsetSigmaS = 0;            ///< of the time offset of the one view against the other
-};
-
-/// What would make two views agree.
-struct PairCorrection
-{
-    Eigen::Vector3d turnA = Eigen::Vector3d::Zero(),
-                    turnB = Eigen::Vector3d::Zero(); ///< of the cameras, world
-    std::optional<Nanoseconds> since;                ///< of the turns
-    double laterS = 0, laterPerS = 0, aboutS = 0;    ///< the second view was seen so much later, at aboutS
-    double raiseM = 0;                               ///< of the plane, where its height is wrong
-};
 
 /// A possible cause of a contradiction, fitted to a pair of views.
 struct FittedCause
@@ -40,15 +22,6 @@ struct FittedCause
     std::vector<Eigen::Matrix2d> offCovarianceM2; ///< of that
     std::vector<double> sigmaM; ///< of the fused position as stated, both coordinates together
 };
-
-/// Two views with a correction applied. One whose camera moved during the run is there twice, last as it was
-/// before.
-std::vector<ViewTrack> correctedViews(const ViewTrack &a, const ViewTrack &b,
-                                      const PairCorrection &correction);
-/// Sightings of correctedViews as the views are registered and synchronised, on the plane they are on.
-std::vector<std::vector<Sighting>> withoutCorrection(std::vector<std::vector<Sighting>> corrected,
-                                                     const FloorView &viewA, const FloorView &viewB,
-                                                     const PairCorrection &correction, double planeM);
 
 /// Which causes explain the differences of two views' positions over floor and time better than the errors
 /// that are stated: those of the registrations (correlated over the floor as FloorView says), of the height,

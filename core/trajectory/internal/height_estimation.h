@@ -39,24 +39,6 @@ std::vector<std::vector<Sighting>> viewFromAllSides(const std::vector<ViewTrack>
 PlaneChoice choosePlane(const std::vector<ViewTrack> &views, const std::vector<Nanoseconds> &times,
                         const RobotShape &shape);
 
-/// Sightings at the height that the views agree on at each time by itself.
-struct FreeHeightSightings
-{
-    std::vector<std::vector<Sighting>> views; ///< as given, each shifted to the height of its time
-    double medianHeightM = 0;
-};
-
-/// For a robot whose height changes (on a ramp): at each time with two views or more, the height at which
-/// their rays come nearest (weighted least squares, as estimatePlane, but for one time), the point being what
-/// both see; where one view is alone, or the height jumps by more than 0.15 m against the median of the half
-/// second around, that median. views: each view's sightings at the same times, projected onto z = 0. nullopt:
-/// fewer than ten times with two views.
-std::optional<FreeHeightSightings> freeHeight(std::vector<std::vector<Sighting>> views);
-
-/// How far the height at which the views' rays come nearest strays from one height, as a σ (1.4826 · median
-/// of the absolute deviations); 0 with fewer than ten times. views: as for freeHeight.
-double heightScatterM(const std::vector<std::vector<Sighting>> &views, double heightM);
-
 /// Whether what the views see is only a mark at the robot's top (a cap, a ball on a mast) and not a body that
 /// reaches down to the floor: the outline is then shorter than half of what a body of that height would span
 /// in the image, from its foot to its top. Median over all sightings; false where there is none.

@@ -13,21 +13,37 @@ namespace odo {
 namespace {
 
 constexpr double averagedSamples = 10;
+constexpr double usualScatter = 2; // of a steady offset, times the variance of single frames
 
 /// How far a view lay beside the fused track, and when that was last seen.
 struct ViewOffset
 {
     Eigen::Vector2d mean = Eigen::Vector2d::Zero();
+    Eigen::Matrix2d scatter = Eigen::Matrix2d::Zero(); ///< about the mean
+    double frameVariance = 0;                          ///< of single frames as stated, mean
     double weight = 0;
     Nanoseconds time{0};
     Eigen::Vector2d position = Eigen::Vector2d::Zero();
 
-    void add(const Eigen::Vector2d &residual, const Sample &sample)
+    void add(const FloorPosition &seen, const Sample &sample)
     {
+        const Eigen::Vector2d away = seen.pointInWorld - *sample.position - mean;
         weight = std::min(weight + 1, averagedSamples);
-        mean += (residual - mean) / weight;
+        mean += away / weight;
+        scatter += (away * away.transpose() - scatter) / weight;
+        frameVariance += (seen.pixelCovariance.trace() - frameVariance) / weight;
+        if (weight == 1)
+            scatter.setZero();
         time = sample.time;
         position = *sample.position;
+    }
+
+    /// Of an offset that changes: it will be as far from its mean.
+    Eigen::Matrix2d unsteadiness() const
+    {
+        const double excess = scatter.trace() - usualScatter * frameVariance;
+        return excess > 0 ? Eigen::Matrix2d(excess / scatter.trace() * scatter)
+                          : Eigen::Matrix2d(Eigen::Matrix2d::Zero());
     }
 
     /// What of it is expected at another position.
@@ -58,7 +74,7 @@ public:
             return std::nullopt;
         const bool joined = std::popcount(sample.views) > 1 && !isRejected(sample.flags);
         if (joined)
-            m_offset.add(m_sightings[i].position.pointInWorld - *sample.position, sample);
+            m_offset.add(m_sightings[i].position, sample);
         return !joined && sample.views == m_bit && m_offset.weight > 0 ? std::optional(m_offset)
                                                                        : std::nullopt;
     }
@@ -70,17 +86,23 @@ private:
     ViewOffset m_offset;
 };
 
-/// The offset to take from a sample that the view carries alone.
-Eigen::Vector2d offsetOf(const Sample &sample, const std::optional<ViewOffset> &before,
-                         const std::optional<ViewOffset> &behind, const std::optional<FloorView> &view)
+/// Takes the offset from a sample that the view carries alone.
+void align(Sample &sample, const std::optional<ViewOffset> &before, const std::optional<ViewOffset> &behind,
+           const std::optional<FloorView> &view)
 {
-    if (!before || !behind)
-        return (before ? *before : *behind).at(*sample.position, view);
+    const Eigen::Vector2d point = *sample.position;
+    if (!before || !behind) {
+        const ViewOffset &known = before ? *before : *behind;
+        *sample.position -= known.at(point, view);
+        sample.covariance += known.unsteadiness();
+        return;
+    }
     const double span = toSeconds(behind->time - before->time);
-    const double fraction =
-        span > 0 ? std::clamp(toSeconds(sample.time - before->time) / span, 0.0, 1.0) : 0.5;
-    return (1 - fraction) * before->at(*sample.position, view) +
-           fraction * behind->at(*sample.position, view);
+    const double late = span > 0 ? std::clamp(toSeconds(sample.time - before->time) / span, 0.0, 1.0) : 0.5,
+                 early = 1 - late;
+    const Eigen::Vector2d first = before->at(point, view), last = behind->at(point, view);
+    *sample.position -= early * first + late * last;
+    sample.covariance += early * before->unsteadiness() + late * behind->unsteadiness();
 }
 
 } // namespace
@@ -103,7 +125,7 @@ void alignSingleViews(FusedTrack &track, const std::vector<std::vector<Sighting>
             const auto after = behind.find(i);
             const auto its = after != behind.end() ? after->second : std::nullopt;
             if (before || its)
-                *samples[i].position -= offsetOf(samples[i], before, its, views[v].floorView);
+                align(samples[i], before, its, views[v].floorView);
         }
     }
 }

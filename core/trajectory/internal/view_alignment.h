@@ -15,8 +15,8 @@ namespace odo {
 /// into speed. But an error of a calibration changes over the floor: where the view's covariances are known,
 /// of what was found at q there counts C(p,q)·C(q,q)⁻¹ at p, the best linear prediction (C: the view's
 /// sharedCovariance). Averages over about ten samples with several views; a view that was never together with
-/// another is left as it is. sightings: those the track was fused from; views: as long. Covariances stay
-/// those of the single view.
+/// another is left as it is. Where what was found changes more than the noise of single frames explains, the
+/// covariance grows by it. sightings: those the track was fused from; views: as long.
 void alignSingleViews(FusedTrack &track, const std::vector<std::vector<Sighting>> &sightings,
                       const std::vector<ViewTrack> &views);
 
