@@ -40,8 +40,8 @@ struct ZoneBreach
 };
 
 /// Breaches of all zones by the smoothed track, in order of their beginnings. A breach is significant:
-/// somewhere in it the point is beyond the edge by more than three σ of the track's own noise (and 0.5 mm). A
-/// gap of the profile is not judged: a breach ends before it.
+/// somewhere in it the point is beyond the edge by more than six σ of the track's own noise (and 0.5 mm), and
+/// it ends where the point is back by as much. A gap of the profile is not judged: a breach ends before it.
 std::vector<ZoneBreach> findZoneBreaches(const std::vector<Zone> &zones, const std::vector<Sample> &samples,
                                          const std::vector<ProfilePoint> &points);
 

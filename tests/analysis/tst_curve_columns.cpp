@@ -133,7 +133,7 @@ private Q_SLOTS:
         std::vector<double> positions;
         for (int i = 0; i < 10; ++i)
             positions.push_back(3 * i);
-        const auto runs = curveRuns(values, positions);
+        const auto runs = curveRuns(values, positions, {{0, 9}});
         QCOMPARE(runs.size(), std::size_t(2));
         QCOMPARE(runs[0].firstSample, std::size_t(1));
         QCOMPARE(runs[1].points.front().x, 18.0);
