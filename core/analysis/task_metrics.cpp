@@ -385,11 +385,14 @@ std::vector<Metric> measureZones(const std::vector<Zone> &zones, const std::vect
         const std::vector<Stretch> stretches = stretchesBeyond(standings, 0);
         count += stretches.size();
         timeS += timeOf(stretches);
-        double crossings = 0;
-        for (const Stretch &stretch : stretches)
-            crossings += stretch.beginVariance + stretch.endVariance;
+        double crossings = 0, variance = 0;
+        for (const Stretch &stretch : stretches) {
+            crossings += (stretch.beginVariance > 0) + (stretch.endVariance > 0);
+            variance += stretch.beginVariance + stretch.endVariance;
+        }
         // Of a robot that is parked on an edge its crossings say too little.
-        ends += std::max(crossings, std::pow(changeOfTime(standings, ownSigmaM(standings)), 2));
+        ends += std::max(variance, std::pow(changeOfTime(standings, ownSigmaM(standings)), 2) /
+                                       std::max(1.0, crossings));
         // One calibration shifts the track against all zones: their parts go together.
         common += changeOfTime(standings, commonSigmaM(standings));
     }

@@ -21,13 +21,13 @@ constexpr double drivenS = 20;
 int runsOfEach()
 {
     const int told = qEnvironmentVariableIntValue("ODOGRAPH_SLOW_RUNS");
-    return told > 0 ? told : 2;
+    return told > 0 ? told : 3;
 }
 
 /// Along a line for 20 s, or on a wide curve; every third run stands for 4 s before it and after.
 Profile analysed(double speedMps, double noiseM, int run)
 {
-    std::mt19937 random(unsigned(run) + 1);
+    std::mt19937 random(unsigned(run) + unsigned(1e6 * speedMps) + 1);
     std::normal_distribution<double> noise(0, noiseM);
     const double standsS = run % 3 == 2 ? 4 : 0, turnRadps = run % 2 == 1 ? 0.1 : 0;
     std::vector<ImportedPosition> track;
