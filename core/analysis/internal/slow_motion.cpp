@@ -139,14 +139,16 @@ std::vector<MotionStretch> withSlowMotions(const std::vector<RunInstant> &instan
                                            const std::vector<MotionStretch> &motions)
 {
     std::vector<MotionStretch> all;
+    MotionStretch before; // the last one that was added, before it became part of another
     const auto add = [&](const MotionStretch &motion) {
-        if (!all.empty() && goesOn(instants, all.back(), motion)) {
+        if (!all.empty() && goesOn(instants, before, motion)) {
             all.back().last = motion.last;
             all.back().stopS = motion.stopS;
             all.back().stopMps = motion.stopMps;
         } else {
             all.push_back(motion);
         }
+        before = motion;
     };
     const auto addRest = [&](std::size_t first, std::size_t end) {
         while (first < end) { // parts without a gap
