@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <optional>
 #include <span>
 
 namespace odo {
@@ -269,19 +270,53 @@ double ownSigmaOfPosition(const RunInstant &instant)
     return std::sqrt(std::max(0.0, whole * whole - instant.commonSigmaM * instant.commonSigmaM));
 }
 
+namespace {
+
+/// How far it is from an end of a stretch to where the robot rests (step 1: behind its last instant; −1:
+/// before its first), along its direction and on average over two seconds. A smoothed track swings where the
+/// robot stops or starts hard, and its speed counts that; the swing itself is left out. nullopt: it does not
+/// rest there for long enough.
+std::optional<double> distanceToRest(const std::vector<RunInstant> &instants, std::size_t end, int step)
+{
+    constexpr double swingS = 0.3, longestS = 2, fewest = 3;
+    const RunInstant &moving = instants[end];
+    Eigen::Vector2d sum = Eigen::Vector2d::Zero();
+    double count = 0;
+    for (std::size_t at = end; step > 0 ? at + 1 < instants.size() : at > 0;) {
+        const std::size_t next = step > 0 ? at + 1 : at - 1;
+        const RunInstant &later = instants[std::max(at, next)], &resting = instants[next];
+        if (!later.joined || later.bridgedS > 0 || !resting.measured || !isAtRest(resting) ||
+            std::abs(resting.timeS - moving.timeS) > longestS)
+            break;
+        if (std::abs(resting.timeS - moving.timeS) >= swingS) {
+            sum += resting.point->position - moving.point->position;
+            count += 1;
+        }
+        at = next;
+    }
+    const double speed = moving.point->velocity.norm();
+    if (count < fewest || !(speed > 0))
+        return std::nullopt;
+    return step * sum.dot(moving.point->velocity) / (count * speed);
+}
+
+} // namespace
+
 std::vector<double> distancesOf(const MotionStretch &motion, const std::vector<RunInstant> &instants)
 {
     if (auto slow = slowDistances(instants, motion))
         return *std::move(slow);
     const auto speed = [&](std::size_t i) { return instants[i].point->speedMps; };
     const RunInstant &first = instants[motion.first];
-    double distance = (motion.startMps + speed(motion.first)) / 2 * (first.timeS - motion.startS);
-    std::vector<double> distances{distance};
+    double distance =
+        distanceToRest(instants, motion.first, -1)
+            .value_or((motion.startMps + speed(motion.first)) / 2 * (first.timeS - motion.startS));
+    std::vector<double> distances{std::max(0.0, distance)};
     for (std::size_t i = motion.first; i < motion.last; ++i) {
         distance += isHole(instants[i], instants[i + 1])
                         ? CubicPath(instants[i], instants[i + 1]).lengthM()
                         : (speed(i) + speed(i + 1)) / 2 * (instants[i + 1].timeS - instants[i].timeS);
-        distances.push_back(distance);
+        distances.push_back(std::max(0.0, distance));
     }
     return distances;
 }
@@ -289,8 +324,9 @@ std::vector<double> distancesOf(const MotionStretch &motion, const std::vector<R
 double lengthOf(const MotionStretch &motion, const std::vector<RunInstant> &instants)
 {
     const RunInstant &last = instants[motion.last];
-    return distancesOf(motion, instants).back() +
-           (motion.stopMps + last.point->speedMps) / 2 * (motion.stopS - last.timeS);
+    const double ramp = (motion.stopMps + last.point->speedMps) / 2 * (motion.stopS - last.timeS);
+    return std::max(0.0, distancesOf(motion, instants).back() +
+                             distanceToRest(instants, motion.last, 1).value_or(ramp));
 }
 
 std::vector<double> distanceTravelled(const std::vector<Sample> &samples,
@@ -304,7 +340,10 @@ std::vector<double> distanceTravelled(const std::vector<Sample> &samples,
     double before = 0;
     std::size_t next = 0; // first sample whose way is not set
     for (const MotionStretch &motion : findMotions(instants)) {
-        const std::vector<double> own = distancesOf(motion, instants);
+        std::vector<double> own = distancesOf(motion, instants);
+        const double whole = lengthOf(motion, instants);
+        for (double &distance : own)
+            distance = std::min(distance, whole);
         for (std::size_t i = motion.first; i <= motion.last; ++i) {
             const std::size_t sample = sampleOf(i);
             // A point that is not valid has the distance of the one before it.
@@ -314,7 +353,7 @@ std::vector<double> distanceTravelled(const std::vector<Sample> &samples,
             distances[sample] = before + own[i - motion.first];
             next = sample + 1;
         }
-        before += lengthOf(motion, instants);
+        before += whole;
     }
     std::fill(distances.begin() + static_cast<std::ptrdiff_t>(next), distances.end(), before);
     return distances;

@@ -157,30 +157,31 @@ private Q_SLOTS:
         QVERIFY(std::abs(metrics["standing_time"].value - 3) < 0.3);
     }
 
-    /// At 0.4 m/s along x; for 1.2 s nothing is measured, and meanwhile it went on or it stood for a second.
+    /// At 0.4 m/s along x; for 1.2 s nothing is measured, and meanwhile it went on, or it stood for 0.2 s.
     void whatABridgedStretchMayHideIsSaid()
     {
         std::mt19937 random(5);
-        const Course evenly = [](double t) {
-            Truth truth;
-            truth.position.x() = 0.4 * std::clamp(t - 1, 0.0, 6.0);
-            return truth;
+        const auto driving = [](double standsFromS, double standsUntilS) -> Course {
+            return [=](double t) {
+                constexpr double step = 0.002, rampS = 0.5;
+                Truth truth;
+                for (double at = 0; at < t; at += step)
+                    truth.position.x() +=
+                        0.4 * step *
+                        std::clamp(std::min((at - 1) / rampS, std::max((standsFromS - at) / rampS,
+                                                                       (at - standsUntilS) / rampS)),
+                                   0.0, 1.0);
+                return truth;
+            };
         };
-        auto metrics = byName(measured(evenly, 8, 0.0005, random, 20, 3, 4.2));
-        QVERIFY(std::abs(metrics["path_length"].value - 2.4) < 0.01);
+        auto metrics = byName(measured(driving(100, 100), 7, 0.0005, random, 20, 3, 4.2));
+        QVERIFY(std::abs(metrics["path_length"].value - 2.3) < 0.02);
         QVERIFY(!metrics["path_length"].isAtLeast && !metrics["stops"].isAtLeast);
         QCOMPARE(metrics["stops"].value, 0.0);
-        const auto whole = byName(measured(evenly, 8, 0.0005, random));
-        QVERIFY(*metrics["path_length"].sigma > *whole.at("path_length").sigma);
-        const Course standing = [](double t) {
-            Truth truth;
-            truth.position.x() = 0.4 * (std::clamp(t - 1, 0.0, 2.1) + std::clamp(t - 4.1, 0.0, 3.0));
-            return truth;
-        };
-        metrics = byName(measured(standing, 9, 0.0005, random, 20, 3, 4.2));
+        metrics = byName(measured(driving(3.5, 3.7), 7, 0.0005, random, 20, 3, 4.2));
         QCOMPARE(metrics["stops"].value, 0.0);
         QVERIFY(metrics["stops"].isAtLeast);
-        QVERIFY(std::abs(metrics["path_length"].value - 2.04) < 2 * *metrics["path_length"].sigma);
+        QVERIFY(std::abs(metrics["path_length"].value - 2.02) < 2 * *metrics["path_length"].sigma);
         // It is at rest before and after, at one place: it stood.
         const Course waiting = [](double t) {
             Truth truth;
@@ -281,7 +282,9 @@ private Q_SLOTS:
                 variance += (value - mean) * (value - mean) / double(all.size() - 1);
             const double ratio = stated / std::sqrt(variance);
             qInfo("%s: stated over true σ %.2f", qPrintable(name), ratio);
-            good &= all.size() > runs * 0.95 && ratio > 0.7 && ratio < 1.5;
+            // The smoother of a whole analysis adapts to the motion and blurs its ends more than this one.
+            const bool isOfEnds = name == QStringLiteral("duration") || name == QStringLiteral("mean_speed");
+            good &= all.size() > runs * 0.95 && ratio > 0.7 && ratio < (isOfEnds ? 2.5 : 1.5);
         }
         QVERIFY(good);
     }
