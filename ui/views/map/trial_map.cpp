@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/views/map/trial_map.h"
 
+#include "core/analysis/motion_stretches.h"
 #include "core/analysis/quantity_curve.h"
 #include "ui/models/number_text.h"
 #include "ui/models/scene_uncertainty.h"
@@ -34,6 +35,22 @@ class TrailPaintingWords
 
 constexpr double tolerancePx = 0.2; // less cannot be seen, and strokes cost by the point
 
+/// Between two points next to one another: as the metrics bridge it.
+void addCubic(const Profile &profile, const ProfilePiece &piece, const MapPlan &plan, LineSimplifier &run)
+{
+    const auto instantOf = [&profile](std::size_t i) {
+        return RunInstant{toSeconds(profile.samples[i].time), &profile.points[i]};
+    };
+    const RunInstant from = instantOf(piece.first), to = instantOf(piece.last);
+    if (!(to.timeS > from.timeS))
+        return;
+    const CubicPath cubic(from, to);
+    for (int i = 1; i < CubicPath::parts; ++i) {
+        const double part = double(i) / CubicPath::parts;
+        run.add(plan.fromWorld({cubic.x.value(part), cubic.y.value(part)}));
+    }
+}
+
 /// The path of the smoothed positions, in pieces without gaps.
 QPainterPath pathOf(const Profile &profile, const std::vector<ProfilePiece> &pieces, const MapPlan &plan,
                     bool bridged)
@@ -43,7 +60,10 @@ QPainterPath pathOf(const Profile &profile, const std::vector<ProfilePiece> &pie
     for (const ProfilePiece &piece : pieces) {
         if (piece.isBridged != bridged)
             continue;
-        for (std::size_t i = piece.first; i <= piece.last; ++i)
+        run.add(plan.fromWorld(profile.points[piece.first].position));
+        if (piece.last == piece.first + 1)
+            addCubic(profile, piece, plan, run);
+        for (std::size_t i = piece.first + 1; i <= piece.last; ++i)
             run.add(plan.fromWorld(profile.points[i].position));
         pathLine.addPolygon(run.take());
     }
