@@ -106,11 +106,13 @@ double sigmaOfPosition(const ProfilePoint &point);
 double ownSigmaOfPosition(const RunInstant &instant);
 
 /// The distance travelled from the start of a stretch of motion to each of its instants, metres: the integral
-/// of the speed by the trapezoidal rule, and over a bridged time without points the length of the cubic; with
-/// the ramp from the start to the first instant. As long as the stretch.
+/// of the speed by the trapezoidal rule, and over a bridged time without points the length of the cubic;
+/// before it the distance from where the robot rested, or the ramp from the start to the first instant. As
+/// long as the stretch.
 std::vector<double> distancesOf(const MotionStretch &motion, const std::vector<RunInstant> &instants);
 
-/// The length of a stretch of motion: distancesOf and the ramp at its end, metres.
+/// The length of a stretch of motion: distancesOf, and to where the robot rests then or the ramp at its end,
+/// metres.
 double lengthOf(const MotionStretch &motion, const std::vector<RunInstant> &instants);
 
 /// The distance travelled up to each sample, metres; it never decreases, and ends with the metric
