@@ -1225,6 +1225,10 @@ Das Verfahren folgt S. Park, „Computational Vision for Automatic Tracking and 
         <source>No curve: the robot was not detected</source>
         <translation>Keine Kurve: Der Roboter wurde nicht gesehen</translation>
     </message>
+    <message>
+        <source>smoothed, with its ±95 % band; dots: as measured; shaded: not measured</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>ReportMethod</name>
@@ -2045,6 +2049,14 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <source>%1 (%2 to %3)</source>
         <translation>%1 (%2 bis %3)</translation>
     </message>
+    <message>
+        <source>Not measured until %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>not measured (%1 to %2)</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>VerdictMark</name>
@@ -2360,8 +2372,8 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
 <context>
     <name>analysis.formula_mean_speed</name>
     <message>
-        <source>path length / time</source>
-        <translation>Weg / Zeit</translation>
+        <source>path length / time, both without gaps</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -2430,8 +2442,8 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
 <context>
     <name>analysis.formula_stops</name>
     <message>
-        <source>The pauses between the onset of motion and the last stop, counted.</source>
-        <translation>Die Zahl der Pausen zwischen dem Bewegungsbeginn und dem letzten Halt.</translation>
+        <source>The pauses between the onset of motion and the last stop, counted where the robot was measured at rest.</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -2444,8 +2456,8 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
 <context>
     <name>analysis.formula_zone_breaches</name>
     <message>
-        <source>How often the robot&apos;s reference point left a zone to stay in or entered a zone to keep out of. It counts if the point is beyond the edge by more than three σ of the track&apos;s noise.</source>
-        <translation>Wie oft die Mitte des Roboters eine Zone verließ, in der sie bleiben soll, oder in eine kam, die sie meiden soll. Es zählt, wenn sie um mehr als drei σ des Eigenrauschens der Spur jenseits des Rands ist.</translation>
+        <source>How often the robot&apos;s reference point left a zone to stay in or entered a zone to keep out of. It counts if the point is beyond the edge by more than six σ of the track&apos;s noise.</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -3172,8 +3184,8 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
 <context>
     <name>analysis.uncertainty_duration</name>
     <message>
-        <source>of both moments: σ of the speed divided by its slope there</source>
-        <translation>beider Zeitpunkte: σ der Geschwindigkeit geteilt durch ihre Steilheit dort</translation>
+        <source>of both moments: σ of the speed divided by its slope there, and how far smoothing blurs them</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -3200,8 +3212,8 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
 <context>
     <name>analysis.uncertainty_mean_speed</name>
     <message>
-        <source>of both, treated as independent</source>
-        <translation>beider, als unabhängig angenommen</translation>
+        <source>of both, treated as independent, and of gaps: from straight through them to the top speed in them</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -3228,8 +3240,8 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
 <context>
     <name>analysis.uncertainty_path_length</name>
     <message>
-        <source>of the end positions, of lateral errors where the path turns, and the calibration&apos;s scale uncertainty</source>
-        <translation>der Orte an den Enden, der Fehler quer zur Bahn, wo sie sich krümmt, und der Maßstabsfehler der Kalibrierung</translation>
+        <source>of the end positions, of lateral errors where the path turns, of what the robot could have done where it was bridged, and the calibration&apos;s scale uncertainty</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -11804,12 +11816,12 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <translation>Diagramm: %1 über dem Weg</translation>
     </message>
     <message>
-        <source>shaded: hidden or ambiguous</source>
-        <translation>schattiert: verdeckt oder zweifelhaft</translation>
-    </message>
-    <message>
         <source>of the body, anticlockwise from X</source>
         <translation>des Rumpfs, gegen den Uhrzeigersinn ab X</translation>
+    </message>
+    <message>
+        <source>shaded: hidden, ambiguous or not measured</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -13093,6 +13105,10 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>%1 hidden</source>
         <translation>%1 verdeckt</translation>
+    </message>
+    <message>
+        <source>%1 not measured</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>

@@ -1225,6 +1225,10 @@ El método sigue a S. Park, “Computational Vision for Automatic Tracking and O
         <source>No curve: the robot was not detected</source>
         <translation>Sin curva: no se vio el robot</translation>
     </message>
+    <message>
+        <source>smoothed, with its ±95 % band; dots: as measured; shaded: not measured</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>ReportMethod</name>
@@ -2045,6 +2049,14 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <source>%1 (%2 to %3)</source>
         <translation>%1 (de %2 a %3)</translation>
     </message>
+    <message>
+        <source>Not measured until %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>not measured (%1 to %2)</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>VerdictMark</name>
@@ -2360,8 +2372,8 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
 <context>
     <name>analysis.formula_mean_speed</name>
     <message>
-        <source>path length / time</source>
-        <translation>distancia recorrida / tiempo</translation>
+        <source>path length / time, both without gaps</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -2430,8 +2442,8 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
 <context>
     <name>analysis.formula_stops</name>
     <message>
-        <source>The pauses between the onset of motion and the last stop, counted.</source>
-        <translation>El número de pausas entre el inicio del movimiento y la última parada.</translation>
+        <source>The pauses between the onset of motion and the last stop, counted where the robot was measured at rest.</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -2444,8 +2456,8 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
 <context>
     <name>analysis.formula_zone_breaches</name>
     <message>
-        <source>How often the robot&apos;s reference point left a zone to stay in or entered a zone to keep out of. It counts if the point is beyond the edge by more than three σ of the track&apos;s noise.</source>
-        <translation>Cuántas veces el centro del robot salió de una zona de permanencia o entró en una zona prohibida. Cuenta cuando rebasa el borde en más de tres σ del ruido propio de la traza.</translation>
+        <source>How often the robot&apos;s reference point left a zone to stay in or entered a zone to keep out of. It counts if the point is beyond the edge by more than six σ of the track&apos;s noise.</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -3172,8 +3184,8 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
 <context>
     <name>analysis.uncertainty_duration</name>
     <message>
-        <source>of both moments: σ of the speed divided by its slope there</source>
-        <translation>de ambos instantes: σ de la velocidad dividida por su pendiente allí</translation>
+        <source>of both moments: σ of the speed divided by its slope there, and how far smoothing blurs them</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -3200,8 +3212,8 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
 <context>
     <name>analysis.uncertainty_mean_speed</name>
     <message>
-        <source>of both, treated as independent</source>
-        <translation>de ambos, tomados como independientes</translation>
+        <source>of both, treated as independent, and of gaps: from straight through them to the top speed in them</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -3228,8 +3240,8 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
 <context>
     <name>analysis.uncertainty_path_length</name>
     <message>
-        <source>of the end positions, of lateral errors where the path turns, and the calibration&apos;s scale uncertainty</source>
-        <translation>de las posiciones de los extremos, de los errores transversales a la trayectoria donde esta gira, y el error de escala de la calibración</translation>
+        <source>of the end positions, of lateral errors where the path turns, of what the robot could have done where it was bridged, and the calibration&apos;s scale uncertainty</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -11804,12 +11816,12 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <translation>Gráfica: %1 según la distancia</translation>
     </message>
     <message>
-        <source>shaded: hidden or ambiguous</source>
-        <translation>sombreado: oculto o en duda</translation>
-    </message>
-    <message>
         <source>of the body, anticlockwise from X</source>
         <translation>del cuerpo, antihorario desde X</translation>
+    </message>
+    <message>
+        <source>shaded: hidden, ambiguous or not measured</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -13093,6 +13105,10 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <message>
         <source>%1 hidden</source>
         <translation>%1 con ocultación</translation>
+    </message>
+    <message>
+        <source>%1 not measured</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>

@@ -1225,6 +1225,10 @@ La méthode suit S. Park, «&#xa0;Computational Vision for Automatic Tracking an
         <source>No curve: the robot was not detected</source>
         <translation>Pas de courbe&#xa0;: le robot n’a pas été vu</translation>
     </message>
+    <message>
+        <source>smoothed, with its ±95 % band; dots: as measured; shaded: not measured</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>ReportMethod</name>
@@ -2045,6 +2049,14 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <source>%1 (%2 to %3)</source>
         <translation>%1 (de %2 à %3)</translation>
     </message>
+    <message>
+        <source>Not measured until %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>not measured (%1 to %2)</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>VerdictMark</name>
@@ -2360,8 +2372,8 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>analysis.formula_mean_speed</name>
     <message>
-        <source>path length / time</source>
-        <translation>distance parcourue / temps</translation>
+        <source>path length / time, both without gaps</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -2430,8 +2442,8 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>analysis.formula_stops</name>
     <message>
-        <source>The pauses between the onset of motion and the last stop, counted.</source>
-        <translation>Le nombre de pauses entre le début du mouvement et le dernier arrêt.</translation>
+        <source>The pauses between the onset of motion and the last stop, counted where the robot was measured at rest.</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -2444,8 +2456,8 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>analysis.formula_zone_breaches</name>
     <message>
-        <source>How often the robot&apos;s reference point left a zone to stay in or entered a zone to keep out of. It counts if the point is beyond the edge by more than three σ of the track&apos;s noise.</source>
-        <translation>Combien de fois le centre du robot a quitté une zone où rester, ou est entré dans une zone à éviter. Cela compte s’il dépasse le bord de plus de trois σ du bruit propre à la trajectoire.</translation>
+        <source>How often the robot&apos;s reference point left a zone to stay in or entered a zone to keep out of. It counts if the point is beyond the edge by more than six σ of the track&apos;s noise.</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -3172,8 +3184,8 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>analysis.uncertainty_duration</name>
     <message>
-        <source>of both moments: σ of the speed divided by its slope there</source>
-        <translation>des deux instants&#xa0;: σ de la vitesse, divisé par sa pente à cet instant</translation>
+        <source>of both moments: σ of the speed divided by its slope there, and how far smoothing blurs them</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -3200,8 +3212,8 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>analysis.uncertainty_mean_speed</name>
     <message>
-        <source>of both, treated as independent</source>
-        <translation>des deux, pris comme indépendants</translation>
+        <source>of both, treated as independent, and of gaps: from straight through them to the top speed in them</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -3228,8 +3240,8 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>analysis.uncertainty_path_length</name>
     <message>
-        <source>of the end positions, of lateral errors where the path turns, and the calibration&apos;s scale uncertainty</source>
-        <translation>des positions des extrémités, des erreurs en travers de la trajectoire là où elle tourne, et l’erreur d’échelle de l’étalonnage</translation>
+        <source>of the end positions, of lateral errors where the path turns, of what the robot could have done where it was bridged, and the calibration&apos;s scale uncertainty</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -11804,12 +11816,12 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <translation>Graphique&#xa0;: %1 selon la distance</translation>
     </message>
     <message>
-        <source>shaded: hidden or ambiguous</source>
-        <translation>ombré&#xa0;: caché ou en doute</translation>
-    </message>
-    <message>
         <source>of the body, anticlockwise from X</source>
         <translation>du corps, sens trigonométrique depuis X</translation>
+    </message>
+    <message>
+        <source>shaded: hidden, ambiguous or not measured</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -13093,6 +13105,10 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>%1 hidden</source>
         <translation>%1 avec occultation</translation>
+    </message>
+    <message>
+        <source>%1 not measured</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>

@@ -1219,6 +1219,10 @@ GNU 일반 공중 사용 허가서(GPL) 버전 3 이상을 따르는 자유 소�
         <source>No curve: the robot was not detected</source>
         <translation>곡선 없음: 로봇이 보이지 않음</translation>
     </message>
+    <message>
+        <source>smoothed, with its ±95 % band; dots: as measured; shaded: not measured</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>ReportMethod</name>
@@ -2036,6 +2040,14 @@ Much more than expected means that a setting is wrong: the views are not synchro
         <source>%1 (%2 to %3)</source>
         <translation>%1(%2~%3)</translation>
     </message>
+    <message>
+        <source>Not measured until %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>not measured (%1 to %2)</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>VerdictMark</name>
@@ -2351,8 +2363,8 @@ Much more than expected means that a setting is wrong: the views are not synchro
 <context>
     <name>analysis.formula_mean_speed</name>
     <message>
-        <source>path length / time</source>
-        <translation>이동 거리 / 시간</translation>
+        <source>path length / time, both without gaps</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -2421,8 +2433,8 @@ Much more than expected means that a setting is wrong: the views are not synchro
 <context>
     <name>analysis.formula_stops</name>
     <message>
-        <source>The pauses between the onset of motion and the last stop, counted.</source>
-        <translation>움직이기 시작한 때부터 마지막으로 멈춘 때까지 멈춘 횟수입니다.</translation>
+        <source>The pauses between the onset of motion and the last stop, counted where the robot was measured at rest.</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -2435,8 +2447,8 @@ Much more than expected means that a setting is wrong: the views are not synchro
 <context>
     <name>analysis.formula_zone_breaches</name>
     <message>
-        <source>How often the robot&apos;s reference point left a zone to stay in or entered a zone to keep out of. It counts if the point is beyond the edge by more than three σ of the track&apos;s noise.</source>
-        <translation>로봇의 중심이 벗어나면 안 되는 구역을 나가거나 들어가면 안 되는 구역에 들어간 횟수입니다. 궤적 자체 잡음의 3 σ보다 더 경계를 넘었을 때 셉니다.</translation>
+        <source>How often the robot&apos;s reference point left a zone to stay in or entered a zone to keep out of. It counts if the point is beyond the edge by more than six σ of the track&apos;s noise.</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -3163,8 +3175,8 @@ Much more than expected means that a setting is wrong: the views are not synchro
 <context>
     <name>analysis.uncertainty_duration</name>
     <message>
-        <source>of both moments: σ of the speed divided by its slope there</source>
-        <translation>두 시각의 오차: 속력의 σ를 그 지점에서 속력 곡선의 기울기로 나눈 값</translation>
+        <source>of both moments: σ of the speed divided by its slope there, and how far smoothing blurs them</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -3191,8 +3203,8 @@ Much more than expected means that a setting is wrong: the views are not synchro
 <context>
     <name>analysis.uncertainty_mean_speed</name>
     <message>
-        <source>of both, treated as independent</source>
-        <translation>둘의 오차, 서로 독립으로 봄</translation>
+        <source>of both, treated as independent, and of gaps: from straight through them to the top speed in them</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -3219,8 +3231,8 @@ Much more than expected means that a setting is wrong: the views are not synchro
 <context>
     <name>analysis.uncertainty_path_length</name>
     <message>
-        <source>of the end positions, of lateral errors where the path turns, and the calibration&apos;s scale uncertainty</source>
-        <translation>양 끝 위치의 오차, 경로가 꺾이는 곳에서 경로에 수직인 방향의 오차, 보정의 축척 오차</translation>
+        <source>of the end positions, of lateral errors where the path turns, of what the robot could have done where it was bridged, and the calibration&apos;s scale uncertainty</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -11786,12 +11798,12 @@ Much more than expected means that a setting is wrong: the views are not synchro
         <translation>차트: 거리에 따른 %1</translation>
     </message>
     <message>
-        <source>shaded: hidden or ambiguous</source>
-        <translation>음영: 가려짐 또는 불확실</translation>
-    </message>
-    <message>
         <source>of the body, anticlockwise from X</source>
         <translation>몸체의 방향, X축에서 반시계 방향</translation>
+    </message>
+    <message>
+        <source>shaded: hidden, ambiguous or not measured</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -13071,6 +13083,10 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>%1 hidden</source>
         <translation>%1개 가려짐</translation>
+    </message>
+    <message>
+        <source>%1 not measured</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>

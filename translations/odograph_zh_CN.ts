@@ -1219,6 +1219,10 @@ The method follows S. Park, “Computational Vision for Automatic Tracking and O
         <source>No curve: the robot was not detected</source>
         <translation>无曲线：未看到机器人</translation>
     </message>
+    <message>
+        <source>smoothed, with its ±95 % band; dots: as measured; shaded: not measured</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>ReportMethod</name>
@@ -2036,6 +2040,14 @@ Much more than expected means that a setting is wrong: the views are not synchro
         <source>%1 (%2 to %3)</source>
         <translation>%1（%2 至 %3）</translation>
     </message>
+    <message>
+        <source>Not measured until %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>not measured (%1 to %2)</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>VerdictMark</name>
@@ -2351,8 +2363,8 @@ Much more than expected means that a setting is wrong: the views are not synchro
 <context>
     <name>analysis.formula_mean_speed</name>
     <message>
-        <source>path length / time</source>
-        <translation>路程 / 用时</translation>
+        <source>path length / time, both without gaps</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -2421,8 +2433,8 @@ Much more than expected means that a setting is wrong: the views are not synchro
 <context>
     <name>analysis.formula_stops</name>
     <message>
-        <source>The pauses between the onset of motion and the last stop, counted.</source>
-        <translation>从开始运动到最后一次停下之间的停顿次数。</translation>
+        <source>The pauses between the onset of motion and the last stop, counted where the robot was measured at rest.</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -2435,8 +2447,8 @@ Much more than expected means that a setting is wrong: the views are not synchro
 <context>
     <name>analysis.formula_zone_breaches</name>
     <message>
-        <source>How often the robot&apos;s reference point left a zone to stay in or entered a zone to keep out of. It counts if the point is beyond the edge by more than three σ of the track&apos;s noise.</source>
-        <translation>机器人中心离开应留区域或进入禁入区域的次数。超出边界多于轨迹自身噪声的三个 σ 时才计入。</translation>
+        <source>How often the robot&apos;s reference point left a zone to stay in or entered a zone to keep out of. It counts if the point is beyond the edge by more than six σ of the track&apos;s noise.</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -3163,8 +3175,8 @@ Much more than expected means that a setting is wrong: the views are not synchro
 <context>
     <name>analysis.uncertainty_duration</name>
     <message>
-        <source>of both moments: σ of the speed divided by its slope there</source>
-        <translation>两个时刻的误差：速度的 σ 除以速度曲线在该处的斜率</translation>
+        <source>of both moments: σ of the speed divided by its slope there, and how far smoothing blurs them</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -3191,8 +3203,8 @@ Much more than expected means that a setting is wrong: the views are not synchro
 <context>
     <name>analysis.uncertainty_mean_speed</name>
     <message>
-        <source>of both, treated as independent</source>
-        <translation>两者的误差，视为相互独立</translation>
+        <source>of both, treated as independent, and of gaps: from straight through them to the top speed in them</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -3219,8 +3231,8 @@ Much more than expected means that a setting is wrong: the views are not synchro
 <context>
     <name>analysis.uncertainty_path_length</name>
     <message>
-        <source>of the end positions, of lateral errors where the path turns, and the calibration&apos;s scale uncertainty</source>
-        <translation>两端位置的误差、转弯处垂直于路径方向的误差，以及标定的尺度误差</translation>
+        <source>of the end positions, of lateral errors where the path turns, of what the robot could have done where it was bridged, and the calibration&apos;s scale uncertainty</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -11786,12 +11798,12 @@ Much more than expected means that a setting is wrong: the views are not synchro
         <translation>图表：%1 随路程的变化</translation>
     </message>
     <message>
-        <source>shaded: hidden or ambiguous</source>
-        <translation>阴影：被遮挡或存疑</translation>
-    </message>
-    <message>
         <source>of the body, anticlockwise from X</source>
         <translation>机身朝向，自 X 轴起逆时针</translation>
+    </message>
+    <message>
+        <source>shaded: hidden, ambiguous or not measured</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -13071,6 +13083,10 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>%1 hidden</source>
         <translation>%1 处被遮挡</translation>
+    </message>
+    <message>
+        <source>%1 not measured</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>

@@ -11,7 +11,7 @@ namespace odo {
 
 namespace {
 
-constexpr double sigmasToPass = 4.5;
+constexpr double sigmasToPass = sureSigmas;
 constexpr double leastDistanceM = 0.0005;
 
 /// One meeting of the track with the gate's line.

@@ -12,7 +12,7 @@ namespace odo {
 /// gate's line, between the ends (which count as the gate). σ_t = σ⊥ / v⊥, across the gate, and where the
 /// speed changes meanwhile half the time from when the track would meet the line if it lay by σ⊥ further on
 /// to when by σ⊥ less (or half of that at 2 σ⊥, or a third at 3 σ⊥, if it is more). Noise does not count
-/// twice: a robot has passed when it was before the line by 4.5 σ of the track's own noise and then is past
+/// twice: a robot has passed when it was before the line by six σ of the track's own noise and then is past
 /// it by as much; where it goes to and fro between, the middle of the first and last crossing is taken. A
 /// robot that starts in the gate has not passed it, nor one that came to the other side in a gap of the
 /// profile.

@@ -55,13 +55,16 @@ std::vector<MetricKind> allKinds()
                   "least three frames, and further than noise explains; the moment between two frames is "
                   "interpolated."),
          ODO_TEXT("analysis.uncertainty_duration",
-                  "of both moments: σ of the speed divided by its slope there")},
+                  "of both moments: σ of the speed divided by its slope there, and how far smoothing blurs "
+                  "them")},
         {"path_length", "m", Better::Less, scored | atLeast, ODO_TEXT("analysis.metric_path_length", "Path"),
          ODO_TEXT("analysis.formula_path_length",
                   "∫|v|dt while it moves, by the trapezoidal rule over the smoothed speed. A gap that is not "
                   "bridged adds nothing."),
-         ODO_TEXT("analysis.uncertainty_path_length", "of the end positions, of lateral errors where the "
-                                                      "path turns, and the calibration's scale uncertainty")},
+         ODO_TEXT(
+             "analysis.uncertainty_path_length",
+             "of the end positions, of lateral errors where the path turns, of what the robot could have "
+             "done where it was bridged, and the calibration's scale uncertainty")},
         {"max_speed", "m/s", Better::More, scored | atLeast,
          ODO_TEXT("analysis.metric_max_speed", "Top speed"),
          ODO_TEXT("analysis.formula_max_speed",
@@ -69,8 +72,10 @@ std::vector<MetricKind> allKinds()
                   "because its uncertainty is large."),
          ofTheCurve()},
         {"mean_speed", "m/s", Better::More, scored, ODO_TEXT("analysis.metric_mean_speed", "Mean speed"),
-         ODO_TEXT("analysis.formula_mean_speed", "path length / time"),
-         ODO_TEXT("analysis.uncertainty_mean_speed", "of both, treated as independent")},
+         ODO_TEXT("analysis.formula_mean_speed", "path length / time, both without gaps"),
+         ODO_TEXT("analysis.uncertainty_mean_speed",
+                  "of both, treated as independent, and of gaps: from straight through them to the top speed "
+                  "in them")},
         {"max_accel", "m/s²", Better::More, atLeast,
          ODO_TEXT("analysis.metric_max_accel", "Top acceleration"),
          ODO_TEXT("analysis.formula_max_accel",
@@ -112,7 +117,7 @@ std::vector<MetricKind> allKinds()
          ODO_TEXT(
              "analysis.formula_zone_breaches",
              "How often the robot's reference point left a zone to stay in or entered a zone to keep out of. "
-             "It counts if the point is beyond the edge by more than three σ of the track's noise.")},
+             "It counts if the point is beyond the edge by more than six σ of the track's noise.")},
         {"zone_time", "s", Better::Less, ofTask | scored | atLeast,
          ODO_TEXT("analysis.metric_zone_time", "Time beyond zones"),
          ODO_TEXT("analysis.formula_zone_time",
@@ -136,7 +141,8 @@ std::vector<MetricKind> allKinds()
          ODO_TEXT("analysis.uncertainty_straightness", "of the end positions")},
         {"stops", "1", Better::Less, scored | atLeast, ODO_TEXT("analysis.metric_stops", "Stops"),
          ODO_TEXT("analysis.formula_stops",
-                  "The pauses between the onset of motion and the last stop, counted.")},
+                  "The pauses between the onset of motion and the last stop, counted where the robot was "
+                  "measured at rest.")},
         {"standing_time", "s", Better::Less, scored | atLeast,
          ODO_TEXT("analysis.metric_standing_time", "Standing time"),
          ODO_TEXT("analysis.formula_standing_time", "time − time in motion"),

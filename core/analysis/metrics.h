@@ -22,7 +22,9 @@ namespace odo {
 /// between frames are interpolated. Only the speed while moving is integrated, so noise adds nothing to the
 /// path of a robot that stands still. A gap (GapWatch) contributes to the duration alone: all others are of
 /// what was measured, mean_speed over the measured time, a pause that a gap interrupts is no stop, and
-/// straightness is left out. σ: from the profile's σ; the calibration's part as a common scale uncertainty. A
+/// straightness is left out. Bridged points are no evidence of a stop or a maximum. σ: from the profile's σ,
+/// with what the robot could have done in gaps and bridged stretches (internal/bridging.h); the calibration's
+/// part as a common scale uncertainty. A
 /// maximum is that of the smoothed curve (see largest). A robot that never moves has a duration of 0, and 0
 /// for all that depends on it.
 std::vector<Metric> measureRun(const std::vector<Sample> &samples, const std::vector<ProfilePoint> &points);
@@ -31,7 +33,7 @@ std::vector<Metric> measureRun(const std::vector<RunInstant> &instants);
 /// The value of a metric by its name; 0 where it could not be computed.
 double metricValue(const Profile &profile, std::string_view name);
 
-/// Metric::isAtLeast of each, where the run has gaps.
+/// Sets Metric::isAtLeast of those that a gap can only make larger, where the run has gaps.
 void markLowerBounds(std::vector<Metric> &metrics, const std::vector<TimeSpan> &gaps);
 
 /// The calibration's relative scale uncertainty: σ of each length, speed and acceleration among the metrics

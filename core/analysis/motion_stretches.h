@@ -17,6 +17,9 @@ struct RunInstant
     double thresholdMps = 0; ///< above it the robot counts as moving
     double commonSigmaM = 0; ///< of the position, from the calibration alone
     bool joined = false;     ///< no gap since the instant before it
+    bool measured = true;    ///< false: bridged, between two that are measured
+    /// Of a measured one: for how long nothing was measured before it, where that is longer than usual.
+    double bridgedS = 0;
 };
 
 /// A stretch of motion: its first and last instant, and the moments outside them when the robot started and
@@ -51,6 +54,7 @@ struct RunState
 {
     double commonSigmaM = 0; ///< of the last used sample
     GapWatch gaps;
+    double measuredS = 0, stepS = 0; ///< the last measured point; the usual step between two
 };
 
 /// The valid points in order of time.
@@ -68,7 +72,25 @@ void measureGaps(const std::vector<RunInstant> &instants, Profile &profile);
 /// Where the robot moves: faster than three σ of its speed for at least three instants, and meanwhile further
 /// than the σ of the positions explains. The run's own σ decides: what a robot that creeps does in a second
 /// may be noise, what it does in a minute is not. A stretch ends at a gap: what happens there is not known.
+/// Through a bridged stretch a robot goes on that moves before and after it.
 std::vector<MotionStretch> findMotions(const std::vector<RunInstant> &instants);
+
+/// Two measured instants between which nothing was measured for longer than usual, and which are joined: the
+/// positions between them are bridged.
+struct BridgedStretch
+{
+    std::size_t first = 0, last = 0;
+};
+/// In order of time.
+std::vector<BridgedStretch> bridgedStretches(const std::vector<RunInstant> &instants);
+/// Whether the robot is at rest at an instant, by its speed.
+bool isAtRest(const RunInstant &instant);
+
+/// Of two positions, and σ of what noise makes of it.
+double distanceBetween(const RunInstant &a, const RunInstant &b);
+double sigmaOfDistance(const RunInstant &a, const RunInstant &b);
+/// Whether the robot is further from where it was than noise goes: 4.5 σ.
+bool isApart(const RunInstant &from, const RunInstant &to);
 
 /// σ of the moment of crossing the threshold next to an instant: the speed's σ over its steepness, at most
 /// what the neighbours leave open.
@@ -84,11 +106,13 @@ double sigmaOfPosition(const ProfilePoint &point);
 double ownSigmaOfPosition(const RunInstant &instant);
 
 /// The distance travelled from the start of a stretch of motion to each of its instants, metres: the integral
-/// of the speed by the trapezoidal rule, with the ramp from the start to the first instant. As long as
-/// the stretch.
+/// of the speed by the trapezoidal rule, and over a bridged time without points the length of the cubic;
+/// before it the distance from where the robot rested, or the ramp from the start to the first instant. As
+/// long as the stretch.
 std::vector<double> distancesOf(const MotionStretch &motion, const std::vector<RunInstant> &instants);
 
-/// The length of a stretch of motion: distancesOf and the ramp at its end, metres.
+/// The length of a stretch of motion: distancesOf, and to where the robot rests then or the ramp at its end,
+/// metres.
 double lengthOf(const MotionStretch &motion, const std::vector<RunInstant> &instants);
 
 /// The distance travelled up to each sample, metres; it never decreases, and ends with the metric
@@ -96,6 +120,10 @@ double lengthOf(const MotionStretch &motion, const std::vector<RunInstant> &inst
 /// samples.
 std::vector<double> distanceTravelled(const std::vector<Sample> &samples,
                                       const std::vector<ProfilePoint> &points);
+
+/// So many σ of the track's own noise beyond a line a robot surely is beyond it. Where it brakes or starts
+/// hard the smoothed track swings by up to 4.6 σ (200 runs), so it is more than chance alone asks for.
+inline constexpr double sureSigmas = 6;
 
 /// One valid point of a profile with the covariance of its position in its two parts: the track's own, which
 /// changes along it, and the calibration's, common to all of it. m², world frame.
@@ -132,6 +160,9 @@ struct CubicStep
         return 6 * part * (1 - part) * (to - from) / stepS + (1 - part) * (1 - 3 * part) * rateFrom +
                part * (3 * part - 2) * rateTo;
     }
+    /// At its beginning and its end.
+    double accelerationFrom() const { return curvature(2 * rateFrom + rateTo); }
+    double accelerationTo() const { return -curvature(rateFrom + 2 * rateTo); }
     /// The part at which it is zero; from and to have different signs.
     double root() const
     {
@@ -142,6 +173,20 @@ struct CubicStep
         }
         return (low + high) / 2;
     }
+
+private:
+    double curvature(double rates) const { return 2 * (3 * (to - from) / stepS - rates) / stepS; }
+};
+
+/// The cubic from one instant to another, each axis by itself.
+struct CubicPath
+{
+    CubicPath(const RunInstant &from, const RunInstant &to);
+    Eigen::Vector2d velocity(double part) const { return {x.rate(part), y.rate(part)}; }
+    double lengthM() const;
+    static constexpr int parts = 24; ///< fine enough for lengths and directions
+
+    CubicStep x, y;
 };
 
 } // namespace odo

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/analysis/quantity_curve.h"
 
+#include "core/analysis/motion_stretches.h"
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -186,19 +188,64 @@ CurveValue BandPoint::curveValue() const
     return {double(value), double(reach) / coverage95};
 }
 
+std::vector<ProfilePiece> piecesOf(const Profile &profile)
+{
+    const std::vector<RunInstant> instants = validInstants(profile.samples, profile.points);
+    std::vector<ProfilePiece> pieces;
+    std::size_t first = 0; // of the piece that is not closed
+    const auto add = [&](std::size_t last, bool isBridged) {
+        const auto sampleOf = [&](std::size_t i) {
+            return static_cast<std::size_t>(instants[i].point - profile.points.data());
+        };
+        pieces.push_back({sampleOf(first), sampleOf(last), isBridged});
+        first = last;
+    };
+    const std::vector<BridgedStretch> stretches = bridgedStretches(instants);
+    auto bridged = stretches.begin();
+    for (std::size_t i = 1; i < instants.size(); ++i) {
+        if (!instants[i].joined) {
+            add(i - 1, false);
+            first = i;
+        } else if (bridged != stretches.end() && i == bridged->last) {
+            if (bridged->first > first)
+                add(bridged->first, false);
+            add(i, true);
+            ++bridged;
+        }
+    }
+    if (!instants.empty())
+        add(instants.size() - 1, false);
+    return pieces;
+}
+
+namespace {
+
+void addRuns(const Values &values, const std::vector<double> &positions, const ProfilePiece &piece,
+             std::vector<CurveRun> &runs)
+{
+    bool isNew = true;
+    for (std::size_t i = piece.first; i <= piece.last; ++i) {
+        if (!values[i]) {
+            isNew = true;
+            continue;
+        }
+        if (isNew)
+            runs.push_back({i, {}});
+        isNew = false;
+        runs.back().points.emplace_back(positions[i], *values[i]);
+    }
+}
+
+} // namespace
+
 std::vector<CurveRun> curveRuns(const std::vector<std::optional<CurveValue>> &values,
-                                const std::vector<double> &positions)
+                                const std::vector<double> &positions, const std::vector<ProfilePiece> &pieces,
+                                bool bridged)
 {
     std::vector<CurveRun> runs;
-    const auto exists = [](const std::optional<CurveValue> &value) { return value.has_value(); };
-    for (auto begin = std::find_if(values.begin(), values.end(), exists); begin != values.end();) {
-        const auto end = std::find_if_not(begin, values.end(), exists);
-        CurveRun &run = runs.emplace_back(CurveRun{static_cast<std::size_t>(begin - values.begin()), {}});
-        run.points.reserve(static_cast<std::size_t>(end - begin));
-        for (auto value = begin; value != end; ++value)
-            run.points.emplace_back(positions[static_cast<std::size_t>(value - values.begin())], **value);
-        begin = std::find_if(end, values.end(), exists);
-    }
+    for (const ProfilePiece &piece : pieces)
+        if (piece.isBridged == bridged)
+            addRuns(values, positions, piece, runs);
     return runs;
 }
 

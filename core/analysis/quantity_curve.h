@@ -90,6 +90,17 @@ struct BandPoint
     CurveValue curveValue() const;
 };
 
+/// A stretch of a profile without a gap, from one sample to another: measured, or bridged. A bridged one
+/// begins and ends with measured samples, which belong to the pieces beside it, too.
+struct ProfilePiece
+{
+    std::size_t first = 0, last = 0; ///< samples
+    bool isBridged = false;
+};
+/// All valid points of a profile, in order; bridged pieces are those of bridgedStretches
+/// (core/analysis/motion_stretches.h).
+std::vector<ProfilePiece> piecesOf(const Profile &profile);
+
 /// A stretch of a curve without gaps, sorted by x: one point a sample, from firstSample on.
 struct CurveRun
 {
@@ -98,9 +109,11 @@ struct CurveRun
     bool isLine() const { return points.size() >= 2; }
 };
 
-/// values: one a sample. positions: of each sample on the axis below.
+/// Of the pieces that are bridged, or of those that are measured. values: one a sample. positions: of each
+/// sample on the axis below.
 std::vector<CurveRun> curveRuns(const std::vector<std::optional<CurveValue>> &values,
-                                const std::vector<double> &positions);
+                                const std::vector<double> &positions, const std::vector<ProfilePiece> &pieces,
+                                bool bridged = false);
 
 /// The points from low to high, and the next one beyond either end, so that a line runs out of the plot.
 /// Points must be sorted by x.

@@ -181,7 +181,7 @@ namespace {
 
 using Eigen::Vector2d;
 
-constexpr double sigmasToBreach = 3;
+constexpr double sigmasToBreach = sureSigmas;
 constexpr double leastDepthM = 0.0005;
 
 /// The point of a zone's outline that is nearest.
@@ -244,12 +244,12 @@ struct Stretch
 {
     double fromS = 0, toS = 0;
     std::size_t deepest = 0;
-    double endsVariance = 0; ///< s², of its two moments by the track's own noise
+    double beginVariance = 0, endVariance = 0; ///< s², of its two moments by the track's own noise
     bool sure = false;
 };
 
-/// The moment between two standings at which the shifted edge is crossed; adds its variance.
-double edgeCrossing(const Standing &a, const Standing &b, double shiftM, Stretch &into)
+/// The moment between two standings at which the shifted edge is crossed, and its variance.
+double edgeCrossing(const Standing &a, const Standing &b, double shiftM, double &variance)
 {
     const double rise = b.beyondM - a.beyondM, share = (shiftM - a.beyondM) / rise;
     const double step = b.timeS - a.timeS;
@@ -257,43 +257,58 @@ double edgeCrossing(const Standing &a, const Standing &b, double shiftM, Stretch
     // A track that touches the edge without speed across it is not known to better than the frames around,
     // times a few.
     const double sigmaS = std::min(ownM * step / std::abs(rise), 10 * step);
-    into.endsVariance += sigmaS * sigmaS;
+    variance = sigmaS * sigmaS;
     return a.timeS + share * step;
 }
 
-/// Where the track is beyond an edge that lies by shift further out.
+/// How far beyond an edge is surely beyond it.
+double sureDepthM(const Standing &standing)
+{
+    return std::max(leastDepthM, sigmasToBreach * standing.ownM);
+}
+
+/// Where the track is beyond an edge that lies by shift further out. A stretch ends where the robot surely is
+/// back: a robot that is parked on the edge, to and fro by noise, breaks the rule once.
 std::vector<Stretch> stretchesBeyond(const std::vector<Standing> &standings, double shiftM)
 {
     std::vector<Stretch> stretches;
     std::optional<Stretch> open;
-    const auto close = [&](double atS) {
-        open->toS = atS;
+    bool isWithin = false; // it may have come back from the open one
+    const auto close = [&] {
         if (open->sure)
             stretches.push_back(*open);
         open.reset();
     };
     for (std::size_t i = 0; i < standings.size(); ++i) {
         const Standing &here = standings[i];
-        const bool beyond = here.beyondM > shiftM;
+        const double beyondM = here.beyondM - shiftM;
         const Standing *before = i > 0 && here.joined ? &standings[i - 1] : nullptr;
-        if (open && !before)
-            close(standings[i - 1].timeS);
-        if (beyond && !open) {
-            open = Stretch{here.timeS, here.timeS, i, 0, false};
-            if (before)
-                open->fromS = edgeCrossing(*before, here, shiftM, *open);
-        } else if (!beyond && open) {
-            const double atS = edgeCrossing(*before, here, shiftM, *open);
-            close(atS);
+        if (open && !before) {
+            if (!isWithin)
+                open->toS = standings[i - 1].timeS;
+            close();
         }
+        if (beyondM > 0 && !open) {
+            open = Stretch{here.timeS, here.timeS, i};
+            if (before)
+                open->fromS = edgeCrossing(*before, here, shiftM, open->beginVariance);
+        } else if (beyondM <= 0 && open && !isWithin) {
+            open->toS = edgeCrossing(*before, here, shiftM, open->endVariance);
+        }
+        isWithin = beyondM <= 0;
         if (!open)
             continue;
         if (here.beyondM > standings[open->deepest].beyondM)
             open->deepest = i;
-        open->sure = open->sure || here.beyondM - shiftM > std::max(leastDepthM, sigmasToBreach * here.ownM);
+        open->sure = open->sure || beyondM > sureDepthM(here);
+        if (beyondM < -sureDepthM(here))
+            close();
     }
-    if (open)
-        close(standings.back().timeS);
+    if (open) {
+        if (!isWithin)
+            open->toS = standings.back().timeS;
+        close();
+    }
     return stretches;
 }
 
@@ -311,6 +326,24 @@ double commonSigmaM(const std::vector<Standing> &standings)
     for (const Standing &standing : standings)
         largest = std::max(largest, standing.commonM);
     return largest;
+}
+
+/// The track's own, where the robot may be on the edge.
+double ownSigmaM(const std::vector<Standing> &standings)
+{
+    double largest = 0;
+    for (const Standing &standing : standings)
+        if (std::abs(standing.beyondM) <= sigmasToBreach * standing.ownM)
+            largest = std::max(largest, standing.ownM);
+    return largest;
+}
+
+/// By how much the time changes, to either side, when the edge is shifted.
+double changeOfTime(const std::vector<Standing> &standings, double shiftM)
+{
+    return std::abs(timeOf(stretchesBeyond(standings, -shiftM)) -
+                    timeOf(stretchesBeyond(standings, shiftM))) /
+           2;
 }
 
 } // namespace
@@ -350,15 +383,18 @@ std::vector<Metric> measureZones(const std::vector<Zone> &zones, const std::vect
     for (const Zone &zone : zones) {
         const std::vector<Standing> standings = standingsOf(zone, positions);
         const std::vector<Stretch> stretches = stretchesBeyond(standings, 0);
-        const double shiftM = commonSigmaM(standings);
         count += stretches.size();
         timeS += timeOf(stretches);
-        for (const Stretch &stretch : stretches)
-            ends += stretch.endsVariance;
+        double crossings = 0, variance = 0;
+        for (const Stretch &stretch : stretches) {
+            crossings += (stretch.beginVariance > 0) + (stretch.endVariance > 0);
+            variance += stretch.beginVariance + stretch.endVariance;
+        }
+        // Of a robot that is parked on an edge its crossings say too little.
+        ends += std::max(variance, std::pow(changeOfTime(standings, ownSigmaM(standings)), 2) /
+                                       std::max(1.0, crossings));
         // One calibration shifts the track against all zones: their parts go together.
-        common += std::abs(timeOf(stretchesBeyond(standings, -shiftM)) -
-                           timeOf(stretchesBeyond(standings, shiftM))) /
-                  2;
+        common += changeOfTime(standings, commonSigmaM(standings));
     }
     const std::vector<ZoneBreach> breaches = findZoneBreaches(zones, samples, points);
     const auto deepest = std::ranges::max_element(breaches, {}, &ZoneBreach::depthM);

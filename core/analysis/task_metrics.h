@@ -40,15 +40,16 @@ struct ZoneBreach
 };
 
 /// Breaches of all zones by the smoothed track, in order of their beginnings. A breach is significant:
-/// somewhere in it the point is beyond the edge by more than three σ of the track's own noise (and 0.5 mm). A
-/// gap of the profile is not judged: a breach ends before it.
+/// somewhere in it the point is beyond the edge by more than six σ of the track's own noise (and 0.5 mm), and
+/// it ends where the point is back by as much. A gap of the profile is not judged: a breach ends before it.
 std::vector<ZoneBreach> findZoneBreaches(const std::vector<Zone> &zones, const std::vector<Sample> &samples,
                                          const std::vector<ProfilePoint> &points);
 
 /// Metrics of the zones, all three if the task has a zone: zone_breaches (1), zone_time (s, in breaches; in
 /// two zones at once it counts twice) and zone_depth (mm, of the deepest one, 0 without any). σ of the time:
 /// half of its difference when all edges move in or out by the calibration's σ, and at each end of a breach
-/// the track's own noise over the speed across the edge, as independent. σ of a depth of 0 is not known.
+/// the track's own noise over the speed across the edge, as independent, or half of the difference by that
+/// noise. σ of a depth of 0 is not known.
 std::vector<Metric> measureZones(const std::vector<Zone> &zones, const std::vector<Sample> &samples,
                                  const std::vector<ProfilePoint> &points);
 

@@ -5,6 +5,7 @@
 
 #include <QTest>
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 using namespace odo;
@@ -133,13 +134,43 @@ private Q_SLOTS:
         std::vector<double> positions;
         for (int i = 0; i < 10; ++i)
             positions.push_back(3 * i);
-        const auto runs = curveRuns(values, positions);
+        const auto runs = curveRuns(values, positions, {{0, 9}});
         QCOMPARE(runs.size(), std::size_t(2));
         QCOMPARE(runs[0].firstSample, std::size_t(1));
         QCOMPARE(runs[1].points.front().x, 18.0);
         QCOMPARE(runs[1].points.size(), std::size_t(4));
         QVERIFY(std::abs(runs[0].points[0].high() - (2 + 1.96 * 0.25)) < 1e-4);
         QVERIFY(std::abs(runs[0].points[0].curveValue().sigma - 0.25) < 1e-6); // single precision
+    }
+    /// 30 positions a second: ten rows without one, then none for half a second, then a gap of two seconds.
+    void bridgedStretchesAndGapsSplitAProfile()
+    {
+        Profile profile;
+        profile.points.resize(60);
+        profile.samples.resize(60);
+        std::vector<std::optional<CurveValue>> values(60, CurveValue{1, 0.1});
+        std::vector<double> positions;
+        for (std::size_t i = 0; i < 60; ++i) {
+            positions.push_back(double(i) / 30 + (i >= 40 ? 0.5 : 0) + (i >= 50 ? 2 : 0));
+            profile.points[i].position = profile.points[i].velocity = {0, 0};
+            profile.points[i].valid = true;
+            profile.samples[i].time = fromSeconds(positions.back());
+            if (i <= 20 || i > 30)
+                profile.samples[i].position = Eigen::Vector2d(0, 0);
+        }
+        const std::vector<ProfilePiece> pieces = piecesOf(profile);
+        const std::vector<std::array<std::size_t, 3>> expected{{0, 20, 0},  {20, 31, 1}, {31, 39, 0},
+                                                               {39, 40, 1}, {40, 49, 0}, {50, 59, 0}};
+        QCOMPARE(pieces.size(), expected.size());
+        for (std::size_t i = 0; i < pieces.size(); ++i)
+            QCOMPARE((std::array<std::size_t, 3>{pieces[i].first, pieces[i].last, pieces[i].isBridged}),
+                     expected[i]);
+        QCOMPARE(curveRuns(values, positions, pieces).size(), std::size_t(4));
+        const auto bridged = curveRuns(values, positions, pieces, true);
+        QCOMPARE(bridged.size(), std::size_t(2));
+        QCOMPARE(bridged[0].firstSample, std::size_t(20));
+        QCOMPARE(bridged[0].points.size(), std::size_t(12));
+        QVERIFY(piecesOf(Profile()).empty());
     }
 };
 

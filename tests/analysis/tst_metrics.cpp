@@ -157,6 +157,41 @@ private Q_SLOTS:
         QVERIFY(std::abs(metrics["standing_time"].value - 3) < 0.3);
     }
 
+    /// At 0.4 m/s along x; for 1.2 s nothing is measured, and meanwhile it went on, or it stood for 0.2 s.
+    void whatABridgedStretchMayHideIsSaid()
+    {
+        std::mt19937 random(5);
+        const auto driving = [](double standsFromS, double standsUntilS) -> Course {
+            return [=](double t) {
+                constexpr double step = 0.002, rampS = 0.5;
+                Truth truth;
+                for (double at = 0; at < t; at += step)
+                    truth.position.x() +=
+                        0.4 * step *
+                        std::clamp(std::min((at - 1) / rampS, std::max((standsFromS - at) / rampS,
+                                                                       (at - standsUntilS) / rampS)),
+                                   0.0, 1.0);
+                return truth;
+            };
+        };
+        auto metrics = byName(measured(driving(100, 100), 7, 0.0005, random, 20, 3, 4.2));
+        QVERIFY(std::abs(metrics["path_length"].value - 2.3) < 0.02);
+        QVERIFY(!metrics["path_length"].isAtLeast && !metrics["stops"].isAtLeast);
+        QCOMPARE(metrics["stops"].value, 0.0);
+        metrics = byName(measured(driving(3.5, 3.7), 7, 0.0005, random, 20, 3, 4.2));
+        QCOMPARE(metrics["stops"].value, 0.0);
+        QVERIFY(metrics["stops"].isAtLeast);
+        QVERIFY(std::abs(metrics["path_length"].value - 2.02) < 2 * *metrics["path_length"].sigma);
+        // It is at rest before and after, at one place: it stood.
+        const Course waiting = [](double t) {
+            Truth truth;
+            truth.position.x() = 0.4 * std::clamp(t - 4, 0.0, 2.0);
+            return truth;
+        };
+        metrics = byName(measured(waiting, 8, 0.0005, random, 20, 1, 2.2));
+        QVERIFY(!metrics["stops"].isAtLeast && *metrics["path_length"].sigma < 0.005);
+    }
+
     /// A position every two seconds is a slow track, and a missing one no gap yet; five are.
     void slowTracksHaveOtherGaps()
     {
@@ -230,6 +265,9 @@ private Q_SLOTS:
                 sigmas[metric.name].push_back(metric.sigma.value_or(0));
             }
         }
+        // The closed form of aCircleInClosedForm, where there is one: a metric may have a bias.
+        const std::map<std::string, double> truths{
+            {"path_length", 3.52}, {"duration", 4.8}, {"mean_speed", 3.52 / 4.8}};
         bool good = true;
         for (const QString &name : names) {
             const auto &all = values[name.toStdString()];
@@ -238,11 +276,16 @@ private Q_SLOTS:
                 mean += all[i] / double(all.size());
                 stated += sigmas[name.toStdString()][i] / double(all.size());
             }
+            if (const auto truth = truths.find(name.toStdString()); motion == 0 && truth != truths.end())
+                mean = truth->second;
             for (const double value : all)
                 variance += (value - mean) * (value - mean) / double(all.size() - 1);
             const double ratio = stated / std::sqrt(variance);
             qInfo("%s: stated over true σ %.2f", qPrintable(name), ratio);
-            good &= all.size() > runs * 0.95 && ratio > 0.7 && ratio < 1.5;
+            // The smoother of a whole analysis adapts to the motion: it blurs the ends more than this one and
+            // swings more where the robot stops hard.
+            const bool isOfEnds = motion == 0 && truths.contains(name.toStdString());
+            good &= all.size() > runs * 0.95 && ratio > 0.7 && ratio < (isOfEnds ? 2.5 : 1.5);
         }
         QVERIFY(good);
     }

@@ -49,6 +49,7 @@ private Q_SLOTS:
             std::find_if(profile->metrics.begin(), profile->metrics.end(),
                          [](const Metric &metric) { return metric.name == "path_length"; });
         QVERIFY(std::abs(pathLength->value - 0.2 * 6.3) < 0.02);
+        QVERIFY(pathLength->isAtLeast); // it was driving
     }
 
     void leavesAndComesBack()

@@ -46,6 +46,11 @@ std::vector<UncertainInterval> uncertainIntervals(const TrialScene &scene)
             all.push_back({r, occlusion.span, UncertainInterval::Kind::Occlusion,
                            shownWords(occlusionWords(occlusion)),
                            joinedWords(name, occlusionText(occlusion))});
+        for (const TimeSpan &gap : robot.analysis->profile.gaps)
+            all.push_back({r, gap, UncertainInterval::Kind::Gap,
+                           UncertainIntervalsWords::tr("Not measured until %1").arg(secondsText(gap.end)),
+                           joinedWords(name, UncertainIntervalsWords::tr("not measured (%1 to %2)")
+                                                 .arg(secondsText(gap.begin), secondsText(gap.end)))});
     }
     std::ranges::stable_sort(all, {}, [](const UncertainInterval &one) { return one.span.begin; });
     return all;
@@ -196,10 +201,11 @@ qsizetype SpikeModel::stretchesOf(UncertainInterval::Kind kind) const
 QString SpikeModel::summary() const
 {
     const qsizetype uncertain = stretchesOf(UncertainInterval::Kind::Name),
-                    hidden = stretchesOf(UncertainInterval::Kind::Occlusion);
+                    hidden = stretchesOf(UncertainInterval::Kind::Occlusion),
+                    gaps = stretchesOf(UncertainInterval::Kind::Gap);
     const auto restored =
         std::count_if(m_rows.begin(), m_rows.end(), [](const Row &row) { return row.restored; });
-    const auto flagged = static_cast<qsizetype>(m_rows.size()) - restored - uncertain - hidden;
+    const auto flagged = static_cast<qsizetype>(m_rows.size()) - restored - uncertain - hidden - gaps;
     QString text = flagged == 0 ? tr("none") : tr("%1 flagged").arg(flagged);
     if (restored > 0)
         text += QStringLiteral(" · ") + tr("%1 restored").arg(restored);
@@ -207,6 +213,8 @@ QString SpikeModel::summary() const
         text += QStringLiteral(" · ") + tr("%1 ambiguous").arg(uncertain);
     if (hidden > 0)
         text += QStringLiteral(" · ") + tr("%1 hidden").arg(hidden);
+    if (gaps > 0)
+        text += QStringLiteral(" · ") + tr("%1 not measured").arg(gaps);
     return text;
 }
 
@@ -225,9 +233,11 @@ QVariant SpikeModel::display(const Row &row, int column) const
         return row.restored ? tr("%1 (restored by hand)").arg(reason) : reason;
     }
     case StateColumn:
+        if (row.stretch && row.stretch->kind == UncertainInterval::Kind::Name)
+            return QStringLiteral("?");
         if (row.stretch)
-            return row.stretch->kind == UncertainInterval::Kind::Name ? QStringLiteral("?")
-                                                                      : QStringLiteral("◐");
+            return row.stretch->kind == UncertainInterval::Kind::Gap ? QStringLiteral("○")
+                                                                     : QStringLiteral("◐");
         return row.restored ? QStringLiteral("↺") : QStringLiteral("⚑");
     default:
         return {};

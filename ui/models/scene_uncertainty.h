@@ -16,8 +16,9 @@ namespace odo {
 /// A stretch of a trial in which less than usual is known of a robot, and why.
 struct UncertainInterval
 {
-    /// Name: which of several robots it is. Occlusion: a view did not measure all of it.
-    enum class Kind { Name, Occlusion };
+    /// Name: which of several robots it is. Occlusion: a view did not measure all of it. Gap: nothing was
+    /// measured of it, and nothing is assumed.
+    enum class Kind { Name, Occlusion, Gap };
 
     std::size_t robot = 0; ///< index into TrialScene::robots
     TimeSpan span;
@@ -62,7 +63,7 @@ public:
 
     explicit SpikeModel(QObject *parent = nullptr);
     void setScene(TrialScenePtr scene);
-    /// "3 flagged · 1 restored · 2 ambiguous · 1 hidden"
+    /// "3 flagged · 1 restored · 2 ambiguous · 1 hidden · 1 not measured"
     QString summary() const;
 
 private:

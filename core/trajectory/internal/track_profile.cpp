@@ -16,6 +16,18 @@ namespace {
 
 constexpr std::size_t leastSamples = 3; // an acceleration needs three positions
 
+/// Whether the robot moves when it is measured last, or first, and there are frames for longer than what is
+/// bridged beyond: what it did then can only add to the metrics.
+bool isMovingUnseen(const std::vector<Sample> &samples, const std::vector<RunInstant> &instants,
+                    Nanoseconds longestBridgedGap)
+{
+    const double longestS = toSeconds(longestBridgedGap);
+    return (!isAtRest(instants.back()) &&
+            toSeconds(samples.back().time) - instants.back().timeS > longestS) ||
+           (!isAtRest(instants.front()) &&
+            instants.front().timeS - toSeconds(samples.front().time) > longestS);
+}
+
 } // namespace
 
 Message cannotMeasurePath()
@@ -53,10 +65,15 @@ Result<Profile> profileOfTrack(FusedTrack track, const AnalysisOptions &options,
     const std::vector<RunInstant> instants = validInstants(track.samples, profile.points);
     profile.metrics = measureRun(instants);
     measureGaps(instants, profile);
+    const bool isUnseen = isMovingUnseen(track.samples, instants, options.longestBridgedGap);
     if (options.task) {
         TaskMetrics metrics = measureTask(*options.task, track.samples, profile.points);
         profile.passages = std::move(metrics.passages);
         profile.metrics.insert(profile.metrics.end(), metrics.metrics.begin(), metrics.metrics.end());
+    }
+    if (isUnseen) {
+        markLowerBounds(profile.metrics, {TimeSpan{track.samples.front().time, track.samples.back().time}});
+        std::ranges::find(profile.metrics, "duration", &Metric::name)->isAtLeast = true;
     }
     profile.samples = std::move(track.samples);
     return profile;

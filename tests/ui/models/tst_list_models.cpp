@@ -141,6 +141,20 @@ private Q_SLOTS:
         QCOMPARE(doubt.data(SpikeModel::SampleIndexRole).toLongLong(), -1);
         QCOMPARE(model.index(1, SpikeModel::TimeColumn).data().toString(), QStringLiteral("3.40\u00a0s"));
     }
+    void spikesAndGaps()
+    {
+        using namespace std::chrono_literals;
+        SpikeModel model;
+        QAbstractItemModelTester tester(&model, strict);
+        auto scene = std::make_shared<TrialScene>(*exampleScene({.frames = 300}));
+        scene->robots[0].analysis->profile.gaps = {{3405ms, 6200ms}};
+        model.setScene(scene);
+        QCOMPARE(model.summary(), QStringLiteral("2 flagged · 1 restored · 1 not measured"));
+        const QModelIndex gap = model.index(1, SpikeModel::ReasonColumn);
+        QCOMPARE(gap.data().toString(), QStringLiteral("Not measured until 6.20\u00a0s"));
+        QCOMPARE(gap.data(Qt::ToolTipRole).toString(),
+                 QStringLiteral("Red 2: not measured (3.41\u00a0s to 6.20\u00a0s)"));
+    }
     void spikesAndHiddenRobots()
     {
         using namespace std::chrono_literals;

@@ -94,7 +94,7 @@ private Q_SLOTS:
         Profile profile = exampleScene({.frames = 60})->robots[0].analysis->profile;
         profile.points[20].valid = profile.points[21].valid = false;
         const std::vector<double> positions = sampleTimes(profile);
-        const auto runs = curveRuns(curveValues(profile, Quantity::Speed), positions);
+        const auto runs = curveRuns(curveValues(profile, Quantity::Speed), positions, piecesOf(profile));
         QCOMPARE(runs.size(), std::size_t(2));
         QCOMPARE(runs[0].points.size(), std::size_t(20));
         QCOMPARE(runs[1].points.size(), std::size_t(38));

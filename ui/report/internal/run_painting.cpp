@@ -2,6 +2,7 @@
 #include "ui/report/internal/run_painting.h"
 
 #include "core/analysis/motion_stretches.h"
+#include "core/analysis/quantity_curve.h"
 #include "ui/models/number_text.h"
 #include "ui/models/shown_message.h"
 #include "ui/models/trial_scene.h"
@@ -202,9 +203,11 @@ void drawRunChart(QPainter &painter, const QRectF &rect, const Profile &profile,
 {
     const QPalette &palette = reportPalette();
     const ThemeColours colours = ThemeColours::of(palette);
-    const QRectF area =
-        drawPartTitle(painter, rect, titleOf(quantity),
-                      ReportChartWords::tr("smoothed, with its ±95 % band; dots: as measured"));
+    const QRectF area = drawPartTitle(
+        painter, rect, titleOf(quantity),
+        profile.gaps.empty()
+            ? ReportChartWords::tr("smoothed, with its ±95 % band; dots: as measured")
+            : ReportChartWords::tr("smoothed, with its ±95 % band; dots: as measured; shaded: not measured"));
     constexpr double numberWidth = 6; // for the events above
     const std::vector<double> times = sampleTimes(profile);
     ProfileCurves curves = profileCurves(profile, quantity, times);
@@ -215,12 +218,15 @@ void drawRunChart(QPainter &painter, const QRectF &rect, const Profile &profile,
         return;
     }
     auto content = std::make_shared<ChartContent>();
-    content->curves = {std::move(curves.measured), std::move(curves.line), std::move(curves.spikes)};
+    content->curves = {std::move(curves.measured), std::move(curves.bridged), std::move(curves.line),
+                       std::move(curves.spikes)};
     content->range = valueRange(content->curves, quantity);
     ChartDrawing drawing;
     drawing.content = std::move(content);
     drawing.low = times.front();
     drawing.high = std::max(times.back(), times.front() + 1e-3);
+    for (const TimeSpan &gap : profile.gaps)
+        drawing.stretches.push_back({toSeconds(gap.begin), toSeconds(gap.end)});
     const ChartPlot plot =
         drawChart(painter, area.adjusted(0, numberWidth, 0, 0), drawing, palette, reportFont(smallSize));
     painter.save();
@@ -260,19 +266,14 @@ void drawFramed(QPainter &painter, const QRectF &rect, const Eigen::AlignedBox2d
 
 void drawOtherWay(QPainter &painter, const MapPlan &plan, const Profile &profile)
 {
-    QPolygonF run;
-    const auto draw = [&] {
+    for (const ProfilePiece &piece : piecesOf(profile)) {
+        QPolygonF run;
+        for (std::size_t i = piece.first; i <= piece.last; ++i)
+            run << plan.fromWorld(profile.points[i].position);
+        painter.setPen(QPen(ThemeColours::of(reportPalette()).point, 1.2,
+                            piece.isBridged ? Qt::DotLine : Qt::SolidLine));
         painter.drawPolyline(run);
-        run.clear();
-    };
-    painter.setPen(QPen(ThemeColours::of(reportPalette()).point, 1.2));
-    for (const ProfilePoint &point : profile.points) {
-        if (point.valid)
-            run << plan.fromWorld(point.position);
-        else
-            draw();
     }
-    draw();
 }
 
 /// Beside its position, without covering another number if possible.

@@ -290,7 +290,7 @@ void ProfileChart::describe()
     if (m_quantity == Quantity::TurnRate && analysed)
         remark += tr("anticlockwise positive");
     if (m_area->hasUncertainIntervals())
-        remark += tr("shaded: hidden or ambiguous");
+        remark += tr("shaded: hidden, ambiguous or not measured");
     setRemark(remark.join(QStringLiteral(" · ")));
     m_area->setAccessibleName((m_span.against() == ChartSpan::Against::Time ? tr("Chart: %1 over time")
                                                                             : tr("Chart: %1 over distance"))

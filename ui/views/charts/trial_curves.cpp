@@ -37,20 +37,21 @@ TrialCurves::TrialCurves(TrialScenePtr scene, Quantity quantity, const SamplePos
                                            m_positions[robot]));
     auto content = std::make_shared<ChartContent>();
     content->emptyWords = TrialCurvesWords::tr("No curve yet: track the trial");
-    for (const auto part : {&ProfileCurves::measured, &ProfileCurves::line, &ProfileCurves::spikes})
+    for (const auto part :
+         {&ProfileCurves::measured, &ProfileCurves::bridged, &ProfileCurves::line, &ProfileCurves::spikes})
         for (ProfileCurves &curves : robots)
             content->curves.push_back(std::move(curves.*part));
     m_lines.resize(m_scene->robots.size());
     for (const ChartCurve &curve : content->curves)
         if (curve.kind == ChartCurve::Kind::Line)
-            m_lines[static_cast<std::size_t>(curve.group)] = &curve;
+            m_lines[static_cast<std::size_t>(curve.group)].push_back(&curve);
     content->range = valueRange(content->curves, m_quantity);
     m_content = std::move(content);
 }
 
 std::optional<CurveValue> TrialCurves::valueAt(std::size_t robot, Nanoseconds time) const
 {
-    if (!m_lines[robot])
+    if (m_lines[robot].empty())
         return std::nullopt;
     const std::vector<Sample> &samples = m_scene->robots[robot].analysis->profile.samples;
     const auto after =
@@ -59,9 +60,10 @@ std::optional<CurveValue> TrialCurves::valueAt(std::size_t robot, Nanoseconds ti
     if (after == samples.begin())
         return std::nullopt;
     const auto index = static_cast<std::size_t>(after - samples.begin()) - 1;
-    for (const CurveRun &run : m_lines[robot]->runs)
-        if (index >= run.firstSample && index - run.firstSample < run.points.size())
-            return run.points[index - run.firstSample].curveValue();
+    for (const ChartCurve *line : m_lines[robot])
+        for (const CurveRun &run : line->runs)
+            if (index >= run.firstSample && index - run.firstSample < run.points.size())
+                return run.points[index - run.firstSample].curveValue();
     return std::nullopt;
 }
 
@@ -253,7 +255,7 @@ ProfileCurves profileCurves(const Profile &profile, Quantity quantity, const std
                             int group, int position)
 {
     ProfileCurves curves;
-    for (ChartCurve *curve : {&curves.measured, &curves.line, &curves.spikes}) {
+    for (ChartCurve *curve : {&curves.measured, &curves.bridged, &curves.line, &curves.spikes}) {
         curve->group = group;
         curve->position = position;
     }
@@ -261,9 +263,13 @@ ProfileCurves profileCurves(const Profile &profile, Quantity quantity, const std
     curves.measured.ink = ChartInk::Point;
     curves.measured.widthPx = 1;
     curves.measured.runs = {measuredPoints(profile, quantity, positions)};
+    const auto values = curveValues(profile, quantity);
+    const std::vector<ProfilePiece> pieces = piecesOf(profile);
     curves.line.dash = seriesDash(group);
-    curves.line.hasBand = true;
-    curves.line.runs = curveRuns(curveValues(profile, quantity), positions);
+    curves.line.hasBand = curves.bridged.hasBand = true;
+    curves.line.runs = curveRuns(values, positions, pieces);
+    curves.bridged.dash = Qt::DotLine;
+    curves.bridged.runs = curveRuns(values, positions, pieces, true);
     curves.spikes.kind = ChartCurve::Kind::Spikes;
     curves.spikes.ink = ChartInk::Spike;
     curves.spikes.runs = {spikePoints(profile, quantity, positions)};

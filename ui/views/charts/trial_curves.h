@@ -52,8 +52,8 @@ private:
     TrialScenePtr m_scene; ///< null: nothing to show
     Quantity m_quantity = Quantity::Speed;
     ChartContentPtr m_content;
-    std::vector<const ChartCurve *> m_lines; ///< of the content, one a robot; null: it has none
-    std::vector<int> m_positions;            ///< of the robots' colours in the palette
+    std::vector<std::vector<const ChartCurve *>> m_lines; ///< of the content, those of each robot
+    std::vector<int> m_positions;                         ///< of the robots' colours in the palette
 };
 
 /// Makes the curves of a chart: at once, or, of a trial so long that the window would have to wait, on a
@@ -114,11 +114,11 @@ CurveRun measuredPoints(const Profile &profile, Quantity quantity, const std::ve
 /// quantity.
 CurveRun spikePoints(const Profile &profile, Quantity quantity, const std::vector<double> &positions);
 
-/// The robot's curve of a quantity as a chart shows it, in a palette colour and the dash of the group; and
-/// its measured points (beneath) and spikes (above), of the same group.
+/// The robot's curve of a quantity as a chart shows it, in a palette colour and the dash of the group, dotted
+/// where it is bridged; and its measured points (beneath) and spikes (above), of the same group.
 struct ProfileCurves
 {
-    ChartCurve measured, line, spikes;
+    ChartCurve measured, bridged, line, spikes;
 };
 ProfileCurves profileCurves(const Profile &profile, Quantity quantity, const std::vector<double> &positions,
                             int group = 0, int position = 0);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/views/map/trial_map.h"
 
+#include "core/analysis/motion_stretches.h"
+#include "core/analysis/quantity_curve.h"
 #include "ui/models/number_text.h"
 #include "ui/models/scene_uncertainty.h"
 #include "ui/models/trial_scene.h"
@@ -17,7 +19,8 @@
 #include <QPainterPath>
 #include <algorithm>
 #include <cmath>
-#include <optional>
+#include <span>
+#include <vector>
 
 namespace odo {
 
@@ -32,19 +35,63 @@ class TrailPaintingWords
 
 constexpr double tolerancePx = 0.2; // less cannot be seen, and strokes cost by the point
 
+/// Between two points next to one another: as the metrics bridge it.
+void addCubic(const Profile &profile, const ProfilePiece &piece, const MapPlan &plan, LineSimplifier &run)
+{
+    const auto instantOf = [&profile](std::size_t i) {
+        return RunInstant{toSeconds(profile.samples[i].time), &profile.points[i]};
+    };
+    const RunInstant from = instantOf(piece.first), to = instantOf(piece.last);
+    if (!(to.timeS > from.timeS))
+        return;
+    const CubicPath cubic(from, to);
+    for (int i = 1; i < CubicPath::parts; ++i) {
+        const double part = double(i) / CubicPath::parts;
+        run.add(plan.fromWorld({cubic.x.value(part), cubic.y.value(part)}));
+    }
+}
+
 /// The path of the smoothed positions, in pieces without gaps.
-QPainterPath pathOf(const Profile &profile, const MapPlan &plan)
+QPainterPath pathOf(const Profile &profile, const std::vector<ProfilePiece> &pieces, const MapPlan &plan,
+                    bool bridged)
 {
     QPainterPath pathLine;
     LineSimplifier run(tolerancePx);
-    for (const ProfilePoint &point : profile.points) {
-        if (point.valid)
-            run.add(plan.fromWorld(point.position));
-        else
-            pathLine.addPolygon(run.take());
+    for (const ProfilePiece &piece : pieces) {
+        if (piece.isBridged != bridged)
+            continue;
+        run.add(plan.fromWorld(profile.points[piece.first].position));
+        if (piece.last == piece.first + 1)
+            addCubic(profile, piece, plan, run);
+        for (std::size_t i = piece.first + 1; i <= piece.last; ++i)
+            run.add(plan.fromWorld(profile.points[i].position));
+        pathLine.addPolygon(run.take());
     }
-    pathLine.addPolygon(run.take());
     return pathLine;
+}
+
+/// A piece of a track, coloured by speed.
+void drawColoured(QPainter &painter, const MapPlan &plan, std::span<const ProfilePoint> points, double topMps)
+{
+    LineSimplifier stretch(tolerancePx); // of one colour
+    int stretchColour = 0;
+    const auto draw = [&] {
+        painter.setPen(QPen(scaleColour(double(stretchColour) / colourSteps), 3, Qt::SolidLine, Qt::RoundCap,
+                            Qt::RoundJoin));
+        painter.drawPolyline(stretch.take());
+    };
+    for (const ProfilePoint &point : points) {
+        const int colour =
+            static_cast<int>(std::lround(topMps > 0 ? colourSteps * point.speedMps / topMps : 0));
+        if (!stretch.isEmpty() && colour != stretchColour) {
+            const QPointF joint = stretch.last();
+            draw();
+            stretch.add(joint);
+        }
+        stretchColour = colour;
+        stretch.add(plan.fromWorld(point.position));
+    }
+    draw();
 }
 
 } // namespace
@@ -67,30 +114,16 @@ void drawSpeedTrail(QPainter &painter, const MapPlan &plan, const Profile &profi
                     const QPalette &palette)
 {
     const QColor rim = isDark(palette) ? QColor(235, 238, 240, 150) : QColor(25, 30, 35, 110);
-    painter.strokePath(pathOf(profile, plan), QPen(rim, 5, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
-    LineSimplifier piece(tolerancePx); // a stretch of one colour
-    int pieceColour = 0;
-    const auto drawPiece = [&] {
-        painter.setPen(QPen(scaleColour(double(pieceColour) / colourSteps), 3, Qt::SolidLine, Qt::RoundCap,
-                            Qt::RoundJoin));
-        painter.drawPolyline(piece.take());
-    };
-    for (const ProfilePoint &point : profile.points) {
-        if (!point.valid) {
-            drawPiece();
-            continue;
-        }
-        const int colour =
-            static_cast<int>(std::lround(topMps > 0 ? colourSteps * point.speedMps / topMps : 0));
-        if (!piece.isEmpty() && colour != pieceColour) {
-            const QPointF joint = piece.last();
-            drawPiece();
-            piece.add(joint);
-        }
-        pieceColour = colour;
-        piece.add(plan.fromWorld(point.position));
-    }
-    drawPiece();
+    const std::vector<ProfilePiece> pieces = piecesOf(profile);
+    painter.strokePath(pathOf(profile, pieces, plan, false),
+                       QPen(rim, 5, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+    painter.strokePath(pathOf(profile, pieces, plan, true),
+                       QPen(rim, 2.5, Qt::DotLine, Qt::RoundCap, Qt::RoundJoin));
+    for (const ProfilePiece &piece : pieces)
+        if (!piece.isBridged)
+            drawColoured(painter, plan,
+                         std::span(profile.points).subspan(piece.first, piece.last + 1 - piece.first),
+                         topMps);
 }
 
 void drawMapUncertainIntervals(QPainter &painter, const MapPlan &plan, const TrialScene &scene,
@@ -101,13 +134,15 @@ void drawMapUncertainIntervals(QPainter &painter, const MapPlan &plan, const Tri
     haze.setAlpha(90);
     for (const UncertainInterval &one : uncertainIntervals(scene)) {
         const Profile &profile = scene.robots[one.robot].analysis->profile;
+        painter.setPen(QPen(haze, width, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
         LineSimplifier pathLine(tolerancePx);
         for (auto i = std::ranges::lower_bound(profile.samples, one.span.begin, {}, &Sample::time) -
                       profile.samples.begin();
              i < std::ssize(profile.points) && profile.samples[std::size_t(i)].time <= one.span.end; ++i)
-            if (profile.points[std::size_t(i)].valid)
+            if (profile.points[std::size_t(i)].valid && one.kind == UncertainInterval::Kind::Gap)
+                painter.drawPoint(plan.fromWorld(profile.points[std::size_t(i)].position));
+            else if (profile.points[std::size_t(i)].valid)
                 pathLine.add(plan.fromWorld(profile.points[std::size_t(i)].position));
-        painter.setPen(QPen(haze, width, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
         painter.drawPolyline(pathLine.take());
     }
 }
@@ -238,20 +273,20 @@ constexpr int mostDashed = 20000; // points of a way
 QPainterPath runPathOf(const Profile &profile, const MapPlan &plan)
 {
     QPainterPath pathLine;
-    std::optional<QPointF> last;
-    for (const ProfilePoint &point : profile.points) {
-        if (!point.valid) {
-            last.reset();
-            continue;
+    std::size_t next = 0;
+    QPointF last;
+    for (const ProfilePiece &piece : piecesOf(profile)) {
+        for (std::size_t i = piece.first; i <= piece.last; ++i) {
+            const QPointF at = plan.fromWorld(profile.points[i].position);
+            if (i == piece.first && (next == 0 || piece.first != next))
+                pathLine.moveTo(at);
+            else if (QLineF(last, at).length() < closestPx)
+                continue;
+            else
+                pathLine.lineTo(at);
+            last = at;
         }
-        const QPointF at = plan.fromWorld(point.position);
-        if (!last)
-            pathLine.moveTo(at);
-        else if (QLineF(*last, at).length() < closestPx)
-            continue;
-        else
-            pathLine.lineTo(at);
-        last = at;
+        next = piece.last;
     }
     return pathLine;
 }

@@ -20,10 +20,10 @@ struct TrialScene;
 double topSpeedMps(const TrialScene &scene);
 
 /// A smoothed track, coloured by speed from 0 to the top, with a rim so both ends of the scale contrast with
-/// any floor. Gaps stay open.
+/// any floor. Bridged pieces are dotted; gaps stay open.
 void drawSpeedTrail(QPainter &painter, const MapPlan &plan, const Profile &profile, double topMps,
                     const QPalette &palette);
-/// A haze under the trail where less than usual is known of a robot.
+/// A haze under the trail where less than usual is known of a robot; at both ends of a gap.
 void drawMapUncertainIntervals(QPainter &painter, const MapPlan &plan, const TrialScene &scene,
                                const QPalette &palette);
 /// A triangle where each spike was measured, or else where the curve is then.
@@ -53,7 +53,7 @@ void drawMapMarks(QPainter &painter, const MapPlan &plan, const TrialScene &scen
 void drawTrialRobots(QPainter &painter, const MapPlan &plan, const TrialScene &scene, Nanoseconds time,
                      const QPalette &palette);
 
-/// The paths of these runs in their colours and dashes, the first one on top.
+/// The paths of these runs in their colours and dashes, the first one on top. Gaps stay open.
 void drawPaths(QPainter &painter, const MapPlan &plan, const ComparisonScene &scene,
                const std::vector<std::size_t> &runs, const QPalette &palette);
 

@@ -218,7 +218,7 @@ void ChartSeries::showDenseBand(const ChartColumns &columns)
 
 qsizetype ChartSeries::showLine(const ChartColumns &columns)
 {
-    AreaOutline band;
+    AreaOutline band(columns.plot.values);
     qsizetype used = 0, strokes = 0;
     for (const CurveRun &run : m_curve->runs) {
         const auto visible = visiblePoints(run.points, columns.plot.low, columns.plot.high);
@@ -360,15 +360,14 @@ void AreaOutline::add(double x, double low, double high)
 void AreaOutline::leap(double x, double low, double high)
 {
     if (!m_upper.isEmpty()) {
-        const double last = m_upper.last().x(), middle = (m_upper.last().y() + m_lower.last().y()) / 2;
-        add(last, middle, middle);
-        add(x, (low + high) / 2, (low + high) / 2);
+        add(m_upper.last().x(), m_belowPlot, m_belowPlot);
+        add(x, m_belowPlot, m_belowPlot);
     }
     add(x, low, high);
 }
 
 ColumnOutline::ColumnOutline(const ChartColumns &columns)
-    : m_low(columns.plot.low * columns.perSi),
+    : m_outline(columns.plot.values), m_low(columns.plot.low * columns.perSi),
       m_step((columns.plot.high - columns.plot.low) * columns.perSi / columns.count()),
       m_least((columns.plot.values.high - columns.plot.values.low) /
               std::max(1.0, columns.plot.rect.height()))

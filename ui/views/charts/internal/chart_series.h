@@ -80,10 +80,15 @@ QAreaSeries *newArea(QChart &chart);
 /// Its upper and lower edge: as many points, of the same x.
 void setEdges(QAreaSeries &area, const QList<QPointF> &upper, const QList<QPointF> &lower);
 
-/// The outline of an area that may have gaps: across a gap it has no height, so that nothing is filled.
+/// The outline of an area that may have gaps: across a gap it runs below the plot and has no height, so
+/// nothing is filled. (Some programs paint a line where a page's area has no height.)
 class AreaOutline
 {
 public:
+    explicit AreaOutline(const ValueRange &values = {})
+        : m_belowPlot(values.low - (values.high - values.low) / 4)
+    {
+    }
     void add(double x, double low, double high);
     /// Closes what was added before and opens the next piece at x.
     void leap(double x, double low, double high);
@@ -91,6 +96,7 @@ public:
 
 private:
     QList<QPointF> m_upper, m_lower;
+    double m_belowPlot;
 };
 
 /// Columns as an outline, none of them lower than a pixel. A column that is not joined to the one before it
