@@ -31,7 +31,7 @@ class TestTrackFile : public QObject
             qFatal("no test file");
         return name.toStdString();
     }
-    Result<TrackFile> read(const QByteArray &text) const { return readTrackFile(fileOf(text), JobControl()); }
+    Result<TrackFile> read(const QByteArray &text) const { return readTrackFile(fileOf(text), TrackReading(), JobControl()); }
 
     /// "tum|0 100000000 200000000|0 0.5 1|-1 -1.5 -2": format, nanoseconds, x and y of the first track.
     QString shown(const QByteArray &text, std::size_t track = 0) const
@@ -275,7 +275,7 @@ private Q_SLOTS:
     }
     void noFile()
     {
-        const auto file = readTrackFile("/nowhere/run.csv", JobControl());
+        const auto file = readTrackFile("/nowhere/run.csv", TrackReading(), JobControl());
         QVERIFY(!file && file.error().code == ErrorCode::NotFound);
         QVERIFY(!read(QByteArray("t_s,x_mm,y_mm\n\xff\xfe\0", 17)));
     }
@@ -291,7 +291,7 @@ private Q_SLOTS:
         QCOMPARE(file->tracks[0].positions.back().position->x(), 215.999);
         JobControl control;
         control.progress = [&](double, const Message &) { control.cancel.cancel(); };
-        const auto stopped = readTrackFile(fileOf(text), control);
+        const auto stopped = readTrackFile(fileOf(text), TrackReading(), control);
         QVERIFY(!stopped && stopped.error().code == ErrorCode::Cancelled);
     }
     /// A character that begins in one block of the file and ends in the next; and what begins and never ends.
