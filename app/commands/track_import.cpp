@@ -125,7 +125,7 @@ private:
     {
         return fail(ErrorCode::Io, ODO_TEXT("app.standard_input", "standard input"),
                     foreignWords(why.toStdString()),
-                    ODO_TEXT("app.free_temporary_space", "make room in the folder of temporary files"));
+                    ODO_TEXT("app.free_temporary_space", "free space in the folder of temporary files"));
     }
     QTemporaryDir m_folder;
 };

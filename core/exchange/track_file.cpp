@@ -73,14 +73,6 @@ Result<std::vector<ImportedPosition>> positionsFrom(const RawTrack &track,
     return positions;
 }
 
-std::size_t countMeasured(const RawTrack &track)
-{
-    std::size_t count = 0;
-    for (std::size_t i = 0; i < track.size(); ++i)
-        count += track.isMeasured(i);
-    return count;
-}
-
 /// From the rows of the file to positions on the floor.
 Result<FileTrack> understood(RawTrack raw, const RawTable &table, Understanding how)
 {
@@ -112,15 +104,19 @@ Result<FileTrack> understood(RawTrack raw, const RawTable &table, Understanding 
 }
 
 /// Tracks without a position are passed over, unless it is the only one.
-Result<void> checkLengths(RawTable &table, const Understanding &how, int lastLine)
+Result<void> checkLengths(std::vector<FileTrack> &tracks, const Understanding &how, int lastLine)
 {
-    for (const RawTrack &track : table.tracks) {
-        const std::size_t count = countMeasured(track);
-        if (count < leastPositions && (table.tracks.size() == 1 || count > 0))
-            return how.wrong(lastLine, positionsOf(track.name, count), chooseLongerTrack());
+    const auto count = [](const FileTrack &track) {
+        return static_cast<std::size_t>(std::ranges::count_if(
+            track.positions, [](const ImportedPosition &one) { return one.position.has_value(); }));
+    };
+    for (const FileTrack &track : tracks) {
+        const std::size_t positions = count(track);
+        if (positions < leastPositions && (tracks.size() == 1 || positions > 0))
+            return how.wrong(lastLine, positionsOf(track.name, positions), chooseLongerTrack());
     }
-    std::erase_if(table.tracks, [](const RawTrack &track) { return countMeasured(track) == 0; });
-    if (table.tracks.empty())
+    std::erase_if(tracks, [&](const FileTrack &track) { return count(track) == 0; });
+    if (tracks.empty())
         return how.wrong(lastLine,
                          ODO_TEXT("exchange.no_track_has_position", "none of its tracks has a position"),
                          chooseLongerTrack());
@@ -148,17 +144,13 @@ Result<TrackFile> readTrackFile(const std::filesystem::path &file, const TrackRe
 {
     auto table = ODO_TRY(readRawTable(file, reading, control));
     const Understanding how{file, reading, {}, {}};
-    ODO_TRY(checkLengths(table, how, table.lastLine));
     nameTracks(table.tracks);
     TrackFile result{table.columns.format, {}};
     for (RawTrack &raw : table.tracks) {
         auto track = ODO_TRY(understood(std::move(raw), table, how));
-        const auto count = static_cast<std::size_t>(std::ranges::count_if(
-            track.positions, [](const ImportedPosition &one) { return one.position.has_value(); }));
-        if (count < leastPositions)
-            return how.wrong(table.lastLine, positionsOf(track.name, count), chooseLongerTrack());
         result.tracks.push_back(std::move(track));
     }
+    ODO_TRY(checkLengths(result.tracks, how, table.lastLine));
     return result;
 }
 

@@ -103,11 +103,16 @@ Line rosLine()
     };
 }
 
+QByteArray frame(const DrivenRun::Row &row)
+{
+    return QByteArray::number(std::lround(row.t * DrivenRun::rate));
+}
+
 Line frameLine(double perMetre, bool withConfidence)
 {
-    return [=](std::size_t i, const DrivenRun::Row &row) {
-        const QByteArray line = QByteArray::number(quint64(i)) + ',' + number(row.x * perMetre, 2) + ',' +
-                                number(row.y * perMetre, 2);
+    return [=](std::size_t, const DrivenRun::Row &row) {
+        const QByteArray line =
+            frame(row) + ',' + number(row.x * perMetre, 2) + ',' + number(row.y * perMetre, 2);
         return withConfidence ? line + ',' + number(row.confidence, 3) : line;
     };
 }
@@ -175,11 +180,11 @@ std::vector<TrackStyle> made()
     dlc.hasFrames = true;
     dlc.pixelM = 0.002;
     all.push_back(dlc);
-    TrackStyle sleap = plain(
-        "SLEAP", "track,frame_idx,instance.score,A.x,A.y,A.score\n", "", [](std::size_t i, const auto &row) {
-            return "t0," + QByteArray::number(quint64(i)) + ",0.9," + number(row.x * 500, 3) + ',' +
-                   number(row.y * 500, 3) + ',' + number(row.confidence, 3);
-        });
+    TrackStyle sleap = plain("SLEAP", "track,frame_idx,instance.score,A.x,A.y,A.score\n", "",
+                             [](std::size_t, const auto &row) {
+                                 return "t0," + frame(row) + ",0.9," + number(row.x * 500, 3) + ',' +
+                                        number(row.y * 500, 3) + ',' + number(row.confidence, 3);
+                             });
     sleap.hasFrames = true;
     sleap.pixelM = 0.002;
     all.push_back(sleap);

@@ -310,6 +310,58 @@ private Q_SLOTS:
             QCOMPARE(outcomeOf(done), std::string(step > 0.05 ? "exchange.stamps_shared" : "read"));
         }
     }
+    /// A log that is quicker than what it logs: each row twice, with its stamp or with one of its own.
+    void twins()
+    {
+        const DrivenRun run = DrivenRun::made(9);
+        DrivenRun twice, held;
+        for (const auto &row : run.rows) {
+            twice.rows.insert(twice.rows.end(), 2, row);
+            held.rows.insert(held.rows.end(), 2, row);
+            held.rows.back().t += 1 / 60.0;
+        }
+        for (const DrivenRun *one : {&twice, &held}) {
+            const auto done = read(styleNamed("own CSV").write(*one));
+            QVERIFY2(done, done ? "" : done.error().message().c_str());
+            QCOMPARE(done->tracks[0].notices.size(), std::size_t(1));
+            std::size_t count = 0;
+            for (const auto &position : done->tracks[0].positions)
+                count += position.position.has_value();
+            QCOMPARE(count, std::size_t(360));
+        }
+        QByteArray bag = styleNamed("TUM in ns").write(run);
+        const auto done = read("0" + bag.mid(bag.indexOf(' '))); // its clock was not set yet
+        QVERIFY2(done, done ? "" : done.error().message().c_str());
+        QCOMPARE(done->tracks[0].positions.size(), std::size_t(359));
+    }
+    /// Every other row is a mark.
+    void marksEverywhere()
+    {
+        DrivenRun run = DrivenRun::made(10);
+        for (std::size_t i = 1; i < run.rows.size(); i += 2)
+            run.rows[i].x = run.rows[i].y = -0.001;
+        const auto done = read(styleNamed("own CSV").write(run));
+        QVERIFY2(done, done ? "" : done.error().message().c_str());
+        QCOMPARE(measured(done->tracks[0]).lost, std::size_t(180));
+    }
+    void motionCapture()
+    {
+        QByteArray text =
+            "Format Version,1.23,Take Name,run\n\n,,Rigid Body,Rigid Body,Rigid Body,Rigid "
+            "Body,Rigid Body,Rigid Body,Rigid "
+            "Body\n,,Rotation,Rotation,Rotation,Rotation,Position,Position,Position\nFrame,Time "
+            "(Seconds),X,Y,Z,W,X,Y,Z\n";
+        int frame = 0;
+        for (const auto &row : DrivenRun::made(11).rows)
+            text += QByteArray::number(frame++) + ',' + QByteArray::number(row.t, 'f', 6) + ",0,0,0,1," +
+                    QByteArray::number(row.x, 'f', 6) + ",0.060," + QByteArray::number(row.y, 'f', 6) + '\n';
+        QCOMPARE(outcomeOf(read(text)), std::string("exchange.axes_unclear"));
+        TrackReading how;
+        how.axes = FloorAxes::Xz;
+        const auto done = read(text, how);
+        QVERIFY2(done && done->tracks.size() == 1, done ? "" : done.error().message().c_str());
+        QCOMPARE(wrongWith(done->tracks[0]), QString());
+    }
     /// A localisation that starts anew goes on from elsewhere.
     void breaks()
     {

@@ -221,9 +221,9 @@ private Q_SLOTS:
         row("UTF-16", QByteArray("\xff\xfet\0_\0s\0", 8),
             "': it is written in UTF-16; save it again as \"CSV UTF-8\" or as a UTF-8 text");
         row("NaN in TUM", tum + "1 nan 2 0 0 0 0 1\n",
-            ":2: 'nan' is not a finite number; write it with digits, like 12.5, or leave the cell blank");
+            ":2: one of its two coordinates is blank; fill in both or none");
         row("NaN in CSV", csv + "1,NaN,2\n",
-            ":3: 'NaN' is not a finite number; write it with digits, like 12.5, or leave the cell blank");
+            ":3: one of its two coordinates is blank; fill in both or none");
         row("too large for a number", csv + "1,1e999,2\n",
             ":3: '1e999' is not a finite number; write it with digits, like 12.5, or leave the cell blank");
         // as many as a number may have; what follows them is not looked at
@@ -233,9 +233,11 @@ private Q_SLOTS:
                 .c_str());
         row("no time", csv + ",1,2\n", ":3: '' is not a time; write it with digits, like 12.5");
         row("a time of no age", tum + "1e300 1 2 0 0 0 0 1\n",
-            ":2: '1e300' is not a time in seconds; write it with digits, like 12.5");
+            ":2: its time is more than a century from 1970; check the unit of the times, and that all "
+            "lines are of one run");
         row("times with more between them than is counted", "t,x,y\n-9e9,0,0\n9e9,1,1\n",
-            ":2: '-9e9' is not a time; write it with digits, like 12.5");
+            ":2: its time is more than a century from 1970; check the unit of the times, and that all "
+            "lines are of one run");
         QByteArray many = "t";
         for (int track = 0; track < 1000; ++track)
             many += ",x,y";

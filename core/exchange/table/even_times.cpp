@@ -58,8 +58,12 @@ Spread putOn(const Line &line, const std::vector<double> &numbers, std::vector<N
     if (worst < exact * unit)
         return Spread::AlreadyEven;
     const Nanoseconds first = times.front();
+    // A series that begins at 0 does not begin before it.
+    const bool isBefore =
+        first >= Nanoseconds(0) && first + Nanoseconds(std::llround(line.startNs)) < Nanoseconds(0);
+    const double startNs = isBefore ? 0 : line.startNs;
     for (std::size_t i = 0; i < times.size(); ++i)
-        times[i] = first + Nanoseconds(std::llround(line.startNs + line.stepNs * numbers[i]));
+        times[i] = first + Nanoseconds(std::llround(startNs + line.stepNs * numbers[i]));
     return unit < small * line.stepNs ? Spread::Slightly : Spread::Much;
 }
 

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 
 namespace odo {
 
@@ -74,8 +75,9 @@ Result<void> forgetUnsure(RawTrack &track, Understanding &how)
     if (isPercent && least <= 1)
         least *= percent;
     if (!how.reading.minConfidence && !isShare && !isPercent) {
-        how.notices.push_back(ODO_TEXT("exchange.confidence_not_used",
-                                       "its confidences are no shares of 1 or 100 and were not used"));
+        how.notices.push_back(
+            ODO_TEXT("exchange.confidence_not_used",
+                     "its confidences are neither from 0 to 1 nor from 0 to 100, and were not used"));
         return {};
     }
     std::vector<std::size_t> forgotten;
@@ -105,11 +107,13 @@ void forgetMarks(RawTrack &track, Understanding &how)
     if (rows.size() < enoughForCourse)
         return;
     std::vector<double> steps;
-    for (std::size_t i = 1; i < rows.size(); ++i) {
-        const double step = distanceOf(track, rows[i], rows[i - 1]);
-        if (step > 0 && !isMark(track.x[rows[i]], track.y[rows[i]]) &&
-            !isMark(track.x[rows[i - 1]], track.y[rows[i - 1]]))
-            steps.push_back(step);
+    std::optional<std::size_t> before; // every other row may be a mark
+    for (const std::size_t row : rows) {
+        if (isMark(track.x[row], track.y[row]))
+            continue;
+        if (before && distanceOf(track, row, *before) > 0)
+            steps.push_back(distanceOf(track, row, *before));
+        before = row;
     }
     const double far = farSteps * percentileOf(std::move(steps), 75);
     std::vector<std::size_t> forgotten;

@@ -68,7 +68,16 @@ std::optional<long double> clockOf(Scanner &scanner)
     const auto third = scanner.digits(2, 2);
     if (!third || *third > most) // a leap second
         return std::nullopt;
-    return 3600.0L * *first + 60.0L * *second + *third + scanner.fraction();
+    long double part = 0;
+    Scanner rest = scanner; // Kinovea: 0:00:03:25 is 3.25 s
+    if (rest.skip(":")) {
+        const auto hundredths = rest.digits(2, 2);
+        if (!hundredths)
+            return std::nullopt;
+        part = 0.01L * *hundredths;
+        scanner = rest;
+    }
+    return 3600.0L * *first + 60.0L * *second + *third + part + scanner.fraction();
 }
 
 /// Days since 1970 of "2024-05-06", "2024/05/06" or "06.05.2024".

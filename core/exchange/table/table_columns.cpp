@@ -153,6 +153,8 @@ void HeaderSearch::findTracks()
         const ColumnName &name = m_names[i];
         if (!name.isPosition() || (m_table.time && m_table.time->index == i))
             continue;
+        if (i < m_above.size() && lowerCaseAscii(m_above[i]) == "rotation")
+            continue; // of motion capture, beside the positions
         if (name.hasUnit() && !name.isBracketed() && !name.lengthUnit())
             continue; // x_s
         const int isPixel = name.lengthUnit() == LengthUnit::Pixel ? 3 : 0;

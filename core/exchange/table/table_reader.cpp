@@ -273,12 +273,11 @@ Result<NumberStyle> TableReader::surveyed()
     if (outcome.isAmbiguous) {
         std::string without = outcome.example;
         std::erase(without, outcome.style.decimal);
-        return fail(
-            ErrorCode::InvalidInput, atLineOf(m_file, m_reading, m_rowsAfter + 1),
-            ODO_TEXT("exchange.number_in_two_ways",
-                     "its numbers can be read in two ways: '%1' with three decimals, or as %2")(
-                outcome.example, without),
-            ODO_TEXT("exchange.choose_decimal_sign", "choose what its decimal sign is: point or comma"));
+        return fail(ErrorCode::InvalidInput, atLineOf(m_file, m_reading, m_rowsAfter + 1),
+                    ODO_TEXT("exchange.number_in_two_ways",
+                             "its numbers can be read in two ways: '%1' with three decimals, or as %2")(
+                        outcome.example, without),
+                    ODO_TEXT("exchange.choose_decimal_sign", "choose its decimal sign: point or comma"));
     }
     m_table.thousands = outcome.isGrouped ? outcome.style.thousands : 0;
     ODO_TRY(open(0.25));

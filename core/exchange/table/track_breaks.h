@@ -9,7 +9,7 @@
 
 namespace odo {
 
-/// Where a localisation starts anew, its positions leap and go on from elsewhere: no robot drove that. So
+/// Where a localisation restarts, its positions leap and go on from elsewhere: no robot drove that. So
 /// many rows around the leap are forgotten that no gap is bridged across it, and said so. unitsPerMetre: of
 /// the track's coordinates. Error: more breaks than a track can have and still be one.
 Result<void> openBreaks(RawTrack &track, const std::vector<Nanoseconds> &times, double unitsPerMetre,

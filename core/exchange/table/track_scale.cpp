@@ -129,9 +129,8 @@ Result<void> chooseAxes(RawTrack &track, TrackFormat format, Understanding &how)
         if (!hasZ)
             return how.wrong(0, ODO_TEXT("exchange.no_third_axis", "it has no third coordinate"),
                              ODO_TEXT("exchange.choose_axes_xy", "choose the axes x and y"));
-        how.facts.push_back(
-            ODO_TEXT("exchange.axes_given", "the floor is spanned by the axes %1 of the file")(
-                std::string(wordOf(*how.reading.axes))));
+        how.facts.push_back(ODO_TEXT("exchange.axes_given",
+                                     "floor axes: %1 of the file")(std::string(wordOf(*how.reading.axes))));
         takeAxes(track, *how.reading.axes);
         return {};
     }
@@ -147,9 +146,9 @@ Result<void> chooseAxes(RawTrack &track, TrackFormat format, Understanding &how)
     const MessageArgument stays =
         quantity(middleOf(isYUp ? track.y : track.x), decimalsFor(isYUp ? x : y), unit);
     if (format == TrackFormat::Trc || format == TrackFormat::Kitti) {
-        how.facts.push_back(ODO_TEXT(
-            "exchange.axes_seen", "the floor is spanned by the axes %1 of the file, as its %2 stays near %3")(
-            std::string(wordOf(likely)), up, stays));
+        how.facts.push_back(
+            ODO_TEXT("exchange.axes_seen", "floor axes: %1 of the file, as its %2 stays near %3")(
+                std::string(wordOf(likely)), up, stays));
         takeAxes(track, likely);
         return {};
     }

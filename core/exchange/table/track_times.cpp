@@ -160,6 +160,17 @@ std::vector<bool> outOfOrder(const std::vector<Nanoseconds> &times)
     return isOut;
 }
 
+void takeOut(RawTrack &track, std::vector<Nanoseconds> &times, const std::vector<bool> &isOut)
+{
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < times.size(); ++i) {
+        if (!isOut[i])
+            times[kept++] = times[i];
+    }
+    times.resize(kept);
+    track.remove(isOut);
+}
+
 /// Takes out the rows whose stamps fit nowhere, if they are few.
 Result<void> takeOutBad(RawTrack &track, std::vector<Nanoseconds> &times, Understanding &how)
 {
@@ -184,13 +195,7 @@ Result<void> takeOutBad(RawTrack &track, std::vector<Nanoseconds> &times, Unders
                    : ODO_TEXT("exchange.stamps_left_out",
                               "%1 lines were left out, because their times repeat or are out of order; the "
                               "first is line %2")(count, track.lines[first]));
-    std::size_t kept = 0;
-    for (std::size_t i = 0; i < times.size(); ++i) {
-        if (!isOut[i])
-            times[kept++] = times[i];
-    }
-    times.resize(kept);
-    track.remove(isOut);
+    takeOut(track, times, isOut);
     return {};
 }
 
@@ -199,11 +204,42 @@ MessageArgument milliseconds(Nanoseconds time)
     return quantity(static_cast<double>(time.count()) / 1e6, time.count() % 1'000'000 == 0 ? 0 : 2, "ms");
 }
 
+/// Rows that a log has twice, with their stamps.
+void takeOutTwins(RawTrack &track, std::vector<Nanoseconds> &times, Understanding &how)
+{
+    std::vector<bool> isTwin(times.size(), false);
+    const auto isSame = [](double a, double b) { return a == b || (std::isnan(a) && std::isnan(b)); };
+    for (std::size_t i = 1; i < times.size(); ++i)
+        isTwin[i] = times[i] == times[i - 1] && isSame(track.x[i], track.x[i - 1]) &&
+                    isSame(track.y[i], track.y[i - 1]);
+    const auto count = static_cast<std::size_t>(std::ranges::count(isTwin, true));
+    if (count <= mostBadRows(times.size()))
+        return;
+    how.notices.push_back(ODO_TEXT("exchange.twins_left_out",
+                                   "%1 lines were left out, because they repeat the line before")(count));
+    takeOut(track, times, isTwin);
+}
+
+/// A clock that was not set yet stamps 0 where all others count from 1970.
+void takeOutUnset(RawTrack &track, Understanding &how)
+{
+    if (track.stampKind != Stamp::Kind::Number || track.size() < enoughRows ||
+        !unitSince1970(track.stamps[track.size() / 2]))
+        return;
+    std::vector<bool> isUnset(track.size(), false);
+    for (std::size_t i = 0; i < track.size(); ++i)
+        isUnset[i] = track.stamps[i] == 0;
+    const auto count = static_cast<std::size_t>(std::ranges::count(isUnset, true));
+    if (count == 0 || count > mostBadRows(track.size()))
+        return;
+    how.notices.push_back(ODO_TEXT("exchange.unset_stamps", "%1 lines with the time 0 were left out")(count));
+    track.remove(isUnset);
+}
+
 /// Stamps that were rounded so much that it shows.
 Result<void> unround(RawTrack &track, std::vector<Nanoseconds> &times, Understanding &how)
 {
     const Nanoseconds resolution = resolutionOf(times);
-    const std::size_t shared = sharedStamps(times);
     const Spread spread = spreadEvenly(times, resolution);
     if (spread == Spread::Much)
         how.notices.push_back(ODO_TEXT(
@@ -213,6 +249,8 @@ Result<void> unround(RawTrack &track, std::vector<Nanoseconds> &times, Understan
             quantity(static_cast<double>(times.size() - 1) / toSeconds(times.back() - times.front()), 2)));
     if (spread != Spread::NotEven)
         return {};
+    takeOutTwins(track, times, how);
+    const std::size_t shared = sharedStamps(times);
     if (shared > mostBadRows(times.size()) && shared > 1)
         return how.wrong(
             track.lines.front(),
@@ -235,6 +273,7 @@ Result<std::vector<Nanoseconds>> timesOf(RawTrack &track, const RawTable &table,
 {
     if (track.stampKind == Stamp::Kind::Clock)
         passMidnight(track);
+    takeOutUnset(track, how);
     const bool isOneStamp =
         track.size() >= enoughRows && track.stamps.front() == track.stamps.back() && how.reading.rate;
     if (isOneStamp) {

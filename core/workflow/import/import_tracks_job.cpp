@@ -220,6 +220,9 @@ void ImportTracksJob::makeSamples(std::size_t robot)
     if (m_settings.sigmaM)
         reading.push_back(ODO_TEXT("workflow.accuracy_given", "accurate to %1, as given")(
             quantity(toMillimetres(*m_settings.sigmaM), 2, "mm")));
+    else if (!isStated)
+        reading.push_back(
+            ODO_TEXT("workflow.slow_errors_not_seen", "errors that change slowly are not included"));
     if (!read.name.empty())
         reading.push_back(ODO_TEXT("workflow.track_of_file", "the file's track '%1'")(read.name));
     if (m_zero != Nanoseconds(0))
