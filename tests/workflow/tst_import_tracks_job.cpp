@@ -123,6 +123,25 @@ private Q_SLOTS:
         QCOMPARE(m_project->changes()->front().words.english(), std::string("import trial lap"));
         QVERIFY(m_project->check(true)->empty());
     }
+    /// What scatter does not show can be given, and stays when the track is reanalysed.
+    void theAccuracyOfASourceCounts()
+    {
+        ImportTracksSettings settings = settingsOf("lap", write("lap.csv", circle()));
+        QVERIFY(import(settings));
+        QVERIFY(analysisOf("lap").profile.points[50].sigmaXM < 0.002);
+        settings.trial = "known";
+        settings.sigmaM = 0.005;
+        QVERIFY(import(settings));
+        QVERIFY(analysisOf("known").profile.points[50].sigmaXM >= 0.005);
+        const auto source = importedTracksOf(*m_project, *m_project->trials().find("known"))->front();
+        QVERIFY2(source.reading.english().ends_with("; accurate to 5.00 mm, as given"),
+                 source.reading.english().c_str());
+        TrackSettings again;
+        again.again = true;
+        TrackJob track("known", again);
+        QVERIFY(runToEnd(track, *m_project, JobControl()));
+        QVERIFY(analysisOf("known").profile.points[50].sigmaXM >= 0.005);
+    }
     /// To the last bit, whatever is made of them.
     void positionsAreNeverAltered()
     {
