@@ -213,7 +213,7 @@ void takeOutTwins(RawTrack &track, std::vector<Nanoseconds> &times, Understandin
         isTwin[i] = times[i] == times[i - 1] && isSame(track.x[i], track.x[i - 1]) &&
                     isSame(track.y[i], track.y[i - 1]);
     const auto count = static_cast<std::size_t>(std::ranges::count(isTwin, true));
-    if (count <= mostBadRows(times.size()))
+    if (times.size() < enoughRows || count <= mostBadRows(times.size()))
         return;
     how.notices.push_back(ODO_TEXT("exchange.twins_left_out",
                                    "%1 lines were left out, because they repeat the line before")(count));
