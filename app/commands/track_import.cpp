@@ -80,6 +80,9 @@ Message withOption(const Message &advice)
         return ODO_TEXT("app.give_unit", "give their unit, likely --unit %1 (m, cm, mm or px)")(likely);
     if (code == "exchange.choose_unit")
         return ODO_TEXT("app.give_a_unit", "give their unit with --unit: m, cm, mm or px");
+    if (code == "exchange.check_both_units")
+        return ODO_TEXT("app.give_both_units",
+                        "give the units of its times and positions: --time-unit and --unit");
     if (code == "exchange.choose_axes")
         return ODO_TEXT("app.give_axes",
                         "give the axes of the floor: --axes %1, or --axes xy if that is right")(likely);

@@ -134,6 +134,19 @@ private Q_SLOTS:
         };
         row("ms", styleNamed("CSV in ms and cm").withoutUnits(run), "exchange.time_steps_too_long", "ms");
         row("mm", styleNamed("own CSV").withoutUnits(run), "exchange.too_fast_in_metres", "mm");
+        QByteArray micro = "t,x,y\n", wrongSeconds = "t_s,x_m,y_m\n", wrongMetres = "t_s,x_m,y_m\n";
+        for (const auto &one : run.rows) {
+            const QByteArray xy =
+                ',' + QByteArray::number(one.x, 'f', 5) + ',' + QByteArray::number(one.y, 'f', 5);
+            micro += QByteArray::number(std::llround(one.t * 1e6)) + xy + '\n';
+            wrongSeconds += QByteArray::number(one.t * 1000, 'f', 1) + xy + '\n';
+            wrongMetres += QByteArray::number(one.t, 'f', 4) + ',' +
+                           QByteArray::number(one.x * 1000, 'f', 2) + ',' +
+                           QByteArray::number(one.y * 1000, 'f', 2) + '\n';
+        }
+        row("us", micro, "exchange.time_steps_too_long", "us");
+        row("ms that the header calls s", wrongSeconds, "exchange.time_steps_too_long", "ms");
+        row("mm that the header calls m", wrongMetres, "exchange.too_fast_as_said", "");
         row("metres of Tracker", styleNamed("Tracker").write(run), "read", "");
         row("pixels", styleNamed("DeepLabCut").write(run), "exchange.frames_without_rate", "");
         row("frame numbers", styleNamed("frame numbers").write(run), "exchange.frames_without_rate", "");

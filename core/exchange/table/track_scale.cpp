@@ -12,8 +12,8 @@ namespace odo {
 
 namespace {
 
-constexpr double fastRobot = 5, fastVehicle = 40; // m/s; the first where the unit is a guess
-constexpr double wideFloorM = 50, slowRobot = 0.005, smallFloorM = 0.02, usualRobot = 0.5;
+constexpr double fastRobot = 3, fastVehicle = 40; // m/s; the first where the unit is a guess
+constexpr double wideFloorM = 20, slowRobot = 0.005, smallFloorM = 0.02, usualRobot = 0.5;
 constexpr double clearlyLess = 3; // of two spreads
 constexpr double leastOfOther = 0.1;
 
@@ -171,11 +171,20 @@ Result<double> unitsPerMetre(const RawTrack &track, TrackFormat format, const st
                                      "a pixel is %1")(quantity(toMillimetres(*how.reading.pixelM), 3, "mm")));
         return 1 / *how.reading.pixelM;
     }
-    if (how.reading.unit || track.columns.x.unit)
+    if (how.reading.unit)
         return perMetre(*said);
+    const double perSaid = said ? perMetre(*said) : 1;
     if (measuredRows(track).size() < enoughForCourse)
-        return 1.0;
+        return perSaid;
     const double speed = typicalSpeed(track, times), floor = std::max(spreadOf(track.x), spreadOf(track.y));
+    if (track.columns.x.unit && speed / perSaid > fastVehicle)
+        return how.wrong(
+            track.lines.front(),
+            ODO_TEXT("exchange.too_fast_as_said", "in the units that it gives, the robot would drive at %1")(
+                quantity(speed / perSaid, 0, "m/s")),
+            ODO_TEXT("exchange.check_both_units", "choose the units of its times and positions"));
+    if (track.columns.x.unit)
+        return perSaid;
     const bool isOfFormat = said || format == TrackFormat::Tum || format == TrackFormat::Kitti;
     if (isOfFormat ? speed <= fastVehicle : isPlausible(speed, floor))
         return 1.0;

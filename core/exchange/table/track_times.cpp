@@ -52,15 +52,43 @@ Message chooseTimeUnit(TimeUnit likely)
                     "choose their unit: s, ms, us, ns or frame; %1 is likely")(std::string(wordOf(likely)));
 }
 
-/// What a unit is likely that makes such steps plausible.
+constexpr double fewFrames = 5; // from row to row: no milliseconds
+
+/// The unit that makes such steps plausible.
 TimeUnit likelyUnit(double step, bool isWhole)
 {
     constexpr double mostMs = 1000, mostUs = 1e6;
-    if (step == 1 && isWhole)
+    if (step < fewFrames && isWhole)
         return TimeUnit::Frame;
     return step <= mostMs   ? TimeUnit::Millisecond
            : step <= mostUs ? TimeUnit::Microsecond
                             : TimeUnit::Nanosecond;
+}
+
+/// Seconds, where rows are then as far apart as those of a robot's track; isSaid: the header says seconds.
+Result<TimeUnit> secondsOr(const RawTrack &track, bool isSaid, const Understanding &how)
+{
+    constexpr double least = 1e-4, most = 1, mostIfSaid = 5; // seconds from row to row
+    const double step = medianStep(track.stamps);
+    if (track.size() < enoughRows || step == 0 ||
+        (step < (isSaid ? mostIfSaid : most) && (isSaid || step >= least)))
+        return TimeUnit::Second;
+    const bool isWhole = areWhole(track.stamps);
+    if (how.reading.rate && step < fewFrames && isWhole)
+        return TimeUnit::Frame;
+    if (step < least)
+        return how.wrong(
+            track.lines.front(),
+            ODO_TEXT("exchange.time_steps_too_short",
+                     "its times have no unit, and as seconds the rows would be %1 apart")(
+                quantity(step * 1e9, 0, "ns")),
+            ODO_TEXT("exchange.choose_a_time_unit", "choose their unit: s, ms, us, ns or frame"));
+    const double lasts = static_cast<double>(track.stamps.back() - track.stamps.front());
+    return how.wrong(track.lines.front(),
+                     ODO_TEXT("exchange.time_steps_too_long",
+                              "if its times are seconds, the rows are %1 apart and the run is %2 long")(
+                         quantity(step, 1, "s"), quantity(lasts, 0, "s")),
+                     chooseTimeUnit(likelyUnit(step, isWhole)));
 }
 
 Result<TimeUnit> unitOf(const RawTrack &track, const RawTable &table, Understanding &how)
@@ -71,37 +99,18 @@ Result<TimeUnit> unitOf(const RawTrack &track, const RawTable &table, Understand
         return TimeUnit::Frame;
     if (how.reading.timeUnit)
         return *how.reading.timeUnit;
-    if (table.columns.time->unit)
-        return *table.columns.time->unit;
+    const auto said = table.columns.time->unit;
+    if (said && *said != TimeUnit::Second)
+        return *said;
     if (track.stamps.empty())
         return TimeUnit::Second;
-    if (const auto unit = unitSince1970(track.stamps[track.size() / 2])) {
+    if (const auto unit = said ? std::nullopt : unitSince1970(track.stamps[track.size() / 2])) {
         if (*unit != TimeUnit::Second)
             how.facts.push_back(
                 ODO_TEXT("exchange.times_since_1970", "times in %1 since 1970")(std::string(wordOf(*unit))));
         return *unit;
     }
-    constexpr double least = 1e-4, most = 1; // seconds from row to row
-    const double step = medianStep(track.stamps);
-    if (track.size() < enoughRows || (step >= least && step < most) || step == 0)
-        return TimeUnit::Second;
-    const bool isWhole = areWhole(track.stamps);
-    if (how.reading.rate && step == 1 && isWhole)
-        return TimeUnit::Frame;
-    const double lasts = static_cast<double>(track.stamps.back() - track.stamps.front());
-    if (step < least)
-        return how.wrong(
-            track.lines.front(),
-            ODO_TEXT("exchange.time_steps_too_short",
-                     "its times have no unit, and as seconds the rows would be %1 apart")(
-                quantity(step * 1e9, 0, "ns")),
-            ODO_TEXT("exchange.choose_a_time_unit", "choose their unit: s, ms, us, ns or frame"));
-    return how.wrong(
-        track.lines.front(),
-        ODO_TEXT("exchange.time_steps_too_long",
-                 "its times have no unit, and as seconds the rows would be %1 apart and the run %2 long")(
-            quantity(step, 1, "s"), quantity(lasts, 0, "s")),
-        chooseTimeUnit(likelyUnit(step, isWhole)));
+    return secondsOr(track, said.has_value(), how);
 }
 
 /// Seconds of the day go on behind midnight.
