@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/exchange/track_file.h"
+#include "core/exchange/table/track_file.h"
 
 #include "tests/exchange/track_styles.h"
 #include "tests/support/registered_test.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/exchange/track_file.h"
+#include "core/exchange/table/track_file.h"
 
 #include "tests/support/c_locales.h"
 #include "tests/support/patience.h"
@@ -31,7 +31,10 @@ class TestTrackFile : public QObject
             qFatal("no test file");
         return name.toStdString();
     }
-    Result<TrackFile> read(const QByteArray &text) const { return readTrackFile(fileOf(text), TrackReading(), JobControl()); }
+    Result<TrackFile> read(const QByteArray &text) const
+    {
+        return readTrackFile(fileOf(text), TrackReading(), JobControl());
+    }
 
     /// "tum|0 100000000 200000000|0 0.5 1|-1 -1.5 -2": format, nanoseconds, x and y of the first track.
     QString shown(const QByteArray &text, std::size_t track = 0) const
@@ -222,8 +225,7 @@ private Q_SLOTS:
             "': it is written in UTF-16; save it again as \"CSV UTF-8\" or as a UTF-8 text");
         row("NaN in TUM", tum + "1 nan 2 0 0 0 0 1\n",
             ":2: one of its two coordinates is blank; fill in both or none");
-        row("NaN in CSV", csv + "1,NaN,2\n",
-            ":3: one of its two coordinates is blank; fill in both or none");
+        row("NaN in CSV", csv + "1,NaN,2\n", ":3: one of its two coordinates is blank; fill in both or none");
         row("too large for a number", csv + "1,1e999,2\n",
             ":3: '1e999' is not a finite number; write it with digits, like 12.5, or leave the cell blank");
         // as many as a number may have; what follows them is not looked at

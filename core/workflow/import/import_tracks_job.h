@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/exchange/track_file.h"
+#include "core/exchange/table/track_file.h"
 #include "core/project/records.h"
 #include "core/trajectory/imported_track.h"
 #include "core/workflow/job.h"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/exchange/table/raw_track.h"
-#include "core/exchange/table/understanding.h"
+#include "core/exchange/table/internal/raw_track.h"
+#include "core/exchange/table/internal/understanding.h"
 
 namespace odo {
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/exchange/table/track_breaks.h"
+#include "core/exchange/table/internal/track_breaks.h"
 
 #include "core/analysis/motion_stretches.h"
 #include "core/base/percentile.h"
-#include "core/exchange/table/course.h"
+#include "core/exchange/table/internal/course.h"
 #include "core/trajectory/analyser.h"
 
 #include <algorithm>

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "core/base/units.h"
-#include "core/exchange/table/raw_track.h"
-#include "core/exchange/table/understanding.h"
+#include "core/exchange/table/internal/raw_track.h"
+#include "core/exchange/table/internal/understanding.h"
 
 #include <vector>
 

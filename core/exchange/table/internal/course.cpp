@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/exchange/table/course.h"
+#include "core/exchange/table/internal/course.h"
 
 #include <algorithm>
 #include <cmath>

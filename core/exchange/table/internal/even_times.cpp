@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/exchange/table/even_times.h"
+#include "core/exchange/table/internal/even_times.h"
 
 #include "core/base/percentile.h"
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/exchange/table/lost_marks.h"
+#include "core/exchange/table/internal/lost_marks.h"
 
 #include "core/base/units.h"
-#include "core/exchange/table/course.h"
+#include "core/exchange/table/internal/course.h"
 
 #include <algorithm>
 #include <array>

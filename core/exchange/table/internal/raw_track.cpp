@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/exchange/table/raw_track.h"
+#include "core/exchange/table/internal/raw_track.h"
 
 #include <limits>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/exchange/table/number_style.h"
+#include "core/exchange/table/internal/number_style.h"
 
 #include <optional>
 #include <string_view>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/exchange/table/column_name.h"
+#include "core/exchange/table/internal/column_name.h"
 
 #include "core/exchange/text_file.h"
 

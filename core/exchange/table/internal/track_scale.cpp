@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/exchange/table/track_scale.h"
+#include "core/exchange/table/internal/track_scale.h"
 
-#include "core/exchange/table/course.h"
+#include "core/exchange/table/internal/course.h"
 
 #include <algorithm>
 #include <array>

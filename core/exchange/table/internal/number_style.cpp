@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/exchange/table/number_style.h"
+#include "core/exchange/table/internal/number_style.h"
 
 #include <algorithm>
 #include <array>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/base/job_control.h"
-#include "core/exchange/table/raw_track.h"
+#include "core/exchange/table/internal/raw_track.h"
 #include "core/exchange/table/track_reading.h"
 
 #include <filesystem>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/base/units.h"
-#include "core/exchange/table/raw_track.h"
+#include "core/exchange/table/internal/raw_track.h"
 
 #include <cstddef>
 #include <vector>

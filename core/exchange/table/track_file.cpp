@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/exchange/track_file.h"
+#include "core/exchange/table/track_file.h"
 
-#include "core/exchange/table/lost_marks.h"
-#include "core/exchange/table/table_reader.h"
-#include "core/exchange/table/track_breaks.h"
-#include "core/exchange/table/track_scale.h"
-#include "core/exchange/table/track_times.h"
+#include "core/exchange/table/internal/lost_marks.h"
+#include "core/exchange/table/internal/table_reader.h"
+#include "core/exchange/table/internal/track_breaks.h"
+#include "core/exchange/table/internal/track_scale.h"
+#include "core/exchange/table/internal/track_times.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/exchange/table/stamps.h"
-#include "core/exchange/table/table_columns.h"
+#include "core/exchange/table/internal/stamps.h"
+#include "core/exchange/table/internal/table_columns.h"
 
 #include <array>
 #include <cstddef>

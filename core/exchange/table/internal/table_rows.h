@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/exchange/table/number_style.h"
-#include "core/exchange/table/raw_track.h"
+#include "core/exchange/table/internal/number_style.h"
+#include "core/exchange/table/internal/raw_track.h"
 #include "core/exchange/table/track_reading.h"
 
 #include <filesystem>

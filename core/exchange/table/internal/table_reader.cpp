@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/exchange/table/table_reader.h"
+#include "core/exchange/table/internal/table_reader.h"
 
-#include "core/exchange/table/column_name.h"
-#include "core/exchange/table/table_rows.h"
+#include "core/exchange/table/internal/column_name.h"
+#include "core/exchange/table/internal/table_rows.h"
 #include "core/exchange/text_file.h"
 #include "core/files/file_words.h"
 

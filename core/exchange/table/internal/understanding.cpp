@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/exchange/table/understanding.h"
+#include "core/exchange/table/internal/understanding.h"
 
-#include "core/exchange/table/table_reader.h"
+#include "core/exchange/table/internal/table_reader.h"
 #include "core/files/file_words.h"
 
 namespace odo {

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/exchange/table/track_times.h"
+#include "core/exchange/table/internal/track_times.h"
 
 #include "core/base/percentile.h"
-#include "core/exchange/table/even_times.h"
-#include "core/exchange/table/table_reader.h"
+#include "core/exchange/table/internal/even_times.h"
+#include "core/exchange/table/internal/table_reader.h"
 
 #include <algorithm>
 #include <chrono>

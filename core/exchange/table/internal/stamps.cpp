@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/exchange/table/stamps.h"
+#include "core/exchange/table/internal/stamps.h"
 
 #include <array>
 #include <charconv>
