@@ -323,6 +323,21 @@ private Q_SLOTS:
             QCOMPARE(outcomeOf(done), std::string(step > 0.05 ? "exchange.stamps_shared" : "read"));
         }
     }
+    /// Cut off to 20 ms at 90 frames/s; and in single precision, with a rate that nobody knows well.
+    void coarseStamps()
+    {
+        QByteArray cut = "t_s,x_m,y_m\n", single = cut;
+        for (int i = 0; i < 400; ++i) {
+            const QByteArray x = QByteArray::number(i * 0.005, 'f', 3);
+            cut += QByteArray::number(std::floor(i / 90.0 * 50) / 50, 'f', 2) + ',' + x + ",1\n";
+            single += QByteArray::number(std::round(i * 1.6 / 128) * 128, 'f', 1) + ',' + x + ",1\n";
+        }
+        const auto done = read(cut);
+        QVERIFY2(done, done ? "" : done.error().message().c_str());
+        QVERIFY(std::abs(toSeconds(done->tracks[0].positions[399].time - done->tracks[0].positions[0].time) -
+                         399 / 90.0) < 0.005);
+        QCOMPARE(outcomeOf(read(single)), std::string("exchange.stamps_shared"));
+    }
     /// A log that is quicker than what it logs: each row twice, with its stamp or with one of its own.
     void twins()
     {

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <numeric>
 
 namespace odo {
 
@@ -13,13 +14,8 @@ namespace {
 
 constexpr std::size_t enoughEvenRows = 10;
 constexpr double leastShare = 0.02;  // of the interval; less rounding does not show
+constexpr int leastSpan = 50;        // resolutions; over fewer the rate is not known well
 constexpr double mostResidual = 0.6; // of the resolution: half of it, and what the fit is off
-
-bool isMultiple(const std::vector<Nanoseconds> &times, std::int64_t step)
-{
-    return std::ranges::all_of(times,
-                               [&](Nanoseconds time) { return (time - times.front()).count() % step == 0; });
-}
 
 /// A line through the times over the numbers of their rows.
 struct Line
@@ -71,18 +67,10 @@ Spread putOn(const Line &line, const std::vector<double> &numbers, std::vector<N
 
 Nanoseconds resolutionOf(const std::vector<Nanoseconds> &times)
 {
-    if (times.size() < 2)
-        return Nanoseconds(0);
-    std::int64_t ten = 1, two = 0;
-    constexpr std::int64_t mostTen = 10'000'000'000;
-    while (ten < mostTen && isMultiple(times, 10 * ten))
-        ten *= 10;
-    constexpr std::int64_t second = 1'000'000'000;
-    for (const std::int64_t power : {2, 4, 8, 16, 32, 64, 128, 256}) {
-        if (isMultiple(times, power * second))
-            two = power * second;
-    }
-    return Nanoseconds(std::max(ten, two));
+    std::int64_t step = 0;
+    for (std::size_t i = 1; i < times.size() && step != 1; ++i)
+        step = std::gcd(step, (times[i] - times[i - 1]).count());
+    return Nanoseconds(step);
 }
 
 std::size_t sharedStamps(const std::vector<Nanoseconds> &times)
@@ -99,7 +87,8 @@ Spread spreadEvenly(std::vector<Nanoseconds> &times, Nanoseconds resolution)
         return Spread::NotEven;
     const double step =
         static_cast<double>((times.back() - times.front()).count()) / static_cast<double>(times.size() - 1);
-    if (static_cast<double>(resolution.count()) < leastShare * step)
+    if (static_cast<double>(resolution.count()) < leastShare * step ||
+        times.back() - times.front() < leastSpan * resolution)
         return Spread::NotEven;
     std::vector<double> numbers(times.size());
     for (std::size_t i = 0; i < times.size(); ++i)

@@ -10,8 +10,8 @@ namespace odo {
 
 // Times that were rounded when they were written. All functions are pure and thread-safe.
 
-/// The coarsest step of which all differences of times are a multiple: a power of ten of a nanosecond, or of
-/// two of a second (single precision). 0: fewer than two times.
+/// The coarsest step of which all differences of times are a multiple. 0: fewer than two times, or all the
+/// same.
 Nanoseconds resolutionOf(const std::vector<Nanoseconds> &times);
 
 /// How many times are those of the row before.

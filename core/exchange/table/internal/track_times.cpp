@@ -241,7 +241,8 @@ void takeOutUnset(RawTrack &track, Understanding &how)
     const auto count = static_cast<std::size_t>(std::ranges::count(isUnset, true));
     if (count == 0 || count > mostBadRows(track.size()))
         return;
-    how.notices.push_back(ODO_TEXT("exchange.unset_stamps", "%1 lines with the time 0 were left out")(count));
+    how.notices.push_back(
+        ODO_TEXT("exchange.unset_stamps", "lines left out because their time is 0: %1")(count));
     track.remove(isUnset);
 }
 
