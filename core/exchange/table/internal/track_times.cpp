@@ -35,7 +35,7 @@ double medianStep(const std::vector<long double> &stamps)
 {
     std::vector<double> steps;
     for (std::size_t i = 1; i < stamps.size(); ++i) {
-        if (stamps[i] > stamps[i - 1])
+        if (stamps[i] >= stamps[i - 1])
             steps.push_back(static_cast<double>(stamps[i] - stamps[i - 1]));
     }
     return steps.empty() ? 0 : upperMedian(std::move(steps));
