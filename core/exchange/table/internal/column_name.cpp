@@ -19,33 +19,41 @@ struct Word
     Value value;
 };
 
-constexpr std::array lengthWords{
-    Word{"m", LengthUnit::Metre},       Word{"meter", LengthUnit::Metre},
-    Word{"meters", LengthUnit::Metre},  Word{"metre", LengthUnit::Metre},
-    Word{"metres", LengthUnit::Metre},  Word{"cm", LengthUnit::Centimetre},
-    Word{"mm", LengthUnit::Millimetre}, Word{"millimeters", LengthUnit::Millimetre},
-    Word{"px", LengthUnit::Pixel},      Word{"pixel", LengthUnit::Pixel},
-    Word{"pixels", LengthUnit::Pixel},  Word{"centimeters", LengthUnit::Centimetre},
-    Word{"pix", LengthUnit::Pixel}};
-constexpr std::array timeWords{Word{"s", TimeUnit::Second},
-                               Word{"sec", TimeUnit::Second},
-                               Word{"secs", TimeUnit::Second},
-                               Word{"second", TimeUnit::Second},
-                               Word{"seconds", TimeUnit::Second},
-                               Word{"ms", TimeUnit::Millisecond},
-                               Word{"msec", TimeUnit::Millisecond},
-                               Word{"milliseconds", TimeUnit::Millisecond},
-                               Word{"us", TimeUnit::Microsecond},
-                               Word{"µs", TimeUnit::Microsecond},
-                               Word{"usec", TimeUnit::Microsecond},
-                               Word{"microseconds", TimeUnit::Microsecond},
-                               Word{"ns", TimeUnit::Nanosecond},
-                               Word{"nsec", TimeUnit::Nanosecond},
-                               Word{"nanoseconds", TimeUnit::Nanosecond},
-                               Word{"frame", TimeUnit::Frame},
-                               Word{"frames", TimeUnit::Frame}};
-constexpr std::array angleWords{Word{"rad", 1.0}, Word{"radians", 1.0}, Word{"deg", std::numbers::pi / 180},
-                                Word{"degrees", std::numbers::pi / 180}, Word{"°", std::numbers::pi / 180}};
+constexpr std::array<Word<LengthUnit>, 13> lengthWords{{{"m", LengthUnit::Metre},
+                                                        {"meter", LengthUnit::Metre},
+                                                        {"meters", LengthUnit::Metre},
+                                                        {"metre", LengthUnit::Metre},
+                                                        {"metres", LengthUnit::Metre},
+                                                        {"cm", LengthUnit::Centimetre},
+                                                        {"mm", LengthUnit::Millimetre},
+                                                        {"millimeters", LengthUnit::Millimetre},
+                                                        {"px", LengthUnit::Pixel},
+                                                        {"pixel", LengthUnit::Pixel},
+                                                        {"pixels", LengthUnit::Pixel},
+                                                        {"centimeters", LengthUnit::Centimetre},
+                                                        {"pix", LengthUnit::Pixel}}};
+constexpr std::array<Word<TimeUnit>, 17> timeWords{{{"s", TimeUnit::Second},
+                                                    {"sec", TimeUnit::Second},
+                                                    {"secs", TimeUnit::Second},
+                                                    {"second", TimeUnit::Second},
+                                                    {"seconds", TimeUnit::Second},
+                                                    {"ms", TimeUnit::Millisecond},
+                                                    {"msec", TimeUnit::Millisecond},
+                                                    {"milliseconds", TimeUnit::Millisecond},
+                                                    {"us", TimeUnit::Microsecond},
+                                                    {"µs", TimeUnit::Microsecond},
+                                                    {"usec", TimeUnit::Microsecond},
+                                                    {"microseconds", TimeUnit::Microsecond},
+                                                    {"ns", TimeUnit::Nanosecond},
+                                                    {"nsec", TimeUnit::Nanosecond},
+                                                    {"nanoseconds", TimeUnit::Nanosecond},
+                                                    {"frame", TimeUnit::Frame},
+                                                    {"frames", TimeUnit::Frame}}};
+constexpr std::array<Word<double>, 5> angleWords{{{"rad", 1.0},
+                                                  {"radians", 1.0},
+                                                  {"deg", std::numbers::pi / 180},
+                                                  {"degrees", std::numbers::pi / 180},
+                                                  {"°", std::numbers::pi / 180}}};
 
 /// Words that go with the axis of a position and name nobody.
 constexpr std::array<std::string_view, 37> positionWords{
