@@ -291,6 +291,16 @@
     </message>
 </context>
 <context>
+    <name>odo::TrackPreview</name>
+    <message numerus="yes">
+        <source>%1: %2, %n lines in %3 s</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>odo::TransferActions</name>
     <message numerus="yes">
         <source>%n file(s) in the media folder belong to no trial, lens calibration or floor registration.</source>

@@ -7298,6 +7298,27 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
 </context>
 <context>
+    <name>exchange.axes_given</name>
+    <message>
+        <source>floor axes: %1 of the file</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>exchange.axes_seen</name>
+    <message>
+        <source>floor axes: %1 of the file, as its %2 stays near %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>exchange.axes_unclear</name>
+    <message>
+        <source>its z varies by %1 while its %2 stays near %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>exchange.begin_roster</name>
     <message>
         <source>begin the file with the line class,team or class,team,pseudonym</source>
@@ -7316,6 +7337,20 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>begin the file with the line %1</source>
         <translation>commencez le fichier par la ligne %1</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.break_opened</name>
+    <message>
+        <source>its positions jump by %1 in line %2 and go on from there: %3 positions around count as not measured, and the path ends at the jump</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>exchange.breaks_too_often</name>
+    <message>
+        <source>its positions jump %1 times and go on from elsewhere</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -7340,6 +7375,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
 </context>
 <context>
+    <name>exchange.check_both_units</name>
+    <message>
+        <source>choose the units of its times and positions</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>exchange.check_it_is_there</name>
     <message>
         <source>check that it exists and that you may read it</source>
@@ -7361,6 +7403,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
 </context>
 <context>
+    <name>exchange.check_track_column</name>
+    <message>
+        <source>check which column says the track of a line</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>exchange.check_unit_of_places</name>
     <message>
         <source>check the unit of the positions: m, cm or mm</source>
@@ -7372,6 +7421,41 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>check the unit of the times, and that all lines are of one run</source>
         <translation>vérifiez l’unité des temps, et que toutes les lignes sont d’un même passage</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.choose_a_time_unit</name>
+    <message>
+        <source>choose their unit: s, ms, us, ns or frame</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>exchange.choose_axes</name>
+    <message>
+        <source>choose the axes of the floor: %1, or xy if that is right</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>exchange.choose_axes_xy</name>
+    <message>
+        <source>choose the axes x and y</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>exchange.choose_decimal_sign</name>
+    <message>
+        <source>choose its decimal sign: point or comma</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>exchange.choose_likely_unit</name>
+    <message>
+        <source>choose their unit: m, cm, mm or px; %1 is likely</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -7403,6 +7487,20 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
 </context>
 <context>
+    <name>exchange.choose_time_unit</name>
+    <message>
+        <source>choose their unit: s, ms, us, ns or frame; %1 is likely</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>exchange.choose_unit</name>
+    <message>
+        <source>choose their unit: m, cm, mm or px</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>exchange.close_quotes</name>
     <message>
         <source>close the quotes</source>
@@ -7421,6 +7519,20 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>&apos;distortion_coefficients&apos; is neither a row nor a column</source>
         <translation>&apos;distortion_coefficients&apos; n’est ni une ligne ni une colonne</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.commas_group_thousands</name>
+    <message>
+        <source>commas separate thousands</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>exchange.confidence_not_used</name>
+    <message>
+        <source>its confidences are neither from 0 to 1 nor from 0 to 100, and were not used</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -7466,10 +7578,31 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
 </context>
 <context>
+    <name>exchange.format_has_pixels</name>
+    <message>
+        <source>%1 writes positions in pixels, which are no lengths</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>exchange.frames_without_rate</name>
+    <message>
+        <source>it has frame numbers in place of times</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>exchange.give_known_units</name>
     <message>
         <source>give times in s or ms and positions in m, cm or mm</source>
         <translation>donnez les temps en s ou ms et les lieux en m, cm ou mm</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.give_lower_confidence</name>
+    <message>
+        <source>give a lower least confidence</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -7494,10 +7627,24 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
 </context>
 <context>
+    <name>exchange.give_pixel_length</name>
+    <message>
+        <source>give how long a pixel is on the floor, or choose another unit of the positions</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>exchange.give_point_label</name>
     <message>
         <source>give each point a label</source>
         <translation>donnez un libellé à chaque point</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.give_rate</name>
+    <message>
+        <source>give the frame rate of the camera</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -7512,6 +7659,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>it has become shorter during packing</source>
         <translation>la taille a diminué entre-temps</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.held_left_out</name>
+    <message>
+        <source>%1 positions that only repeat the last one count as not measured; the first is in line %2</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -7585,6 +7739,20 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
 </context>
 <context>
+    <name>exchange.leave_out_confidence</name>
+    <message>
+        <source>leave out the least confidence</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>exchange.leave_out_rate</name>
+    <message>
+        <source>leave out the frame rate</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>exchange.lens_model_not_known</name>
     <message>
         <source>the lens model &apos;%1&apos; is unknown (known models: plumb_bob, rational_polynomial, equidistant)</source>
@@ -7617,6 +7785,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>it is more than a week after the first line</source>
         <translation>c’est plus d’une semaine après la première ligne</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.marks_left_out</name>
+    <message>
+        <source>%1 positions that only mark a lost robot (such as 0, 0) count as not measured; the first is in line %2</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -7676,6 +7851,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
 </context>
 <context>
+    <name>exchange.no_confidence</name>
+    <message>
+        <source>it has no column of confidences</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>exchange.no_markers</name>
     <message>
         <source>no markers follow the header</source>
@@ -7704,6 +7886,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
 </context>
 <context>
+    <name>exchange.no_third_axis</name>
+    <message>
+        <source>it has no third coordinate</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>exchange.no_track_has_position</name>
     <message>
         <source>none of its tracks has a position</source>
@@ -7715,6 +7904,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>it is not valid YAML (%1)</source>
         <translation>ce n&apos;est pas du YAML valide (%1)</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.none_sure_enough</name>
+    <message>
+        <source>none of its positions has a confidence of %1</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -7746,13 +7942,6 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
 </context>
 <context>
-    <name>exchange.not_a_time_in_seconds</name>
-    <message>
-        <source>&apos;%1&apos; is not a time in seconds</source>
-        <translation>&apos;%1&apos; n’est pas un temps en secondes</translation>
-    </message>
-</context>
-<context>
     <name>exchange.not_a_whole_number</name>
     <message>
         <source>&apos;%1&apos; is not a whole number from %2 to %3</source>
@@ -7778,6 +7967,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>nothing was imported</source>
         <translation>rien n’a été importé</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.number_in_two_ways</name>
+    <message>
+        <source>its numbers can be read in two ways: &apos;%1&apos; with three decimals, or as %2</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -7837,6 +8033,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
 </context>
 <context>
+    <name>exchange.pixel_is</name>
+    <message>
+        <source>a pixel is %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>exchange.place_too_far</name>
     <message>
         <source>its position is more than 100 km away</source>
@@ -7844,10 +8047,31 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
 </context>
 <context>
+    <name>exchange.points_group_thousands</name>
+    <message>
+        <source>points separate thousands</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>exchange.positions_are_pixels</name>
+    <message>
+        <source>its positions are in pixels, which are no lengths</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>exchange.quoted_cell_does_not_end</name>
     <message>
         <source>a quoted cell does not end</source>
         <translation>une cellule entre guillemets ne se ferme pas</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.rate_beside_times</name>
+    <message>
+        <source>it has times, and no frame numbers</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -7869,6 +8093,20 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>it has no team</source>
         <translation>il n’a pas d’équipe</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.row_without_time</name>
+    <message>
+        <source>line %1 was left out, because it has no time</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>exchange.rows_without_time</name>
+    <message>
+        <source>%1 lines were left out, because they have no time; the first is line %2</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -7914,10 +8152,59 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
 </context>
 <context>
+    <name>exchange.sigma_not_above_zero</name>
+    <message>
+        <source>its uncertainty &apos;%1&apos; is not above zero</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>exchange.sigma_or_blank</name>
+    <message>
+        <source>give the standard deviation of each position, or leave these cells blank</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>exchange.slalom_without_length</name>
     <message>
         <source>the slalom ends where it starts</source>
         <translation>le slalom finit où il commence</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.stamp_left_out</name>
+    <message>
+        <source>line %1 was left out, because its time repeats or is out of order</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>exchange.stamps_left_out</name>
+    <message>
+        <source>%1 lines were left out, because their times repeat or are out of order; the first is line %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>exchange.stamps_shared</name>
+    <message>
+        <source>its times are so coarse that %1 lines share theirs with the line before</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>exchange.stamps_spread</name>
+    <message>
+        <source>its times are rounded to %1; the lines were spread evenly, %2 frames/s</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>exchange.stamps_spread_with_gaps</name>
+    <message>
+        <source>its times are rounded to %1; the lines were spread evenly, with gaps</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -7935,10 +8222,59 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
 </context>
 <context>
+    <name>exchange.time_of_no_age</name>
+    <message>
+        <source>its time is more than a century from 1970</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>exchange.time_repeated</name>
     <message>
         <source>its time is the same as in the line before</source>
         <translation>son temps est celui de la ligne précédente</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.time_steps_too_long</name>
+    <message>
+        <source>if its times are seconds, the rows are %1 apart and the run is %2 long</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>exchange.time_steps_too_short</name>
+    <message>
+        <source>its times have no unit, and as seconds the rows would be %1 apart</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>exchange.times_by_rate</name>
+    <message>
+        <source>all its times are the same; the lines were spread at %1 frames/s</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>exchange.times_since_1970</name>
+    <message>
+        <source>times in %1 since 1970</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>exchange.too_fast_as_said</name>
+    <message>
+        <source>in the units that it gives, the robot would drive at %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>exchange.too_fast_in_metres</name>
+    <message>
+        <source>its positions have no unit, and in metres the robot would drive at %1</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -7956,10 +8292,24 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
 </context>
 <context>
+    <name>exchange.too_many_tracks</name>
+    <message>
+        <source>the file has more than 1000 tracks</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>exchange.too_many_values</name>
     <message>
         <source>it holds more than %1 values</source>
         <translation>il contient plus de %1 valeurs</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.too_wide_in_metres</name>
+    <message>
+        <source>its positions have no unit, and in metres the floor would be %1 wide</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -7988,6 +8338,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>it has %1 entry instead of the 8 of TUM</source>
         <translation>il y a %1 entrée au lieu des 8 de TUM</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.twins_left_out</name>
+    <message>
+        <source>%1 lines were left out, because they repeat the line before</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -8023,6 +8380,20 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>it unpacks to more than a hundred times its size</source>
         <translation>une fois décompressé, il dépasse cent fois sa taille</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.unset_stamps</name>
+    <message>
+        <source>lines left out because their time is 0: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>exchange.unsure_left_out</name>
+    <message>
+        <source>%1 positions with a confidence below %2 count as not measured; the first is in line %3</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -8065,6 +8436,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>write it with digits, like 12.5, or leave the cell blank</source>
         <translation>écrivez-le avec des chiffres, comme 12.5, ou laissez la place vide</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.write_finer_times</name>
+    <message>
+        <source>write the times with more digits, or give the frame rate of an even series</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -10598,10 +10976,6 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <translation>aucune</translation>
     </message>
     <message>
-        <source>Positions measured by another program or exported by Odograph: TUM, CSV or Tracker text. Odograph analyses them as a run without video.</source>
-        <translation>Positions mesurées par un autre programme ou exportées par Odograph&#xa0;: TUM, CSV ou texte de Tracker. Elles sont mesurées comme un passage sans vidéo.</translation>
-    </message>
-    <message>
         <source>&amp;Name</source>
         <translation>&amp;Nom</translation>
     </message>
@@ -10638,12 +11012,16 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <translation>Fichier de la trajectoire %1</translation>
     </message>
     <message>
-        <source>Tracks (*.csv *.txt *.tum *.tsv);;All files (*)</source>
-        <translation>Trajectoires (*.csv *.txt *.tum *.tsv);;Tous les fichiers (*)</translation>
-    </message>
-    <message>
         <source>Te&amp;am</source>
         <translation>É&amp;quipe</translation>
+    </message>
+    <message>
+        <source>Positions measured by another program or exported by Odograph: TUM, CSV, Tracker text and others. Odograph analyses them as a run without video.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tracks (*.csv *.txt *.tum *.tsv *.trc);;All files (*)</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -11598,6 +11976,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>Browse: %1</source>
         <translation>Parcourir&#xa0;: %1</translation>
+    </message>
+</context>
+<context>
+    <name>odo::PathSketch</name>
+    <message>
+        <source>The path from above</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -14223,6 +14608,143 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>Track</source>
         <translation>Suivre</translation>
+    </message>
+</context>
+<context>
+    <name>odo::TrackPreview</name>
+    <message>
+        <source>%1: too long to be shown before the import</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1, track %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>%1: %2, %n lines in %3 s</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>odo::TrackReadingForm</name>
+    <message>
+        <source>&amp;Unit of positions</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>m</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>cm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>pixels</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Unit of t&amp;imes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>ms</source>
+        <translation type="unfinished">ms</translation>
+    </message>
+    <message>
+        <source>µs</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>ns</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>frame numbers</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>F&amp;loor axes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>x and y</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>x and z</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>y and z</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Decimal sign</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>point</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>comma</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Frame rate</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source> frames/s</source>
+        <translation type="unfinished"> images/s</translation>
+    </message>
+    <message>
+        <source>Of a file that numbers its frames</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Length of a &amp;pixel</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation type="unfinished"> mm</translation>
+    </message>
+    <message>
+        <source>On the floor, for positions in pixels</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Least &amp;confidence</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Positions with a lower likelihood count as not measured</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Accurac&amp;y</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Standard deviation of the positions, slow errors included; scatter alone does not show those</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>from the file</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -19418,6 +19940,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
 </context>
 <context>
+    <name>workflow.accuracy_given</name>
+    <message>
+        <source>accurate to %1, as given</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>workflow.add_one_with</name>
     <message>
         <source>add one with</source>
@@ -21389,6 +21918,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>show the whole board, flat, sharp and evenly lit, and check --pattern and --board</source>
         <translation>montrez toute la mire, plate, nette et éclairée uniformément, et vérifiez motif et taille</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.slow_errors_not_seen</name>
+    <message>
+        <source>errors that change slowly are not included</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>

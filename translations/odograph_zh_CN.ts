@@ -7289,6 +7289,27 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>exchange.axes_given</name>
+    <message>
+        <source>floor axes: %1 of the file</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>exchange.axes_seen</name>
+    <message>
+        <source>floor axes: %1 of the file, as its %2 stays near %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>exchange.axes_unclear</name>
+    <message>
+        <source>its z varies by %1 while its %2 stays near %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>exchange.begin_roster</name>
     <message>
         <source>begin the file with the line class,team or class,team,pseudonym</source>
@@ -7307,6 +7328,20 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>begin the file with the line %1</source>
         <translation>请以 %1 行作为文件开头</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.break_opened</name>
+    <message>
+        <source>its positions jump by %1 in line %2 and go on from there: %3 positions around count as not measured, and the path ends at the jump</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>exchange.breaks_too_often</name>
+    <message>
+        <source>its positions jump %1 times and go on from elsewhere</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -7331,6 +7366,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>exchange.check_both_units</name>
+    <message>
+        <source>choose the units of its times and positions</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>exchange.check_it_is_there</name>
     <message>
         <source>check that it exists and that you may read it</source>
@@ -7352,6 +7394,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>exchange.check_track_column</name>
+    <message>
+        <source>check which column says the track of a line</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>exchange.check_unit_of_places</name>
     <message>
         <source>check the unit of the positions: m, cm or mm</source>
@@ -7363,6 +7412,41 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>check the unit of the times, and that all lines are of one run</source>
         <translation>请检查时间单位，以及所有行都属于同一次运行</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.choose_a_time_unit</name>
+    <message>
+        <source>choose their unit: s, ms, us, ns or frame</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>exchange.choose_axes</name>
+    <message>
+        <source>choose the axes of the floor: %1, or xy if that is right</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>exchange.choose_axes_xy</name>
+    <message>
+        <source>choose the axes x and y</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>exchange.choose_decimal_sign</name>
+    <message>
+        <source>choose its decimal sign: point or comma</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>exchange.choose_likely_unit</name>
+    <message>
+        <source>choose their unit: m, cm, mm or px; %1 is likely</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -7394,6 +7478,20 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>exchange.choose_time_unit</name>
+    <message>
+        <source>choose their unit: s, ms, us, ns or frame; %1 is likely</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>exchange.choose_unit</name>
+    <message>
+        <source>choose their unit: m, cm, mm or px</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>exchange.close_quotes</name>
     <message>
         <source>close the quotes</source>
@@ -7412,6 +7510,20 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>&apos;distortion_coefficients&apos; is neither a row nor a column</source>
         <translation>“distortion_coefficients”既不是一行也不是一列</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.commas_group_thousands</name>
+    <message>
+        <source>commas separate thousands</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>exchange.confidence_not_used</name>
+    <message>
+        <source>its confidences are neither from 0 to 1 nor from 0 to 100, and were not used</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -7457,10 +7569,31 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>exchange.format_has_pixels</name>
+    <message>
+        <source>%1 writes positions in pixels, which are no lengths</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>exchange.frames_without_rate</name>
+    <message>
+        <source>it has frame numbers in place of times</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>exchange.give_known_units</name>
     <message>
         <source>give times in s or ms and positions in m, cm or mm</source>
         <translation>时间请用 s 或 ms，位置请用 m、cm 或 mm</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.give_lower_confidence</name>
+    <message>
+        <source>give a lower least confidence</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -7485,10 +7618,24 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>exchange.give_pixel_length</name>
+    <message>
+        <source>give how long a pixel is on the floor, or choose another unit of the positions</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>exchange.give_point_label</name>
     <message>
         <source>give each point a label</source>
         <translation>请给每个点一个标号</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.give_rate</name>
+    <message>
+        <source>give the frame rate of the camera</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -7503,6 +7650,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>it has become shorter during packing</source>
         <translation>其间变短了</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.held_left_out</name>
+    <message>
+        <source>%1 positions that only repeat the last one count as not measured; the first is in line %2</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -7576,6 +7730,20 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>exchange.leave_out_confidence</name>
+    <message>
+        <source>leave out the least confidence</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>exchange.leave_out_rate</name>
+    <message>
+        <source>leave out the frame rate</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>exchange.lens_model_not_known</name>
     <message>
         <source>the lens model &apos;%1&apos; is unknown (known models: plumb_bob, rational_polynomial, equidistant)</source>
@@ -7608,6 +7776,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>it is more than a week after the first line</source>
         <translation>比第一行晚一周以上</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.marks_left_out</name>
+    <message>
+        <source>%1 positions that only mark a lost robot (such as 0, 0) count as not measured; the first is in line %2</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -7667,6 +7842,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>exchange.no_confidence</name>
+    <message>
+        <source>it has no column of confidences</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>exchange.no_markers</name>
     <message>
         <source>no markers follow the header</source>
@@ -7695,6 +7877,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>exchange.no_third_axis</name>
+    <message>
+        <source>it has no third coordinate</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>exchange.no_track_has_position</name>
     <message>
         <source>none of its tracks has a position</source>
@@ -7706,6 +7895,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>it is not valid YAML (%1)</source>
         <translation>不是有效的 YAML（%1）</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.none_sure_enough</name>
+    <message>
+        <source>none of its positions has a confidence of %1</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -7737,13 +7933,6 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
-    <name>exchange.not_a_time_in_seconds</name>
-    <message>
-        <source>&apos;%1&apos; is not a time in seconds</source>
-        <translation>“%1”不是以秒为单位的时间</translation>
-    </message>
-</context>
-<context>
     <name>exchange.not_a_whole_number</name>
     <message>
         <source>&apos;%1&apos; is not a whole number from %2 to %3</source>
@@ -7769,6 +7958,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>nothing was imported</source>
         <translation>没有导入任何内容</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.number_in_two_ways</name>
+    <message>
+        <source>its numbers can be read in two ways: &apos;%1&apos; with three decimals, or as %2</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -7828,6 +8024,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>exchange.pixel_is</name>
+    <message>
+        <source>a pixel is %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>exchange.place_too_far</name>
     <message>
         <source>its position is more than 100 km away</source>
@@ -7835,10 +8038,31 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>exchange.points_group_thousands</name>
+    <message>
+        <source>points separate thousands</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>exchange.positions_are_pixels</name>
+    <message>
+        <source>its positions are in pixels, which are no lengths</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>exchange.quoted_cell_does_not_end</name>
     <message>
         <source>a quoted cell does not end</source>
         <translation>带引号的单元格没有结束</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.rate_beside_times</name>
+    <message>
+        <source>it has times, and no frame numbers</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -7860,6 +8084,20 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>it has no team</source>
         <translation>没有小组</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.row_without_time</name>
+    <message>
+        <source>line %1 was left out, because it has no time</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>exchange.rows_without_time</name>
+    <message>
+        <source>%1 lines were left out, because they have no time; the first is line %2</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -7905,10 +8143,59 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>exchange.sigma_not_above_zero</name>
+    <message>
+        <source>its uncertainty &apos;%1&apos; is not above zero</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>exchange.sigma_or_blank</name>
+    <message>
+        <source>give the standard deviation of each position, or leave these cells blank</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>exchange.slalom_without_length</name>
     <message>
         <source>the slalom ends where it starts</source>
         <translation>绕桩的终点与起点相同</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.stamp_left_out</name>
+    <message>
+        <source>line %1 was left out, because its time repeats or is out of order</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>exchange.stamps_left_out</name>
+    <message>
+        <source>%1 lines were left out, because their times repeat or are out of order; the first is line %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>exchange.stamps_shared</name>
+    <message>
+        <source>its times are so coarse that %1 lines share theirs with the line before</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>exchange.stamps_spread</name>
+    <message>
+        <source>its times are rounded to %1; the lines were spread evenly, %2 frames/s</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>exchange.stamps_spread_with_gaps</name>
+    <message>
+        <source>its times are rounded to %1; the lines were spread evenly, with gaps</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -7926,10 +8213,59 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>exchange.time_of_no_age</name>
+    <message>
+        <source>its time is more than a century from 1970</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>exchange.time_repeated</name>
     <message>
         <source>its time is the same as in the line before</source>
         <translation>其时间与上一行相同</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.time_steps_too_long</name>
+    <message>
+        <source>if its times are seconds, the rows are %1 apart and the run is %2 long</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>exchange.time_steps_too_short</name>
+    <message>
+        <source>its times have no unit, and as seconds the rows would be %1 apart</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>exchange.times_by_rate</name>
+    <message>
+        <source>all its times are the same; the lines were spread at %1 frames/s</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>exchange.times_since_1970</name>
+    <message>
+        <source>times in %1 since 1970</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>exchange.too_fast_as_said</name>
+    <message>
+        <source>in the units that it gives, the robot would drive at %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>exchange.too_fast_in_metres</name>
+    <message>
+        <source>its positions have no unit, and in metres the robot would drive at %1</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -7947,10 +8283,24 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>exchange.too_many_tracks</name>
+    <message>
+        <source>the file has more than 1000 tracks</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>exchange.too_many_values</name>
     <message>
         <source>it holds more than %1 values</source>
         <translation>其中的值超过 %1 个</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.too_wide_in_metres</name>
+    <message>
+        <source>its positions have no unit, and in metres the floor would be %1 wide</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -7979,6 +8329,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>it has %1 entry instead of the 8 of TUM</source>
         <translation>有 %1 个条目，TUM 应为 8 个</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.twins_left_out</name>
+    <message>
+        <source>%1 lines were left out, because they repeat the line before</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -8014,6 +8371,20 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>it unpacks to more than a hundred times its size</source>
         <translation>解包后超过其大小的一百倍</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.unset_stamps</name>
+    <message>
+        <source>lines left out because their time is 0: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>exchange.unsure_left_out</name>
+    <message>
+        <source>%1 positions with a confidence below %2 count as not measured; the first is in line %3</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -8056,6 +8427,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>write it with digits, like 12.5, or leave the cell blank</source>
         <translation>请用数字书写，如 12.5，或留空</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.write_finer_times</name>
+    <message>
+        <source>write the times with more digits, or give the frame rate of an even series</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -10581,10 +10959,6 @@ Much more than expected means that a setting is wrong: the views are not synchro
         <translation>无</translation>
     </message>
     <message>
-        <source>Positions measured by another program or exported by Odograph: TUM, CSV or Tracker text. Odograph analyses them as a run without video.</source>
-        <translation>由其他程序测得、或由 Odograph 导出的位置：TUM、CSV 或 Tracker 文本。将作为没有视频的运行来测量。</translation>
-    </message>
-    <message>
         <source>&amp;Name</source>
         <translation>名称(&amp;N)</translation>
     </message>
@@ -10621,12 +10995,16 @@ Much more than expected means that a setting is wrong: the views are not synchro
         <translation>轨迹 %1 的文件</translation>
     </message>
     <message>
-        <source>Tracks (*.csv *.txt *.tum *.tsv);;All files (*)</source>
-        <translation>轨迹 (*.csv *.txt *.tum *.tsv);;所有文件 (*)</translation>
-    </message>
-    <message>
         <source>Te&amp;am</source>
         <translation>小组(&amp;A)</translation>
+    </message>
+    <message>
+        <source>Positions measured by another program or exported by Odograph: TUM, CSV, Tracker text and others. Odograph analyses them as a run without video.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tracks (*.csv *.txt *.tum *.tsv *.trc);;All files (*)</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -11580,6 +11958,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>Browse: %1</source>
         <translation>浏览：%1</translation>
+    </message>
+</context>
+<context>
+    <name>odo::PathSketch</name>
+    <message>
+        <source>The path from above</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -14189,6 +14574,142 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>Track</source>
         <translation>跟踪</translation>
+    </message>
+</context>
+<context>
+    <name>odo::TrackPreview</name>
+    <message>
+        <source>%1: too long to be shown before the import</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1, track %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>%1: %2, %n lines in %3 s</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>odo::TrackReadingForm</name>
+    <message>
+        <source>&amp;Unit of positions</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>m</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>cm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>pixels</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Unit of t&amp;imes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>ms</source>
+        <translation type="unfinished">ms</translation>
+    </message>
+    <message>
+        <source>µs</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>ns</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>frame numbers</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>F&amp;loor axes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>x and y</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>x and z</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>y and z</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Decimal sign</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>point</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>comma</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Frame rate</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source> frames/s</source>
+        <translation type="unfinished"> 帧/s</translation>
+    </message>
+    <message>
+        <source>Of a file that numbers its frames</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Length of a &amp;pixel</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation type="unfinished"> mm</translation>
+    </message>
+    <message>
+        <source>On the floor, for positions in pixels</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Least &amp;confidence</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Positions with a lower likelihood count as not measured</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Accurac&amp;y</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Standard deviation of the positions, slow errors included; scatter alone does not show those</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>from the file</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -19380,6 +19901,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>workflow.accuracy_given</name>
+    <message>
+        <source>accurate to %1, as given</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>workflow.add_one_with</name>
     <message>
         <source>add one with</source>
@@ -21351,6 +21879,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>show the whole board, flat, sharp and evenly lit, and check --pattern and --board</source>
         <translation>请展示整块标定板，平整、清晰、光线均匀，并检查图案和尺寸</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.slow_errors_not_seen</name>
+    <message>
+        <source>errors that change slowly are not included</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>

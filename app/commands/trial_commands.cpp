@@ -9,7 +9,6 @@
 #include "core/base/percentile.h"
 #include "core/project/names.h"
 #include "core/project/repositories.h"
-#include "core/workflow/import/import_tracks_job.h"
 #include "core/workflow/import/import_trial_job.h"
 #include "core/workflow/record/record_trial.h"
 #include "core/workflow/shared_words.h"
@@ -51,27 +50,9 @@ Result<ImportSettings> importSettings(const CommandCall &call)
     settings.task = call.value(option::task);
     settings.robots = call.texts(option::robot);
     if (call.isSet(option::rate)) {
-        const auto framesPerSecond = call.number(option::rate);
-        if (!framesPerSecond || *framesPerSecond < lowestFrameRate || *framesPerSecond > highestFrameRate)
-            return call.wrongCall(
-                ODO_TEXT("app.rate_is", "--rate is a number of frames a second from 0.1 to 100,000"));
-        settings.rate = *framesPerSecond;
+        settings.rate = ODO_TRY(frameRateOf(call));
     }
     return settings;
-}
-
-Result<void> importTracksOf(const CommandCall &call)
-{
-    if (!call.isSet(option::trial))
-        return call.wrongCall(ODO_TEXT("app.trial_and_track_needed", "--trial and --track are needed"));
-    for (const QString &other : {option::video, option::robot, option::rate, option::sync}) {
-        if (call.isSet(other))
-            return call.wrongCall(
-                ODO_TEXT("app.track_goes_with",
-                         "--track goes with --trial, --team and --task, not with --%1")(other.toStdString()));
-    }
-    const auto tracks = ODO_TRY(call.pairs(option::track));
-    return importTracks(call, tracks);
 }
 
 /// Those that belong to a team; none where it is new.
@@ -94,32 +75,40 @@ Result<void> runImport(const QStringList &arguments, const CancelToken &cancel)
          QStringLiteral(
              "P.odo --trial NAME --video A=a.mp4 [--video B=b.mp4]... [--sync auto|none|SECONDS[,...]] "
              "[--team T] [--task NAME] [--robot R]... [--rate 240] [--json]\n"
-             "       odograph import P.odo --trial NAME --track R=FILE... [--team T] [--task NAME] [--json]"),
-         1,
-         1,
-         {{option::trial, QStringLiteral("What the trial is called."), QStringLiteral("NAME")},
-          {option::video, QStringLiteral("A view: the camera's name and the file."),
-           QStringLiteral("CAMERA=FILE")},
-          {option::track,
-           QStringLiteral(
-               "A robot's finished track in place of videos: TUM, CSV with t_s,x_mm,y_mm, or Tracker text."),
-           QStringLiteral("ROBOT=FILE")},
-          {option::sync,
-           QStringLiteral("How much later each other view's first frame was taken than the first view's; "
-                          "auto: found by the motion or a flash of light."),
-           QStringLiteral("auto|none|SECONDS[,...]")},
-          {option::team, QStringLiteral("The team of the trial."), QStringLiteral("T")},
-          {option::task, QStringLiteral("The task of the trial; see odograph task add."),
-           QStringLiteral("NAME")},
-          {option::robot, QStringLiteral("A robot in view; default: the team's robots."),
-           QStringLiteral("R")},
-          {option::rate, QStringLiteral("The camera's frame rate, if the file says another."),
-           QStringLiteral("FPS")}}},
+             "       odograph import P.odo --trial NAME --track R=FILE|-... [--team T] [--task NAME] [--unit "
+             "UNIT] "
+             "[--time-unit UNIT] [--axes xz] [--min-confidence 0.6] [--sigma 5mm] [--rate 30] [--pixel 2mm] "
+             "[--decimal comma] [--json]"),
+         1, 1,
+         QList<QCommandLineOption>{
+             {option::trial, QStringLiteral("What the trial is called."), QStringLiteral("NAME")},
+             {option::video, QStringLiteral("A view: the camera's name and the file."),
+              QStringLiteral("CAMERA=FILE")},
+             {option::track,
+              QStringLiteral(
+                  "A robot's finished track in place of videos: TUM, CSV, Tracker text and others; - reads "
+                  "standard input."),
+              QStringLiteral("ROBOT=FILE|-")},
+             {option::sync,
+              QStringLiteral("How much later each other view's first frame was taken than the first view's; "
+                             "auto: found by the motion or a flash of light."),
+              QStringLiteral("auto|none|SECONDS[,...]")},
+             {option::team, QStringLiteral("The team of the trial."), QStringLiteral("T")},
+             {option::task, QStringLiteral("The task of the trial; see odograph task add."),
+              QStringLiteral("NAME")},
+             {option::robot, QStringLiteral("A robot in view; default: the team's robots."),
+              QStringLiteral("R")},
+             {option::rate,
+              QStringLiteral(
+                  "The camera's frame rate, if the file says another, or a track only frame numbers."),
+              QStringLiteral("FPS")}} +
+             trackReadingOptions()},
         cancel);
     if (const auto parsed = call.parse(arguments); !parsed || !*parsed)
         return parsed.map([](bool) {});
     if (call.isSet(option::track))
-        return importTracksOf(call);
+        return importTracks(call);
+    ODO_TRY(refuseTrackOptions(call));
     auto settings = ODO_TRY(importSettings(call));
     const auto project = ODO_TRY(call.openProject(0, Project::Access::ReadWrite));
     if (!settings.task.empty())
@@ -139,86 +128,6 @@ Result<void> runImport(const QStringList &arguments, const CancelToken &cancel)
                                  .arg(job.recordings().size()))
                  << stepSentences(job.recordings()))
                     .join(u'\n'));
-    for (const Message &warning : job.warnings())
-        CommandCall::warn(warning);
-    return {};
-}
-
-namespace {
-
-QString robotText(const ImportTracksJob::Imported &one)
-{
-    const Profile &profile = one.analysis.profile;
-    const QString figures = QStringLiteral("%1, %2, path %3 m in %4 s, top speed %5 m/s")
-                                .arg(counted(profile.points.size(), QStringLiteral("position")))
-                                .arg(counted(profile.spikes.size(), QStringLiteral("spike")))
-                                .arg(metricValue(profile, "path_length"), 0, 'f', 3)
-                                .arg(metricValue(profile, "duration"), 0, 'f', 2)
-                                .arg(metricValue(profile, "max_speed"), 0, 'f', 3);
-    return QString::fromStdString(one.robot.name) + QStringLiteral(": ") + figures + taskRemark(profile) +
-           QStringLiteral("\n  ") + importedTrackText(one.source);
-}
-
-QJsonObject robotJson(const ImportTracksJob::Imported &one)
-{
-    const Profile &profile = one.analysis.profile;
-    QJsonObject json{{QStringLiteral("samples"), qint64(profile.points.size())},
-                     {QStringLiteral("spikes"), qint64(profile.spikes.size())},
-                     {QStringLiteral("path_length_m"), metricValue(profile, "path_length")},
-                     {QStringLiteral("duration_s"), metricValue(profile, "duration")},
-                     {QStringLiteral("mean_speed_m_s"), metricValue(profile, "mean_speed")},
-                     {QStringLiteral("max_speed_m_s"), metricValue(profile, "max_speed")},
-                     {QStringLiteral("imported"), importedTrackJson(one.source)}};
-    insertMeasuredTime(json, profile);
-    insertTaskAnswers(json, profile);
-    return json;
-}
-
-} // namespace
-
-QJsonObject importedTrackJson(const ImportedTrack &source)
-{
-    return {{QStringLiteral("file"), QString::fromStdString(source.file)},
-            {QStringLiteral("sha256"), QString::fromStdString(source.sha256)},
-            {QStringLiteral("bytes"), qint64(source.bytes)},
-            {QStringLiteral("format"), QString::fromStdString(source.format)},
-            {QStringLiteral("noise_mm"), toMillimetres(source.noiseM)},
-            {QStringLiteral("reading"), english(source.reading)}};
-}
-
-QString importedTrackText(const ImportedTrack &source)
-{
-    return QStringLiteral("imported from %1 (%2, SHA-256 %3): %4")
-        .arg(QString::fromStdString(source.file), QString::fromStdString(source.format),
-             QString::fromStdString(source.sha256.substr(0, 12)), english(source.reading));
-}
-
-Result<void> importTracks(const CommandCall &call,
-                          const std::vector<std::pair<std::string, std::string>> &tracks)
-{
-    ImportTracksSettings settings;
-    settings.trial = call.value(QStringLiteral("trial"));
-    settings.team = call.value(QStringLiteral("team"));
-    settings.task = call.value(QStringLiteral("task"));
-    for (const auto &[robot, file] : tracks)
-        settings.tracks.emplace_back(robot, file);
-    const auto project = ODO_TRY(call.openProject(0, Project::Access::ReadWrite));
-    ImportTracksJob job(std::move(settings));
-    ODO_TRY(runToEnd(job, *project, call.control()));
-    QJsonObject robots;
-    QStringList lines(
-        QStringLiteral("Trial %1 imported, tracks: %2")
-            .arg(QString::fromStdString(job.trial().name), QString::number(job.imported().size())));
-    for (const ImportTracksJob::Imported &one : job.imported()) {
-        robots.insert(QString::fromStdString(one.robot.name), robotJson(one));
-        lines << robotText(one);
-    }
-    call.answer({{QStringLiteral("trial"), QString::fromStdString(job.trial().name)},
-                 {QStringLiteral("views"), QJsonObject()},
-                 {QStringLiteral("sync"), syncJson(job.trial())},
-                 {QStringLiteral("robots"), robots},
-                 {QStringLiteral("warnings"), sentencesJson(job.warnings())}},
-                lines.join(u'\n'));
     for (const Message &warning : job.warnings())
         CommandCall::warn(warning);
     return {};

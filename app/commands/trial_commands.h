@@ -6,9 +6,14 @@
 
 namespace odo {
 
-/// `import` of finished tracks: the part of the call behind its options.
-Result<void> importTracks(const CommandCall &call,
-                          const std::vector<std::pair<std::string, std::string>> &tracks);
+/// `import` of finished tracks, and the options that go with them alone.
+Result<void> importTracks(const CommandCall &call);
+QList<QCommandLineOption> trackReadingOptions();
+/// WrongCall where one of them was given without a track.
+Result<void> refuseTrackOptions(const CommandCall &call);
+
+/// --rate, within its limits.
+Result<double> frameRateOf(const CommandCall &call);
 
 /// Where a track came from, as `import` and `show` print it.
 QJsonObject importedTrackJson(const ImportedTrack &source);

@@ -76,7 +76,8 @@ private Q_SLOTS:
         QCOMPARE(imported[u"format"_s].toString(), u"tum"_s);
         QCOMPARE(imported[u"file"_s].toString(), u"fast.tum"_s);
         QCOMPARE(imported[u"sha256"_s].toString(), QString::fromLatin1(fileHash(path("fast.tum")).toHex()));
-        QVERIFY(imported[u"reading"_s].toString().endsWith(u" mm, estimated from the track"_s));
+        QVERIFY(imported[u"reading"_s].toString().endsWith(
+            u" mm, estimated from the track; errors that change slowly are not included"_s));
 
         const QJsonObject shown = good({u"show"_s, m_project, u"fast"_s, u"--json"_s}).json();
         QCOMPARE(shown[u"robots"_s][u"red"_s][u"provenance"_s][u"imported"_s].toObject(), imported);
@@ -167,7 +168,16 @@ private Q_SLOTS:
              {QStringList{u"--track"_s, u"red="_s + path("slow.tum")},
               QStringList{u"--trial"_s, u"x"_s, u"--track"_s, path("slow.tum")},
               QStringList{u"--trial"_s, u"x"_s, u"--track"_s, u"red="_s + path("slow.tum"), u"--rate"_s,
-                          u"3"_s},
+                          u"1e9"_s},
+              QStringList{u"--trial"_s, u"x"_s, u"--track"_s, u"red="_s + path("slow.tum"), u"--unit"_s,
+                          u"ft"_s},
+              QStringList{u"--trial"_s, u"x"_s, u"--track"_s, u"red="_s + path("slow.tum"), u"--sigma"_s,
+                          u"0mm"_s},
+              QStringList{u"--trial"_s, u"x"_s, u"--track"_s, u"red="_s + path("slow.tum"), u"--axes"_s,
+                          u"zz"_s},
+              QStringList{u"--trial"_s, u"x"_s, u"--track"_s, u"red="_s + path("slow.tum"),
+                          u"--min-confidence"_s, u"-1"_s},
+              QStringList{u"--trial"_s, u"x"_s, u"--video"_s, u"A=a.mp4"_s, u"--time-unit"_s, u"ms"_s},
               QStringList{u"--trial"_s, u"x"_s, u"--track"_s, u"red="_s + path("slow.tum"), u"--video"_s,
                           u"A=a.mp4"_s}}) {
             const ProgramRun done = runProgram(QStringList{u"import"_s, m_project} + call);
@@ -178,6 +188,49 @@ private Q_SLOTS:
         QCOMPARE(track.exitStatus, 1);
         QVERIFY(track.err.startsWith(
             "odograph: trial 'slow': its tracks were imported, so it has no video to track; "));
+    }
+    /// What a table leaves open is refused with the option that answers it; standard input is read like a
+    /// file.
+    void openQuestions()
+    {
+        QByteArray text = "t,x,y\n";
+        for (int i = 0; i < 200; ++i)
+            text += QByteArray::number(i * 20) + ',' + QByteArray::number(80 * std::cos(i / 50.0), 'f', 3) +
+                    ',' + QByteArray::number(80 * std::sin(i / 50.0), 'f', 3) + '\n';
+        write("open.csv", text);
+        const QStringList call{u"import"_s, m_project,    u"--trial"_s,
+                               u"open"_s,   u"--track"_s, u"red="_s + path("open.csv")};
+        ProgramRun done = runProgram(call);
+        QCOMPARE(done.exitStatus, 1);
+        QVERIFY2(done.err.endsWith("; give their unit, likely --time-unit ms (s, ms, us, ns or frame)\n"),
+                 done.err.constData());
+        done = runProgram(call + QStringList{u"--time-unit"_s, u"ms"_s});
+        QCOMPARE(done.exitStatus, 1);
+        QVERIFY2(
+            done.err.endsWith("in metres the robot would drive at 80 m/s; give their unit, likely --unit cm "
+                              "(m, cm, mm or px)\n"),
+            done.err.constData());
+        const QStringList told{u"--time-unit"_s, u"ms"_s,  u"--unit"_s, u"cm"_s,
+                               u"--sigma"_s,     u"5mm"_s, u"--json"_s};
+        done = good(call + told);
+        QCOMPARE(done.exitStatus, 0);
+        QJsonObject robot = done.json()[u"robots"_s][u"red"_s].toObject();
+        QVERIFY(std::abs(robot[u"path_length_m"_s].toDouble() - 3.184) < 0.02);
+        QVERIFY(robot[u"imported"_s][u"reading"_s].toString().contains(u"accurate to 5.00 mm, as given"_s));
+        const QStringList piped{u"-c"_s,
+                                u"\"$0\" \"$@\" < '%1'"_s.arg(path("open.csv")),
+                                qEnvironmentVariable("ODOGRAPH_PROGRAM"),
+                                u"import"_s,
+                                m_project,
+                                u"--trial"_s,
+                                u"piped"_s,
+                                u"--track"_s,
+                                u"red=-"_s};
+        done = runCommand(u"sh"_s, piped + told);
+        QVERIFY2(done.exitStatus == 0, done.err.constData());
+        QCOMPARE(done.json()[u"robots"_s][u"red"_s][u"path_length_m"_s], robot[u"path_length_m"_s]);
+        QCOMPARE(done.json()[u"robots"_s][u"red"_s][u"imported"_s][u"file"_s].toString(),
+                 u"standard input"_s);
     }
     void hostileNames()
     {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/exchange/track_file.h"
+#include "core/exchange/table/track_file.h"
 
 #include "tests/support/c_locales.h"
 #include "tests/support/patience.h"
@@ -31,7 +31,10 @@ class TestTrackFile : public QObject
             qFatal("no test file");
         return name.toStdString();
     }
-    Result<TrackFile> read(const QByteArray &text) const { return readTrackFile(fileOf(text), JobControl()); }
+    Result<TrackFile> read(const QByteArray &text) const
+    {
+        return readTrackFile(fileOf(text), TrackReading(), JobControl());
+    }
 
     /// "tum|0 100000000 200000000|0 0.5 1|-1 -1.5 -2": format, nanoseconds, x and y of the first track.
     QString shown(const QByteArray &text, std::size_t track = 0) const
@@ -221,9 +224,8 @@ private Q_SLOTS:
         row("UTF-16", QByteArray("\xff\xfet\0_\0s\0", 8),
             "': it is written in UTF-16; save it again as \"CSV UTF-8\" or as a UTF-8 text");
         row("NaN in TUM", tum + "1 nan 2 0 0 0 0 1\n",
-            ":2: 'nan' is not a finite number; write it with digits, like 12.5, or leave the cell blank");
-        row("NaN in CSV", csv + "1,NaN,2\n",
-            ":3: 'NaN' is not a finite number; write it with digits, like 12.5, or leave the cell blank");
+            ":2: one of its two coordinates is blank; fill in both or none");
+        row("NaN in CSV", csv + "1,NaN,2\n", ":3: one of its two coordinates is blank; fill in both or none");
         row("too large for a number", csv + "1,1e999,2\n",
             ":3: '1e999' is not a finite number; write it with digits, like 12.5, or leave the cell blank");
         // as many as a number may have; what follows them is not looked at
@@ -233,9 +235,11 @@ private Q_SLOTS:
                 .c_str());
         row("no time", csv + ",1,2\n", ":3: '' is not a time; write it with digits, like 12.5");
         row("a time of no age", tum + "1e300 1 2 0 0 0 0 1\n",
-            ":2: '1e300' is not a time in seconds; write it with digits, like 12.5");
+            ":2: its time is more than a century from 1970; check the unit of the times, and that all "
+            "lines are of one run");
         row("times with more between them than is counted", "t,x,y\n-9e9,0,0\n9e9,1,1\n",
-            ":2: '-9e9' is not a time; write it with digits, like 12.5");
+            ":2: its time is more than a century from 1970; check the unit of the times, and that all "
+            "lines are of one run");
         QByteArray many = "t";
         for (int track = 0; track < 1000; ++track)
             many += ",x,y";
@@ -275,7 +279,7 @@ private Q_SLOTS:
     }
     void noFile()
     {
-        const auto file = readTrackFile("/nowhere/run.csv", JobControl());
+        const auto file = readTrackFile("/nowhere/run.csv", TrackReading(), JobControl());
         QVERIFY(!file && file.error().code == ErrorCode::NotFound);
         QVERIFY(!read(QByteArray("t_s,x_mm,y_mm\n\xff\xfe\0", 17)));
     }
@@ -291,7 +295,7 @@ private Q_SLOTS:
         QCOMPARE(file->tracks[0].positions.back().position->x(), 215.999);
         JobControl control;
         control.progress = [&](double, const Message &) { control.cancel.cancel(); };
-        const auto stopped = readTrackFile(fileOf(text), control);
+        const auto stopped = readTrackFile(fileOf(text), TrackReading(), control);
         QVERIFY(!stopped && stopped.error().code == ErrorCode::Cancelled);
     }
     /// A character that begins in one block of the file and ends in the next; and what begins and never ends.

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/exchange/track_file.h"
+#include "core/exchange/table/track_file.h"
 #include "tests/fuzz/fuzz_file.h"
 
 #include <cmath>
+#include <optional>
 
 namespace {
 
@@ -21,7 +22,17 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t *bytes, std::size_t cou
 {
     using namespace odo;
     static fuzz::File file(".csv");
-    const auto read = readTrackFile(file.holding(bytes, count), {});
+    const auto &held = file.holding(bytes, count);
+    TrackReading told; // what a person can say makes other ways through the reader
+    if (count > 0) {
+        const unsigned choice = bytes[count - 1];
+        told.unit = (choice & 1) != 0 ? std::optional(LengthUnit::Millimetre) : std::nullopt;
+        told.rate = (choice & 2) != 0 ? std::optional(30.0) : std::nullopt;
+        told.axes = (choice & 4) != 0 ? std::optional(FloorAxes::Xz) : std::nullopt;
+        told.decimal = (choice & 8) != 0 ? std::optional(DecimalSign::Comma) : std::nullopt;
+        told.pixelM = (choice & 16) != 0 ? std::optional(0.002) : std::nullopt;
+    }
+    const auto read = readTrackFile(held, told, {});
     if (!read)
         return 0;
     require(!read->tracks.empty(), "there is none");

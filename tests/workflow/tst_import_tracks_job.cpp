@@ -117,9 +117,30 @@ private Q_SLOTS:
         const double noiseM = source.noiseM;
         QVERIFY2(noiseM > 0.0001 && noiseM < 0.001, qPrintable(QString::number(noiseM)));
         QCOMPARE(source.reading.english(),
-                 "positions to " + formatNumber(1e3 * noiseM, 2) + " mm, estimated from the track");
+                 "positions to " + formatNumber(1e3 * noiseM, 2) +
+                     " mm, estimated from the track; errors that change slowly are not "
+                     "included");
         QCOMPARE(m_project->changes()->front().words.english(), std::string("import trial lap"));
         QVERIFY(m_project->check(true)->empty());
+    }
+    /// What scatter does not show can be given, and stays when the track is reanalysed.
+    void theAccuracyOfASourceCounts()
+    {
+        ImportTracksSettings settings = settingsOf("lap", write("lap.csv", circle()));
+        QVERIFY(import(settings));
+        QVERIFY(analysisOf("lap").profile.points[50].sigmaXM < 0.002);
+        settings.trial = "known";
+        settings.sigmaM = 0.005;
+        QVERIFY(import(settings));
+        QVERIFY(analysisOf("known").profile.points[50].sigmaXM >= 0.005);
+        const auto source = importedTracksOf(*m_project, *m_project->trials().find("known"))->front();
+        QVERIFY2(source.reading.english().ends_with("; accurate to 5.00 mm, as given"),
+                 source.reading.english().c_str());
+        TrackSettings again;
+        again.again = true;
+        TrackJob track("known", again);
+        QVERIFY(runToEnd(track, *m_project, JobControl()));
+        QVERIFY(analysisOf("known").profile.points[50].sigmaXM >= 0.005);
     }
     /// To the last bit, whatever is made of them.
     void positionsAreNeverAltered()

@@ -22,6 +22,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <set>
 
 namespace odo {
@@ -154,19 +155,25 @@ Result<void> ImportTracksJob::readFiles(const JobControl &control)
 {
     for (std::size_t i = 0; i < m_settings.tracks.size(); ++i) {
         const auto &[robot, path] = m_settings.tracks[i];
-        auto file = ODO_TRY(readTrackFile(path, control));
+        const bool isPiped = !m_settings.standardInput.empty() && path == m_settings.standardInput;
+        TrackReading how = m_settings.reading;
+        if (isPiped)
+            how.shownAs = "standard input";
+        auto file = ODO_TRY(readTrackFile(path, how, control));
         ImportedTrack &source = m_imported[i].source;
         source.format = trackFormatWord(file.format);
         auto track = ODO_TRY(trackOf(std::move(file), robot, path));
         const auto hash = ODO_TRY(fileSha256(path, control));
-        const std::string name = path.filename().string();
+        const std::string name = isPiped ? "standard input" : path.filename().string();
         // files may be called as nothing else may
         source.file = checkName(RecordKind::Track, name) ? name : fileNameOf(name);
         source.sha256 = hash;
         std::error_code problem; // the file was just read; 0 where it went since
         const auto bytes = files::sizeOf(path, problem);
         source.bytes = problem ? 0 : static_cast<std::int64_t>(bytes);
-        m_read.push_back({std::move(track.name), std::move(track.positions)});
+        for (const Message &notice : track.notices)
+            m_warnings.push_back(joined({quotedName(Named::file(name)), notice}, Join::Colon));
+        m_read.push_back(std::move(track));
     }
     return {};
 }
@@ -175,10 +182,10 @@ Result<void> ImportTracksJob::readFiles(const JobControl &control)
 void ImportTracksJob::setClock()
 {
     Nanoseconds first = Nanoseconds::max();
-    for (const Read &read : m_read)
+    for (const FileTrack &read : m_read)
         first = std::min(first, read.positions.front().time);
     m_zero = first >= Nanoseconds(0) && first < mostBlankAtStart ? Nanoseconds(0) : first;
-    for (Read &read : m_read) {
+    for (FileTrack &read : m_read) {
         for (ImportedPosition &position : read.positions) {
             position.time -= m_zero;
             if (m_read.size() > 1)
@@ -193,7 +200,7 @@ void ImportTracksJob::setClock()
 /// The raw measurement, and how it was read.
 void ImportTracksJob::makeSamples(std::size_t robot)
 {
-    Read &read = m_read[robot];
+    FileTrack &read = m_read[robot];
     ImportedTrack &source = m_imported[robot].source;
     const bool isStated = statesErrors(read.positions);
     if (!isStated) {
@@ -210,11 +217,19 @@ void ImportTracksJob::makeSamples(std::size_t robot)
     std::vector<Message> reading{
         isStated ? ODO_TEXT("workflow.error_stated", "positions to %1, as stated in the file")(noise)
                  : ODO_TEXT("workflow.error_estimated", "positions to %1, estimated from the track")(noise)};
-    if (!read.track.empty())
-        reading.push_back(ODO_TEXT("workflow.track_of_file", "the file's track '%1'")(read.track));
+    if (m_settings.sigmaM)
+        reading.push_back(ODO_TEXT("workflow.accuracy_given", "accurate to %1, as given")(
+            quantity(toMillimetres(*m_settings.sigmaM), 2, "mm")));
+    else if (!isStated)
+        reading.push_back(
+            ODO_TEXT("workflow.slow_errors_not_seen", "errors that change slowly are not included"));
+    if (!read.name.empty())
+        reading.push_back(ODO_TEXT("workflow.track_of_file", "the file's track '%1'")(read.name));
     if (m_zero != Nanoseconds(0))
         reading.push_back(ODO_TEXT("workflow.times_count_from",
                                    "its times start at %1")(quantity(toSeconds(m_zero), 3, "s")));
+    std::ranges::move(read.facts, std::back_inserter(reading));
+    std::ranges::move(read.notices, std::back_inserter(reading));
     source.reading = joined(std::move(reading), Join::Semicolon);
 }
 
@@ -229,6 +244,9 @@ SampleSource ImportTracksJob::samplesOf(std::size_t robot, std::span<const Sampl
         samples.reserve(count);
         for (std::size_t i = first; i < first + count; ++i) {
             Sample &sample = samples.emplace_back(m_series[robot].sample(i));
+            if (m_settings.sigmaM && sample.position)
+                sample.commonCovariance =
+                    Eigen::Matrix2d::Identity() * *m_settings.sigmaM * *m_settings.sigmaM;
             if (!m_times.empty())
                 sample.frame = std::ranges::lower_bound(m_times, sample.time) - m_times.begin();
             if (!flags.empty())

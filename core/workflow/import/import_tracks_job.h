@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/exchange/track_file.h"
+#include "core/exchange/table/track_file.h"
 #include "core/project/records.h"
 #include "core/trajectory/imported_track.h"
 #include "core/workflow/job.h"
@@ -22,6 +22,9 @@ struct ImportTracksSettings
     std::string team;                                                  ///< made when new; empty: none
     std::string task;                                                  ///< must be there; empty: none
     std::optional<Instant> date;                                       ///< empty: now
+    TrackReading reading = {};                                         ///< what a person says of the files
+    std::optional<double> sigmaM = {};        ///< accuracy of the positions, which no scatter need show
+    std::filesystem::path standardInput = {}; ///< the file, if any, that holds what came from there
 };
 
 /// Brings finished tracks of one trial into the project, which then has no video: they are analysed like our
@@ -62,12 +65,7 @@ private:
 
     ImportTracksSettings m_settings;
     std::optional<TaskRecord> m_task;
-    struct Read
-    {
-        std::string track; ///< what the file calls it; may be empty
-        std::vector<ImportedPosition> positions;
-    };
-    std::vector<Read> m_read;             ///< one a robot; empty once there are its samples
+    std::vector<FileTrack> m_read;        ///< one a robot; empty once there are its samples
     std::vector<ImportedSeries> m_series; ///< one a robot
     Nanoseconds m_zero{0};                ///< what the files' clock showed where the trial's time is 0
     /// of all positions, the trial's frames; of one robot's track they are its lines

@@ -5,7 +5,8 @@
 #include "tests/support/registered_test.h"
 #include "tests/ui/support/person.h"
 #include "tests/ui/support/stored_example.h"
-#include "ui/main_window/internal/import_dialogs.h"
+#include "ui/main_window/internal/import_tracks_dialog.h"
+#include "ui/main_window/internal/track_preview.h"
 #include "ui/main_window/main_window.h"
 #include "ui/main_window/workspace.h"
 #include "ui/models/trial_scene.h"
@@ -19,6 +20,7 @@
 #include <QDialogButtonBox>
 #include <QDropEvent>
 #include <QFile>
+#include <QLabel>
 #include <QLineEdit>
 #include <QMimeData>
 #include <QPushButton>
@@ -114,6 +116,32 @@ private Q_SLOTS:
         QVERIFY(settings.task.empty() && settings.team.empty());
         dialog.findChild<QLineEdit *>()->clear();
         QVERIFY(!importButton(dialog)->isEnabled());
+    }
+    /// What was understood is shown, and what is open can be chosen.
+    void filesAreShownBeforeTheyAreImported()
+    {
+        QByteArray text = "t,x,y\n";
+        for (int i = 0; i < 100; ++i)
+            text += QByteArray::number(i / 50.0, 'f', 3) + ',' +
+                    (i == 40 ? QByteArray("nan,nan")
+                             : QByteArray::number(500 * std::cos(i / 25.0), 'f', 3) + ',' +
+                                   QByteArray::number(500 * std::sin(i / 25.0), 'f', 3)) +
+                    '\n';
+        ImportTracksDialog dialog({QStringLiteral("Run 7"), {}, {QStringLiteral("Red")}, {}, {}});
+        dialog.addTrack(write("open.csv", text));
+        const auto *preview = dialog.findChild<TrackPreview *>();
+        QVERIFY2(preview->words().contains(QStringLiteral("choose their unit")) ||
+                     preview->words().contains(QStringLiteral("Choose their unit")),
+                 qPrintable(preview->words()));
+        QVERIFY(dialog.findChild<PathSketch *>()->pieces().empty());
+        for (auto *label : dialog.findChildren<QLabel *>()) {
+            if (label->text() == QStringLiteral("&Unit of positions"))
+                qobject_cast<QComboBox *>(label->buddy())->setCurrentText(QStringLiteral("mm"));
+        }
+        QVERIFY2(preview->words().startsWith(QStringLiteral("open.csv: Tracker, 100 lines in 1.98 s")),
+                 qPrintable(preview->words()));
+        QCOMPARE(dialog.findChild<PathSketch *>()->pieces().size(), std::size_t(2)); // a gap at the nan
+        QCOMPARE(dialog.settings().reading.unit, std::optional(LengthUnit::Millimetre));
     }
     void droppedFilesBecomeARun()
     {

@@ -5,7 +5,7 @@
 #include "core/project/project.h"
 #include "core/workflow/demo.h"
 #include "core/workflow/project_copy.h"
-#include "ui/main_window/internal/import_dialogs.h"
+#include "ui/main_window/internal/import_tracks_dialog.h"
 #include "ui/main_window/internal/transfer_actions.h"
 #include "ui/main_window/workspace.h"
 #include "ui/views/widgets/command_keys.h"

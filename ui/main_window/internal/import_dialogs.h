@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/workflow/import/import_tracks_job.h"
 #include "core/workflow/import/import_trial_job.h"
 #include "ui/models/number_text.h"
 
@@ -107,45 +106,6 @@ private:
     QGridLayout *m_grid;
     std::size_t m_views = 0;
     std::vector<Row> m_rows;
-};
-
-/// Asks what belongs to a trial whose robots another program has tracked: its name, team and task, and the
-/// file of each robot.
-class ImportTracksDialog : public QDialog
-{
-    Q_OBJECT
-public:
-    struct Offer
-    {
-        QString name; ///< a free one
-        QStringList teams, robots, tasks;
-        QStringList teamsShown = {}; ///< what each team is shown as; empty: by their names
-    };
-    explicit ImportTracksDialog(const Offer &offer, QWidget *parent = nullptr);
-    ImportTracksSettings settings() const;
-    /// A file for the first row that waits for one, or a row of its own.
-    void addTrack(const QString &file);
-    /// Whether a file can be one of tracks, by its name.
-    static bool isTrackFile(const QString &file);
-
-private:
-    struct TrackRow
-    {
-        QComboBox *robot;
-        PathField *file;
-    };
-    QWidget *makeTracks();
-    void addRow();
-    void orderTabs();
-    void updateButtons();
-
-    QStringList m_knownRobots;
-    QLineEdit *m_name;
-    QComboBox *m_team, *m_task;
-    QGridLayout *m_grid;
-    std::vector<TrackRow> m_tracks;
-    QPushButton *m_addRobot;
-    QDialogButtonBox *m_buttons;
 };
 
 } // namespace odo

@@ -10,6 +10,7 @@
 #include "core/workflow/track/track_warnings.h"
 #include "core/workflow/trial_sources.h"
 #include "ui/main_window/internal/import_dialogs.h"
+#include "ui/main_window/internal/import_tracks_dialog.h"
 #include "ui/main_window/internal/robots_dialog.h"
 #include "ui/main_window/internal/trial_export.h"
 #include "ui/main_window/workspace.h"
