@@ -1227,7 +1227,7 @@ Das Verfahren folgt S. Park, „Computational Vision for Automatic Tracking and 
     </message>
     <message>
         <source>smoothed, with its ±95 % band; dots: as measured; shaded: not measured</source>
-        <translation type="unfinished"></translation>
+        <translation>geglättet, mit ±95-%-Band; Punkte: wie gemessen; schattiert: nicht gemessen</translation>
     </message>
 </context>
 <context>
@@ -2051,11 +2051,11 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
     <message>
         <source>Not measured until %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Nicht gemessen bis %1</translation>
     </message>
     <message>
         <source>not measured (%1 to %2)</source>
-        <translation type="unfinished"></translation>
+        <translation>nicht gemessen (%1 bis %2)</translation>
     </message>
 </context>
 <context>
@@ -2373,7 +2373,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <name>analysis.formula_mean_speed</name>
     <message>
         <source>path length / time, both without gaps</source>
-        <translation type="unfinished"></translation>
+        <translation>Weg / Zeit, beide ohne Lücken</translation>
     </message>
 </context>
 <context>
@@ -2443,7 +2443,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <name>analysis.formula_stops</name>
     <message>
         <source>The pauses between the onset of motion and the last stop, counted where the robot was measured at rest.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Zahl der Pausen zwischen dem Bewegungsbeginn und dem letzten Halt, in denen der Roboter stehend gemessen wurde.</translation>
     </message>
 </context>
 <context>
@@ -2457,7 +2457,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <name>analysis.formula_zone_breaches</name>
     <message>
         <source>How often the robot&apos;s reference point left a zone to stay in or entered a zone to keep out of. It counts if the point is beyond the edge by more than six σ of the track&apos;s noise.</source>
-        <translation type="unfinished"></translation>
+        <translation>Wie oft die Mitte des Roboters eine Zone verließ, in der sie bleiben soll, oder in eine kam, die sie meiden soll. Es zählt, wenn sie um mehr als sechs σ des Eigenrauschens der Spur jenseits des Rands ist.</translation>
     </message>
 </context>
 <context>
@@ -3185,7 +3185,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <name>analysis.uncertainty_duration</name>
     <message>
         <source>of both moments: σ of the speed divided by its slope there, and how far smoothing blurs them</source>
-        <translation type="unfinished"></translation>
+        <translation>beider Zeitpunkte: σ der Geschwindigkeit geteilt durch ihre Steilheit dort, und wie weit die Glättung sie verwischt</translation>
     </message>
 </context>
 <context>
@@ -3213,7 +3213,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <name>analysis.uncertainty_mean_speed</name>
     <message>
         <source>of both, treated as independent, and of gaps: from straight through them to the top speed in them</source>
-        <translation type="unfinished"></translation>
+        <translation>beider, als unabhängig angenommen, und der Lücken: von geradeaus hindurch bis zur Höchstgeschwindigkeit darin</translation>
     </message>
 </context>
 <context>
@@ -3241,7 +3241,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <name>analysis.uncertainty_path_length</name>
     <message>
         <source>of the end positions, of lateral errors where the path turns, of what the robot could have done where it was bridged, and the calibration&apos;s scale uncertainty</source>
-        <translation type="unfinished"></translation>
+        <translation>der Orte an den Enden, der Fehler quer zur Bahn, wo sie sich krümmt, dessen, was der Roboter in überbrückten Zeiten getan haben kann, und der Maßstabsfehler der Kalibrierung</translation>
     </message>
 </context>
 <context>
@@ -7301,21 +7301,21 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <name>exchange.axes_given</name>
     <message>
         <source>floor axes: %1 of the file</source>
-        <translation type="unfinished"></translation>
+        <translation>Bodenachsen: %1 der Datei</translation>
     </message>
 </context>
 <context>
     <name>exchange.axes_seen</name>
     <message>
         <source>floor axes: %1 of the file, as its %2 stays near %3</source>
-        <translation type="unfinished"></translation>
+        <translation>Bodenachsen: %1 der Datei, da deren %2 nahe %3 bleibt</translation>
     </message>
 </context>
 <context>
     <name>exchange.axes_unclear</name>
     <message>
         <source>its z varies by %1 while its %2 stays near %3</source>
-        <translation type="unfinished"></translation>
+        <translation>ihr z ändert sich um %1, während ihr %2 nahe %3 bleibt</translation>
     </message>
 </context>
 <context>
@@ -7343,14 +7343,14 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <name>exchange.break_opened</name>
     <message>
         <source>its positions jump by %1 in line %2 and go on from there: %3 positions around count as not measured, and the path ends at the jump</source>
-        <translation type="unfinished"></translation>
+        <translation>ihre Positionen springen in Zeile %2 um %1 und gehen von dort weiter: %3 Positionen ringsum gelten als nicht gemessen, und der Weg endet am Sprung</translation>
     </message>
 </context>
 <context>
     <name>exchange.breaks_too_often</name>
     <message>
         <source>its positions jump %1 times and go on from elsewhere</source>
-        <translation type="unfinished"></translation>
+        <translation>ihre Positionen springen %1-mal und gehen anderswo weiter</translation>
     </message>
 </context>
 <context>
@@ -7375,10 +7375,17 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
 </context>
 <context>
+    <name>exchange.centre_impossible</name>
+    <message>
+        <source>the image centre (%1, %2) lies far outside the image of %3 × %4 pixels</source>
+        <translation>die Bildmitte (%1, %2) liegt weit außerhalb des Bildes von %3 × %4 Pixeln</translation>
+    </message>
+</context>
+<context>
     <name>exchange.check_both_units</name>
     <message>
         <source>choose the units of its times and positions</source>
-        <translation type="unfinished"></translation>
+        <translation>wählen Sie die Einheiten ihrer Zeiten und Positionen</translation>
     </message>
 </context>
 <context>
@@ -7406,7 +7413,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <name>exchange.check_track_column</name>
     <message>
         <source>check which column says the track of a line</source>
-        <translation type="unfinished"></translation>
+        <translation>prüfen Sie, welche Spalte die Bahn einer Zeile nennt</translation>
     </message>
 </context>
 <context>
@@ -7427,35 +7434,42 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <name>exchange.choose_a_time_unit</name>
     <message>
         <source>choose their unit: s, ms, us, ns or frame</source>
-        <translation type="unfinished"></translation>
+        <translation>wählen Sie ihre Einheit: s, ms, us, ns oder frame</translation>
     </message>
 </context>
 <context>
     <name>exchange.choose_axes</name>
     <message>
         <source>choose the axes of the floor: %1, or xy if that is right</source>
-        <translation type="unfinished"></translation>
+        <translation>wählen Sie die Bodenachsen: %1, oder xy, wenn das stimmt</translation>
     </message>
 </context>
 <context>
     <name>exchange.choose_axes_xy</name>
     <message>
         <source>choose the axes x and y</source>
-        <translation type="unfinished"></translation>
+        <translation>wählen Sie die Achsen x und y</translation>
     </message>
 </context>
 <context>
     <name>exchange.choose_decimal_sign</name>
     <message>
         <source>choose its decimal sign: point or comma</source>
-        <translation type="unfinished"></translation>
+        <translation>wählen Sie ihr Dezimalzeichen: Punkt oder Komma</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.choose_entry</name>
+    <message>
+        <source>choose one of them</source>
+        <translation>wählen Sie eine davon</translation>
     </message>
 </context>
 <context>
     <name>exchange.choose_likely_unit</name>
     <message>
         <source>choose their unit: m, cm, mm or px; %1 is likely</source>
-        <translation type="unfinished"></translation>
+        <translation>wählen Sie ihre Einheit: m, cm, mm oder px; wahrscheinlich %1</translation>
     </message>
 </context>
 <context>
@@ -7490,14 +7504,14 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <name>exchange.choose_time_unit</name>
     <message>
         <source>choose their unit: s, ms, us, ns or frame; %1 is likely</source>
-        <translation type="unfinished"></translation>
+        <translation>wählen Sie ihre Einheit: s, ms, us, ns oder frame; wahrscheinlich %1</translation>
     </message>
 </context>
 <context>
     <name>exchange.choose_unit</name>
     <message>
         <source>choose their unit: m, cm, mm or px</source>
-        <translation type="unfinished"></translation>
+        <translation>wählen Sie ihre Einheit: m, cm, mm oder px</translation>
     </message>
 </context>
 <context>
@@ -7525,14 +7539,14 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <name>exchange.commas_group_thousands</name>
     <message>
         <source>commas separate thousands</source>
-        <translation type="unfinished"></translation>
+        <translation>Kommas trennen Tausender</translation>
     </message>
 </context>
 <context>
     <name>exchange.confidence_not_used</name>
     <message>
         <source>its confidences are neither from 0 to 1 nor from 0 to 100, and were not used</source>
-        <translation type="unfinished"></translation>
+        <translation>ihre Konfidenzen liegen weder zwischen 0 und 1 noch zwischen 0 und 100 und wurden nicht verwendet</translation>
     </message>
 </context>
 <context>
@@ -7578,17 +7592,24 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
 </context>
 <context>
+    <name>exchange.focal_impossible</name>
+    <message>
+        <source>no lens has a focal length of %1 at %2 × %3 pixels</source>
+        <translation>kein Objektiv hat bei %2 × %3 Pixeln eine Brennweite von %1</translation>
+    </message>
+</context>
+<context>
     <name>exchange.format_has_pixels</name>
     <message>
         <source>%1 writes positions in pixels, which are no lengths</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 schreibt Positionen in Pixeln, und die sind keine Längen</translation>
     </message>
 </context>
 <context>
     <name>exchange.frames_without_rate</name>
     <message>
         <source>it has frame numbers in place of times</source>
-        <translation type="unfinished"></translation>
+        <translation>sie hat Bildnummern statt Zeiten</translation>
     </message>
 </context>
 <context>
@@ -7602,7 +7623,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <name>exchange.give_lower_confidence</name>
     <message>
         <source>give a lower least confidence</source>
-        <translation type="unfinished"></translation>
+        <translation>geben Sie eine kleinere Mindestkonfidenz an</translation>
     </message>
 </context>
 <context>
@@ -7630,7 +7651,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <name>exchange.give_pixel_length</name>
     <message>
         <source>give how long a pixel is on the floor, or choose another unit of the positions</source>
-        <translation type="unfinished"></translation>
+        <translation>geben Sie an, wie lang ein Pixel auf dem Boden ist, oder wählen Sie eine andere Einheit der Positionen</translation>
     </message>
 </context>
 <context>
@@ -7644,7 +7665,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <name>exchange.give_rate</name>
     <message>
         <source>give the frame rate of the camera</source>
-        <translation type="unfinished"></translation>
+        <translation>geben Sie die Bildrate der Kamera an</translation>
     </message>
 </context>
 <context>
@@ -7665,7 +7686,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <name>exchange.held_left_out</name>
     <message>
         <source>%1 positions that only repeat the last one count as not measured; the first is in line %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 Positionen, die nur die letzte wiederholen, gelten als nicht gemessen; die erste steht in Zeile %2</translation>
     </message>
 </context>
 <context>
@@ -7742,14 +7763,14 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <name>exchange.leave_out_confidence</name>
     <message>
         <source>leave out the least confidence</source>
-        <translation type="unfinished"></translation>
+        <translation>lassen Sie die kleinste Konfidenz weg</translation>
     </message>
 </context>
 <context>
     <name>exchange.leave_out_rate</name>
     <message>
         <source>leave out the frame rate</source>
-        <translation type="unfinished"></translation>
+        <translation>lassen Sie die Bildrate weg</translation>
     </message>
 </context>
 <context>
@@ -7791,7 +7812,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <name>exchange.marks_left_out</name>
     <message>
         <source>%1 positions that only mark a lost robot (such as 0, 0) count as not measured; the first is in line %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 Positionen, die nur einen verlorenen Roboter kennzeichnen (etwa 0, 0), gelten als nicht gemessen; die erste steht in Zeile %2</translation>
     </message>
 </context>
 <context>
@@ -7854,7 +7875,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <name>exchange.no_confidence</name>
     <message>
         <source>it has no column of confidences</source>
-        <translation type="unfinished"></translation>
+        <translation>sie hat keine Spalte mit Konfidenzen</translation>
     </message>
 </context>
 <context>
@@ -7869,6 +7890,13 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>it contains no project</source>
         <translation>darin ist kein Projekt</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.no_such_entry</name>
+    <message>
+        <source>it holds no camera &apos;%1&apos;, but %2</source>
+        <translation>sie enthält keine Kamera „%1“, sondern %2</translation>
     </message>
 </context>
 <context>
@@ -7889,7 +7917,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <name>exchange.no_third_axis</name>
     <message>
         <source>it has no third coordinate</source>
-        <translation type="unfinished"></translation>
+        <translation>sie hat keine dritte Koordinate</translation>
     </message>
 </context>
 <context>
@@ -7897,6 +7925,13 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>none of its tracks has a position</source>
         <translation>keine der Spuren hat einen Ort</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.no_valid_toml</name>
+    <message>
+        <source>it is not valid TOML (%1)</source>
+        <translation>sie ist kein gültiges TOML (%1)</translation>
     </message>
 </context>
 <context>
@@ -7910,7 +7945,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <name>exchange.none_sure_enough</name>
     <message>
         <source>none of its positions has a confidence of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>keine ihrer Positionen hat eine Konfidenz von %1</translation>
     </message>
 </context>
 <context>
@@ -7973,7 +8008,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <name>exchange.number_in_two_ways</name>
     <message>
         <source>its numbers can be read in two ways: &apos;%1&apos; with three decimals, or as %2</source>
-        <translation type="unfinished"></translation>
+        <translation>ihre Zahlen lassen sich auf zwei Arten lesen: &apos;%1&apos; mit drei Nachkommastellen oder als %2</translation>
     </message>
 </context>
 <context>
@@ -8036,7 +8071,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <name>exchange.pixel_is</name>
     <message>
         <source>a pixel is %1</source>
-        <translation type="unfinished"></translation>
+        <translation>ein Pixel ist %1 lang</translation>
     </message>
 </context>
 <context>
@@ -8050,14 +8085,14 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <name>exchange.points_group_thousands</name>
     <message>
         <source>points separate thousands</source>
-        <translation type="unfinished"></translation>
+        <translation>Punkte trennen Tausender</translation>
     </message>
 </context>
 <context>
     <name>exchange.positions_are_pixels</name>
     <message>
         <source>its positions are in pixels, which are no lengths</source>
-        <translation type="unfinished"></translation>
+        <translation>ihre Positionen sind in Pixeln, und die sind keine Längen</translation>
     </message>
 </context>
 <context>
@@ -8071,7 +8106,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <name>exchange.rate_beside_times</name>
     <message>
         <source>it has times, and no frame numbers</source>
-        <translation type="unfinished"></translation>
+        <translation>sie hat Zeiten und keine Bildnummern</translation>
     </message>
 </context>
 <context>
@@ -8099,14 +8134,14 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <name>exchange.row_without_time</name>
     <message>
         <source>line %1 was left out, because it has no time</source>
-        <translation type="unfinished"></translation>
+        <translation>Zeile %1 wurde weggelassen, weil sie keine Zeit hat</translation>
     </message>
 </context>
 <context>
     <name>exchange.rows_without_time</name>
     <message>
         <source>%1 lines were left out, because they have no time; the first is line %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 Zeilen wurden weggelassen, weil sie keine Zeit haben; die erste ist Zeile %2</translation>
     </message>
 </context>
 <context>
@@ -8145,6 +8180,13 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
 </context>
 <context>
+    <name>exchange.several_cameras</name>
+    <message>
+        <source>it holds several cameras: %1</source>
+        <translation>sie enthält mehrere Kameras: %1</translation>
+    </message>
+</context>
+<context>
     <name>exchange.several_documents</name>
     <message>
         <source>it holds more than one document</source>
@@ -8155,14 +8197,14 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <name>exchange.sigma_not_above_zero</name>
     <message>
         <source>its uncertainty &apos;%1&apos; is not above zero</source>
-        <translation type="unfinished"></translation>
+        <translation>ihre Unsicherheit &apos;%1&apos; ist nicht größer als null</translation>
     </message>
 </context>
 <context>
     <name>exchange.sigma_or_blank</name>
     <message>
         <source>give the standard deviation of each position, or leave these cells blank</source>
-        <translation type="unfinished"></translation>
+        <translation>geben Sie die Standardabweichung jeder Position an, oder lassen Sie diese Zellen leer</translation>
     </message>
 </context>
 <context>
@@ -8176,35 +8218,35 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <name>exchange.stamp_left_out</name>
     <message>
         <source>line %1 was left out, because its time repeats or is out of order</source>
-        <translation type="unfinished"></translation>
+        <translation>Zeile %1 wurde weggelassen, weil ihre Zeit sich wiederholt oder nicht in der Reihenfolge ist</translation>
     </message>
 </context>
 <context>
     <name>exchange.stamps_left_out</name>
     <message>
         <source>%1 lines were left out, because their times repeat or are out of order; the first is line %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 Zeilen wurden weggelassen, weil ihre Zeiten sich wiederholen oder nicht in der Reihenfolge sind; die erste ist Zeile %2</translation>
     </message>
 </context>
 <context>
     <name>exchange.stamps_shared</name>
     <message>
         <source>its times are so coarse that %1 lines share theirs with the line before</source>
-        <translation type="unfinished"></translation>
+        <translation>ihre Zeiten sind so grob, dass %1 Zeilen dieselbe wie die Zeile davor haben</translation>
     </message>
 </context>
 <context>
     <name>exchange.stamps_spread</name>
     <message>
         <source>its times are rounded to %1; the lines were spread evenly, %2 frames/s</source>
-        <translation type="unfinished"></translation>
+        <translation>ihre Zeiten sind auf %1 gerundet; die Zeilen wurden gleichmäßig verteilt, %2 Bilder/s</translation>
     </message>
 </context>
 <context>
     <name>exchange.stamps_spread_with_gaps</name>
     <message>
         <source>its times are rounded to %1; the lines were spread evenly, with gaps</source>
-        <translation type="unfinished"></translation>
+        <translation>ihre Zeiten sind auf %1 gerundet; die Zeilen wurden gleichmäßig verteilt, mit Lücken</translation>
     </message>
 </context>
 <context>
@@ -8225,7 +8267,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <name>exchange.time_of_no_age</name>
     <message>
         <source>its time is more than a century from 1970</source>
-        <translation type="unfinished"></translation>
+        <translation>ihre Zeit liegt mehr als ein Jahrhundert von 1970 entfernt</translation>
     </message>
 </context>
 <context>
@@ -8239,42 +8281,42 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <name>exchange.time_steps_too_long</name>
     <message>
         <source>if its times are seconds, the rows are %1 apart and the run is %2 long</source>
-        <translation type="unfinished"></translation>
+        <translation>wenn ihre Zeiten Sekunden sind, liegen die Zeilen %1 auseinander und die Fahrt dauert %2</translation>
     </message>
 </context>
 <context>
     <name>exchange.time_steps_too_short</name>
     <message>
         <source>its times have no unit, and as seconds the rows would be %1 apart</source>
-        <translation type="unfinished"></translation>
+        <translation>ihre Zeiten haben keine Einheit, und als Sekunden lägen die Zeilen %1 auseinander</translation>
     </message>
 </context>
 <context>
     <name>exchange.times_by_rate</name>
     <message>
         <source>all its times are the same; the lines were spread at %1 frames/s</source>
-        <translation type="unfinished"></translation>
+        <translation>alle ihre Zeiten sind gleich; die Zeilen wurden mit %1 Bildern/s verteilt</translation>
     </message>
 </context>
 <context>
     <name>exchange.times_since_1970</name>
     <message>
         <source>times in %1 since 1970</source>
-        <translation type="unfinished"></translation>
+        <translation>Zeiten in %1 seit 1970</translation>
     </message>
 </context>
 <context>
     <name>exchange.too_fast_as_said</name>
     <message>
         <source>in the units that it gives, the robot would drive at %1</source>
-        <translation type="unfinished"></translation>
+        <translation>in den angegebenen Einheiten führe der Roboter mit %1</translation>
     </message>
 </context>
 <context>
     <name>exchange.too_fast_in_metres</name>
     <message>
         <source>its positions have no unit, and in metres the robot would drive at %1</source>
-        <translation type="unfinished"></translation>
+        <translation>ihre Positionen haben keine Einheit, und in Metern führe der Roboter mit %1</translation>
     </message>
 </context>
 <context>
@@ -8295,7 +8337,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <name>exchange.too_many_tracks</name>
     <message>
         <source>the file has more than 1000 tracks</source>
-        <translation type="unfinished"></translation>
+        <translation>die Datei hat mehr als 1000 Bahnen</translation>
     </message>
 </context>
 <context>
@@ -8309,7 +8351,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <name>exchange.too_wide_in_metres</name>
     <message>
         <source>its positions have no unit, and in metres the floor would be %1 wide</source>
-        <translation type="unfinished"></translation>
+        <translation>ihre Positionen haben keine Einheit, und in Metern wäre der Boden %1 breit</translation>
     </message>
 </context>
 <context>
@@ -8344,7 +8386,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <name>exchange.twins_left_out</name>
     <message>
         <source>%1 lines were left out, because they repeat the line before</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 Zeilen wurden weggelassen, weil sie die Zeile davor wiederholen</translation>
     </message>
 </context>
 <context>
@@ -8386,21 +8428,21 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <name>exchange.unset_stamps</name>
     <message>
         <source>lines left out because their time is 0: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>weggelassene Zeilen, weil ihre Zeit 0 ist: %1</translation>
     </message>
 </context>
 <context>
     <name>exchange.unsure_left_out</name>
     <message>
         <source>%1 positions with a confidence below %2 count as not measured; the first is in line %3</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 Positionen mit einer Konfidenz unter %2 gelten als nicht gemessen; die erste steht in Zeile %3</translation>
     </message>
 </context>
 <context>
     <name>exchange.use_calibration_file</name>
     <message>
-        <source>use a calibration file as ROS or OpenCV writes it</source>
-        <translation>verwenden Sie eine Kalibrierdatei, wie ROS oder OpenCV sie schreibt</translation>
+        <source>use a calibration file as ROS, OpenCV, Kalibr, anipose or PhotonVision writes it</source>
+        <translation>verwenden Sie eine Kalibrierdatei, wie ROS, OpenCV, Kalibr, anipose oder PhotonVision sie schreibt</translation>
     </message>
 </context>
 <context>
@@ -8442,7 +8484,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <name>exchange.write_finer_times</name>
     <message>
         <source>write the times with more digits, or give the frame rate of an even series</source>
-        <translation type="unfinished"></translation>
+        <translation>schreiben Sie die Zeiten mit mehr Stellen, oder geben Sie die Bildrate einer gleichmäßigen Folge an</translation>
     </message>
 </context>
 <context>
@@ -11017,11 +11059,11 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
     <message>
         <source>Positions measured by another program or exported by Odograph: TUM, CSV, Tracker text and others. Odograph analyses them as a run without video.</source>
-        <translation type="unfinished"></translation>
+        <translation>Positionen, die ein anderes Programm gemessen oder Odograph exportiert hat: TUM, CSV, Tracker-Text und andere. Odograph wertet sie als Fahrt ohne Video aus.</translation>
     </message>
     <message>
         <source>Tracks (*.csv *.txt *.tum *.tsv *.trc);;All files (*)</source>
-        <translation type="unfinished"></translation>
+        <translation>Bahnen (*.csv *.txt *.tum *.tsv *.trc);;Alle Dateien (*)</translation>
     </message>
 </context>
 <context>
@@ -11982,7 +12024,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <name>odo::PathSketch</name>
     <message>
         <source>The path from above</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Weg von oben</translation>
     </message>
 </context>
 <context>
@@ -12206,7 +12248,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
     <message>
         <source>shaded: hidden, ambiguous or not measured</source>
-        <translation type="unfinished"></translation>
+        <translation>schattiert: verdeckt, zweifelhaft oder nicht gemessen</translation>
     </message>
 </context>
 <context>
@@ -13493,7 +13535,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
     <message>
         <source>%1 not measured</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 nicht gemessen</translation>
     </message>
 </context>
 <context>
@@ -14434,10 +14476,6 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <translation>Objektivdaten einer Kamera</translation>
     </message>
     <message>
-        <source>Calibrations (*.yaml *.yml);;All files (*)</source>
-        <translation>Kalibrierungen (*.yaml *.yml);;Alle Dateien (*)</translation>
-    </message>
-    <message>
         <source>Import lens calibration</source>
         <translation>Objektivdaten importieren</translation>
     </message>
@@ -14460,6 +14498,14 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>Layout %1 has %2 markers.</source>
         <translation>Markerplan %1 hat %2 Marker.</translation>
+    </message>
+    <message>
+        <source>Calibrations (*.yaml *.yml *.json *.toml *.ini);;All files (*)</source>
+        <translation>Kalibrierungen (*.yaml *.yml *.json *.toml *.ini);;Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>The file holds several cameras. Which one is %1?</source>
+        <translation>Die Datei enthält mehrere Kameras. Welche davon ist %1?</translation>
     </message>
 </context>
 <context>
@@ -14614,17 +14660,17 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <name>odo::TrackPreview</name>
     <message>
         <source>%1: too long to be shown before the import</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: zu lang, um vor dem Import gezeigt zu werden</translation>
     </message>
     <message>
         <source>%1, track %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1, Bahn %2</translation>
     </message>
     <message numerus="yes">
         <source>%1: %2, %n lines in %3 s</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%1: %2, %n Zeile in %3 s</numerusform>
+            <numerusform>%1: %2, %n Zeilen in %3 s</numerusform>
         </translation>
     </message>
 </context>
@@ -14632,119 +14678,119 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <name>odo::TrackReadingForm</name>
     <message>
         <source>&amp;Unit of positions</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Einheit der Positionen</translation>
     </message>
     <message>
         <source>m</source>
-        <translation type="unfinished"></translation>
+        <translation>m</translation>
     </message>
     <message>
         <source>cm</source>
-        <translation type="unfinished"></translation>
+        <translation>cm</translation>
     </message>
     <message>
         <source>mm</source>
-        <translation type="unfinished"></translation>
+        <translation>mm</translation>
     </message>
     <message>
         <source>pixels</source>
-        <translation type="unfinished"></translation>
+        <translation>Pixel</translation>
     </message>
     <message>
         <source>Unit of t&amp;imes</source>
-        <translation type="unfinished"></translation>
+        <translation>Einheit der Ze&amp;iten</translation>
     </message>
     <message>
         <source>s</source>
-        <translation type="unfinished"></translation>
+        <translation>s</translation>
     </message>
     <message>
         <source>ms</source>
-        <translation type="unfinished">ms</translation>
+        <translation>ms</translation>
     </message>
     <message>
         <source>µs</source>
-        <translation type="unfinished"></translation>
+        <translation>µs</translation>
     </message>
     <message>
         <source>ns</source>
-        <translation type="unfinished"></translation>
+        <translation>ns</translation>
     </message>
     <message>
         <source>frame numbers</source>
-        <translation type="unfinished"></translation>
+        <translation>Bildnummern</translation>
     </message>
     <message>
         <source>F&amp;loor axes</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Bodenachsen</translation>
     </message>
     <message>
         <source>x and y</source>
-        <translation type="unfinished"></translation>
+        <translation>x und y</translation>
     </message>
     <message>
         <source>x and z</source>
-        <translation type="unfinished"></translation>
+        <translation>x und z</translation>
     </message>
     <message>
         <source>y and z</source>
-        <translation type="unfinished"></translation>
+        <translation>y und z</translation>
     </message>
     <message>
         <source>&amp;Decimal sign</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Dezimalzeichen</translation>
     </message>
     <message>
         <source>point</source>
-        <translation type="unfinished"></translation>
+        <translation>Punkt</translation>
     </message>
     <message>
         <source>comma</source>
-        <translation type="unfinished"></translation>
+        <translation>Komma</translation>
     </message>
     <message>
         <source>&amp;Frame rate</source>
-        <translation type="unfinished"></translation>
+        <translation>Bildra&amp;te</translation>
     </message>
     <message>
         <source> frames/s</source>
-        <translation type="unfinished"> Bilder/s</translation>
+        <translation> Bilder/s</translation>
     </message>
     <message>
         <source>Of a file that numbers its frames</source>
-        <translation type="unfinished"></translation>
+        <translation>Einer Datei, die ihre Bilder nummeriert</translation>
     </message>
     <message>
         <source>Length of a &amp;pixel</source>
-        <translation type="unfinished"></translation>
+        <translation>Länge eines &amp;Pixels</translation>
     </message>
     <message>
         <source> mm</source>
-        <translation type="unfinished"> mm</translation>
+        <translation> mm</translation>
     </message>
     <message>
         <source>On the floor, for positions in pixels</source>
-        <translation type="unfinished"></translation>
+        <translation>Auf dem Boden, für Positionen in Pixeln</translation>
     </message>
     <message>
         <source>Least &amp;confidence</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Kleinste Konfidenz</translation>
     </message>
     <message>
         <source>Positions with a lower likelihood count as not measured</source>
-        <translation type="unfinished"></translation>
+        <translation>Positionen mit kleinerer Wahrscheinlichkeit gelten als nicht gemessen</translation>
     </message>
     <message>
         <source>Accurac&amp;y</source>
-        <translation type="unfinished"></translation>
+        <translation>Gena&amp;uigkeit</translation>
     </message>
     <message>
         <source>Standard deviation of the positions, slow errors included; scatter alone does not show those</source>
-        <translation type="unfinished"></translation>
+        <translation>Standardabweichung der Positionen mit langsamen Fehlern; die Streuung allein zeigt diese nicht</translation>
     </message>
     <message>
         <source>from the file</source>
-        <translation type="unfinished"></translation>
+        <translation>aus der Datei</translation>
     </message>
 </context>
 <context>
@@ -19943,7 +19989,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <name>workflow.accuracy_given</name>
     <message>
         <source>accurate to %1, as given</source>
-        <translation type="unfinished"></translation>
+        <translation>auf %1 genau, wie angegeben</translation>
     </message>
 </context>
 <context>
@@ -21924,7 +21970,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <name>workflow.slow_errors_not_seen</name>
     <message>
         <source>errors that change slowly are not included</source>
-        <translation type="unfinished"></translation>
+        <translation>Fehler, die sich langsam ändern, sind nicht enthalten</translation>
     </message>
 </context>
 <context>

@@ -294,9 +294,9 @@
     <name>odo::TrackPreview</name>
     <message numerus="yes">
         <source>%1: %2, %n lines in %3 s</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%1: %2, %n line in %3 s</numerusform>
+            <numerusform>%1: %2, %n lines in %3 s</numerusform>
         </translation>
     </message>
 </context>

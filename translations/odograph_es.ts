@@ -1227,7 +1227,7 @@ El método sigue a S. Park, “Computational Vision for Automatic Tracking and O
     </message>
     <message>
         <source>smoothed, with its ±95 % band; dots: as measured; shaded: not measured</source>
-        <translation type="unfinished"></translation>
+        <translation>suavizada, con su banda de ±95 %; puntos: lo medido; sombreado: sin medir</translation>
     </message>
 </context>
 <context>
@@ -2051,11 +2051,11 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     </message>
     <message>
         <source>Not measured until %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Sin medir hasta %1</translation>
     </message>
     <message>
         <source>not measured (%1 to %2)</source>
-        <translation type="unfinished"></translation>
+        <translation>sin medir (de %1 a %2)</translation>
     </message>
 </context>
 <context>
@@ -2373,7 +2373,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <name>analysis.formula_mean_speed</name>
     <message>
         <source>path length / time, both without gaps</source>
-        <translation type="unfinished"></translation>
+        <translation>distancia recorrida / tiempo, ambos sin las lagunas</translation>
     </message>
 </context>
 <context>
@@ -2443,7 +2443,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <name>analysis.formula_stops</name>
     <message>
         <source>The pauses between the onset of motion and the last stop, counted where the robot was measured at rest.</source>
-        <translation type="unfinished"></translation>
+        <translation>El número de pausas entre el inicio del movimiento y la última parada en las que el robot se midió parado.</translation>
     </message>
 </context>
 <context>
@@ -2457,7 +2457,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <name>analysis.formula_zone_breaches</name>
     <message>
         <source>How often the robot&apos;s reference point left a zone to stay in or entered a zone to keep out of. It counts if the point is beyond the edge by more than six σ of the track&apos;s noise.</source>
-        <translation type="unfinished"></translation>
+        <translation>Cuántas veces el centro del robot salió de una zona de permanencia o entró en una zona prohibida. Cuenta cuando rebasa el borde en más de seis σ del ruido propio de la traza.</translation>
     </message>
 </context>
 <context>
@@ -3185,7 +3185,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <name>analysis.uncertainty_duration</name>
     <message>
         <source>of both moments: σ of the speed divided by its slope there, and how far smoothing blurs them</source>
-        <translation type="unfinished"></translation>
+        <translation>de ambos instantes: σ de la velocidad dividida por su pendiente allí, y cuánto los difumina el suavizado</translation>
     </message>
 </context>
 <context>
@@ -3213,7 +3213,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <name>analysis.uncertainty_mean_speed</name>
     <message>
         <source>of both, treated as independent, and of gaps: from straight through them to the top speed in them</source>
-        <translation type="unfinished"></translation>
+        <translation>de ambos, tomados como independientes, y de las lagunas: desde atravesarlas en línea recta hasta hacerlo a la velocidad máxima</translation>
     </message>
 </context>
 <context>
@@ -3241,7 +3241,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <name>analysis.uncertainty_path_length</name>
     <message>
         <source>of the end positions, of lateral errors where the path turns, of what the robot could have done where it was bridged, and the calibration&apos;s scale uncertainty</source>
-        <translation type="unfinished"></translation>
+        <translation>de las posiciones de los extremos, de los errores transversales a la trayectoria donde esta gira, de lo que el robot pudo hacer en los tramos interpolados, y el error de escala de la calibración</translation>
     </message>
 </context>
 <context>
@@ -7301,21 +7301,21 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <name>exchange.axes_given</name>
     <message>
         <source>floor axes: %1 of the file</source>
-        <translation type="unfinished"></translation>
+        <translation>ejes del suelo: %1 del archivo</translation>
     </message>
 </context>
 <context>
     <name>exchange.axes_seen</name>
     <message>
         <source>floor axes: %1 of the file, as its %2 stays near %3</source>
-        <translation type="unfinished"></translation>
+        <translation>ejes del suelo: %1 del archivo, ya que su %2 se mantiene cerca de %3</translation>
     </message>
 </context>
 <context>
     <name>exchange.axes_unclear</name>
     <message>
         <source>its z varies by %1 while its %2 stays near %3</source>
-        <translation type="unfinished"></translation>
+        <translation>su z varía %1 mientras que su %2 se mantiene cerca de %3</translation>
     </message>
 </context>
 <context>
@@ -7343,14 +7343,14 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <name>exchange.break_opened</name>
     <message>
         <source>its positions jump by %1 in line %2 and go on from there: %3 positions around count as not measured, and the path ends at the jump</source>
-        <translation type="unfinished"></translation>
+        <translation>sus posiciones saltan %1 en la línea %2 y siguen desde allí: %3 posiciones alrededor cuentan como no medidas y el recorrido termina en el salto</translation>
     </message>
 </context>
 <context>
     <name>exchange.breaks_too_often</name>
     <message>
         <source>its positions jump %1 times and go on from elsewhere</source>
-        <translation type="unfinished"></translation>
+        <translation>sus posiciones saltan %1 veces y siguen en otro lugar</translation>
     </message>
 </context>
 <context>
@@ -7375,10 +7375,17 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     </message>
 </context>
 <context>
+    <name>exchange.centre_impossible</name>
+    <message>
+        <source>the image centre (%1, %2) lies far outside the image of %3 × %4 pixels</source>
+        <translation>el centro de la imagen (%1, %2) queda muy fuera de la imagen de %3 × %4 píxeles</translation>
+    </message>
+</context>
+<context>
     <name>exchange.check_both_units</name>
     <message>
         <source>choose the units of its times and positions</source>
-        <translation type="unfinished"></translation>
+        <translation>elija las unidades de sus tiempos y posiciones</translation>
     </message>
 </context>
 <context>
@@ -7406,7 +7413,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <name>exchange.check_track_column</name>
     <message>
         <source>check which column says the track of a line</source>
-        <translation type="unfinished"></translation>
+        <translation>compruebe qué columna indica la trayectoria de una línea</translation>
     </message>
 </context>
 <context>
@@ -7427,35 +7434,42 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <name>exchange.choose_a_time_unit</name>
     <message>
         <source>choose their unit: s, ms, us, ns or frame</source>
-        <translation type="unfinished"></translation>
+        <translation>elija su unidad: s, ms, us, ns o frame</translation>
     </message>
 </context>
 <context>
     <name>exchange.choose_axes</name>
     <message>
         <source>choose the axes of the floor: %1, or xy if that is right</source>
-        <translation type="unfinished"></translation>
+        <translation>elija los ejes del suelo: %1, o xy si es lo correcto</translation>
     </message>
 </context>
 <context>
     <name>exchange.choose_axes_xy</name>
     <message>
         <source>choose the axes x and y</source>
-        <translation type="unfinished"></translation>
+        <translation>elija los ejes x e y</translation>
     </message>
 </context>
 <context>
     <name>exchange.choose_decimal_sign</name>
     <message>
         <source>choose its decimal sign: point or comma</source>
-        <translation type="unfinished"></translation>
+        <translation>elija su signo decimal: punto o coma</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.choose_entry</name>
+    <message>
+        <source>choose one of them</source>
+        <translation>elija una de ellas</translation>
     </message>
 </context>
 <context>
     <name>exchange.choose_likely_unit</name>
     <message>
         <source>choose their unit: m, cm, mm or px; %1 is likely</source>
-        <translation type="unfinished"></translation>
+        <translation>elija su unidad: m, cm, mm o px; lo más probable es %1</translation>
     </message>
 </context>
 <context>
@@ -7490,14 +7504,14 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <name>exchange.choose_time_unit</name>
     <message>
         <source>choose their unit: s, ms, us, ns or frame; %1 is likely</source>
-        <translation type="unfinished"></translation>
+        <translation>elija su unidad: s, ms, us, ns o frame; lo más probable es %1</translation>
     </message>
 </context>
 <context>
     <name>exchange.choose_unit</name>
     <message>
         <source>choose their unit: m, cm, mm or px</source>
-        <translation type="unfinished"></translation>
+        <translation>elija su unidad: m, cm, mm o px</translation>
     </message>
 </context>
 <context>
@@ -7525,14 +7539,14 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <name>exchange.commas_group_thousands</name>
     <message>
         <source>commas separate thousands</source>
-        <translation type="unfinished"></translation>
+        <translation>las comas separan millares</translation>
     </message>
 </context>
 <context>
     <name>exchange.confidence_not_used</name>
     <message>
         <source>its confidences are neither from 0 to 1 nor from 0 to 100, and were not used</source>
-        <translation type="unfinished"></translation>
+        <translation>sus valores de confianza no van de 0 a 1 ni de 0 a 100 y no se usaron</translation>
     </message>
 </context>
 <context>
@@ -7578,17 +7592,24 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     </message>
 </context>
 <context>
+    <name>exchange.focal_impossible</name>
+    <message>
+        <source>no lens has a focal length of %1 at %2 × %3 pixels</source>
+        <translation>ningún objetivo tiene una distancia focal de %1 con %2 × %3 píxeles</translation>
+    </message>
+</context>
+<context>
     <name>exchange.format_has_pixels</name>
     <message>
         <source>%1 writes positions in pixels, which are no lengths</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 escribe posiciones en píxeles, que no son longitudes</translation>
     </message>
 </context>
 <context>
     <name>exchange.frames_without_rate</name>
     <message>
         <source>it has frame numbers in place of times</source>
-        <translation type="unfinished"></translation>
+        <translation>tiene números de fotograma en lugar de tiempos</translation>
     </message>
 </context>
 <context>
@@ -7602,7 +7623,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <name>exchange.give_lower_confidence</name>
     <message>
         <source>give a lower least confidence</source>
-        <translation type="unfinished"></translation>
+        <translation>indique una confianza mínima menor</translation>
     </message>
 </context>
 <context>
@@ -7630,7 +7651,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <name>exchange.give_pixel_length</name>
     <message>
         <source>give how long a pixel is on the floor, or choose another unit of the positions</source>
-        <translation type="unfinished"></translation>
+        <translation>indique cuánto mide un píxel en el suelo o elija otra unidad para las posiciones</translation>
     </message>
 </context>
 <context>
@@ -7644,7 +7665,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <name>exchange.give_rate</name>
     <message>
         <source>give the frame rate of the camera</source>
-        <translation type="unfinished"></translation>
+        <translation>indique la frecuencia de imagen de la cámara</translation>
     </message>
 </context>
 <context>
@@ -7665,7 +7686,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <name>exchange.held_left_out</name>
     <message>
         <source>%1 positions that only repeat the last one count as not measured; the first is in line %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 posiciones que solo repiten la última cuentan como no medidas; la primera está en la línea %2</translation>
     </message>
 </context>
 <context>
@@ -7742,14 +7763,14 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <name>exchange.leave_out_confidence</name>
     <message>
         <source>leave out the least confidence</source>
-        <translation type="unfinished"></translation>
+        <translation>omita la confianza mínima</translation>
     </message>
 </context>
 <context>
     <name>exchange.leave_out_rate</name>
     <message>
         <source>leave out the frame rate</source>
-        <translation type="unfinished"></translation>
+        <translation>omita la frecuencia de imagen</translation>
     </message>
 </context>
 <context>
@@ -7791,7 +7812,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <name>exchange.marks_left_out</name>
     <message>
         <source>%1 positions that only mark a lost robot (such as 0, 0) count as not measured; the first is in line %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 posiciones que solo marcan un robot perdido (como 0, 0) cuentan como no medidas; la primera está en la línea %2</translation>
     </message>
 </context>
 <context>
@@ -7854,7 +7875,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <name>exchange.no_confidence</name>
     <message>
         <source>it has no column of confidences</source>
-        <translation type="unfinished"></translation>
+        <translation>no tiene una columna de confianza</translation>
     </message>
 </context>
 <context>
@@ -7869,6 +7890,13 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <message>
         <source>it contains no project</source>
         <translation>no contiene ningún proyecto</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.no_such_entry</name>
+    <message>
+        <source>it holds no camera &apos;%1&apos;, but %2</source>
+        <translation>no contiene ninguna cámara «%1», sino %2</translation>
     </message>
 </context>
 <context>
@@ -7889,7 +7917,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <name>exchange.no_third_axis</name>
     <message>
         <source>it has no third coordinate</source>
-        <translation type="unfinished"></translation>
+        <translation>no tiene una tercera coordenada</translation>
     </message>
 </context>
 <context>
@@ -7897,6 +7925,13 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <message>
         <source>none of its tracks has a position</source>
         <translation>ninguna de sus trazas tiene una posición</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.no_valid_toml</name>
+    <message>
+        <source>it is not valid TOML (%1)</source>
+        <translation>no es TOML válido (%1)</translation>
     </message>
 </context>
 <context>
@@ -7910,7 +7945,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <name>exchange.none_sure_enough</name>
     <message>
         <source>none of its positions has a confidence of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>ninguna de sus posiciones tiene una confianza de %1</translation>
     </message>
 </context>
 <context>
@@ -7973,7 +8008,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <name>exchange.number_in_two_ways</name>
     <message>
         <source>its numbers can be read in two ways: &apos;%1&apos; with three decimals, or as %2</source>
-        <translation type="unfinished"></translation>
+        <translation>sus números se pueden leer de dos maneras: &apos;%1&apos; con tres decimales o como %2</translation>
     </message>
 </context>
 <context>
@@ -8036,7 +8071,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <name>exchange.pixel_is</name>
     <message>
         <source>a pixel is %1</source>
-        <translation type="unfinished"></translation>
+        <translation>un píxel mide %1</translation>
     </message>
 </context>
 <context>
@@ -8050,14 +8085,14 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <name>exchange.points_group_thousands</name>
     <message>
         <source>points separate thousands</source>
-        <translation type="unfinished"></translation>
+        <translation>los puntos separan millares</translation>
     </message>
 </context>
 <context>
     <name>exchange.positions_are_pixels</name>
     <message>
         <source>its positions are in pixels, which are no lengths</source>
-        <translation type="unfinished"></translation>
+        <translation>sus posiciones están en píxeles, que no son longitudes</translation>
     </message>
 </context>
 <context>
@@ -8071,7 +8106,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <name>exchange.rate_beside_times</name>
     <message>
         <source>it has times, and no frame numbers</source>
-        <translation type="unfinished"></translation>
+        <translation>tiene tiempos, no números de fotograma</translation>
     </message>
 </context>
 <context>
@@ -8099,14 +8134,14 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <name>exchange.row_without_time</name>
     <message>
         <source>line %1 was left out, because it has no time</source>
-        <translation type="unfinished"></translation>
+        <translation>se omitió la línea %1 porque no tiene tiempo</translation>
     </message>
 </context>
 <context>
     <name>exchange.rows_without_time</name>
     <message>
         <source>%1 lines were left out, because they have no time; the first is line %2</source>
-        <translation type="unfinished"></translation>
+        <translation>se omitieron %1 líneas porque no tienen tiempo; la primera es la línea %2</translation>
     </message>
 </context>
 <context>
@@ -8145,6 +8180,13 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     </message>
 </context>
 <context>
+    <name>exchange.several_cameras</name>
+    <message>
+        <source>it holds several cameras: %1</source>
+        <translation>contiene varias cámaras: %1</translation>
+    </message>
+</context>
+<context>
     <name>exchange.several_documents</name>
     <message>
         <source>it holds more than one document</source>
@@ -8155,14 +8197,14 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <name>exchange.sigma_not_above_zero</name>
     <message>
         <source>its uncertainty &apos;%1&apos; is not above zero</source>
-        <translation type="unfinished"></translation>
+        <translation>su incertidumbre &apos;%1&apos; no es mayor que cero</translation>
     </message>
 </context>
 <context>
     <name>exchange.sigma_or_blank</name>
     <message>
         <source>give the standard deviation of each position, or leave these cells blank</source>
-        <translation type="unfinished"></translation>
+        <translation>indique la desviación típica de cada posición o deje vacías estas celdas</translation>
     </message>
 </context>
 <context>
@@ -8176,35 +8218,35 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <name>exchange.stamp_left_out</name>
     <message>
         <source>line %1 was left out, because its time repeats or is out of order</source>
-        <translation type="unfinished"></translation>
+        <translation>se omitió la línea %1 porque su tiempo se repite o está desordenado</translation>
     </message>
 </context>
 <context>
     <name>exchange.stamps_left_out</name>
     <message>
         <source>%1 lines were left out, because their times repeat or are out of order; the first is line %2</source>
-        <translation type="unfinished"></translation>
+        <translation>se omitieron %1 líneas porque sus tiempos se repiten o están desordenados; la primera es la línea %2</translation>
     </message>
 </context>
 <context>
     <name>exchange.stamps_shared</name>
     <message>
         <source>its times are so coarse that %1 lines share theirs with the line before</source>
-        <translation type="unfinished"></translation>
+        <translation>sus tiempos son tan gruesos que %1 líneas comparten el de la línea anterior</translation>
     </message>
 </context>
 <context>
     <name>exchange.stamps_spread</name>
     <message>
         <source>its times are rounded to %1; the lines were spread evenly, %2 frames/s</source>
-        <translation type="unfinished"></translation>
+        <translation>sus tiempos están redondeados a %1; las líneas se repartieron por igual, %2 fotogramas/s</translation>
     </message>
 </context>
 <context>
     <name>exchange.stamps_spread_with_gaps</name>
     <message>
         <source>its times are rounded to %1; the lines were spread evenly, with gaps</source>
-        <translation type="unfinished"></translation>
+        <translation>sus tiempos están redondeados a %1; las líneas se repartieron por igual, con huecos</translation>
     </message>
 </context>
 <context>
@@ -8225,7 +8267,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <name>exchange.time_of_no_age</name>
     <message>
         <source>its time is more than a century from 1970</source>
-        <translation type="unfinished"></translation>
+        <translation>su tiempo dista más de un siglo de 1970</translation>
     </message>
 </context>
 <context>
@@ -8239,42 +8281,42 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <name>exchange.time_steps_too_long</name>
     <message>
         <source>if its times are seconds, the rows are %1 apart and the run is %2 long</source>
-        <translation type="unfinished"></translation>
+        <translation>si sus tiempos son segundos, las líneas distan %1 y el recorrido dura %2</translation>
     </message>
 </context>
 <context>
     <name>exchange.time_steps_too_short</name>
     <message>
         <source>its times have no unit, and as seconds the rows would be %1 apart</source>
-        <translation type="unfinished"></translation>
+        <translation>sus tiempos no tienen unidad, y en segundos las líneas distarían %1</translation>
     </message>
 </context>
 <context>
     <name>exchange.times_by_rate</name>
     <message>
         <source>all its times are the same; the lines were spread at %1 frames/s</source>
-        <translation type="unfinished"></translation>
+        <translation>todos sus tiempos son iguales; las líneas se repartieron a %1 fotogramas/s</translation>
     </message>
 </context>
 <context>
     <name>exchange.times_since_1970</name>
     <message>
         <source>times in %1 since 1970</source>
-        <translation type="unfinished"></translation>
+        <translation>tiempos en %1 desde 1970</translation>
     </message>
 </context>
 <context>
     <name>exchange.too_fast_as_said</name>
     <message>
         <source>in the units that it gives, the robot would drive at %1</source>
-        <translation type="unfinished"></translation>
+        <translation>en las unidades que indica, el robot iría a %1</translation>
     </message>
 </context>
 <context>
     <name>exchange.too_fast_in_metres</name>
     <message>
         <source>its positions have no unit, and in metres the robot would drive at %1</source>
-        <translation type="unfinished"></translation>
+        <translation>sus posiciones no tienen unidad, y en metros el robot iría a %1</translation>
     </message>
 </context>
 <context>
@@ -8295,7 +8337,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <name>exchange.too_many_tracks</name>
     <message>
         <source>the file has more than 1000 tracks</source>
-        <translation type="unfinished"></translation>
+        <translation>el archivo tiene más de 1000 trayectorias</translation>
     </message>
 </context>
 <context>
@@ -8309,7 +8351,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <name>exchange.too_wide_in_metres</name>
     <message>
         <source>its positions have no unit, and in metres the floor would be %1 wide</source>
-        <translation type="unfinished"></translation>
+        <translation>sus posiciones no tienen unidad, y en metros el suelo mediría %1 de ancho</translation>
     </message>
 </context>
 <context>
@@ -8344,7 +8386,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <name>exchange.twins_left_out</name>
     <message>
         <source>%1 lines were left out, because they repeat the line before</source>
-        <translation type="unfinished"></translation>
+        <translation>se omitieron %1 líneas porque repiten la anterior</translation>
     </message>
 </context>
 <context>
@@ -8386,21 +8428,21 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <name>exchange.unset_stamps</name>
     <message>
         <source>lines left out because their time is 0: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>líneas omitidas porque su tiempo es 0: %1</translation>
     </message>
 </context>
 <context>
     <name>exchange.unsure_left_out</name>
     <message>
         <source>%1 positions with a confidence below %2 count as not measured; the first is in line %3</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 posiciones con una confianza inferior a %2 cuentan como no medidas; la primera está en la línea %3</translation>
     </message>
 </context>
 <context>
     <name>exchange.use_calibration_file</name>
     <message>
-        <source>use a calibration file as ROS or OpenCV writes it</source>
-        <translation>use un archivo de calibración como los que escriben ROS u OpenCV</translation>
+        <source>use a calibration file as ROS, OpenCV, Kalibr, anipose or PhotonVision writes it</source>
+        <translation>use un archivo de calibración como los que escriben ROS, OpenCV, Kalibr, anipose o PhotonVision</translation>
     </message>
 </context>
 <context>
@@ -8442,7 +8484,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <name>exchange.write_finer_times</name>
     <message>
         <source>write the times with more digits, or give the frame rate of an even series</source>
-        <translation type="unfinished"></translation>
+        <translation>escriba los tiempos con más cifras o indique la frecuencia de imagen de una serie uniforme</translation>
     </message>
 </context>
 <context>
@@ -11017,11 +11059,11 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     </message>
     <message>
         <source>Positions measured by another program or exported by Odograph: TUM, CSV, Tracker text and others. Odograph analyses them as a run without video.</source>
-        <translation type="unfinished"></translation>
+        <translation>Posiciones medidas por otro programa o exportadas por Odograph: TUM, CSV, texto de Tracker y otros. Odograph las analiza como un recorrido sin vídeo.</translation>
     </message>
     <message>
         <source>Tracks (*.csv *.txt *.tum *.tsv *.trc);;All files (*)</source>
-        <translation type="unfinished"></translation>
+        <translation>Trayectorias (*.csv *.txt *.tum *.tsv *.trc);;Todos los archivos (*)</translation>
     </message>
 </context>
 <context>
@@ -11982,7 +12024,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <name>odo::PathSketch</name>
     <message>
         <source>The path from above</source>
-        <translation type="unfinished"></translation>
+        <translation>El recorrido desde arriba</translation>
     </message>
 </context>
 <context>
@@ -12206,7 +12248,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     </message>
     <message>
         <source>shaded: hidden, ambiguous or not measured</source>
-        <translation type="unfinished"></translation>
+        <translation>sombreado: oculto, en duda o sin medir</translation>
     </message>
 </context>
 <context>
@@ -13493,7 +13535,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     </message>
     <message>
         <source>%1 not measured</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 sin medir</translation>
     </message>
 </context>
 <context>
@@ -14434,10 +14476,6 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <translation>Parámetros intrínsecos de una cámara</translation>
     </message>
     <message>
-        <source>Calibrations (*.yaml *.yml);;All files (*)</source>
-        <translation>Calibraciones (*.yaml *.yml);;Todos los archivos (*)</translation>
-    </message>
-    <message>
         <source>Import lens calibration</source>
         <translation>Importar parámetros intrínsecos</translation>
     </message>
@@ -14460,6 +14498,14 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <message>
         <source>Layout %1 has %2 markers.</source>
         <translation>El plano %1 tiene %2 marcadores.</translation>
+    </message>
+    <message>
+        <source>Calibrations (*.yaml *.yml *.json *.toml *.ini);;All files (*)</source>
+        <translation>Calibraciones (*.yaml *.yml *.json *.toml *.ini);;Todos los archivos (*)</translation>
+    </message>
+    <message>
+        <source>The file holds several cameras. Which one is %1?</source>
+        <translation>El archivo contiene varias cámaras. ¿Cuál de ellas es %1?</translation>
     </message>
 </context>
 <context>
@@ -14614,17 +14660,17 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <name>odo::TrackPreview</name>
     <message>
         <source>%1: too long to be shown before the import</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: demasiado largo para mostrarlo antes de importar</translation>
     </message>
     <message>
         <source>%1, track %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1, trayectoria %2</translation>
     </message>
     <message numerus="yes">
         <source>%1: %2, %n lines in %3 s</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%1: %2, %n línea en %3 s</numerusform>
+            <numerusform>%1: %2, %n líneas en %3 s</numerusform>
         </translation>
     </message>
 </context>
@@ -14632,119 +14678,119 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <name>odo::TrackReadingForm</name>
     <message>
         <source>&amp;Unit of positions</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Unidad de las posiciones</translation>
     </message>
     <message>
         <source>m</source>
-        <translation type="unfinished"></translation>
+        <translation>m</translation>
     </message>
     <message>
         <source>cm</source>
-        <translation type="unfinished"></translation>
+        <translation>cm</translation>
     </message>
     <message>
         <source>mm</source>
-        <translation type="unfinished"></translation>
+        <translation>mm</translation>
     </message>
     <message>
         <source>pixels</source>
-        <translation type="unfinished"></translation>
+        <translation>píxeles</translation>
     </message>
     <message>
         <source>Unit of t&amp;imes</source>
-        <translation type="unfinished"></translation>
+        <translation>Unidad de los t&amp;iempos</translation>
     </message>
     <message>
         <source>s</source>
-        <translation type="unfinished"></translation>
+        <translation>s</translation>
     </message>
     <message>
         <source>ms</source>
-        <translation type="unfinished">ms</translation>
+        <translation>ms</translation>
     </message>
     <message>
         <source>µs</source>
-        <translation type="unfinished"></translation>
+        <translation>µs</translation>
     </message>
     <message>
         <source>ns</source>
-        <translation type="unfinished"></translation>
+        <translation>ns</translation>
     </message>
     <message>
         <source>frame numbers</source>
-        <translation type="unfinished"></translation>
+        <translation>números de fotograma</translation>
     </message>
     <message>
         <source>F&amp;loor axes</source>
-        <translation type="unfinished"></translation>
+        <translation>Ejes del sue&amp;lo</translation>
     </message>
     <message>
         <source>x and y</source>
-        <translation type="unfinished"></translation>
+        <translation>x e y</translation>
     </message>
     <message>
         <source>x and z</source>
-        <translation type="unfinished"></translation>
+        <translation>x y z</translation>
     </message>
     <message>
         <source>y and z</source>
-        <translation type="unfinished"></translation>
+        <translation>y y z</translation>
     </message>
     <message>
         <source>&amp;Decimal sign</source>
-        <translation type="unfinished"></translation>
+        <translation>Signo &amp;decimal</translation>
     </message>
     <message>
         <source>point</source>
-        <translation type="unfinished"></translation>
+        <translation>punto</translation>
     </message>
     <message>
         <source>comma</source>
-        <translation type="unfinished"></translation>
+        <translation>coma</translation>
     </message>
     <message>
         <source>&amp;Frame rate</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Frecuencia de imagen</translation>
     </message>
     <message>
         <source> frames/s</source>
-        <translation type="unfinished"> fotogramas/s</translation>
+        <translation> fotogramas/s</translation>
     </message>
     <message>
         <source>Of a file that numbers its frames</source>
-        <translation type="unfinished"></translation>
+        <translation>De un archivo que numera sus fotogramas</translation>
     </message>
     <message>
         <source>Length of a &amp;pixel</source>
-        <translation type="unfinished"></translation>
+        <translation>Lon&amp;gitud de un píxel</translation>
     </message>
     <message>
         <source> mm</source>
-        <translation type="unfinished"> mm</translation>
+        <translation> mm</translation>
     </message>
     <message>
         <source>On the floor, for positions in pixels</source>
-        <translation type="unfinished"></translation>
+        <translation>En el suelo, para posiciones en píxeles</translation>
     </message>
     <message>
         <source>Least &amp;confidence</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Confianza mínima</translation>
     </message>
     <message>
         <source>Positions with a lower likelihood count as not measured</source>
-        <translation type="unfinished"></translation>
+        <translation>Las posiciones con menor probabilidad cuentan como no medidas</translation>
     </message>
     <message>
         <source>Accurac&amp;y</source>
-        <translation type="unfinished"></translation>
+        <translation>E&amp;xactitud</translation>
     </message>
     <message>
         <source>Standard deviation of the positions, slow errors included; scatter alone does not show those</source>
-        <translation type="unfinished"></translation>
+        <translation>Desviación típica de las posiciones, incluidos los errores lentos; la dispersión sola no los muestra</translation>
     </message>
     <message>
         <source>from the file</source>
-        <translation type="unfinished"></translation>
+        <translation>del archivo</translation>
     </message>
 </context>
 <context>
@@ -19943,7 +19989,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <name>workflow.accuracy_given</name>
     <message>
         <source>accurate to %1, as given</source>
-        <translation type="unfinished"></translation>
+        <translation>con una exactitud de %1, según lo indicado</translation>
     </message>
 </context>
 <context>
@@ -21924,7 +21970,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <name>workflow.slow_errors_not_seen</name>
     <message>
         <source>errors that change slowly are not included</source>
-        <translation type="unfinished"></translation>
+        <translation>los errores que cambian lentamente no están incluidos</translation>
     </message>
 </context>
 <context>

@@ -1227,7 +1227,7 @@ La méthode suit S. Park, «&#xa0;Computational Vision for Automatic Tracking an
     </message>
     <message>
         <source>smoothed, with its ±95 % band; dots: as measured; shaded: not measured</source>
-        <translation type="unfinished"></translation>
+        <translation>lissé, avec sa bande à ±95 % ; points : valeurs mesurées ; ombré : non mesuré</translation>
     </message>
 </context>
 <context>
@@ -2051,11 +2051,11 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
     <message>
         <source>Not measured until %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Non mesuré jusqu’à %1</translation>
     </message>
     <message>
         <source>not measured (%1 to %2)</source>
-        <translation type="unfinished"></translation>
+        <translation>non mesuré (de %1 à %2)</translation>
     </message>
 </context>
 <context>
@@ -2373,7 +2373,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <name>analysis.formula_mean_speed</name>
     <message>
         <source>path length / time, both without gaps</source>
-        <translation type="unfinished"></translation>
+        <translation>distance parcourue / temps, tous deux sans les trous</translation>
     </message>
 </context>
 <context>
@@ -2443,7 +2443,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <name>analysis.formula_stops</name>
     <message>
         <source>The pauses between the onset of motion and the last stop, counted where the robot was measured at rest.</source>
-        <translation type="unfinished"></translation>
+        <translation>Le nombre de pauses entre le début du mouvement et le dernier arrêt où le robot a été mesuré à l’arrêt.</translation>
     </message>
 </context>
 <context>
@@ -2457,7 +2457,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <name>analysis.formula_zone_breaches</name>
     <message>
         <source>How often the robot&apos;s reference point left a zone to stay in or entered a zone to keep out of. It counts if the point is beyond the edge by more than six σ of the track&apos;s noise.</source>
-        <translation type="unfinished"></translation>
+        <translation>Combien de fois le centre du robot a quitté une zone où rester, ou est entré dans une zone à éviter. Cela compte s’il dépasse le bord de plus de six σ du bruit propre à la trajectoire.</translation>
     </message>
 </context>
 <context>
@@ -3185,7 +3185,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <name>analysis.uncertainty_duration</name>
     <message>
         <source>of both moments: σ of the speed divided by its slope there, and how far smoothing blurs them</source>
-        <translation type="unfinished"></translation>
+        <translation>des deux instants : σ de la vitesse, divisé par sa pente à cet instant, et l’étalement dû au lissage</translation>
     </message>
 </context>
 <context>
@@ -3213,7 +3213,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <name>analysis.uncertainty_mean_speed</name>
     <message>
         <source>of both, treated as independent, and of gaps: from straight through them to the top speed in them</source>
-        <translation type="unfinished"></translation>
+        <translation>des deux, pris comme indépendants, et des trous : depuis une traversée en ligne droite jusqu’à la vitesse maximale</translation>
     </message>
 </context>
 <context>
@@ -3241,7 +3241,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <name>analysis.uncertainty_path_length</name>
     <message>
         <source>of the end positions, of lateral errors where the path turns, of what the robot could have done where it was bridged, and the calibration&apos;s scale uncertainty</source>
-        <translation type="unfinished"></translation>
+        <translation>des positions des extrémités, des erreurs en travers de la trajectoire là où elle tourne, de ce que le robot a pu faire dans les intervalles interpolés, et l’erreur d’échelle de l’étalonnage</translation>
     </message>
 </context>
 <context>
@@ -7301,21 +7301,21 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <name>exchange.axes_given</name>
     <message>
         <source>floor axes: %1 of the file</source>
-        <translation type="unfinished"></translation>
+        <translation>axes du sol : %1 du fichier</translation>
     </message>
 </context>
 <context>
     <name>exchange.axes_seen</name>
     <message>
         <source>floor axes: %1 of the file, as its %2 stays near %3</source>
-        <translation type="unfinished"></translation>
+        <translation>axes du sol : %1 du fichier, car son %2 reste près de %3</translation>
     </message>
 </context>
 <context>
     <name>exchange.axes_unclear</name>
     <message>
         <source>its z varies by %1 while its %2 stays near %3</source>
-        <translation type="unfinished"></translation>
+        <translation>son z varie de %1 alors que son %2 reste près de %3</translation>
     </message>
 </context>
 <context>
@@ -7343,14 +7343,14 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <name>exchange.break_opened</name>
     <message>
         <source>its positions jump by %1 in line %2 and go on from there: %3 positions around count as not measured, and the path ends at the jump</source>
-        <translation type="unfinished"></translation>
+        <translation>ses positions sautent de %1 à la ligne %2 et continuent de là : %3 positions autour comptent comme non mesurées, et le parcours s’arrête au saut</translation>
     </message>
 </context>
 <context>
     <name>exchange.breaks_too_often</name>
     <message>
         <source>its positions jump %1 times and go on from elsewhere</source>
-        <translation type="unfinished"></translation>
+        <translation>ses positions sautent %1 fois et continuent ailleurs</translation>
     </message>
 </context>
 <context>
@@ -7375,10 +7375,17 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
 </context>
 <context>
+    <name>exchange.centre_impossible</name>
+    <message>
+        <source>the image centre (%1, %2) lies far outside the image of %3 × %4 pixels</source>
+        <translation>le centre de l&apos;image (%1, %2) est loin en dehors de l&apos;image de %3 × %4 pixels</translation>
+    </message>
+</context>
+<context>
     <name>exchange.check_both_units</name>
     <message>
         <source>choose the units of its times and positions</source>
-        <translation type="unfinished"></translation>
+        <translation>choisissez les unités de ses temps et de ses positions</translation>
     </message>
 </context>
 <context>
@@ -7406,7 +7413,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <name>exchange.check_track_column</name>
     <message>
         <source>check which column says the track of a line</source>
-        <translation type="unfinished"></translation>
+        <translation>vérifiez quelle colonne indique la trajectoire d’une ligne</translation>
     </message>
 </context>
 <context>
@@ -7427,35 +7434,42 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <name>exchange.choose_a_time_unit</name>
     <message>
         <source>choose their unit: s, ms, us, ns or frame</source>
-        <translation type="unfinished"></translation>
+        <translation>choisissez leur unité : s, ms, us, ns ou frame</translation>
     </message>
 </context>
 <context>
     <name>exchange.choose_axes</name>
     <message>
         <source>choose the axes of the floor: %1, or xy if that is right</source>
-        <translation type="unfinished"></translation>
+        <translation>choisissez les axes du sol : %1, ou xy si c’est juste</translation>
     </message>
 </context>
 <context>
     <name>exchange.choose_axes_xy</name>
     <message>
         <source>choose the axes x and y</source>
-        <translation type="unfinished"></translation>
+        <translation>choisissez les axes x et y</translation>
     </message>
 </context>
 <context>
     <name>exchange.choose_decimal_sign</name>
     <message>
         <source>choose its decimal sign: point or comma</source>
-        <translation type="unfinished"></translation>
+        <translation>choisissez son signe décimal : point ou virgule</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.choose_entry</name>
+    <message>
+        <source>choose one of them</source>
+        <translation>choisissez l&apos;une d&apos;elles</translation>
     </message>
 </context>
 <context>
     <name>exchange.choose_likely_unit</name>
     <message>
         <source>choose their unit: m, cm, mm or px; %1 is likely</source>
-        <translation type="unfinished"></translation>
+        <translation>choisissez leur unité : m, cm, mm ou px ; %1 est probable</translation>
     </message>
 </context>
 <context>
@@ -7490,14 +7504,14 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <name>exchange.choose_time_unit</name>
     <message>
         <source>choose their unit: s, ms, us, ns or frame; %1 is likely</source>
-        <translation type="unfinished"></translation>
+        <translation>choisissez leur unité : s, ms, us, ns ou frame ; %1 est probable</translation>
     </message>
 </context>
 <context>
     <name>exchange.choose_unit</name>
     <message>
         <source>choose their unit: m, cm, mm or px</source>
-        <translation type="unfinished"></translation>
+        <translation>choisissez leur unité : m, cm, mm ou px</translation>
     </message>
 </context>
 <context>
@@ -7525,14 +7539,14 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <name>exchange.commas_group_thousands</name>
     <message>
         <source>commas separate thousands</source>
-        <translation type="unfinished"></translation>
+        <translation>les virgules séparent les milliers</translation>
     </message>
 </context>
 <context>
     <name>exchange.confidence_not_used</name>
     <message>
         <source>its confidences are neither from 0 to 1 nor from 0 to 100, and were not used</source>
-        <translation type="unfinished"></translation>
+        <translation>ses valeurs de confiance ne vont ni de 0 à 1 ni de 0 à 100 et n’ont pas été utilisées</translation>
     </message>
 </context>
 <context>
@@ -7578,17 +7592,24 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
 </context>
 <context>
+    <name>exchange.focal_impossible</name>
+    <message>
+        <source>no lens has a focal length of %1 at %2 × %3 pixels</source>
+        <translation>aucun objectif n&apos;a une focale de %1 pour %2 × %3 pixels</translation>
+    </message>
+</context>
+<context>
     <name>exchange.format_has_pixels</name>
     <message>
         <source>%1 writes positions in pixels, which are no lengths</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 écrit les positions en pixels, qui ne sont pas des longueurs</translation>
     </message>
 </context>
 <context>
     <name>exchange.frames_without_rate</name>
     <message>
         <source>it has frame numbers in place of times</source>
-        <translation type="unfinished"></translation>
+        <translation>il a des numéros d’image au lieu de temps</translation>
     </message>
 </context>
 <context>
@@ -7602,7 +7623,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <name>exchange.give_lower_confidence</name>
     <message>
         <source>give a lower least confidence</source>
-        <translation type="unfinished"></translation>
+        <translation>indiquez une confiance minimale plus basse</translation>
     </message>
 </context>
 <context>
@@ -7630,7 +7651,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <name>exchange.give_pixel_length</name>
     <message>
         <source>give how long a pixel is on the floor, or choose another unit of the positions</source>
-        <translation type="unfinished"></translation>
+        <translation>indiquez la longueur d’un pixel au sol, ou choisissez une autre unité des positions</translation>
     </message>
 </context>
 <context>
@@ -7644,7 +7665,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <name>exchange.give_rate</name>
     <message>
         <source>give the frame rate of the camera</source>
-        <translation type="unfinished"></translation>
+        <translation>indiquez la fréquence d’images de la caméra</translation>
     </message>
 </context>
 <context>
@@ -7665,7 +7686,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <name>exchange.held_left_out</name>
     <message>
         <source>%1 positions that only repeat the last one count as not measured; the first is in line %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 positions qui ne font que répéter la dernière comptent comme non mesurées ; la première est à la ligne %2</translation>
     </message>
 </context>
 <context>
@@ -7742,14 +7763,14 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <name>exchange.leave_out_confidence</name>
     <message>
         <source>leave out the least confidence</source>
-        <translation type="unfinished"></translation>
+        <translation>omettez la confiance minimale</translation>
     </message>
 </context>
 <context>
     <name>exchange.leave_out_rate</name>
     <message>
         <source>leave out the frame rate</source>
-        <translation type="unfinished"></translation>
+        <translation>omettez la fréquence d’images</translation>
     </message>
 </context>
 <context>
@@ -7791,7 +7812,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <name>exchange.marks_left_out</name>
     <message>
         <source>%1 positions that only mark a lost robot (such as 0, 0) count as not measured; the first is in line %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 positions qui ne font que marquer un robot perdu (comme 0, 0) comptent comme non mesurées ; la première est à la ligne %2</translation>
     </message>
 </context>
 <context>
@@ -7854,7 +7875,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <name>exchange.no_confidence</name>
     <message>
         <source>it has no column of confidences</source>
-        <translation type="unfinished"></translation>
+        <translation>il n’a pas de colonne de confiance</translation>
     </message>
 </context>
 <context>
@@ -7869,6 +7890,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>it contains no project</source>
         <translation>il ne contient pas de projet</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.no_such_entry</name>
+    <message>
+        <source>it holds no camera &apos;%1&apos;, but %2</source>
+        <translation>il ne contient pas de caméra « %1 », mais %2</translation>
     </message>
 </context>
 <context>
@@ -7889,7 +7917,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <name>exchange.no_third_axis</name>
     <message>
         <source>it has no third coordinate</source>
-        <translation type="unfinished"></translation>
+        <translation>il n’a pas de troisième coordonnée</translation>
     </message>
 </context>
 <context>
@@ -7897,6 +7925,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>none of its tracks has a position</source>
         <translation>aucune de ses trajectoires n’a de position</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.no_valid_toml</name>
+    <message>
+        <source>it is not valid TOML (%1)</source>
+        <translation>ce n&apos;est pas du TOML valide (%1)</translation>
     </message>
 </context>
 <context>
@@ -7910,7 +7945,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <name>exchange.none_sure_enough</name>
     <message>
         <source>none of its positions has a confidence of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>aucune de ses positions n’a une confiance de %1</translation>
     </message>
 </context>
 <context>
@@ -7973,7 +8008,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <name>exchange.number_in_two_ways</name>
     <message>
         <source>its numbers can be read in two ways: &apos;%1&apos; with three decimals, or as %2</source>
-        <translation type="unfinished"></translation>
+        <translation>ses nombres se lisent de deux façons : &apos;%1&apos; avec trois décimales, ou comme %2</translation>
     </message>
 </context>
 <context>
@@ -8036,7 +8071,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <name>exchange.pixel_is</name>
     <message>
         <source>a pixel is %1</source>
-        <translation type="unfinished"></translation>
+        <translation>un pixel mesure %1</translation>
     </message>
 </context>
 <context>
@@ -8050,14 +8085,14 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <name>exchange.points_group_thousands</name>
     <message>
         <source>points separate thousands</source>
-        <translation type="unfinished"></translation>
+        <translation>les points séparent les milliers</translation>
     </message>
 </context>
 <context>
     <name>exchange.positions_are_pixels</name>
     <message>
         <source>its positions are in pixels, which are no lengths</source>
-        <translation type="unfinished"></translation>
+        <translation>ses positions sont en pixels, qui ne sont pas des longueurs</translation>
     </message>
 </context>
 <context>
@@ -8071,7 +8106,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <name>exchange.rate_beside_times</name>
     <message>
         <source>it has times, and no frame numbers</source>
-        <translation type="unfinished"></translation>
+        <translation>il a des temps, et pas de numéros d’image</translation>
     </message>
 </context>
 <context>
@@ -8099,14 +8134,14 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <name>exchange.row_without_time</name>
     <message>
         <source>line %1 was left out, because it has no time</source>
-        <translation type="unfinished"></translation>
+        <translation>la ligne %1 a été omise, car elle n’a pas de temps</translation>
     </message>
 </context>
 <context>
     <name>exchange.rows_without_time</name>
     <message>
         <source>%1 lines were left out, because they have no time; the first is line %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 lignes ont été omises, car elles n’ont pas de temps ; la première est la ligne %2</translation>
     </message>
 </context>
 <context>
@@ -8145,6 +8180,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
 </context>
 <context>
+    <name>exchange.several_cameras</name>
+    <message>
+        <source>it holds several cameras: %1</source>
+        <translation>il contient plusieurs caméras : %1</translation>
+    </message>
+</context>
+<context>
     <name>exchange.several_documents</name>
     <message>
         <source>it holds more than one document</source>
@@ -8155,14 +8197,14 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <name>exchange.sigma_not_above_zero</name>
     <message>
         <source>its uncertainty &apos;%1&apos; is not above zero</source>
-        <translation type="unfinished"></translation>
+        <translation>son incertitude &apos;%1&apos; n’est pas supérieure à zéro</translation>
     </message>
 </context>
 <context>
     <name>exchange.sigma_or_blank</name>
     <message>
         <source>give the standard deviation of each position, or leave these cells blank</source>
-        <translation type="unfinished"></translation>
+        <translation>indiquez l’écart type de chaque position, ou laissez ces cellules vides</translation>
     </message>
 </context>
 <context>
@@ -8176,35 +8218,35 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <name>exchange.stamp_left_out</name>
     <message>
         <source>line %1 was left out, because its time repeats or is out of order</source>
-        <translation type="unfinished"></translation>
+        <translation>la ligne %1 a été omise, car son temps se répète ou n’est pas dans l’ordre</translation>
     </message>
 </context>
 <context>
     <name>exchange.stamps_left_out</name>
     <message>
         <source>%1 lines were left out, because their times repeat or are out of order; the first is line %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 lignes ont été omises, car leurs temps se répètent ou ne sont pas dans l’ordre ; la première est la ligne %2</translation>
     </message>
 </context>
 <context>
     <name>exchange.stamps_shared</name>
     <message>
         <source>its times are so coarse that %1 lines share theirs with the line before</source>
-        <translation type="unfinished"></translation>
+        <translation>ses temps sont si grossiers que %1 lignes partagent celui de la ligne précédente</translation>
     </message>
 </context>
 <context>
     <name>exchange.stamps_spread</name>
     <message>
         <source>its times are rounded to %1; the lines were spread evenly, %2 frames/s</source>
-        <translation type="unfinished"></translation>
+        <translation>ses temps sont arrondis à %1 ; les lignes ont été réparties régulièrement, %2 images/s</translation>
     </message>
 </context>
 <context>
     <name>exchange.stamps_spread_with_gaps</name>
     <message>
         <source>its times are rounded to %1; the lines were spread evenly, with gaps</source>
-        <translation type="unfinished"></translation>
+        <translation>ses temps sont arrondis à %1 ; les lignes ont été réparties régulièrement, avec des lacunes</translation>
     </message>
 </context>
 <context>
@@ -8225,7 +8267,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <name>exchange.time_of_no_age</name>
     <message>
         <source>its time is more than a century from 1970</source>
-        <translation type="unfinished"></translation>
+        <translation>son temps est à plus d’un siècle de 1970</translation>
     </message>
 </context>
 <context>
@@ -8239,42 +8281,42 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <name>exchange.time_steps_too_long</name>
     <message>
         <source>if its times are seconds, the rows are %1 apart and the run is %2 long</source>
-        <translation type="unfinished"></translation>
+        <translation>si ses temps sont des secondes, les lignes sont espacées de %1 et le parcours dure %2</translation>
     </message>
 </context>
 <context>
     <name>exchange.time_steps_too_short</name>
     <message>
         <source>its times have no unit, and as seconds the rows would be %1 apart</source>
-        <translation type="unfinished"></translation>
+        <translation>ses temps n’ont pas d’unité, et en secondes les lignes seraient espacées de %1</translation>
     </message>
 </context>
 <context>
     <name>exchange.times_by_rate</name>
     <message>
         <source>all its times are the same; the lines were spread at %1 frames/s</source>
-        <translation type="unfinished"></translation>
+        <translation>tous ses temps sont identiques ; les lignes ont été réparties à %1 images/s</translation>
     </message>
 </context>
 <context>
     <name>exchange.times_since_1970</name>
     <message>
         <source>times in %1 since 1970</source>
-        <translation type="unfinished"></translation>
+        <translation>temps en %1 depuis 1970</translation>
     </message>
 </context>
 <context>
     <name>exchange.too_fast_as_said</name>
     <message>
         <source>in the units that it gives, the robot would drive at %1</source>
-        <translation type="unfinished"></translation>
+        <translation>dans les unités qu’il donne, le robot roulerait à %1</translation>
     </message>
 </context>
 <context>
     <name>exchange.too_fast_in_metres</name>
     <message>
         <source>its positions have no unit, and in metres the robot would drive at %1</source>
-        <translation type="unfinished"></translation>
+        <translation>ses positions n’ont pas d’unité, et en mètres le robot roulerait à %1</translation>
     </message>
 </context>
 <context>
@@ -8295,7 +8337,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <name>exchange.too_many_tracks</name>
     <message>
         <source>the file has more than 1000 tracks</source>
-        <translation type="unfinished"></translation>
+        <translation>le fichier a plus de 1000 trajectoires</translation>
     </message>
 </context>
 <context>
@@ -8309,7 +8351,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <name>exchange.too_wide_in_metres</name>
     <message>
         <source>its positions have no unit, and in metres the floor would be %1 wide</source>
-        <translation type="unfinished"></translation>
+        <translation>ses positions n’ont pas d’unité, et en mètres le sol ferait %1 de large</translation>
     </message>
 </context>
 <context>
@@ -8344,7 +8386,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <name>exchange.twins_left_out</name>
     <message>
         <source>%1 lines were left out, because they repeat the line before</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 lignes ont été omises, car elles répètent la ligne précédente</translation>
     </message>
 </context>
 <context>
@@ -8386,21 +8428,21 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <name>exchange.unset_stamps</name>
     <message>
         <source>lines left out because their time is 0: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>lignes omises car leur temps est 0 : %1</translation>
     </message>
 </context>
 <context>
     <name>exchange.unsure_left_out</name>
     <message>
         <source>%1 positions with a confidence below %2 count as not measured; the first is in line %3</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 positions d’une confiance inférieure à %2 comptent comme non mesurées ; la première est à la ligne %3</translation>
     </message>
 </context>
 <context>
     <name>exchange.use_calibration_file</name>
     <message>
-        <source>use a calibration file as ROS or OpenCV writes it</source>
-        <translation>utilisez un fichier d’étalonnage tel que ROS ou OpenCV l’écrit</translation>
+        <source>use a calibration file as ROS, OpenCV, Kalibr, anipose or PhotonVision writes it</source>
+        <translation>utilisez un fichier d&apos;étalonnage tel que l&apos;écrivent ROS, OpenCV, Kalibr, anipose ou PhotonVision</translation>
     </message>
 </context>
 <context>
@@ -8442,7 +8484,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <name>exchange.write_finer_times</name>
     <message>
         <source>write the times with more digits, or give the frame rate of an even series</source>
-        <translation type="unfinished"></translation>
+        <translation>écrivez les temps avec plus de chiffres, ou indiquez la fréquence d’images d’une série régulière</translation>
     </message>
 </context>
 <context>
@@ -11017,11 +11059,11 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
     <message>
         <source>Positions measured by another program or exported by Odograph: TUM, CSV, Tracker text and others. Odograph analyses them as a run without video.</source>
-        <translation type="unfinished"></translation>
+        <translation>Positions mesurées par un autre programme ou exportées par Odograph : TUM, CSV, texte de Tracker et autres. Odograph les analyse comme un parcours sans vidéo.</translation>
     </message>
     <message>
         <source>Tracks (*.csv *.txt *.tum *.tsv *.trc);;All files (*)</source>
-        <translation type="unfinished"></translation>
+        <translation>Trajectoires (*.csv *.txt *.tum *.tsv *.trc);;Tous les fichiers (*)</translation>
     </message>
 </context>
 <context>
@@ -11982,7 +12024,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <name>odo::PathSketch</name>
     <message>
         <source>The path from above</source>
-        <translation type="unfinished"></translation>
+        <translation>Le parcours vu d’en haut</translation>
     </message>
 </context>
 <context>
@@ -12206,7 +12248,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
     <message>
         <source>shaded: hidden, ambiguous or not measured</source>
-        <translation type="unfinished"></translation>
+        <translation>ombré : caché, en doute ou non mesuré</translation>
     </message>
 </context>
 <context>
@@ -13493,7 +13535,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
     <message>
         <source>%1 not measured</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 non mesuré</translation>
     </message>
 </context>
 <context>
@@ -14434,10 +14476,6 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <translation>Paramètres intrinsèques d’une caméra</translation>
     </message>
     <message>
-        <source>Calibrations (*.yaml *.yml);;All files (*)</source>
-        <translation>Étalonnages (*.yaml *.yml);;Tous les fichiers (*)</translation>
-    </message>
-    <message>
         <source>Import lens calibration</source>
         <translation>Importer des paramètres intrinsèques</translation>
     </message>
@@ -14460,6 +14498,14 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>Layout %1 has %2 markers.</source>
         <translation>Le plan %1 a %2 marqueurs.</translation>
+    </message>
+    <message>
+        <source>Calibrations (*.yaml *.yml *.json *.toml *.ini);;All files (*)</source>
+        <translation>Étalonnages (*.yaml *.yml *.json *.toml *.ini);;Tous les fichiers (*)</translation>
+    </message>
+    <message>
+        <source>The file holds several cameras. Which one is %1?</source>
+        <translation>Le fichier contient plusieurs caméras. Laquelle est %1 ?</translation>
     </message>
 </context>
 <context>
@@ -14614,17 +14660,17 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <name>odo::TrackPreview</name>
     <message>
         <source>%1: too long to be shown before the import</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 : trop long pour être montré avant l’importation</translation>
     </message>
     <message>
         <source>%1, track %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1, trajectoire %2</translation>
     </message>
     <message numerus="yes">
         <source>%1: %2, %n lines in %3 s</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%1 : %2, %n ligne en %3 s</numerusform>
+            <numerusform>%1 : %2, %n lignes en %3 s</numerusform>
         </translation>
     </message>
 </context>
@@ -14632,119 +14678,119 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <name>odo::TrackReadingForm</name>
     <message>
         <source>&amp;Unit of positions</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Unité des positions</translation>
     </message>
     <message>
         <source>m</source>
-        <translation type="unfinished"></translation>
+        <translation>m</translation>
     </message>
     <message>
         <source>cm</source>
-        <translation type="unfinished"></translation>
+        <translation>cm</translation>
     </message>
     <message>
         <source>mm</source>
-        <translation type="unfinished"></translation>
+        <translation>mm</translation>
     </message>
     <message>
         <source>pixels</source>
-        <translation type="unfinished"></translation>
+        <translation>pixels</translation>
     </message>
     <message>
         <source>Unit of t&amp;imes</source>
-        <translation type="unfinished"></translation>
+        <translation>Unité des t&amp;emps</translation>
     </message>
     <message>
         <source>s</source>
-        <translation type="unfinished"></translation>
+        <translation>s</translation>
     </message>
     <message>
         <source>ms</source>
-        <translation type="unfinished">ms</translation>
+        <translation>ms</translation>
     </message>
     <message>
         <source>µs</source>
-        <translation type="unfinished"></translation>
+        <translation>µs</translation>
     </message>
     <message>
         <source>ns</source>
-        <translation type="unfinished"></translation>
+        <translation>ns</translation>
     </message>
     <message>
         <source>frame numbers</source>
-        <translation type="unfinished"></translation>
+        <translation>numéros d’image</translation>
     </message>
     <message>
         <source>F&amp;loor axes</source>
-        <translation type="unfinished"></translation>
+        <translation>Axes du so&amp;l</translation>
     </message>
     <message>
         <source>x and y</source>
-        <translation type="unfinished"></translation>
+        <translation>x et y</translation>
     </message>
     <message>
         <source>x and z</source>
-        <translation type="unfinished"></translation>
+        <translation>x et z</translation>
     </message>
     <message>
         <source>y and z</source>
-        <translation type="unfinished"></translation>
+        <translation>y et z</translation>
     </message>
     <message>
         <source>&amp;Decimal sign</source>
-        <translation type="unfinished"></translation>
+        <translation>Signe &amp;décimal</translation>
     </message>
     <message>
         <source>point</source>
-        <translation type="unfinished"></translation>
+        <translation>point</translation>
     </message>
     <message>
         <source>comma</source>
-        <translation type="unfinished"></translation>
+        <translation>virgule</translation>
     </message>
     <message>
         <source>&amp;Frame rate</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Fréquence d’images</translation>
     </message>
     <message>
         <source> frames/s</source>
-        <translation type="unfinished"> images/s</translation>
+        <translation> images/s</translation>
     </message>
     <message>
         <source>Of a file that numbers its frames</source>
-        <translation type="unfinished"></translation>
+        <translation>D’un fichier qui numérote ses images</translation>
     </message>
     <message>
         <source>Length of a &amp;pixel</source>
-        <translation type="unfinished"></translation>
+        <translation>Lon&amp;gueur d’un pixel</translation>
     </message>
     <message>
         <source> mm</source>
-        <translation type="unfinished"> mm</translation>
+        <translation> mm</translation>
     </message>
     <message>
         <source>On the floor, for positions in pixels</source>
-        <translation type="unfinished"></translation>
+        <translation>Au sol, pour des positions en pixels</translation>
     </message>
     <message>
         <source>Least &amp;confidence</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Confiance minimale</translation>
     </message>
     <message>
         <source>Positions with a lower likelihood count as not measured</source>
-        <translation type="unfinished"></translation>
+        <translation>Les positions de vraisemblance plus basse comptent comme non mesurées</translation>
     </message>
     <message>
         <source>Accurac&amp;y</source>
-        <translation type="unfinished"></translation>
+        <translation>E&amp;xactitude</translation>
     </message>
     <message>
         <source>Standard deviation of the positions, slow errors included; scatter alone does not show those</source>
-        <translation type="unfinished"></translation>
+        <translation>Écart type des positions, erreurs lentes comprises ; la dispersion seule ne les montre pas</translation>
     </message>
     <message>
         <source>from the file</source>
-        <translation type="unfinished"></translation>
+        <translation>du fichier</translation>
     </message>
 </context>
 <context>
@@ -19943,7 +19989,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <name>workflow.accuracy_given</name>
     <message>
         <source>accurate to %1, as given</source>
-        <translation type="unfinished"></translation>
+        <translation>exact à %1, comme indiqué</translation>
     </message>
 </context>
 <context>
@@ -21924,7 +21970,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <name>workflow.slow_errors_not_seen</name>
     <message>
         <source>errors that change slowly are not included</source>
-        <translation type="unfinished"></translation>
+        <translation>les erreurs qui changent lentement ne sont pas comprises</translation>
     </message>
 </context>
 <context>

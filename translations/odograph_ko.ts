@@ -1221,7 +1221,7 @@ GNU 일반 공중 사용 허가서(GPL) 버전 3 이상을 따르는 자유 소�
     </message>
     <message>
         <source>smoothed, with its ±95 % band; dots: as measured; shaded: not measured</source>
-        <translation type="unfinished"></translation>
+        <translation>평활화, ±95 % 띠 포함; 점: 측정값; 음영: 측정되지 않음</translation>
     </message>
 </context>
 <context>
@@ -2042,11 +2042,11 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
     <message>
         <source>Not measured until %1</source>
-        <translation type="unfinished"></translation>
+        <translation>%1까지 측정되지 않음</translation>
     </message>
     <message>
         <source>not measured (%1 to %2)</source>
-        <translation type="unfinished"></translation>
+        <translation>측정되지 않음(%1~%2)</translation>
     </message>
 </context>
 <context>
@@ -2364,7 +2364,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <name>analysis.formula_mean_speed</name>
     <message>
         <source>path length / time, both without gaps</source>
-        <translation type="unfinished"></translation>
+        <translation>이동 거리 / 시간(둘 다 측정되지 않은 구간 제외)</translation>
     </message>
 </context>
 <context>
@@ -2434,7 +2434,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <name>analysis.formula_stops</name>
     <message>
         <source>The pauses between the onset of motion and the last stop, counted where the robot was measured at rest.</source>
-        <translation type="unfinished"></translation>
+        <translation>움직이기 시작한 때부터 마지막으로 멈춘 때까지, 멈춰 있는 것이 측정된 횟수입니다.</translation>
     </message>
 </context>
 <context>
@@ -2448,7 +2448,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <name>analysis.formula_zone_breaches</name>
     <message>
         <source>How often the robot&apos;s reference point left a zone to stay in or entered a zone to keep out of. It counts if the point is beyond the edge by more than six σ of the track&apos;s noise.</source>
-        <translation type="unfinished"></translation>
+        <translation>로봇의 중심이 벗어나면 안 되는 구역을 나가거나 들어가면 안 되는 구역에 들어간 횟수입니다. 궤적 자체 잡음의 6 σ보다 더 경계를 넘었을 때 셉니다.</translation>
     </message>
 </context>
 <context>
@@ -3176,7 +3176,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <name>analysis.uncertainty_duration</name>
     <message>
         <source>of both moments: σ of the speed divided by its slope there, and how far smoothing blurs them</source>
-        <translation type="unfinished"></translation>
+        <translation>두 시각의 오차: 속력의 σ를 그 지점에서 속력 곡선의 기울기로 나눈 값과, 평활화로 흐려진 정도</translation>
     </message>
 </context>
 <context>
@@ -3204,7 +3204,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <name>analysis.uncertainty_mean_speed</name>
     <message>
         <source>of both, treated as independent, and of gaps: from straight through them to the top speed in them</source>
-        <translation type="unfinished"></translation>
+        <translation>둘의 오차(서로 독립으로 봄)와 측정되지 않은 구간의 불확실성: 직선으로 지나간 경우부터 최고 속력으로 움직인 경우까지</translation>
     </message>
 </context>
 <context>
@@ -3232,7 +3232,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <name>analysis.uncertainty_path_length</name>
     <message>
         <source>of the end positions, of lateral errors where the path turns, of what the robot could have done where it was bridged, and the calibration&apos;s scale uncertainty</source>
-        <translation type="unfinished"></translation>
+        <translation>양 끝 위치의 오차, 경로가 꺾이는 곳에서 경로에 수직인 방향의 오차, 보간된 구간에서 로봇이 했을 수 있는 움직임, 보정의 축척 오차</translation>
     </message>
 </context>
 <context>
@@ -7292,21 +7292,21 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <name>exchange.axes_given</name>
     <message>
         <source>floor axes: %1 of the file</source>
-        <translation type="unfinished"></translation>
+        <translation>바닥 축: 파일의 %1</translation>
     </message>
 </context>
 <context>
     <name>exchange.axes_seen</name>
     <message>
         <source>floor axes: %1 of the file, as its %2 stays near %3</source>
-        <translation type="unfinished"></translation>
+        <translation>바닥 축: 파일의 %1. %2가 %3 부근에 머무르기 때문입니다</translation>
     </message>
 </context>
 <context>
     <name>exchange.axes_unclear</name>
     <message>
         <source>its z varies by %1 while its %2 stays near %3</source>
-        <translation type="unfinished"></translation>
+        <translation>z는 %1만큼 변하는데 %2는 %3 부근에 머무릅니다</translation>
     </message>
 </context>
 <context>
@@ -7334,14 +7334,14 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <name>exchange.break_opened</name>
     <message>
         <source>its positions jump by %1 in line %2 and go on from there: %3 positions around count as not measured, and the path ends at the jump</source>
-        <translation type="unfinished"></translation>
+        <translation>%2행에서 위치가 %1 튀어 그곳에서 이어집니다. 주변 위치 %3개를 측정되지 않은 것으로 처리하며, 경로는 그 지점에서 끊어집니다</translation>
     </message>
 </context>
 <context>
     <name>exchange.breaks_too_often</name>
     <message>
         <source>its positions jump %1 times and go on from elsewhere</source>
-        <translation type="unfinished"></translation>
+        <translation>위치가 %1번 튀어 다른 곳에서 이어집니다</translation>
     </message>
 </context>
 <context>
@@ -7366,10 +7366,17 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>exchange.centre_impossible</name>
+    <message>
+        <source>the image centre (%1, %2) lies far outside the image of %3 × %4 pixels</source>
+        <translation>이미지 중심(%1, %2)이 %3 × %4 픽셀 이미지에서 멀리 벗어나 있습니다</translation>
+    </message>
+</context>
+<context>
     <name>exchange.check_both_units</name>
     <message>
         <source>choose the units of its times and positions</source>
-        <translation type="unfinished"></translation>
+        <translation>시각과 위치의 단위를 선택하십시오</translation>
     </message>
 </context>
 <context>
@@ -7397,7 +7404,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <name>exchange.check_track_column</name>
     <message>
         <source>check which column says the track of a line</source>
-        <translation type="unfinished"></translation>
+        <translation>어느 열이 행의 궤적을 나타내는지 확인하십시오</translation>
     </message>
 </context>
 <context>
@@ -7418,35 +7425,42 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <name>exchange.choose_a_time_unit</name>
     <message>
         <source>choose their unit: s, ms, us, ns or frame</source>
-        <translation type="unfinished"></translation>
+        <translation>단위를 선택하십시오: s, ms, us, ns 또는 frame</translation>
     </message>
 </context>
 <context>
     <name>exchange.choose_axes</name>
     <message>
         <source>choose the axes of the floor: %1, or xy if that is right</source>
-        <translation type="unfinished"></translation>
+        <translation>바닥 축을 선택하십시오: %1, 또는 맞다면 xy</translation>
     </message>
 </context>
 <context>
     <name>exchange.choose_axes_xy</name>
     <message>
         <source>choose the axes x and y</source>
-        <translation type="unfinished"></translation>
+        <translation>x축과 y축을 선택하십시오</translation>
     </message>
 </context>
 <context>
     <name>exchange.choose_decimal_sign</name>
     <message>
         <source>choose its decimal sign: point or comma</source>
-        <translation type="unfinished"></translation>
+        <translation>소수점 기호를 선택하십시오: 점 또는 쉼표</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.choose_entry</name>
+    <message>
+        <source>choose one of them</source>
+        <translation>그중 하나를 선택하십시오</translation>
     </message>
 </context>
 <context>
     <name>exchange.choose_likely_unit</name>
     <message>
         <source>choose their unit: m, cm, mm or px; %1 is likely</source>
-        <translation type="unfinished"></translation>
+        <translation>단위를 선택하십시오: m, cm, mm 또는 px. %1일 가능성이 큽니다</translation>
     </message>
 </context>
 <context>
@@ -7481,14 +7495,14 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <name>exchange.choose_time_unit</name>
     <message>
         <source>choose their unit: s, ms, us, ns or frame; %1 is likely</source>
-        <translation type="unfinished"></translation>
+        <translation>단위를 선택하십시오: s, ms, us, ns 또는 frame. %1일 가능성이 큽니다</translation>
     </message>
 </context>
 <context>
     <name>exchange.choose_unit</name>
     <message>
         <source>choose their unit: m, cm, mm or px</source>
-        <translation type="unfinished"></translation>
+        <translation>단위를 선택하십시오: m, cm, mm 또는 px</translation>
     </message>
 </context>
 <context>
@@ -7516,14 +7530,14 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <name>exchange.commas_group_thousands</name>
     <message>
         <source>commas separate thousands</source>
-        <translation type="unfinished"></translation>
+        <translation>쉼표가 천 단위를 구분합니다</translation>
     </message>
 </context>
 <context>
     <name>exchange.confidence_not_used</name>
     <message>
         <source>its confidences are neither from 0 to 1 nor from 0 to 100, and were not used</source>
-        <translation type="unfinished"></translation>
+        <translation>신뢰도가 0~1도 0~100도 아니어서 사용하지 않았습니다</translation>
     </message>
 </context>
 <context>
@@ -7569,17 +7583,24 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>exchange.focal_impossible</name>
+    <message>
+        <source>no lens has a focal length of %1 at %2 × %3 pixels</source>
+        <translation>%2 × %3 픽셀에서 초점 거리가 %1인 렌즈는 없습니다</translation>
+    </message>
+</context>
+<context>
     <name>exchange.format_has_pixels</name>
     <message>
         <source>%1 writes positions in pixels, which are no lengths</source>
-        <translation type="unfinished"></translation>
+        <translation>%1은(는) 위치를 픽셀로 기록하며, 픽셀은 길이가 아닙니다</translation>
     </message>
 </context>
 <context>
     <name>exchange.frames_without_rate</name>
     <message>
         <source>it has frame numbers in place of times</source>
-        <translation type="unfinished"></translation>
+        <translation>시각 대신 프레임 번호가 있습니다</translation>
     </message>
 </context>
 <context>
@@ -7593,7 +7614,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <name>exchange.give_lower_confidence</name>
     <message>
         <source>give a lower least confidence</source>
-        <translation type="unfinished"></translation>
+        <translation>더 낮은 최소 신뢰도를 지정하십시오</translation>
     </message>
 </context>
 <context>
@@ -7621,7 +7642,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <name>exchange.give_pixel_length</name>
     <message>
         <source>give how long a pixel is on the floor, or choose another unit of the positions</source>
-        <translation type="unfinished"></translation>
+        <translation>바닥에서 픽셀 하나의 길이를 지정하거나 위치의 다른 단위를 선택하십시오</translation>
     </message>
 </context>
 <context>
@@ -7635,7 +7656,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <name>exchange.give_rate</name>
     <message>
         <source>give the frame rate of the camera</source>
-        <translation type="unfinished"></translation>
+        <translation>카메라의 프레임 속도를 지정하십시오</translation>
     </message>
 </context>
 <context>
@@ -7656,7 +7677,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <name>exchange.held_left_out</name>
     <message>
         <source>%1 positions that only repeat the last one count as not measured; the first is in line %2</source>
-        <translation type="unfinished"></translation>
+        <translation>마지막 위치를 반복하기만 하는 위치 %1개를 측정되지 않은 것으로 처리합니다. 첫 번째는 %2행입니다</translation>
     </message>
 </context>
 <context>
@@ -7733,14 +7754,14 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <name>exchange.leave_out_confidence</name>
     <message>
         <source>leave out the least confidence</source>
-        <translation type="unfinished"></translation>
+        <translation>최소 신뢰도를 지정하지 마십시오</translation>
     </message>
 </context>
 <context>
     <name>exchange.leave_out_rate</name>
     <message>
         <source>leave out the frame rate</source>
-        <translation type="unfinished"></translation>
+        <translation>프레임 속도를 지정하지 마십시오</translation>
     </message>
 </context>
 <context>
@@ -7782,7 +7803,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <name>exchange.marks_left_out</name>
     <message>
         <source>%1 positions that only mark a lost robot (such as 0, 0) count as not measured; the first is in line %2</source>
-        <translation type="unfinished"></translation>
+        <translation>로봇을 놓쳤음을 나타내는 위치(0, 0 등) %1개를 측정되지 않은 것으로 처리합니다. 첫 번째는 %2행입니다</translation>
     </message>
 </context>
 <context>
@@ -7845,7 +7866,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <name>exchange.no_confidence</name>
     <message>
         <source>it has no column of confidences</source>
-        <translation type="unfinished"></translation>
+        <translation>신뢰도 열이 없습니다</translation>
     </message>
 </context>
 <context>
@@ -7860,6 +7881,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>it contains no project</source>
         <translation>프로젝트가 들어 있지 않습니다</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.no_such_entry</name>
+    <message>
+        <source>it holds no camera &apos;%1&apos;, but %2</source>
+        <translation>카메라 &apos;%1&apos;은(는) 없고 %2이(가) 있습니다</translation>
     </message>
 </context>
 <context>
@@ -7880,7 +7908,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <name>exchange.no_third_axis</name>
     <message>
         <source>it has no third coordinate</source>
-        <translation type="unfinished"></translation>
+        <translation>세 번째 좌표가 없습니다</translation>
     </message>
 </context>
 <context>
@@ -7888,6 +7916,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>none of its tracks has a position</source>
         <translation>위치가 있는 궤적이 없습니다</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.no_valid_toml</name>
+    <message>
+        <source>it is not valid TOML (%1)</source>
+        <translation>올바른 TOML이 아닙니다(%1)</translation>
     </message>
 </context>
 <context>
@@ -7901,7 +7936,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <name>exchange.none_sure_enough</name>
     <message>
         <source>none of its positions has a confidence of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>신뢰도가 %1 이상인 위치가 없습니다</translation>
     </message>
 </context>
 <context>
@@ -7964,7 +7999,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <name>exchange.number_in_two_ways</name>
     <message>
         <source>its numbers can be read in two ways: &apos;%1&apos; with three decimals, or as %2</source>
-        <translation type="unfinished"></translation>
+        <translation>숫자를 두 가지로 읽을 수 있습니다: 소수점 이하 세 자리의 &apos;%1&apos; 또는 %2</translation>
     </message>
 </context>
 <context>
@@ -8027,7 +8062,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <name>exchange.pixel_is</name>
     <message>
         <source>a pixel is %1</source>
-        <translation type="unfinished"></translation>
+        <translation>픽셀 하나는 %1입니다</translation>
     </message>
 </context>
 <context>
@@ -8041,14 +8076,14 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <name>exchange.points_group_thousands</name>
     <message>
         <source>points separate thousands</source>
-        <translation type="unfinished"></translation>
+        <translation>점이 천 단위를 구분합니다</translation>
     </message>
 </context>
 <context>
     <name>exchange.positions_are_pixels</name>
     <message>
         <source>its positions are in pixels, which are no lengths</source>
-        <translation type="unfinished"></translation>
+        <translation>위치가 픽셀 단위이며, 픽셀은 길이가 아닙니다</translation>
     </message>
 </context>
 <context>
@@ -8062,7 +8097,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <name>exchange.rate_beside_times</name>
     <message>
         <source>it has times, and no frame numbers</source>
-        <translation type="unfinished"></translation>
+        <translation>프레임 번호가 아니라 시각이 있습니다</translation>
     </message>
 </context>
 <context>
@@ -8090,14 +8125,14 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <name>exchange.row_without_time</name>
     <message>
         <source>line %1 was left out, because it has no time</source>
-        <translation type="unfinished"></translation>
+        <translation>%1행은 시각이 없어 제외했습니다</translation>
     </message>
 </context>
 <context>
     <name>exchange.rows_without_time</name>
     <message>
         <source>%1 lines were left out, because they have no time; the first is line %2</source>
-        <translation type="unfinished"></translation>
+        <translation>시각이 없는 %1개 행을 제외했습니다. 첫 번째는 %2행입니다</translation>
     </message>
 </context>
 <context>
@@ -8136,6 +8171,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>exchange.several_cameras</name>
+    <message>
+        <source>it holds several cameras: %1</source>
+        <translation>카메라가 여러 대 들어 있습니다: %1</translation>
+    </message>
+</context>
+<context>
     <name>exchange.several_documents</name>
     <message>
         <source>it holds more than one document</source>
@@ -8146,14 +8188,14 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <name>exchange.sigma_not_above_zero</name>
     <message>
         <source>its uncertainty &apos;%1&apos; is not above zero</source>
-        <translation type="unfinished"></translation>
+        <translation>불확도 &apos;%1&apos;이(가) 0보다 크지 않습니다</translation>
     </message>
 </context>
 <context>
     <name>exchange.sigma_or_blank</name>
     <message>
         <source>give the standard deviation of each position, or leave these cells blank</source>
-        <translation type="unfinished"></translation>
+        <translation>각 위치의 표준 편차를 적거나 이 셀들을 비워 두십시오</translation>
     </message>
 </context>
 <context>
@@ -8167,35 +8209,35 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <name>exchange.stamp_left_out</name>
     <message>
         <source>line %1 was left out, because its time repeats or is out of order</source>
-        <translation type="unfinished"></translation>
+        <translation>%1행은 시각이 반복되거나 순서에 맞지 않아 제외했습니다</translation>
     </message>
 </context>
 <context>
     <name>exchange.stamps_left_out</name>
     <message>
         <source>%1 lines were left out, because their times repeat or are out of order; the first is line %2</source>
-        <translation type="unfinished"></translation>
+        <translation>시각이 반복되거나 순서에 맞지 않는 %1개 행을 제외했습니다. 첫 번째는 %2행입니다</translation>
     </message>
 </context>
 <context>
     <name>exchange.stamps_shared</name>
     <message>
         <source>its times are so coarse that %1 lines share theirs with the line before</source>
-        <translation type="unfinished"></translation>
+        <translation>시각이 너무 거칠어 %1개 행이 앞 행과 같은 시각을 가집니다</translation>
     </message>
 </context>
 <context>
     <name>exchange.stamps_spread</name>
     <message>
         <source>its times are rounded to %1; the lines were spread evenly, %2 frames/s</source>
-        <translation type="unfinished"></translation>
+        <translation>시각이 %1로 반올림되어 있어 행을 고르게 배치했습니다. 초당 %2프레임</translation>
     </message>
 </context>
 <context>
     <name>exchange.stamps_spread_with_gaps</name>
     <message>
         <source>its times are rounded to %1; the lines were spread evenly, with gaps</source>
-        <translation type="unfinished"></translation>
+        <translation>시각이 %1로 반올림되어 있어 빈 구간을 두고 행을 고르게 배치했습니다</translation>
     </message>
 </context>
 <context>
@@ -8216,7 +8258,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <name>exchange.time_of_no_age</name>
     <message>
         <source>its time is more than a century from 1970</source>
-        <translation type="unfinished"></translation>
+        <translation>시각이 1970년에서 100년 넘게 떨어져 있습니다</translation>
     </message>
 </context>
 <context>
@@ -8230,42 +8272,42 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <name>exchange.time_steps_too_long</name>
     <message>
         <source>if its times are seconds, the rows are %1 apart and the run is %2 long</source>
-        <translation type="unfinished"></translation>
+        <translation>시각이 초라면 행 간격이 %1이고 주행 시간이 %2입니다</translation>
     </message>
 </context>
 <context>
     <name>exchange.time_steps_too_short</name>
     <message>
         <source>its times have no unit, and as seconds the rows would be %1 apart</source>
-        <translation type="unfinished"></translation>
+        <translation>시각에 단위가 없으며, 초라면 행 간격이 %1이 됩니다</translation>
     </message>
 </context>
 <context>
     <name>exchange.times_by_rate</name>
     <message>
         <source>all its times are the same; the lines were spread at %1 frames/s</source>
-        <translation type="unfinished"></translation>
+        <translation>모든 시각이 같아 초당 %1프레임으로 행을 배치했습니다</translation>
     </message>
 </context>
 <context>
     <name>exchange.times_since_1970</name>
     <message>
         <source>times in %1 since 1970</source>
-        <translation type="unfinished"></translation>
+        <translation>1970년부터 센 시각, 단위 %1</translation>
     </message>
 </context>
 <context>
     <name>exchange.too_fast_as_said</name>
     <message>
         <source>in the units that it gives, the robot would drive at %1</source>
-        <translation type="unfinished"></translation>
+        <translation>적힌 단위대로라면 로봇이 %1로 달린 것이 됩니다</translation>
     </message>
 </context>
 <context>
     <name>exchange.too_fast_in_metres</name>
     <message>
         <source>its positions have no unit, and in metres the robot would drive at %1</source>
-        <translation type="unfinished"></translation>
+        <translation>위치에 단위가 없으며, 미터라면 로봇이 %1로 달린 것이 됩니다</translation>
     </message>
 </context>
 <context>
@@ -8286,7 +8328,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <name>exchange.too_many_tracks</name>
     <message>
         <source>the file has more than 1000 tracks</source>
-        <translation type="unfinished"></translation>
+        <translation>파일에 궤적이 1000개 넘게 있습니다</translation>
     </message>
 </context>
 <context>
@@ -8300,7 +8342,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <name>exchange.too_wide_in_metres</name>
     <message>
         <source>its positions have no unit, and in metres the floor would be %1 wide</source>
-        <translation type="unfinished"></translation>
+        <translation>위치에 단위가 없으며, 미터라면 바닥의 폭이 %1이 됩니다</translation>
     </message>
 </context>
 <context>
@@ -8335,7 +8377,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <name>exchange.twins_left_out</name>
     <message>
         <source>%1 lines were left out, because they repeat the line before</source>
-        <translation type="unfinished"></translation>
+        <translation>앞 행을 반복하는 %1개 행을 제외했습니다</translation>
     </message>
 </context>
 <context>
@@ -8377,21 +8419,21 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <name>exchange.unset_stamps</name>
     <message>
         <source>lines left out because their time is 0: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>시각이 0이어서 제외한 행: %1</translation>
     </message>
 </context>
 <context>
     <name>exchange.unsure_left_out</name>
     <message>
         <source>%1 positions with a confidence below %2 count as not measured; the first is in line %3</source>
-        <translation type="unfinished"></translation>
+        <translation>신뢰도가 %2 미만인 위치 %1개를 측정되지 않은 것으로 처리합니다. 첫 번째는 %3행입니다</translation>
     </message>
 </context>
 <context>
     <name>exchange.use_calibration_file</name>
     <message>
-        <source>use a calibration file as ROS or OpenCV writes it</source>
-        <translation>ROS나 OpenCV가 쓰는 형식의 보정 파일을 쓰십시오</translation>
+        <source>use a calibration file as ROS, OpenCV, Kalibr, anipose or PhotonVision writes it</source>
+        <translation>ROS, OpenCV, Kalibr, anipose 또는 PhotonVision이 저장한 보정 파일을 사용하십시오</translation>
     </message>
 </context>
 <context>
@@ -8433,7 +8475,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <name>exchange.write_finer_times</name>
     <message>
         <source>write the times with more digits, or give the frame rate of an even series</source>
-        <translation type="unfinished"></translation>
+        <translation>시각을 더 많은 자릿수로 기록하거나 일정한 간격의 프레임 속도를 지정하십시오</translation>
     </message>
 </context>
 <context>
@@ -11000,11 +11042,11 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
     <message>
         <source>Positions measured by another program or exported by Odograph: TUM, CSV, Tracker text and others. Odograph analyses them as a run without video.</source>
-        <translation type="unfinished"></translation>
+        <translation>다른 프로그램이 측정했거나 Odograph가 내보낸 위치: TUM, CSV, Tracker 텍스트 등. Odograph는 이를 영상 없는 주행으로 분석합니다.</translation>
     </message>
     <message>
         <source>Tracks (*.csv *.txt *.tum *.tsv *.trc);;All files (*)</source>
-        <translation type="unfinished"></translation>
+        <translation>궤적 (*.csv *.txt *.tum *.tsv *.trc);;모든 파일 (*)</translation>
     </message>
 </context>
 <context>
@@ -11964,7 +12006,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <name>odo::PathSketch</name>
     <message>
         <source>The path from above</source>
-        <translation type="unfinished"></translation>
+        <translation>위에서 본 경로</translation>
     </message>
 </context>
 <context>
@@ -12188,7 +12230,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
     <message>
         <source>shaded: hidden, ambiguous or not measured</source>
-        <translation type="unfinished"></translation>
+        <translation>음영: 가려짐, 불확실 또는 측정되지 않음</translation>
     </message>
 </context>
 <context>
@@ -13471,7 +13513,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
     <message>
         <source>%1 not measured</source>
-        <translation type="unfinished"></translation>
+        <translation>%1개 측정되지 않음</translation>
     </message>
 </context>
 <context>
@@ -14400,10 +14442,6 @@ Much more than expected means that a setting is wrong: the views are not synchro
         <translation>카메라의 내부 파라미터</translation>
     </message>
     <message>
-        <source>Calibrations (*.yaml *.yml);;All files (*)</source>
-        <translation>보정 (*.yaml *.yml);;모든 파일 (*)</translation>
-    </message>
-    <message>
         <source>Import lens calibration</source>
         <translation>내부 파라미터 가져오기</translation>
     </message>
@@ -14426,6 +14464,14 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>Layout %1 has %2 markers.</source>
         <translation>배치 %1에 마커가 %2개 있습니다.</translation>
+    </message>
+    <message>
+        <source>Calibrations (*.yaml *.yml *.json *.toml *.ini);;All files (*)</source>
+        <translation>보정 파일 (*.yaml *.yml *.json *.toml *.ini);;모든 파일 (*)</translation>
+    </message>
+    <message>
+        <source>The file holds several cameras. Which one is %1?</source>
+        <translation>파일에 카메라가 여러 대 들어 있습니다. %1은(는) 어느 것입니까?</translation>
     </message>
 </context>
 <context>
@@ -14580,16 +14626,16 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <name>odo::TrackPreview</name>
     <message>
         <source>%1: too long to be shown before the import</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: 너무 길어 가져오기 전에 표시할 수 없습니다</translation>
     </message>
     <message>
         <source>%1, track %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1, 궤적 %2</translation>
     </message>
     <message numerus="yes">
         <source>%1: %2, %n lines in %3 s</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%1: %2, %3초에 %n행</numerusform>
         </translation>
     </message>
 </context>
@@ -14597,119 +14643,119 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <name>odo::TrackReadingForm</name>
     <message>
         <source>&amp;Unit of positions</source>
-        <translation type="unfinished"></translation>
+        <translation>위치의 단위(&amp;U)</translation>
     </message>
     <message>
         <source>m</source>
-        <translation type="unfinished"></translation>
+        <translation>m</translation>
     </message>
     <message>
         <source>cm</source>
-        <translation type="unfinished"></translation>
+        <translation>cm</translation>
     </message>
     <message>
         <source>mm</source>
-        <translation type="unfinished"></translation>
+        <translation>mm</translation>
     </message>
     <message>
         <source>pixels</source>
-        <translation type="unfinished"></translation>
+        <translation>픽셀</translation>
     </message>
     <message>
         <source>Unit of t&amp;imes</source>
-        <translation type="unfinished"></translation>
+        <translation>시각의 단위(&amp;I)</translation>
     </message>
     <message>
         <source>s</source>
-        <translation type="unfinished"></translation>
+        <translation>초</translation>
     </message>
     <message>
         <source>ms</source>
-        <translation type="unfinished">ms</translation>
+        <translation>ms</translation>
     </message>
     <message>
         <source>µs</source>
-        <translation type="unfinished"></translation>
+        <translation>µs</translation>
     </message>
     <message>
         <source>ns</source>
-        <translation type="unfinished"></translation>
+        <translation>ns</translation>
     </message>
     <message>
         <source>frame numbers</source>
-        <translation type="unfinished"></translation>
+        <translation>프레임 번호</translation>
     </message>
     <message>
         <source>F&amp;loor axes</source>
-        <translation type="unfinished"></translation>
+        <translation>바닥 축(&amp;L)</translation>
     </message>
     <message>
         <source>x and y</source>
-        <translation type="unfinished"></translation>
+        <translation>x와 y</translation>
     </message>
     <message>
         <source>x and z</source>
-        <translation type="unfinished"></translation>
+        <translation>x와 z</translation>
     </message>
     <message>
         <source>y and z</source>
-        <translation type="unfinished"></translation>
+        <translation>y와 z</translation>
     </message>
     <message>
         <source>&amp;Decimal sign</source>
-        <translation type="unfinished"></translation>
+        <translation>소수점 기호(&amp;D)</translation>
     </message>
     <message>
         <source>point</source>
-        <translation type="unfinished"></translation>
+        <translation>점</translation>
     </message>
     <message>
         <source>comma</source>
-        <translation type="unfinished"></translation>
+        <translation>쉼표</translation>
     </message>
     <message>
         <source>&amp;Frame rate</source>
-        <translation type="unfinished"></translation>
+        <translation>프레임 속도(&amp;F)</translation>
     </message>
     <message>
         <source> frames/s</source>
-        <translation type="unfinished"> fps</translation>
+        <translation> 프레임/초</translation>
     </message>
     <message>
         <source>Of a file that numbers its frames</source>
-        <translation type="unfinished"></translation>
+        <translation>프레임에 번호를 매기는 파일의 경우</translation>
     </message>
     <message>
         <source>Length of a &amp;pixel</source>
-        <translation type="unfinished"></translation>
+        <translation>픽셀의 길이(&amp;P)</translation>
     </message>
     <message>
         <source> mm</source>
-        <translation type="unfinished"> mm</translation>
+        <translation> mm</translation>
     </message>
     <message>
         <source>On the floor, for positions in pixels</source>
-        <translation type="unfinished"></translation>
+        <translation>픽셀 단위 위치의 바닥에서의 길이</translation>
     </message>
     <message>
         <source>Least &amp;confidence</source>
-        <translation type="unfinished"></translation>
+        <translation>최소 신뢰도(&amp;C)</translation>
     </message>
     <message>
         <source>Positions with a lower likelihood count as not measured</source>
-        <translation type="unfinished"></translation>
+        <translation>가능도가 더 낮은 위치는 측정되지 않은 것으로 처리합니다</translation>
     </message>
     <message>
         <source>Accurac&amp;y</source>
-        <translation type="unfinished"></translation>
+        <translation>정확도(&amp;Y)</translation>
     </message>
     <message>
         <source>Standard deviation of the positions, slow errors included; scatter alone does not show those</source>
-        <translation type="unfinished"></translation>
+        <translation>느린 오차를 포함한 위치의 표준 편차. 산포만으로는 드러나지 않습니다</translation>
     </message>
     <message>
         <source>from the file</source>
-        <translation type="unfinished"></translation>
+        <translation>파일에서</translation>
     </message>
 </context>
 <context>
@@ -19904,7 +19950,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <name>workflow.accuracy_given</name>
     <message>
         <source>accurate to %1, as given</source>
-        <translation type="unfinished"></translation>
+        <translation>지정한 대로 %1까지 정확</translation>
     </message>
 </context>
 <context>
@@ -21885,7 +21931,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <name>workflow.slow_errors_not_seen</name>
     <message>
         <source>errors that change slowly are not included</source>
-        <translation type="unfinished"></translation>
+        <translation>천천히 변하는 오차는 포함되지 않습니다</translation>
     </message>
 </context>
 <context>

@@ -1221,7 +1221,7 @@ The method follows S. Park, “Computational Vision for Automatic Tracking and O
     </message>
     <message>
         <source>smoothed, with its ±95 % band; dots: as measured; shaded: not measured</source>
-        <translation type="unfinished"></translation>
+        <translation>平滑后，含 ±95 % 置信带；点：测量值；阴影：未测量</translation>
     </message>
 </context>
 <context>
@@ -2042,11 +2042,11 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
     <message>
         <source>Not measured until %1</source>
-        <translation type="unfinished"></translation>
+        <translation>至 %1 未测量</translation>
     </message>
     <message>
         <source>not measured (%1 to %2)</source>
-        <translation type="unfinished"></translation>
+        <translation>未测量（%1 至 %2）</translation>
     </message>
 </context>
 <context>
@@ -2364,7 +2364,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <name>analysis.formula_mean_speed</name>
     <message>
         <source>path length / time, both without gaps</source>
-        <translation type="unfinished"></translation>
+        <translation>路程 / 用时，均不含未测量的时段</translation>
     </message>
 </context>
 <context>
@@ -2434,7 +2434,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <name>analysis.formula_stops</name>
     <message>
         <source>The pauses between the onset of motion and the last stop, counted where the robot was measured at rest.</source>
-        <translation type="unfinished"></translation>
+        <translation>从开始运动到最后一次停下之间，测得机器人静止的停顿次数。</translation>
     </message>
 </context>
 <context>
@@ -2448,7 +2448,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <name>analysis.formula_zone_breaches</name>
     <message>
         <source>How often the robot&apos;s reference point left a zone to stay in or entered a zone to keep out of. It counts if the point is beyond the edge by more than six σ of the track&apos;s noise.</source>
-        <translation type="unfinished"></translation>
+        <translation>机器人中心离开应留区域或进入禁入区域的次数。超出边界多于轨迹自身噪声的六个 σ 时才计入。</translation>
     </message>
 </context>
 <context>
@@ -3176,7 +3176,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <name>analysis.uncertainty_duration</name>
     <message>
         <source>of both moments: σ of the speed divided by its slope there, and how far smoothing blurs them</source>
-        <translation type="unfinished"></translation>
+        <translation>两个时刻的误差：速度的 σ 除以速度曲线在该处的斜率，以及平滑造成的模糊</translation>
     </message>
 </context>
 <context>
@@ -3204,7 +3204,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <name>analysis.uncertainty_mean_speed</name>
     <message>
         <source>of both, treated as independent, and of gaps: from straight through them to the top speed in them</source>
-        <translation type="unfinished"></translation>
+        <translation>两者的误差（视为相互独立），以及未测量时段的不确定度：从直线通过到一直以最高速度行驶</translation>
     </message>
 </context>
 <context>
@@ -3232,7 +3232,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <name>analysis.uncertainty_path_length</name>
     <message>
         <source>of the end positions, of lateral errors where the path turns, of what the robot could have done where it was bridged, and the calibration&apos;s scale uncertainty</source>
-        <translation type="unfinished"></translation>
+        <translation>两端位置的误差、转弯处垂直于路径方向的误差、机器人在插补时段内可能的运动，以及标定的尺度误差</translation>
     </message>
 </context>
 <context>
@@ -7292,21 +7292,21 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <name>exchange.axes_given</name>
     <message>
         <source>floor axes: %1 of the file</source>
-        <translation type="unfinished"></translation>
+        <translation>地面坐标轴：文件中的 %1</translation>
     </message>
 </context>
 <context>
     <name>exchange.axes_seen</name>
     <message>
         <source>floor axes: %1 of the file, as its %2 stays near %3</source>
-        <translation type="unfinished"></translation>
+        <translation>地面坐标轴：文件中的 %1，因为其 %2 保持在 %3 附近</translation>
     </message>
 </context>
 <context>
     <name>exchange.axes_unclear</name>
     <message>
         <source>its z varies by %1 while its %2 stays near %3</source>
-        <translation type="unfinished"></translation>
+        <translation>其 z 变化 %1，而其 %2 保持在 %3 附近</translation>
     </message>
 </context>
 <context>
@@ -7334,14 +7334,14 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <name>exchange.break_opened</name>
     <message>
         <source>its positions jump by %1 in line %2 and go on from there: %3 positions around count as not measured, and the path ends at the jump</source>
-        <translation type="unfinished"></translation>
+        <translation>其位置在第 %2 行跳变 %1 并从那里继续：周围 %3 个位置视为未测量，路径在跳变处中断</translation>
     </message>
 </context>
 <context>
     <name>exchange.breaks_too_often</name>
     <message>
         <source>its positions jump %1 times and go on from elsewhere</source>
-        <translation type="unfinished"></translation>
+        <translation>其位置跳变 %1 次并从别处继续</translation>
     </message>
 </context>
 <context>
@@ -7366,10 +7366,17 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>exchange.centre_impossible</name>
+    <message>
+        <source>the image centre (%1, %2) lies far outside the image of %3 × %4 pixels</source>
+        <translation>图像中心（%1, %2）远在 %3 × %4 像素的图像之外</translation>
+    </message>
+</context>
+<context>
     <name>exchange.check_both_units</name>
     <message>
         <source>choose the units of its times and positions</source>
-        <translation type="unfinished"></translation>
+        <translation>请选择其时间和位置的单位</translation>
     </message>
 </context>
 <context>
@@ -7397,7 +7404,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <name>exchange.check_track_column</name>
     <message>
         <source>check which column says the track of a line</source>
-        <translation type="unfinished"></translation>
+        <translation>请检查哪一列表示该行所属的轨迹</translation>
     </message>
 </context>
 <context>
@@ -7418,35 +7425,42 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <name>exchange.choose_a_time_unit</name>
     <message>
         <source>choose their unit: s, ms, us, ns or frame</source>
-        <translation type="unfinished"></translation>
+        <translation>请选择其单位：s、ms、us、ns 或 frame</translation>
     </message>
 </context>
 <context>
     <name>exchange.choose_axes</name>
     <message>
         <source>choose the axes of the floor: %1, or xy if that is right</source>
-        <translation type="unfinished"></translation>
+        <translation>请选择地面坐标轴：%1；如果 xy 正确则选 xy</translation>
     </message>
 </context>
 <context>
     <name>exchange.choose_axes_xy</name>
     <message>
         <source>choose the axes x and y</source>
-        <translation type="unfinished"></translation>
+        <translation>请选择 x 轴和 y 轴</translation>
     </message>
 </context>
 <context>
     <name>exchange.choose_decimal_sign</name>
     <message>
         <source>choose its decimal sign: point or comma</source>
-        <translation type="unfinished"></translation>
+        <translation>请选择小数点符号：点或逗号</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.choose_entry</name>
+    <message>
+        <source>choose one of them</source>
+        <translation>请选择其中一台</translation>
     </message>
 </context>
 <context>
     <name>exchange.choose_likely_unit</name>
     <message>
         <source>choose their unit: m, cm, mm or px; %1 is likely</source>
-        <translation type="unfinished"></translation>
+        <translation>请选择其单位：m、cm、mm 或 px；很可能是 %1</translation>
     </message>
 </context>
 <context>
@@ -7481,14 +7495,14 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <name>exchange.choose_time_unit</name>
     <message>
         <source>choose their unit: s, ms, us, ns or frame; %1 is likely</source>
-        <translation type="unfinished"></translation>
+        <translation>请选择其单位：s、ms、us、ns 或 frame；很可能是 %1</translation>
     </message>
 </context>
 <context>
     <name>exchange.choose_unit</name>
     <message>
         <source>choose their unit: m, cm, mm or px</source>
-        <translation type="unfinished"></translation>
+        <translation>请选择其单位：m、cm、mm 或 px</translation>
     </message>
 </context>
 <context>
@@ -7516,14 +7530,14 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <name>exchange.commas_group_thousands</name>
     <message>
         <source>commas separate thousands</source>
-        <translation type="unfinished"></translation>
+        <translation>逗号用作千位分隔符</translation>
     </message>
 </context>
 <context>
     <name>exchange.confidence_not_used</name>
     <message>
         <source>its confidences are neither from 0 to 1 nor from 0 to 100, and were not used</source>
-        <translation type="unfinished"></translation>
+        <translation>其置信度既不在 0 到 1 之间，也不在 0 到 100 之间，未被使用</translation>
     </message>
 </context>
 <context>
@@ -7569,17 +7583,24 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>exchange.focal_impossible</name>
+    <message>
+        <source>no lens has a focal length of %1 at %2 × %3 pixels</source>
+        <translation>在 %2 × %3 像素下，没有镜头的焦距为 %1</translation>
+    </message>
+</context>
+<context>
     <name>exchange.format_has_pixels</name>
     <message>
         <source>%1 writes positions in pixels, which are no lengths</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 以像素写出位置，而像素不是长度</translation>
     </message>
 </context>
 <context>
     <name>exchange.frames_without_rate</name>
     <message>
         <source>it has frame numbers in place of times</source>
-        <translation type="unfinished"></translation>
+        <translation>只有帧号而没有时间</translation>
     </message>
 </context>
 <context>
@@ -7593,7 +7614,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <name>exchange.give_lower_confidence</name>
     <message>
         <source>give a lower least confidence</source>
-        <translation type="unfinished"></translation>
+        <translation>请指定更低的最低置信度</translation>
     </message>
 </context>
 <context>
@@ -7621,7 +7642,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <name>exchange.give_pixel_length</name>
     <message>
         <source>give how long a pixel is on the floor, or choose another unit of the positions</source>
-        <translation type="unfinished"></translation>
+        <translation>请给出一个像素在地面上的长度，或选择位置的其他单位</translation>
     </message>
 </context>
 <context>
@@ -7635,7 +7656,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <name>exchange.give_rate</name>
     <message>
         <source>give the frame rate of the camera</source>
-        <translation type="unfinished"></translation>
+        <translation>请给出相机的帧率</translation>
     </message>
 </context>
 <context>
@@ -7656,7 +7677,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <name>exchange.held_left_out</name>
     <message>
         <source>%1 positions that only repeat the last one count as not measured; the first is in line %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 个只是重复上一个的位置视为未测量；第一个在第 %2 行</translation>
     </message>
 </context>
 <context>
@@ -7733,14 +7754,14 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <name>exchange.leave_out_confidence</name>
     <message>
         <source>leave out the least confidence</source>
-        <translation type="unfinished"></translation>
+        <translation>不要指定最低置信度</translation>
     </message>
 </context>
 <context>
     <name>exchange.leave_out_rate</name>
     <message>
         <source>leave out the frame rate</source>
-        <translation type="unfinished"></translation>
+        <translation>不要指定帧率</translation>
     </message>
 </context>
 <context>
@@ -7782,7 +7803,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <name>exchange.marks_left_out</name>
     <message>
         <source>%1 positions that only mark a lost robot (such as 0, 0) count as not measured; the first is in line %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 个仅表示机器人丢失的位置（如 0, 0）视为未测量；第一个在第 %2 行</translation>
     </message>
 </context>
 <context>
@@ -7845,7 +7866,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <name>exchange.no_confidence</name>
     <message>
         <source>it has no column of confidences</source>
-        <translation type="unfinished"></translation>
+        <translation>没有置信度列</translation>
     </message>
 </context>
 <context>
@@ -7860,6 +7881,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>it contains no project</source>
         <translation>其中没有项目</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.no_such_entry</name>
+    <message>
+        <source>it holds no camera &apos;%1&apos;, but %2</source>
+        <translation>其中没有相机“%1”，只有 %2</translation>
     </message>
 </context>
 <context>
@@ -7880,7 +7908,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <name>exchange.no_third_axis</name>
     <message>
         <source>it has no third coordinate</source>
-        <translation type="unfinished"></translation>
+        <translation>没有第三个坐标</translation>
     </message>
 </context>
 <context>
@@ -7888,6 +7916,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>none of its tracks has a position</source>
         <translation>其中没有一条轨迹有位置</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.no_valid_toml</name>
+    <message>
+        <source>it is not valid TOML (%1)</source>
+        <translation>不是有效的 TOML（%1）</translation>
     </message>
 </context>
 <context>
@@ -7901,7 +7936,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <name>exchange.none_sure_enough</name>
     <message>
         <source>none of its positions has a confidence of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>没有任何位置的置信度达到 %1</translation>
     </message>
 </context>
 <context>
@@ -7964,7 +7999,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <name>exchange.number_in_two_ways</name>
     <message>
         <source>its numbers can be read in two ways: &apos;%1&apos; with three decimals, or as %2</source>
-        <translation type="unfinished"></translation>
+        <translation>其数字有两种读法：带三位小数的“%1”，或者 %2</translation>
     </message>
 </context>
 <context>
@@ -8027,7 +8062,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <name>exchange.pixel_is</name>
     <message>
         <source>a pixel is %1</source>
-        <translation type="unfinished"></translation>
+        <translation>一个像素为 %1</translation>
     </message>
 </context>
 <context>
@@ -8041,14 +8076,14 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <name>exchange.points_group_thousands</name>
     <message>
         <source>points separate thousands</source>
-        <translation type="unfinished"></translation>
+        <translation>点用作千位分隔符</translation>
     </message>
 </context>
 <context>
     <name>exchange.positions_are_pixels</name>
     <message>
         <source>its positions are in pixels, which are no lengths</source>
-        <translation type="unfinished"></translation>
+        <translation>其位置以像素为单位，而像素不是长度</translation>
     </message>
 </context>
 <context>
@@ -8062,7 +8097,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <name>exchange.rate_beside_times</name>
     <message>
         <source>it has times, and no frame numbers</source>
-        <translation type="unfinished"></translation>
+        <translation>它有时间，而不是帧号</translation>
     </message>
 </context>
 <context>
@@ -8090,14 +8125,14 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <name>exchange.row_without_time</name>
     <message>
         <source>line %1 was left out, because it has no time</source>
-        <translation type="unfinished"></translation>
+        <translation>第 %1 行已略去，因为没有时间</translation>
     </message>
 </context>
 <context>
     <name>exchange.rows_without_time</name>
     <message>
         <source>%1 lines were left out, because they have no time; the first is line %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 行已略去，因为没有时间；第一行是第 %2 行</translation>
     </message>
 </context>
 <context>
@@ -8136,6 +8171,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>exchange.several_cameras</name>
+    <message>
+        <source>it holds several cameras: %1</source>
+        <translation>其中有多台相机：%1</translation>
+    </message>
+</context>
+<context>
     <name>exchange.several_documents</name>
     <message>
         <source>it holds more than one document</source>
@@ -8146,14 +8188,14 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <name>exchange.sigma_not_above_zero</name>
     <message>
         <source>its uncertainty &apos;%1&apos; is not above zero</source>
-        <translation type="unfinished"></translation>
+        <translation>其不确定度“%1”不大于零</translation>
     </message>
 </context>
 <context>
     <name>exchange.sigma_or_blank</name>
     <message>
         <source>give the standard deviation of each position, or leave these cells blank</source>
-        <translation type="unfinished"></translation>
+        <translation>请给出每个位置的标准差，或将这些单元格留空</translation>
     </message>
 </context>
 <context>
@@ -8167,35 +8209,35 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <name>exchange.stamp_left_out</name>
     <message>
         <source>line %1 was left out, because its time repeats or is out of order</source>
-        <translation type="unfinished"></translation>
+        <translation>第 %1 行已略去，因为其时间重复或乱序</translation>
     </message>
 </context>
 <context>
     <name>exchange.stamps_left_out</name>
     <message>
         <source>%1 lines were left out, because their times repeat or are out of order; the first is line %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 行已略去，因为其时间重复或乱序；第一行是第 %2 行</translation>
     </message>
 </context>
 <context>
     <name>exchange.stamps_shared</name>
     <message>
         <source>its times are so coarse that %1 lines share theirs with the line before</source>
-        <translation type="unfinished"></translation>
+        <translation>其时间太粗略，有 %1 行与前一行时间相同</translation>
     </message>
 </context>
 <context>
     <name>exchange.stamps_spread</name>
     <message>
         <source>its times are rounded to %1; the lines were spread evenly, %2 frames/s</source>
-        <translation type="unfinished"></translation>
+        <translation>其时间取整到 %1；各行已均匀分布，%2 帧/秒</translation>
     </message>
 </context>
 <context>
     <name>exchange.stamps_spread_with_gaps</name>
     <message>
         <source>its times are rounded to %1; the lines were spread evenly, with gaps</source>
-        <translation type="unfinished"></translation>
+        <translation>其时间取整到 %1；各行已均匀分布，并保留空缺</translation>
     </message>
 </context>
 <context>
@@ -8216,7 +8258,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <name>exchange.time_of_no_age</name>
     <message>
         <source>its time is more than a century from 1970</source>
-        <translation type="unfinished"></translation>
+        <translation>其时间距 1970 年超过一个世纪</translation>
     </message>
 </context>
 <context>
@@ -8230,42 +8272,42 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <name>exchange.time_steps_too_long</name>
     <message>
         <source>if its times are seconds, the rows are %1 apart and the run is %2 long</source>
-        <translation type="unfinished"></translation>
+        <translation>若其时间以秒计，行间隔为 %1，运行时长为 %2</translation>
     </message>
 </context>
 <context>
     <name>exchange.time_steps_too_short</name>
     <message>
         <source>its times have no unit, and as seconds the rows would be %1 apart</source>
-        <translation type="unfinished"></translation>
+        <translation>其时间没有单位；若以秒计，行间隔将为 %1</translation>
     </message>
 </context>
 <context>
     <name>exchange.times_by_rate</name>
     <message>
         <source>all its times are the same; the lines were spread at %1 frames/s</source>
-        <translation type="unfinished"></translation>
+        <translation>其所有时间都相同；各行按 %1 帧/秒分布</translation>
     </message>
 </context>
 <context>
     <name>exchange.times_since_1970</name>
     <message>
         <source>times in %1 since 1970</source>
-        <translation type="unfinished"></translation>
+        <translation>自 1970 年起的时间，单位 %1</translation>
     </message>
 </context>
 <context>
     <name>exchange.too_fast_as_said</name>
     <message>
         <source>in the units that it gives, the robot would drive at %1</source>
-        <translation type="unfinished"></translation>
+        <translation>按其给出的单位，机器人的速度将为 %1</translation>
     </message>
 </context>
 <context>
     <name>exchange.too_fast_in_metres</name>
     <message>
         <source>its positions have no unit, and in metres the robot would drive at %1</source>
-        <translation type="unfinished"></translation>
+        <translation>其位置没有单位；若以米计，机器人的速度将为 %1</translation>
     </message>
 </context>
 <context>
@@ -8286,7 +8328,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <name>exchange.too_many_tracks</name>
     <message>
         <source>the file has more than 1000 tracks</source>
-        <translation type="unfinished"></translation>
+        <translation>文件包含超过 1000 条轨迹</translation>
     </message>
 </context>
 <context>
@@ -8300,7 +8342,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <name>exchange.too_wide_in_metres</name>
     <message>
         <source>its positions have no unit, and in metres the floor would be %1 wide</source>
-        <translation type="unfinished"></translation>
+        <translation>其位置没有单位；若以米计，地面宽度将为 %1</translation>
     </message>
 </context>
 <context>
@@ -8335,7 +8377,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <name>exchange.twins_left_out</name>
     <message>
         <source>%1 lines were left out, because they repeat the line before</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 行已略去，因为与前一行重复</translation>
     </message>
 </context>
 <context>
@@ -8377,21 +8419,21 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <name>exchange.unset_stamps</name>
     <message>
         <source>lines left out because their time is 0: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>因时间为 0 而略去的行数：%1</translation>
     </message>
 </context>
 <context>
     <name>exchange.unsure_left_out</name>
     <message>
         <source>%1 positions with a confidence below %2 count as not measured; the first is in line %3</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 个置信度低于 %2 的位置视为未测量；第一个在第 %3 行</translation>
     </message>
 </context>
 <context>
     <name>exchange.use_calibration_file</name>
     <message>
-        <source>use a calibration file as ROS or OpenCV writes it</source>
-        <translation>请使用 ROS 或 OpenCV 所写的标定文件</translation>
+        <source>use a calibration file as ROS, OpenCV, Kalibr, anipose or PhotonVision writes it</source>
+        <translation>请使用 ROS、OpenCV、Kalibr、anipose 或 PhotonVision 写出的标定文件</translation>
     </message>
 </context>
 <context>
@@ -8433,7 +8475,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <name>exchange.write_finer_times</name>
     <message>
         <source>write the times with more digits, or give the frame rate of an even series</source>
-        <translation type="unfinished"></translation>
+        <translation>请用更多位数写出时间，或给出均匀序列的帧率</translation>
     </message>
 </context>
 <context>
@@ -11000,11 +11042,11 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
     <message>
         <source>Positions measured by another program or exported by Odograph: TUM, CSV, Tracker text and others. Odograph analyses them as a run without video.</source>
-        <translation type="unfinished"></translation>
+        <translation>由其他程序测量或由 Odograph 导出的位置：TUM、CSV、Tracker 文本等。Odograph 将其作为无视频的运行进行分析。</translation>
     </message>
     <message>
         <source>Tracks (*.csv *.txt *.tum *.tsv *.trc);;All files (*)</source>
-        <translation type="unfinished"></translation>
+        <translation>轨迹 (*.csv *.txt *.tum *.tsv *.trc);;所有文件 (*)</translation>
     </message>
 </context>
 <context>
@@ -11964,7 +12006,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <name>odo::PathSketch</name>
     <message>
         <source>The path from above</source>
-        <translation type="unfinished"></translation>
+        <translation>俯视路径</translation>
     </message>
 </context>
 <context>
@@ -12188,7 +12230,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
     <message>
         <source>shaded: hidden, ambiguous or not measured</source>
-        <translation type="unfinished"></translation>
+        <translation>阴影：被遮挡、存疑或未测量</translation>
     </message>
 </context>
 <context>
@@ -13471,7 +13513,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
     <message>
         <source>%1 not measured</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 处未测量</translation>
     </message>
 </context>
 <context>
@@ -14400,10 +14442,6 @@ Much more than expected means that a setting is wrong: the views are not synchro
         <translation>相机内参</translation>
     </message>
     <message>
-        <source>Calibrations (*.yaml *.yml);;All files (*)</source>
-        <translation>标定 (*.yaml *.yml);;所有文件 (*)</translation>
-    </message>
-    <message>
         <source>Import lens calibration</source>
         <translation>导入内参</translation>
     </message>
@@ -14426,6 +14464,14 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>Layout %1 has %2 markers.</source>
         <translation>布局 %1 有 %2 个标记。</translation>
+    </message>
+    <message>
+        <source>Calibrations (*.yaml *.yml *.json *.toml *.ini);;All files (*)</source>
+        <translation>标定文件 (*.yaml *.yml *.json *.toml *.ini);;所有文件 (*)</translation>
+    </message>
+    <message>
+        <source>The file holds several cameras. Which one is %1?</source>
+        <translation>文件中有多台相机。%1 是哪一台？</translation>
     </message>
 </context>
 <context>
@@ -14580,16 +14626,16 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <name>odo::TrackPreview</name>
     <message>
         <source>%1: too long to be shown before the import</source>
-        <translation type="unfinished"></translation>
+        <translation>%1：太长，导入前无法显示</translation>
     </message>
     <message>
         <source>%1, track %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1，轨迹 %2</translation>
     </message>
     <message numerus="yes">
         <source>%1: %2, %n lines in %3 s</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%1：%2，%3 秒内 %n 行</numerusform>
         </translation>
     </message>
 </context>
@@ -14597,119 +14643,119 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <name>odo::TrackReadingForm</name>
     <message>
         <source>&amp;Unit of positions</source>
-        <translation type="unfinished"></translation>
+        <translation>位置单位(&amp;U)</translation>
     </message>
     <message>
         <source>m</source>
-        <translation type="unfinished"></translation>
+        <translation>m</translation>
     </message>
     <message>
         <source>cm</source>
-        <translation type="unfinished"></translation>
+        <translation>cm</translation>
     </message>
     <message>
         <source>mm</source>
-        <translation type="unfinished"></translation>
+        <translation>mm</translation>
     </message>
     <message>
         <source>pixels</source>
-        <translation type="unfinished"></translation>
+        <translation>像素</translation>
     </message>
     <message>
         <source>Unit of t&amp;imes</source>
-        <translation type="unfinished"></translation>
+        <translation>时间单位(&amp;I)</translation>
     </message>
     <message>
         <source>s</source>
-        <translation type="unfinished"></translation>
+        <translation>秒</translation>
     </message>
     <message>
         <source>ms</source>
-        <translation type="unfinished">ms</translation>
+        <translation>毫秒</translation>
     </message>
     <message>
         <source>µs</source>
-        <translation type="unfinished"></translation>
+        <translation>微秒</translation>
     </message>
     <message>
         <source>ns</source>
-        <translation type="unfinished"></translation>
+        <translation>纳秒</translation>
     </message>
     <message>
         <source>frame numbers</source>
-        <translation type="unfinished"></translation>
+        <translation>帧号</translation>
     </message>
     <message>
         <source>F&amp;loor axes</source>
-        <translation type="unfinished"></translation>
+        <translation>地面坐标轴(&amp;L)</translation>
     </message>
     <message>
         <source>x and y</source>
-        <translation type="unfinished"></translation>
+        <translation>x 和 y</translation>
     </message>
     <message>
         <source>x and z</source>
-        <translation type="unfinished"></translation>
+        <translation>x 和 z</translation>
     </message>
     <message>
         <source>y and z</source>
-        <translation type="unfinished"></translation>
+        <translation>y 和 z</translation>
     </message>
     <message>
         <source>&amp;Decimal sign</source>
-        <translation type="unfinished"></translation>
+        <translation>小数点符号(&amp;D)</translation>
     </message>
     <message>
         <source>point</source>
-        <translation type="unfinished"></translation>
+        <translation>点</translation>
     </message>
     <message>
         <source>comma</source>
-        <translation type="unfinished"></translation>
+        <translation>逗号</translation>
     </message>
     <message>
         <source>&amp;Frame rate</source>
-        <translation type="unfinished"></translation>
+        <translation>帧率(&amp;F)</translation>
     </message>
     <message>
         <source> frames/s</source>
-        <translation type="unfinished"> 帧/s</translation>
+        <translation> 帧/秒</translation>
     </message>
     <message>
         <source>Of a file that numbers its frames</source>
-        <translation type="unfinished"></translation>
+        <translation>用于对帧编号的文件</translation>
     </message>
     <message>
         <source>Length of a &amp;pixel</source>
-        <translation type="unfinished"></translation>
+        <translation>像素长度(&amp;P)</translation>
     </message>
     <message>
         <source> mm</source>
-        <translation type="unfinished"> mm</translation>
+        <translation> 毫米</translation>
     </message>
     <message>
         <source>On the floor, for positions in pixels</source>
-        <translation type="unfinished"></translation>
+        <translation>在地面上，用于以像素为单位的位置</translation>
     </message>
     <message>
         <source>Least &amp;confidence</source>
-        <translation type="unfinished"></translation>
+        <translation>最低置信度(&amp;C)</translation>
     </message>
     <message>
         <source>Positions with a lower likelihood count as not measured</source>
-        <translation type="unfinished"></translation>
+        <translation>似然度更低的位置视为未测量</translation>
     </message>
     <message>
         <source>Accurac&amp;y</source>
-        <translation type="unfinished"></translation>
+        <translation>准确度(&amp;Y)</translation>
     </message>
     <message>
         <source>Standard deviation of the positions, slow errors included; scatter alone does not show those</source>
-        <translation type="unfinished"></translation>
+        <translation>位置的标准差，包括慢变误差；仅凭离散程度无法看出慢变误差</translation>
     </message>
     <message>
         <source>from the file</source>
-        <translation type="unfinished"></translation>
+        <translation>来自文件</translation>
     </message>
 </context>
 <context>
@@ -19904,7 +19950,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <name>workflow.accuracy_given</name>
     <message>
         <source>accurate to %1, as given</source>
-        <translation type="unfinished"></translation>
+        <translation>按给定值精确到 %1</translation>
     </message>
 </context>
 <context>
@@ -21885,7 +21931,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <name>workflow.slow_errors_not_seen</name>
     <message>
         <source>errors that change slowly are not included</source>
-        <translation type="unfinished"></translation>
+        <translation>不包括缓慢变化的误差</translation>
     </message>
 </context>
 <context>
