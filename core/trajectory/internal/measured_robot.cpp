@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/trajectory/internal/measured_robot.h"
 
+#include "core/base/percentile.h"
 #include "core/trajectory/internal/height_estimation.h"
 #include "core/trajectory/internal/pair_correction.h"
 #include "core/trajectory/internal/positioned_robot.h"
@@ -10,6 +11,7 @@
 #include "core/trajectory/view_disagreement.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace odo {
 
@@ -156,10 +158,47 @@ bool leaveOutFalse(const std::vector<Sample> &samples, std::vector<ViewTrack> &v
     return isAny;
 }
 
-/// Whether views still contradict each other by a cause where their false sightings are left out.
+/// Leaves out the outlines of a view that are smaller than usual, for where the robot is: something hides a
+/// part of it. Whether there are any.
+bool leaveOutParts(const std::vector<Sample> &samples, ViewTrack &view)
+{
+    constexpr double leastShare = 0.85; // of the usual radius
+    if (!view.floorView)
+        return false;
+    std::vector<std::pair<Observation *, double>> sizes;
+    auto sample = samples.begin();
+    for (Observation &one : view.observations) {
+        sample = std::find_if(sample, samples.end(),
+                              [&](const Sample &next) { return next.time >= timeOf(view, one); });
+        if (sample == samples.end())
+            break;
+        if (!one.found || one.touchesBorder || !sample->position)
+            continue;
+        const Eigen::Vector3d at(sample->position->x(), sample->position->y(), 0);
+        sizes.emplace_back(&one, std::sqrt(one.areaPx) * (at - view.floorView->cameraInWorld()).norm());
+    }
+    if (sizes.empty())
+        return false;
+    std::vector<double> all;
+    for (const auto &[observation, size] : sizes)
+        all.push_back(size);
+    const double usual = upperMedian(std::move(all));
+    bool isAny = false;
+    for (const auto &[observation, size] : sizes) {
+        observation->found = size >= leastShare * usual;
+        isAny |= !observation->found;
+    }
+    return isAny;
+}
+
+/// Whether views still contradict each other by a cause where false sightings, and those of a part of the
+/// robot, are left out.
 bool isContradictedWithout(const FusedTrack &plain, std::vector<ViewTrack> views, const RobotShape &shape)
 {
-    if (!leaveOutFalse(plain.samples, views))
+    bool isAny = leaveOutFalse(plain.samples, views);
+    for (ViewTrack &view : views)
+        isAny |= leaveOutParts(plain.samples, view);
+    if (!isAny)
         return true;
     const std::vector<Nanoseconds> times = timesOf(views.front());
     auto placed = positionRobot(views, times, shape);
