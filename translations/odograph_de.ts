@@ -7377,7 +7377,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
 <context>
     <name>exchange.centre_impossible</name>
     <message>
-        <source>the image centre (%1, %2) lies far outside the image of %3 × %4 pixels</source>
+        <source>the image centre (%1, %2) is far outside the image of %3 × %4 pixels</source>
         <translation>die Bildmitte (%1, %2) liegt weit außerhalb des Bildes von %3 × %4 Pixeln</translation>
     </message>
 </context>

@@ -7377,7 +7377,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
 <context>
     <name>exchange.centre_impossible</name>
     <message>
-        <source>the image centre (%1, %2) lies far outside the image of %3 × %4 pixels</source>
+        <source>the image centre (%1, %2) is far outside the image of %3 × %4 pixels</source>
         <translation>el centro de la imagen (%1, %2) queda muy fuera de la imagen de %3 × %4 píxeles</translation>
     </message>
 </context>

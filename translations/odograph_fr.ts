@@ -7377,7 +7377,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>exchange.centre_impossible</name>
     <message>
-        <source>the image centre (%1, %2) lies far outside the image of %3 × %4 pixels</source>
+        <source>the image centre (%1, %2) is far outside the image of %3 × %4 pixels</source>
         <translation>le centre de l&apos;image (%1, %2) est loin en dehors de l&apos;image de %3 × %4 pixels</translation>
     </message>
 </context>

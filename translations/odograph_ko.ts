@@ -7368,7 +7368,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
 <context>
     <name>exchange.centre_impossible</name>
     <message>
-        <source>the image centre (%1, %2) lies far outside the image of %3 × %4 pixels</source>
+        <source>the image centre (%1, %2) is far outside the image of %3 × %4 pixels</source>
         <translation>이미지 중심(%1, %2)이 %3 × %4 픽셀 이미지에서 멀리 벗어나 있습니다</translation>
     </message>
 </context>

@@ -7368,7 +7368,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
 <context>
     <name>exchange.centre_impossible</name>
     <message>
-        <source>the image centre (%1, %2) lies far outside the image of %3 × %4 pixels</source>
+        <source>the image centre (%1, %2) is far outside the image of %3 × %4 pixels</source>
         <translation>图像中心（%1, %2）远在 %3 × %4 像素的图像之外</translation>
     </message>
 </context>

@@ -332,8 +332,7 @@ private Q_SLOTS:
         row("INI without a size", QByteArray(ini).replace("width", "breadth"),
             ":1: the entry 'image_width' is missing");
         row("an impossible lens", changed("501.0", "1e300"), "no lens has a focal length of");
-        row("an impossible centre", changed("240.", "-1e6"),
-            "lies far outside the image of 640 × 480 pixels");
+        row("an impossible centre", changed("240.", "-1e6"), "is far outside the image of 640 × 480 pixels");
         row("nul", QByteArray("a\0b", 3), "it is not a UTF-8 text file");
     }
     void refusesHostileFiles()

@@ -17,6 +17,8 @@ class TestOneWay : public QObject
         static const QHash<QString, QString> all{
             {QStringLiteral("core/exchange/project_archive.cpp"),
              QStringLiteral("what is unpacked, in a TemporaryFolder")},
+            {QStringLiteral("app/commands/track_import.cpp"),
+             QStringLiteral("standard input, in the folder for temporary files")},
             {QStringLiteral("app/workbench.cpp"),
              QStringLiteral("asks Qt which kinds of pictures it writes, and writes none")},
             {QStringLiteral("core/project/write_ahead_log.cpp"),

@@ -250,7 +250,7 @@ private:
         if (std::abs(read.cxPx) > farthest * side || std::abs(read.cyPx) > farthest * side)
             return failure(m_root.line,
                            ODO_TEXT("exchange.centre_impossible",
-                                    "the image centre (%1, %2) lies far outside the image of %3 × %4 pixels")(
+                                    "the image centre (%1, %2) is far outside the image of %3 × %4 pixels")(
                                quantity(read.cxPx, 1), quantity(read.cyPx, 1), read.widthPx, read.heightPx));
         return {};
     }

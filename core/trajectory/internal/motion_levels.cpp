@@ -179,15 +179,14 @@ Levels shareOfLevels(const std::vector<Way> &ways)
     return share;
 }
 
-/// The decade of each step. Livelier than usual in the run it is by one decade at most: what seems livelier
-/// is rather a fault of the measurement.
+/// The decade of each step. Livelier than usual in the run it is not: what seems to be is a blow, which is
+/// known by itself, or rather a fault of the measurement.
 std::vector<double> decadesOf(const Way &way, const Levels &prior)
 {
-    constexpr double most = 1;
     const std::vector<Levels> found = posteriors(way, prior);
     std::vector<double> means(found.size());
     for (std::size_t i = 0; i < found.size(); ++i)
-        means[i] = std::min(std::inner_product(found[i].begin(), found[i].end(), decades.begin(), 0.0), most);
+        means[i] = std::min(std::inner_product(found[i].begin(), found[i].end(), decades.begin(), 0.0), 0.0);
     return means;
 }
 

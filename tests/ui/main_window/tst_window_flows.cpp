@@ -265,14 +265,29 @@ void TestWindowFlows::importsIntrinsics()
     const QString file = path(QStringLiteral("c.yaml"));
     QVERIFY(exportIntrinsics(project(), "C", file.toStdString()));
     const QStringList before = content();
-    run("Import lens calibration…",
-        {chooseFile(path(QStringLiteral("broken.yaml"))), enterText(QStringLiteral("D"))});
+    run("Import lens calibration…", {chooseFile(path(QStringLiteral("broken.yaml")))});
     QVERIFY2(message().contains(QLatin1String("broken.yaml")), qPrintable(message()));
     QCOMPARE(content(), before);
     run("Import lens calibration…", {chooseFile(file), enterText(QStringLiteral("D"))});
     const auto camera = project().cameras().find("D");
     QVERIFY2(camera, qPrintable(message()));
     QVERIFY(project().cameras().currentIntrinsics(camera->id)->has_value());
+
+    write(QStringLiteral("two.toml"), "[left]\nsize = [640, 480]\n"
+                                      "matrix = [[600, 0, 320], [0, 600, 240], [0, 0, 1]]\n"
+                                      "distortions = [0, 0, 0, 0]\n"
+                                      "[right]\nsize = [640, 480]\n"
+                                      "matrix = [[700, 0, 320], [0, 700, 240], [0, 0, 1]]\n"
+                                      "distortions = [0, 0, 0, 0]\n");
+    run("Import lens calibration…",
+        {chooseFile(path(QStringLiteral("two.toml"))), enterText(QStringLiteral("E")), [](QDialog &dialog) {
+             auto *names = dialog.findChild<QComboBox *>();
+             names->setCurrentText(QStringLiteral("right"));
+             dialog.accept();
+         }});
+    const auto second = project().cameras().find("E");
+    QVERIFY2(second, qPrintable(message()));
+    QCOMPARE(project().cameras().currentIntrinsics(second->id)->value().calibration.intrinsics.fxPx, 700.0);
 }
 
 Answer TestWindowFlows::importAnswer(const QString &trial, const QString &first, const QString &second,
