@@ -79,7 +79,7 @@ Measured measured(const DrawnRun &run)
         return result;
     }
     result.isHeightKept = profile->heightEstimated != run.told.heightM.has_value() &&
-                          (profile->heightEstimated || std::abs(profile->heightM - *run.told.heightM) < 1e-4);
+                          (profile->heightEstimated || std::abs(profile->heightM - *run.told.heightM) < 1e-3);
     double squares = 0, count = 0, inside = 0;
     std::vector<double> sigmas;
     for (std::size_t i = 0; i < profile->points.size(); ++i) {
