@@ -22,7 +22,7 @@ int runsOfEach()
 struct Measured
 {
     bool isRefused = false, isDoubted = false, isNamed = false, isNamedFirst = false;
-    bool isHeightKept = true;      ///< as given or estimated, however wrong it seems
+    bool isHeightKept = true;      ///< the given one, however wrong it seems
     double errorM = 0, sigmaM = 0; ///< root mean square of a coordinate; median
     double insideShare = 0;        ///< of the frames, in which the stated 95 % hold both coordinates
     std::string words;
@@ -78,7 +78,9 @@ Measured measured(const DrawnRun &run)
         result.words = profile.error().message();
         return result;
     }
-    result.isHeightKept = profile->heightEstimated != run.told.heightM.has_value();
+    result.isHeightKept = profile->heightEstimated != run.told.heightM.has_value() &&
+                          (profile->heightEstimated || !profile->contradiction ||
+                           std::abs(profile->heightM - *run.told.heightM) < 1e-4);
     double squares = 0, count = 0, inside = 0;
     std::vector<double> sigmas;
     for (std::size_t i = 0; i < profile->points.size(); ++i) {
