@@ -103,4 +103,14 @@ std::string plainLine(std::string_view text)
     return plain(text, false);
 }
 
+std::string lowerCaseAscii(std::string_view text)
+{
+    std::string lower(text);
+    for (char &c : lower) {
+        if (c >= 'A' && c <= 'Z')
+            c = static_cast<char>(c - 'A' + 'a');
+    }
+    return lower;
+}
+
 } // namespace odo

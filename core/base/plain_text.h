@@ -19,4 +19,7 @@ std::string plainText(std::string_view text);
 /// The same for what must stay on one line: line breaks and tabs become \x0a and \x09.
 std::string plainLine(std::string_view text);
 
+/// With a to z in place of A to Z; all else, also letters beyond ASCII, as it is, whatever the locale.
+std::string lowerCaseAscii(std::string_view text);
+
 } // namespace odo

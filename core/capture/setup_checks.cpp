@@ -2,6 +2,7 @@
 #include "core/capture/setup_checks.h"
 
 #include "core/base/file_system.h"
+#include "core/base/plain_text.h"
 #include "core/base/platform/file_status.h"
 #include "core/capture/camera_source.h"
 
@@ -40,17 +41,11 @@ std::vector<std::string> networkCameras(const std::vector<CheckedCamera> &camera
     return names;
 }
 
-std::string lowered(std::string text)
-{
-    std::ranges::transform(text, text.begin(), [](unsigned char c) { return std::tolower(c); });
-    return text;
-}
-
 /// A control whose name holds all of these words.
 const CameraControl *controlNamed(const CheckedCamera &camera, std::initializer_list<const char *> words)
 {
     const auto found = std::ranges::find_if(camera.controls, [&](const CameraControl &control) {
-        const std::string name = lowered(control.name + " " + control.id);
+        const std::string name = lowerCaseAscii(control.name + " " + control.id);
         return std::ranges::all_of(words,
                                    [&](const char *word) { return name.find(word) != std::string::npos; });
     });
@@ -202,7 +197,7 @@ SetupFinding checkFlicker(const CheckedCamera &camera)
     if (filter && filter->kind == CameraControl::Kind::Choice) {
         const auto chosen = static_cast<std::size_t>(std::max(0.0, filter->value));
         const std::string word = chosen < filter->choices.size() ? filter->choices[chosen] : "";
-        if (lowered(word).find("disabled") == std::string::npos)
+        if (lowerCaseAscii(word).find("disabled") == std::string::npos)
             return {Verdict::Good,
                     what,
                     ODO_TEXT("capture.flicker_filtered", "filtered by the camera (%1)")(word),

@@ -8,6 +8,7 @@
 #include "core/files/output_file.h"
 
 #include <algorithm>
+#include <iterator>
 
 namespace odo {
 
@@ -23,6 +24,13 @@ std::string nameOf(const CalibrationEntry &entry)
     return entry.name.empty() ? entry.key : entry.name;
 }
 
+std::vector<std::string> namesOf(const std::vector<CalibrationEntry> &entries)
+{
+    std::vector<std::string> names;
+    std::ranges::transform(entries, std::back_inserter(names), nameOf);
+    return names;
+}
+
 } // namespace
 
 Result<ImportedIntrinsics> parseCalibration(const std::filesystem::path &file, const std::string &text,
@@ -36,10 +44,7 @@ Result<ImportedIntrinsics> parseCalibration(const std::filesystem::path &file, c
             : std::ranges::find_if(entries, [&entry](const auto &one) { return isCalled(one, entry); });
     if (wanted != entries.end())
         return readCalibrationEntry(file, *wanted);
-    std::vector<std::string> names;
-    for (const CalibrationEntry &one : entries)
-        names.push_back(nameOf(one));
-    const MessageArgument all = listed(names, MessageArgument::Kind::Camera);
+    const MessageArgument all = listed(namesOf(entries), MessageArgument::Kind::Camera);
     return fail(ErrorCode::InvalidInput, atLine(file, 1),
                 entry.empty()
                     ? ODO_TEXT("exchange.several_cameras", "it holds several cameras: %1")(all)
@@ -57,10 +62,7 @@ Result<std::vector<std::string>> camerasInCalibration(const std::filesystem::pat
 {
     const auto text = ODO_TRY(readTextFile(file));
     const auto root = ODO_TRY(parseCalibrationTree(file, text, useCalibrationFile()));
-    std::vector<std::string> names;
-    for (const CalibrationEntry &entry : calibrationEntries(root))
-        names.push_back(nameOf(entry));
-    return names;
+    return namesOf(calibrationEntries(root));
 }
 
 Result<Intrinsics> readIntrinsics(const std::filesystem::path &file, const std::string &entry)

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/exchange/roster_csv.h"
 
+#include "core/base/plain_text.h"
 #include "core/exchange/text_file.h"
 #include "core/files/file_words.h"
 
 #include <algorithm>
-#include <cctype>
 #include <map>
 #include <optional>
 
@@ -17,10 +17,7 @@ namespace {
 std::optional<std::size_t> columnOf(const CsvRow &header, const std::string &name)
 {
     for (std::size_t i = 0; i < header.cells.size(); ++i) {
-        std::string cell = header.cells[i];
-        std::ranges::transform(cell, cell.begin(),
-                               [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-        if (cell == name)
+        if (lowerCaseAscii(header.cells[i]) == name)
             return i;
     }
     return std::nullopt;

@@ -3,6 +3,7 @@
 
 #include "core/base/error.h"
 #include "core/base/file_system.h"
+#include "core/base/plain_text.h"
 #include "core/base/platform/file_handle.h"
 #include "core/files/file_kind.h"
 #include "core/project/internal/opening_check.h"
@@ -13,7 +14,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <iterator>
 #include <optional>
 #include <set>
@@ -175,9 +175,7 @@ bool isForeign(const std::filesystem::path &file)
     constexpr std::array mediaEndings{".mkv", ".mp4",  ".mov",  ".m4v", ".avi",  ".webm", ".mjpeg",
                                       ".mpg", ".ts",   ".m2ts", ".mts", ".3gp",  ".wmv",  ".png",
                                       ".jpg", ".jpeg", ".bmp",  ".tif", ".tiff", ".part"};
-    std::string ending = file.extension().string();
-    std::ranges::transform(ending, ending.begin(),
-                           [](unsigned char letter) { return static_cast<char>(std::tolower(letter)); });
+    const std::string ending = lowerCaseAscii(file.extension().string());
     if (std::ranges::find(mediaEndings, ending) != mediaEndings.end())
         return false;
     if (!isOrdinary(file))

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/exchange/internal/calibration_entry.h"
 
+#include "core/base/plain_text.h"
 #include "core/base/units.h"
 #include "core/exchange/text_file.h"
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <cmath>
 
 namespace odo {
@@ -26,17 +26,11 @@ const Names widthNames{"image_width", "width"};
 const Names heightNames{"image_height", "height"};
 const Names sizeNames{"resolution", "size", "image_size"};
 
-bool isSameName(std::string_view a, std::string_view b)
-{
-    return std::ranges::equal(
-        a, b, [](unsigned char x, unsigned char y) { return std::tolower(x) == std::tolower(y); });
-}
-
 const YamlNode *findAny(const YamlNode &parent, const Names &names)
 {
     for (const std::string_view name : names)
         for (const YamlEntry &entry : parent.entries)
-            if (isSameName(entry.key, name))
+            if (lowerCaseAscii(entry.key) == lowerCaseAscii(name))
                 return &entry.value;
     return nullptr;
 }

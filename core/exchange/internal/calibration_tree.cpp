@@ -12,20 +12,15 @@ namespace odo {
 
 namespace {
 
-std::string_view trimmed(std::string_view line)
-{
-    constexpr std::string_view blanks = " \t\r";
-    const auto first = line.find_first_not_of(blanks);
-    return first == std::string_view::npos ? std::string_view()
-                                           : line.substr(first, line.find_last_not_of(blanks) - first + 1);
-}
-
 std::vector<std::string_view> linesOf(std::string_view text)
 {
     std::vector<std::string_view> lines;
     while (!text.empty()) {
         const auto end = std::min(text.find('\n'), text.size());
-        lines.push_back(trimmed(text.substr(0, end)));
+        std::string_view line = text.substr(0, end);
+        if (line.ends_with('\r'))
+            line.remove_suffix(1);
+        lines.push_back(withoutBlanks(line));
         text.remove_prefix(std::min(end + 1, text.size()));
     }
     return lines;
@@ -81,7 +76,7 @@ YamlNode treeOfIni(const std::vector<std::string_view> &lines)
             for (std::string_view rest = line; !rest.empty();) {
                 const auto end = std::min(rest.find_first_of(" \t"), rest.size());
                 values->items.push_back(scalar(std::string(rest.substr(0, end)), number));
-                rest = trimmed(rest.substr(end));
+                rest = withoutBlanks(rest.substr(end));
             }
         }
     }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/exchange/table/internal/column_name.h"
 
+#include "core/base/plain_text.h"
 #include "core/exchange/text_file.h"
 
 #include <algorithm>
@@ -125,16 +126,6 @@ std::optional<std::pair<char, std::string>> gluedAxis(const std::string &word)
 }
 
 } // namespace
-
-std::string lowerCaseAscii(std::string_view text)
-{
-    std::string lower(text);
-    for (char &c : lower) {
-        if (c >= 'A' && c <= 'Z')
-            c = static_cast<char>(c - 'A' + 'a');
-    }
-    return lower;
-}
 
 std::optional<LengthUnit> lengthUnitNamed(std::string_view lower)
 {

@@ -11,8 +11,6 @@
 
 namespace odo {
 
-std::string lowerCaseAscii(std::string_view text);
-
 template <class Words>
 bool isAmong(const Words &words, std::string_view word)
 {

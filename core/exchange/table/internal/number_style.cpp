@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/exchange/table/internal/number_style.h"
 
+#include "core/base/plain_text.h"
+
 #include <algorithm>
 #include <array>
 #include <charconv>
@@ -113,15 +115,6 @@ std::optional<Number> numberOf(std::string_view cell, const NumberStyle &style)
     return plain ? read<Number>(*plain) : std::nullopt;
 }
 
-std::string lowerCase(std::string_view text)
-{
-    std::string lower(text);
-    std::ranges::transform(lower, lower.begin(), [](char c) {
-        return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-    });
-    return lower;
-}
-
 } // namespace
 
 std::optional<double> styledNumber(std::string_view cell, const NumberStyle &style)
@@ -144,7 +137,7 @@ bool isMissingMark(std::string_view cell)
         "nan",      "-nan",      "+nan", "nan(ind)", "-nan(ind)", "inf",  "+inf",  "-inf",
         "infinity", "-infinity", "na",   "n/a",      "#n/a",      "<na>", "null",  "none",
         "nil",      "nd",        "-",    "--",       "---",       "?",    "#num!", "#value!"};
-    return std::ranges::find(marks, lowerCase(cell)) != marks.end();
+    return std::ranges::find(marks, lowerCaseAscii(cell)) != marks.end();
 }
 
 void NumberStyleSurvey::Column::Course::add(double value)

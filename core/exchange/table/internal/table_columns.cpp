@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/exchange/table/internal/table_columns.h"
 
+#include "core/base/plain_text.h"
 #include "core/exchange/table/internal/column_name.h"
 #include "core/exchange/text_file.h"
 
