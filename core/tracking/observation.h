@@ -25,6 +25,7 @@ struct Observation
     Nanoseconds time{0};         ///< of the recording, since its first frame
     bool found = false;          ///< when false the rest is meaningless
     bool duplicateFrame = false; ///< the frame repeats the one before it
+    bool isDamaged = false;      ///< the frame could not be decoded; such are not stored
     Ellipse ellipse;
     Eigen::Matrix2d centreCovariancePx2 = Eigen::Matrix2d::Zero();
     double areaPx = 0;

@@ -105,13 +105,19 @@ private Q_SLOTS:
     }
 
     /// There is no sample for a frame that could not be decoded.
+    /// A tracked view has an observation for each frame but the damaged ones; those of any view count.
     void damagedFrames()
     {
         Example example;
-        Profile &profile = example.profile();
-        profile.samples.resize(profile.samples.size() - 5);
+        std::vector<Nanoseconds> &times = example.recordings[1].frameTimes;
+        const std::size_t frames = times.size();
+        const auto addFrames = [&](std::size_t more) {
+            for (std::size_t i = 0; i < more; ++i)
+                times.push_back(times.back() + std::chrono::milliseconds(33));
+        };
+        addFrames(5);
         QVERIFY(example.check("frames_decoded").level == CheckLevel::Doubtful);
-        profile.samples.resize(10);
+        addFrames(frames);
         QVERIFY(example.check("frames_decoded").level == CheckLevel::Bad);
     }
 

@@ -4,6 +4,7 @@
 #include "core/synchronisation/internal/flash_synchronisation.h"
 #include "core/tracking/colour_tracker.h"
 #include "core/video/video_reader.h"
+#include "core/workflow/track/frame_damage.h"
 #include "core/workflow/track/view_tracking.h"
 #include "tests/support/registered_test.h"
 
@@ -54,7 +55,8 @@ void TestViewTracking::partsGiveWhatTheWholeGives()
     view.recording.frameTimes = (*reader)->info().frameTimes;
     const auto tracked = trackViews({view}, robots, {});
     QVERIFY(tracked.has_value());
-    QCOMPARE(tracked->front().damagedFrames, std::int64_t(0));
+    QCOMPARE(damageOf(tracked->front().series[0].observations, view.recording.frameTimes).frames,
+             std::int64_t(0));
 
     const auto tracker = ColourTracker::create(targets);
     int found = 0;

@@ -15,17 +15,17 @@ namespace odo {
 namespace {
 
 constexpr std::size_t leastSamples = 3; // an acceleration needs three positions
+constexpr double longestUnseenS = 0.2;  // of the ends: a few frames
 
-/// Whether the robot moves when it is measured last, or first, and there are frames for longer than what is
-/// bridged beyond: what it did then can only add to the metrics.
-bool isMovingUnseen(const std::vector<Sample> &samples, const std::vector<RunInstant> &instants,
-                    Nanoseconds longestBridgedGap)
+/// Whether the robot moves when it is measured last, or first, and there are frames for a while beyond: what
+/// it did then can only add to the metrics.
+bool isMovingUnseen(const std::vector<Sample> &samples, const std::vector<RunInstant> &instants)
 {
-    const double longestS = toSeconds(longestBridgedGap);
-    return (!isAtRest(instants.back()) &&
-            toSeconds(samples.back().time) - instants.back().timeS > longestS) ||
-           (!isAtRest(instants.front()) &&
-            instants.front().timeS - toSeconds(samples.front().time) > longestS);
+    const double firstS = toSeconds(samples.front().time), lastS = toSeconds(samples.back().time);
+    const double longestS =
+        std::max(longestUnseenS, bridgedIntervals * (lastS - firstS) / double(samples.size()));
+    return (!isAtRest(instants.back()) && lastS - instants.back().timeS > longestS) ||
+           (!isAtRest(instants.front()) && instants.front().timeS - firstS > longestS);
 }
 
 } // namespace
@@ -65,7 +65,7 @@ Result<Profile> profileOfTrack(FusedTrack track, const AnalysisOptions &options,
     const std::vector<RunInstant> instants = validInstants(track.samples, profile.points);
     profile.metrics = measureRun(instants);
     measureGaps(instants, profile);
-    const bool isUnseen = isMovingUnseen(track.samples, instants, options.longestBridgedGap);
+    const bool isUnseen = isMovingUnseen(track.samples, instants);
     if (options.task) {
         TaskMetrics metrics = measureTask(*options.task, track.samples, profile.points);
         profile.passages = std::move(metrics.passages);

@@ -332,8 +332,6 @@ void TrackJob::Impl::addOutcome(AnalysisRecord analysis)
         return robot.id == analysis.robot && isFoundByColour({robot.name, robot.colour});
     });
     result.frames = static_cast<std::int64_t>(analysis.profile.samples.size());
-    if (!views.empty()) // damaged ones have no sample
-        result.frames = std::max(result.frames, std::ssize(views.front().recording.frameTimes));
     for (const Sample &sample : analysis.profile.samples)
         result.tracked += sample.position.has_value();
     if (!settings.again || !analysis.ambiguousNames.empty())

@@ -5,6 +5,7 @@
 #include "core/base/percentile.h"
 #include "core/trajectory/occlusions.h"
 #include "core/trajectory/view_disagreement.h"
+#include "core/workflow/track/frame_damage.h"
 #include "core/workflow/trial_sources.h"
 
 #include <algorithm>
@@ -185,16 +186,17 @@ std::vector<Message> damageWarnings(const std::string &trialName, const std::vec
 {
     std::vector<Message> sentences;
     for (std::size_t v = 0; v < views.size(); ++v) {
-        const TrackedView &one = tracked[v];
-        if (one.damagedFrames == 0)
+        const std::vector<Nanoseconds> &times = views[v].recording.frameTimes;
+        const FrameDamage damage = damageOf(tracked[v].series.front().observations, times);
+        if (damage.frames == 0)
             continue;
-        sentences.push_back(wholeMessage(
-            viewInTrialSubject(views[v].recording.cameraName, trialName),
-            ODO_TEXT("workflow.damaged_frames",
-                     "%1 of its %2 frames, from %3 to %4, are damaged and were not measured")(
-                one.damagedFrames, views[v].recording.frameTimes.size(),
-                quantity(toSeconds(one.damaged.begin), 1, "s"), quantity(toSeconds(one.damaged.end), 1, "s")),
-            ODO_TEXT("workflow.copy_file_again", "copy the file from the camera again")));
+        sentences.push_back(
+            wholeMessage(viewInTrialSubject(views[v].recording.cameraName, trialName),
+                         ODO_TEXT("workflow.damaged_frames",
+                                  "%1 of its %2 frames, from %3 to %4, are damaged and were not measured")(
+                             damage.frames, times.size(), quantity(toSeconds(damage.span.begin), 1, "s"),
+                             quantity(toSeconds(damage.span.end), 1, "s")),
+                         ODO_TEXT("workflow.copy_file_again", "copy the file from the camera again")));
     }
     return sentences;
 }

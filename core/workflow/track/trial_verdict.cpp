@@ -6,6 +6,7 @@
 #include "core/project/project.h"
 #include "core/project/repositories.h"
 #include "core/trajectory/view_disagreement.h"
+#include "core/workflow/track/frame_damage.h"
 #include "core/workflow/track/track_warnings.h"
 #include "core/workflow/track/view_tracking.h"
 #include "core/workflow/trial_sources.h"
@@ -159,20 +160,19 @@ void checkFrames(const RecordingRecord &view, const std::string &trial, Checks &
                           Join::Colon));
 }
 
-/// There is a sample for each frame of the first view that could be decoded.
-void checkDecoding(const AnalysisRecord &analysis, const RecordingRecord &first, const std::string &trial,
+void checkDecoding(const ObservationSeries &series, const RecordingRecord &view, const std::string &trial,
                    Checks &checks)
 {
-    const std::size_t frames = first.frameTimes.size(), samples = analysis.profile.samples.size();
-    if (analysis.views.empty() || samples == 0 || samples >= frames)
+    const std::size_t frames = view.frameTimes.size();
+    const std::int64_t damaged = damageOf(series.observations, view.frameTimes).frames;
+    if (damaged == 0)
         return;
-    checks.add(
-        framesDecoded,
-        double(frames - samples) > badGaps * double(frames) ? CheckLevel::Bad : CheckLevel::Doubtful,
-        joined({viewInTrialSubject(first.cameraName, trial),
-                ODO_TEXT("workflow.frames_not_decoded",
-                         "%1 of its %2 frames are damaged and were not measured")(frames - samples, frames)},
-               Join::Colon));
+    checks.add(framesDecoded,
+               double(damaged) > badGaps * double(frames) ? CheckLevel::Bad : CheckLevel::Doubtful,
+               joined({viewInTrialSubject(view.cameraName, trial),
+                       ODO_TEXT("workflow.frames_not_decoded",
+                                "%1 of its %2 frames are damaged and were not measured")(damaged, frames)},
+                      Join::Colon));
 }
 
 void checkSynchronisation(const RecordingRecord &view, const std::string &trial, Checks &checks)
@@ -202,12 +202,15 @@ void checkRegistration(const RegistrationRecord &registration, const std::string
                                          "if it moved before this trial, register it again and reanalyse")));
 }
 
-/// A camera that was moved while the trial was recorded.
-Result<void> checkMoves(Project &project, const AnalysisRecord &analysis, const RecordingRecord &view,
-                        const std::string &trial, Checks &checks)
+/// What the tracking of a view found: damaged frames, and that its camera was moved meanwhile.
+Result<void> checkTracking(Project &project, const AnalysisRecord &analysis, const RecordingRecord &view,
+                           const std::string &trial, Checks &checks)
 {
     const auto series = ODO_TRY(project.trials().currentObservations(view.id, analysis.robot));
-    if (const auto move = series ? storedMove(*series) : std::nullopt)
+    if (!series)
+        return {};
+    checkDecoding(*series, view, trial, checks);
+    if (const auto move = storedMove(*series))
         checks.add(cameraStill, CheckLevel::Doubtful, movedSentence(trial, view, *move));
     return {};
 }
@@ -287,10 +290,8 @@ Result<TrialVerdict> verdictOn(Project &project, const TrialRecord &trial,
         const auto registration =
             ODO_TRY(project.cameras().registration(analyses.front().registrations[view]));
         checkRegistration(registration, recordings[view]->cameraName, checks);
-        ODO_TRY(checkMoves(project, analyses.front(), *recordings[view], trial.name, checks));
+        ODO_TRY(checkTracking(project, analyses.front(), *recordings[view], trial.name, checks));
     }
-    if (!recordings.empty())
-        checkDecoding(analyses.front(), *recordings.front(), trial.name, checks);
     for (std::size_t i = 0; used.size() > 1 && i < used.size(); ++i)
         checkSynchronisation(*recordings[used[i]], trial.name, checks);
     passTheRest(!recordings.empty(), used.size(), checks);

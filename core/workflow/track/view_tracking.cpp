@@ -12,6 +12,7 @@
 #include "core/trajectory/solid_choice.h"
 #include "core/video/frame_stream.h"
 #include "core/workflow/shared_words.h"
+#include "core/workflow/track/frame_damage.h"
 #include "core/workflow/track/track_warnings.h"
 #include "core/workflow/trial_sources.h"
 
@@ -140,19 +141,6 @@ void leaveOutMoved(TrackedView &tracked, const std::optional<CameraMove> &move)
         leaveOut(observations);
 }
 
-/// Frames that the decoder left out.
-void addDamaged(std::size_t begin, std::size_t end, const std::vector<Nanoseconds> &times,
-                TrackedView &tracked)
-{
-    end = std::min(end, times.size());
-    if (begin >= end)
-        return;
-    if (tracked.damagedFrames == 0)
-        tracked.damaged.begin = times[begin];
-    tracked.damaged.end = times[end - 1];
-    tracked.damagedFrames += static_cast<std::int64_t>(end - begin);
-}
-
 Result<TrackedView> trackView(const RegisteredView &view, const std::vector<RobotRecord> &robots,
                               const std::vector<TrackTarget> &targets, const JobControl &control,
                               SharedProgress &progress, WithLight light, std::optional<Background> background)
@@ -188,7 +176,6 @@ Result<TrackedView> trackView(const RegisteredView &view, const std::vector<Robo
         const auto index = static_cast<std::size_t>(frame->index);
         if (index < times.size())
             frame->time = times[index];
-        addDamaged(next, index, times, tracked);
         next = index + 1;
         if (light == WithLight::Measured)
             tracked.light.push_back(lightMeter.measure(*frame));
@@ -205,7 +192,6 @@ Result<TrackedView> trackView(const RegisteredView &view, const std::vector<Robo
         ++tracked.frames;
         progress.countFrame();
     }
-    addDamaged(next, times.size(), times, tracked);
     tracked.decodeCpuTime = stream.decodeCpuTime();
     leaveOutMoved(tracked, watch.move());
     if (tracker)
@@ -360,18 +346,22 @@ std::vector<ViewTrack> takeViewTracks(const std::vector<RegisteredView> &views,
                                       std::vector<TrackedView> &tracked, std::size_t robot)
 {
     std::vector<ViewTrack> tracks;
-    for (std::size_t v = 0; v < views.size(); ++v)
-        tracks.push_back({views[v].recording.cameraName, views[v].floorView,
-                          fromSeconds(views[v].recording.startOffsetS),
-                          std::move(tracked[v].series[robot].observations), views[v].recording.clockRate,
-                          views[v].recording.startOffsetSigmaS});
+    for (std::size_t v = 0; v < views.size(); ++v) {
+        const RecordingRecord &recording = views[v].recording;
+        std::vector<Observation> observations = std::move(tracked[v].series[robot].observations);
+        insertDamaged(observations, recording.frameTimes);
+        tracks.push_back({recording.cameraName, views[v].floorView, fromSeconds(recording.startOffsetS),
+                          std::move(observations), recording.clockRate, recording.startOffsetSigmaS});
+    }
     return tracks;
 }
 
 void returnObservations(std::vector<ViewTrack> tracks, std::vector<TrackedView> &tracked, std::size_t robot)
 {
-    for (std::size_t v = 0; v < tracks.size(); ++v)
+    for (std::size_t v = 0; v < tracks.size(); ++v) {
+        removeDamaged(tracks[v].observations);
         tracked[v].series[robot].observations = std::move(tracks[v].observations);
+    }
 }
 
 RobotShape shapeOf(const RobotRecord &robot)

@@ -21,8 +21,6 @@ struct TrackedView
     /// (settleNames).
     std::vector<std::vector<Observation>> others;
     std::int64_t frames = 0;
-    std::int64_t damagedFrames = 0; ///< that could not be decoded soundly; they are not measured
-    TimeSpan damaged;               ///< from the first to the last of them
     Nanoseconds decodeCpuTime{0};
     /// Of each robot: the part of the first frame with its given colour. Empty where nothing was decoded.
     std::vector<double> sharesAlike;
@@ -58,8 +56,9 @@ std::optional<CameraMove> storedMove(const ObservationSeries &series);
 bool isEverSeen(const std::vector<RegisteredView> &views, const std::vector<TrackedView> &tracked,
                 std::size_t robot);
 
-/// One robot's part of what trackViews gave, ready to be analysed. Its observations are moved there, not
-/// copied: an hour of them is 16 MB a view. returnObservations gives them back.
+/// One robot's part of what trackViews gave, ready to be analysed: with the damaged frames, as such in which
+/// nothing was found. Its observations are moved there, not copied: an hour of them is 16 MB a view.
+/// returnObservations gives them back as they were.
 std::vector<ViewTrack> takeViewTracks(const std::vector<RegisteredView> &views,
                                       std::vector<TrackedView> &tracked, std::size_t robot);
 void returnObservations(std::vector<ViewTrack> tracks, std::vector<TrackedView> &tracked, std::size_t robot);
