@@ -52,6 +52,26 @@ std::vector<Sample> measured(const Course &course, double durationS, double sigm
     return samples;
 }
 
+/// With an error of independent steps that is forgotten within lastsS.
+std::vector<Sample> drifting(const Course &course, double durationS, double sigmaM, double lastsS,
+                             unsigned seed)
+{
+    std::mt19937 random(seed);
+    std::normal_distribution<double> noise(0, sigmaM);
+    std::vector<Sample> samples;
+    Eigen::Vector2d drift(noise(random), noise(random));
+    const double kept = std::exp(-1 / (lastsS * framesPerSecond));
+    for (int i = 0; i <= durationS * framesPerSecond; ++i) {
+        Sample &sample = samples.emplace_back();
+        sample.frame = i;
+        sample.time = fromSeconds(i / framesPerSecond);
+        drift = kept * drift + std::sqrt(1 - kept * kept) * Eigen::Vector2d(noise(random), noise(random));
+        sample.position = course(i / framesPerSecond).position + drift;
+        sample.covariance = Eigen::Matrix2d::Identity() * 1e-6;
+    }
+    return samples;
+}
+
 std::vector<ProfilePoint> smoothed(std::vector<Sample> samples, bool mayWobble = false)
 {
     MeasurementNoise measurement;
@@ -162,6 +182,38 @@ private Q_SLOTS:
             QVERIFY(told.rms < taken.rms / 3);
             QVERIFY(told.within > 0.9);
         }
+    }
+
+    /// A localisation whose error drifts and is pulled back: the truth is inside what is stated, and the
+    /// robot's speed is not that of the drift.
+    void aDriftIsNotDriven_data()
+    {
+        QTest::addColumn<double>("sigmaM");
+        QTest::addColumn<double>("lastsS");
+        // What lasts longer shows its width only in a longer run.
+        for (const auto &[sigmaM, lastsS] : {std::pair(0.003, 0.15), {0.01, 0.15}, {0.01, 0.65}})
+            QTest::addRow("%.0f mm for %.2f s", 1e3 * sigmaM, lastsS) << sigmaM << lastsS;
+    }
+    void aDriftIsNotDriven()
+    {
+        QFETCH(const double, sigmaM);
+        QFETCH(const double, lastsS);
+        const Course eight = figureEight(0.8, 0.4, 6);
+        double inside = 0, rms = 0, sigma = 0;
+        constexpr unsigned runs = 8;
+        for (unsigned seed = 0; seed < runs; ++seed) {
+            const Spread off =
+                errorOf(smoothed(drifting(eight, 12, sigmaM, lastsS, seed), true), 0, 12,
+                        [&](const ProfilePoint &point, double t) {
+                            return std::pair((point.position - eight(t).position).x(), point.sigmaXM);
+                        });
+            inside += off.within / runs;
+            rms += off.rms / runs;
+            sigma += off.sigma / runs;
+        }
+        qInfo("%.1f mm off at a stated %.1f: %.0f %% within 2 σ", 1e3 * rms, 1e3 * sigma, 100 * inside);
+        QVERIFY(inside > 0.9);
+        QVERIFY(sigma < 4 * sigmaM); // a σ of anything would hold
     }
 
     /// The robot's own swaying is its motion, and white noise is no wobble.

@@ -34,10 +34,11 @@ struct MeasurementNoise
     double slowShare = 0; ///< part of the scaled variance that is slow; the rest is independent
     double slowLengthM = 0.1;
     double trust = 10; ///< how many innovations the scale counts as, against those of the data
-    /// The error may have a part that changes within a fraction of a second; whether it has is told from the
-    /// track. Only where the covariances do not correlate x with y.
+    /// The error may have a part that wobbles or drifts; whether it has is found from the track. Only where
+    /// the covariances do not correlate x with y.
     bool mayWobble = false;
-    double wobbleM = 0, wobbleRate = 0; ///< of that part, at the stated covariances; see MotionNoise
+    double wobbleM = 0, wobbleRate = 0; ///< of that part, as of MotionNoise
+    int wobbleOrder = 2;
 };
 
 /// What moves the robot and blurs the measurement.
@@ -47,6 +48,7 @@ struct MotionNoise
     double measurementScale = 1; ///< as of MeasurementNoise
     double slowShare = 0, slowLengthM = 0.1;
     double wobbleM = 0, wobbleRate = 0; ///< σ and λ, 1/s, as WobbleFilter says; without σ there is none
+    int wobbleOrder = 2;                ///< 2: its rate changes smoothly; 1: it drifts, in independent steps
 };
 
 /// Noise added to position, velocity and acceleration of one axis by white jerk, and by the blow where the

@@ -16,10 +16,11 @@ namespace odo {
 MotionNoise estimateMotionNoise(const std::vector<std::span<const TrackNode>> &segments, bool robust,
                                 const MeasurementNoise &measurement = {});
 
-/// The measurement's noise with the wobble that the track shows, at the scale of `measurement`: by maximum
-/// likelihood again, with the jerk density; without one where it does not explain the track much better. Of
-/// what a robot does itself it takes nothing: it is faster than a third of a second, and a few millimetres.
-/// still: the noise if nothing wobbles, as estimateMotionNoise gives it.
+/// The measurement's noise with the wobble or drift that the track shows, at the scale of `measurement`: by
+/// maximum likelihood again, with the jerk density; without one where it does not explain the track much
+/// better. Of what a robot does itself it takes nothing: a smooth wobble is faster than a third of a second,
+/// and a few millimetres; a drift changes in steps that no mass can follow. A drift is as wide as the track
+/// lets it be. still: the noise if nothing wobbles, as estimateMotionNoise gives it.
 MeasurementNoise withWobble(const std::vector<std::span<const TrackNode>> &segments,
                             const MeasurementNoise &measurement, const MotionNoise &still);
 

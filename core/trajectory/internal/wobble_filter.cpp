@@ -26,10 +26,13 @@ struct WobbleStep
         transition.topLeftCorner<3, 3>() << 1, dt, dt * dt / 2, 0, 1, dt, 0, 0, 1;
         noise.topLeftCorner<3, 3>() = jerkNoise(dt, to, motion);
         const double rate = motion.wobbleRate, variance = motion.wobbleM * motion.wobbleM;
-        Eigen::Matrix2d kept;
-        kept << 1 + rate * dt, dt, -rate * rate * dt, 1 - rate * dt;
+        const bool drifts = motion.wobbleOrder == 1;
+        Eigen::Matrix2d kept = Eigen::Vector2d(1, 0).asDiagonal();
+        if (!drifts)
+            kept << 1 + rate * dt, dt, -rate * rate * dt, 1 - rate * dt;
         kept *= std::exp(-rate * dt);
-        const Eigen::Matrix2d usual = Eigen::Vector2d(variance, rate * rate * variance).asDiagonal();
+        const Eigen::Matrix2d usual =
+            Eigen::Vector2d(variance, drifts ? 0 : rate * rate * variance).asDiagonal();
         transition.bottomRightCorner<2, 2>() = kept;
         noise.bottomRightCorner<2, 2>() = usual - kept * usual * kept.transpose();
     }
@@ -46,7 +49,8 @@ WobbleFilter::Axis startOf(double position, double variance, const MotionNoise &
     WobbleFilter::Axis axis;
     axis.mean[0] = position;
     axis.covariance.diagonal() << variance + wobble, firstSigmaMps * firstSigmaMps,
-        firstSigmaMps2 * firstSigmaMps2, wobble, noise.wobbleRate * noise.wobbleRate * wobble;
+        firstSigmaMps2 * firstSigmaMps2, wobble,
+        noise.wobbleOrder == 1 ? 0 : noise.wobbleRate * noise.wobbleRate * wobble;
     // What is measured too far is the wobble's sum with the position: the two are anticorrelated.
     axis.covariance(0, 3) = axis.covariance(3, 0) = -wobble;
     return axis;

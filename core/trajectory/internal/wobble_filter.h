@@ -7,11 +7,12 @@
 
 namespace odo {
 
-/// As MotionFilter, for tracks whose error wobbles: a marker on a mast that rocks, or positions that another
-/// program has smoothed. Besides the independent part the error then has one that changes within a fraction
-/// of a second: a Gauss–Markov process of second order (Gelb 1974, § 3.8; a Matérn process of ν = 3/2) with
-/// the standard deviation wobbleM and the correlation (1 + λt)·exp(−λt). Its speed would otherwise be taken
-/// for the robot's. Each axis by itself: correlations of x and y in the covariances are not used.
+/// As MotionFilter, for tracks whose error wobbles or drifts. Besides the independent part the error then has
+/// a Gauss–Markov process (Gelb 1974, § 3.8) with the standard deviation wobbleM. Of second order (a Matérn
+/// process of ν = 3/2), with the correlation (1 + λt)·exp(−λt): a marker on a mast that rocks, or positions
+/// that another program has smoothed. Of first order, with exp(−λt): a localisation that drifts and is pulled
+/// back. Its speed would otherwise be taken for the robot's. Each axis by itself: correlations of x and y in
+/// the covariances are not used.
 class WobbleFilter
 {
 public:
