@@ -25,7 +25,6 @@ constexpr double leastCauseHeightM = 0.05, mostCauseHeightM = 100; // of a camer
 constexpr double clearlyBetterCause = 3, leastCauseDifferencePx = 0.7;
 constexpr double nadirCosine = 0.9; // a camera that looks straight down to 25° has no upper side
 constexpr double otherSize = 1.03;  // a size nearer to the camera's is the same one
-constexpr double largeScale = 1.25; // of sizes that are tried where the markers fit somehow
 constexpr double otherZoom = 1.05, farBetter = 0.1;
 constexpr double symmetricShare = 0.02; // of a layout's extent: looks the same mirrored
 constexpr double samePixels = 3;        // of another camera's markers, RMS: as people click
@@ -170,13 +169,13 @@ public:
             tryFromBelow();
             tryColumnsSwapped();
             tryQuarterTurns();
-            tryOtherSizes();
         }
         tryMirroredImage();
         tryMirroredLayout();
         tryOrders();
         tryOtherCameras();
         if (!m_fitPx) {
+            tryOtherSizes();
             tryWithoutOne();
             tryOtherZoom();
         }
@@ -254,7 +253,8 @@ private:
 
     void tryOtherSizes()
     {
-        if (provesLittle() && pixelOutside(m_tried.pairs, m_tried.camera) == nullptr)
+        const bool isOutside = pixelOutside(m_tried.pairs, m_tried.camera) != nullptr;
+        if (m_tried.context.isSeenInImage || (provesLittle() && !isOutside))
             return;
         std::vector<Cause> others;
         std::swap(others, m_causes);
@@ -273,8 +273,7 @@ private:
         const auto isBeyond = [&](const PointPair &pair) {
             return pair.target.x() > width - 0.5 || pair.target.y() > height - 0.5;
         };
-        if (differs < otherSize || (m_fitPx && differs < largeScale) ||
-            std::ranges::any_of(m_tried.pairs, isBeyond))
+        if (differs < otherSize || std::ranges::any_of(m_tried.pairs, isBeyond))
             return;
         consider(pixelOutside(m_tried.pairs, m_tried.camera) ? Freedom::None : Freedom::Choice,
                  moved([&](const Vector2d &p) -> Vector2d {
