@@ -158,21 +158,27 @@ Result<void> transform(CommandCall &call)
     const auto change = ODO_TRY(changeOf(call));
     const auto project = ODO_TRY(call.openProject(1, Project::Access::ReadWrite));
     const auto outcome = ODO_TRY(changeLayoutAxes(*project, call.text(2), change));
-    QStringList cameras;
+    QStringList cameras, tasks;
     for (const std::string &camera : outcome.cameras)
         cameras << QString::fromStdString(camera);
+    for (const std::string &task : outcome.movedTasks)
+        tasks << QString::fromStdString(task);
     const QString carried =
         cameras.isEmpty()
             ? QStringLiteral("No camera is registered to it.")
             : QStringLiteral("Registrations updated: %1.").arg(cameras.join(QStringLiteral(", ")));
+    const QString moved = tasks.isEmpty()
+                              ? QString()
+                              : QStringLiteral("\nTasks updated: %1.").arg(tasks.join(QStringLiteral(", ")));
     call.answer({{QStringLiteral("layout"), call.positional(2)},
                  {QStringLiteral("markers"), markersJson(outcome.layout.layout)},
-                 {QStringLiteral("cameras"), QJsonArray::fromStringList(cameras)}},
-                markersText(outcome.layout.layout) + u'\n' + carried);
+                 {QStringLiteral("cameras"), QJsonArray::fromStringList(cameras)},
+                 {QStringLiteral("tasks"), QJsonArray::fromStringList(tasks)}},
+                markersText(outcome.layout.layout) + u'\n' + carried + moved);
     if (!outcome.tasks.empty())
         CommandCall::warn(ODO_TEXT("app.tasks_stay",
                                    "the gates and paths of tasks keep their coordinates in the old axes; "
-                                   "if they belong to this floor, recreate %1")(
+                                   "they are used on other floors, too: %1")(
             listed(outcome.tasks, MessageArgument::Kind::Task, MessageArgument::Joint::Comma)));
     return {};
 }

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/calibration/floor_registration.h"
 
+#include "core/base/units.h"
 #include "core/calibration/internal/plane_pose.h"
+#include "core/calibration/internal/registration_causes.h"
 #include "core/calibration/internal/wording.h"
 #include "core/calibration/intrinsics_influence.h"
 #include "core/geometry/homography.h"
@@ -21,18 +23,15 @@ constexpr double nearestPixels = 1.0;     // markers closer than that are one an
 constexpr double nearestPositions = 1e-3; // of the layout's extent
 constexpr double tooClose = 0.01;         // of the layout's extent: of four markers each must count
 constexpr double smallHeightM = 0.3, smallExtentM = 0.7; // below both, the numbers may well be centimetres
-constexpr double leastSigmaPx = 1;       // a misfit below it needs no other explanation than noise
-constexpr double carefulPx = 0.4;        // RMS of markers seen to 0.3 px and measured without an error
-constexpr double otherOrderFits = 0.005; // of the markers' extent in the image
-constexpr double worstMisfit = 0.01;     // of the same: no plane
-constexpr double worstSigma = 0.02;      // of the layout's extent on the floor
+constexpr double leastSigmaPx = 1;   // a misfit below it needs no other explanation than noise
+constexpr double carefulPx = 0.4;    // RMS of markers seen to 0.3 px and measured without an error
+constexpr double worstMisfit = 0.01; // of the same: no plane
+constexpr double worstSigma = 0.02;  // of the layout's extent on the floor
 // Four markers leave two residuals, five leave four: so little that a badly wrong one may fit a wrong pose to
-// a hundredth of the layout. Then only people's usual care reveals it: a pixel, and 2 mm and half a
-// millimetre a metre by a tape. For such errors the sum of the squares of four markers is χ² of two degrees
-// of freedom: one in fifty lies beyond 8, where the program snaps to the marker hardly any; of five it has
-// four, and nobody careful comes to 40. Of two million drawn layouts with a fault, those that passed all else
-// had 9.5 and more, and 100.
-constexpr double carefulMarkPx = 1, carefulTapeM = 0.002, carefulTapeShare = 0.0005;
+// a hundredth of the layout. Then only people's usual care reveals it (carefulMarkPx, carefulTapeM). For such
+// errors the sum of the squares of four markers is χ² of two degrees of freedom: one in fifty lies beyond 8,
+// where the program snaps to the marker hardly any; of five it has four, and nobody careful comes to 40. Of
+// two million drawn layouts with a fault, those that passed all else had 9.5 and more, and 100.
 constexpr double worstSumOfFour = 8, worstSumOfFive = 40;
 
 tl::unexpected<Error> refuse(Message why, Message advice, ErrorCode code = ErrorCode::Undetermined)
@@ -159,51 +158,60 @@ double extentPx(const std::vector<PointPair> &pairs)
     return extentOf(points);
 }
 
-Message checkLabelsAdvice()
+/// The usual mistakes that explain a misfit, or else the advice where none does.
+Message causesOr(const TriedMarkers &tried, Message otherwise)
 {
-    return ODO_TEXT("calibration.check_labels", "check these labels");
+    Message causes = likelyCauses(tried);
+    return causes.isEmpty() ? otherwise : causes;
 }
 
-/// The advice after a misfit: the swap of labels that would fix it, if one does.
-Message orderAdvice(const std::vector<PointPair> &pairs, const CameraModel &camera, FocalLength focal,
-                    Message otherwise)
+/// A pixel outside the image was never seen in it.
+Result<void> checkPixels(const TriedMarkers &tried)
 {
-    Message better = betterOrder(pairs, camera, focal, otherOrderFits * extentPx(pairs));
-    return better.isEmpty() ? otherwise : joined({std::move(better), checkLabelsAdvice()}, Join::Colon);
+    const PointPair *outside = pixelOutside(tried.pairs, tried.camera);
+    if (outside == nullptr)
+        return {};
+    const Intrinsics &lens = tried.camera.intrinsics();
+    const double u = outside->target.x(), v = outside->target.y();
+    const bool isU =
+        std::abs(u - lens.widthPx / 2.0) * lens.heightPx > std::abs(v - lens.heightPx / 2.0) * lens.widthPx;
+    return refuse(
+        (isU ? ODO_TEXT("calibration.u_outside", "u = %1 of marker %2 is outside the image of %3")
+             : ODO_TEXT("calibration.v_outside", "v = %1 of marker %2 is outside the image of %3"))(
+            quantity(isU ? u : v, 0), Named::marker(outside->label), sizeText(lens.widthPx, lens.heightPx)),
+        causesOr(tried, correctPixels()));
 }
 
-/// Words about an order of the labels that fits five times better, or as well as markers that are seen and
-/// measured with care; empty where there is none.
-Message ambiguityOfOrder(const std::vector<PointPair> &pairs, const PlanePose &pose,
-                         const CameraModel &camera, FocalLength focal)
+/// Mistakes without which the markers fit five times better, or as well as markers that are seen and measured
+/// with care; empty where there is none.
+Message clearMistake(const TriedMarkers &tried, const PlanePose &pose)
 {
     // With the focal length free, four markers fit in nearly any order: that would prove nothing.
-    if (pose.rmsPx < leastSigmaPx || (focal == FocalLength::Free && pairs.size() == 4))
+    if (pose.rmsPx < leastSigmaPx || (tried.focal == FocalLength::Free && tried.pairs.size() == 4))
         return {};
-    return betterOrder(pairs, camera, focal, std::max(0.2 * pose.rmsPx, carefulPx));
+    return likelyCauses(tried, std::max(0.2 * pose.rmsPx, carefulPx));
 }
 
-Result<PlanePose> soundPose(const std::vector<PointPair> &pairs, const CameraModel &camera, FocalLength focal)
+Result<PlanePose> soundPose(const TriedMarkers &tried)
 {
-    auto pose = fitPlanePose(pairs, camera, focal);
+    auto pose = fitPlanePose(tried.pairs, tried.camera, tried.focal);
     if (!pose)
-        return refuse(pose.error().why, orderAdvice(pairs, camera, focal, pose.error().advice));
+        return refuse(pose.error().why, causesOr(tried, pose.error().advice));
     if (pose->worldFromCamera.translation.z() <= 0)
         return refuse(
             joined({ODO_TEXT("calibration.markers_mirrored", "the markers are mirrored"),
                     ODO_TEXT("calibration.camera_below_floor",
                              "in this order the camera would be below the floor")},
                    Join::Colon),
-            orderAdvice(
-                pairs, camera, focal,
-                joined({ODO_TEXT("calibration.y_left_of_x", "seen from above, Y must point to the left of X"),
-                        ODO_TEXT("calibration.check_signs", "check the signs of the layout")},
-                       Join::Colon)));
-    Message better = ambiguityOfOrder(pairs, *pose, camera, focal);
-    if (!better.isEmpty())
-        return refuse(ODO_TEXT("calibration.other_order_fits", "the markers fit only to %1, but %2")(
-                          quantity(pose->rmsPx, 1, "px"), std::move(better)),
-                      checkLabelsAdvice());
+            causesOr(tried, joined({ODO_TEXT("calibration.y_left_of_x",
+                                             "seen from above, Y must point to the left of X"),
+                                    ODO_TEXT("calibration.check_signs", "check the signs of the layout")},
+                                   Join::Colon)));
+    Message mistake = clearMistake(tried, *pose);
+    if (!mistake.isEmpty())
+        return refuse(
+            ODO_TEXT("calibration.fit_only_to", "the markers fit only to %1")(quantity(pose->rmsPx, 1, "px")),
+            std::move(mistake));
     return pose;
 }
 
@@ -314,7 +322,7 @@ Result<void> measureMarkers(const std::vector<PointPair> &pairs, const FloorView
 /// there.
 double carelessness(const std::vector<MarkerError> &markers, double layoutM)
 {
-    const double tapeM = carefulTapeM + carefulTapeShare * layoutM;
+    const double tapeM = carefulTapeM(layoutM);
     double sum = 0;
     for (const MarkerError &marker : markers) {
         if (marker.errorPx > 0 && marker.errorM > 0)
@@ -363,13 +371,34 @@ Message unitWords(const FloorRegistration &registration, double layoutM)
         {ODO_TEXT("calibration.camera_stands_low",
                   "The camera would be only %1 above the floor")(millimetres(heightM)),
          joined({ODO_TEXT("calibration.layout_not_in_mm", "if that is wrong, the layout is not in mm"),
-                 ODO_TEXT("calibration.convert_unit", "convert its unit.")},
+                 likelyUnit(heightM), ODO_TEXT("calibration.convert_unit", "convert its unit.")},
                 Join::Semicolon)},
         Join::Colon);
 }
 
-Message verdictOf(const FloorRegistration &registration, const PlanePose &pose, double layoutM,
-                  bool intrinsicsKnown)
+/// With four corners of a rectangle, a floor that is mirrored fits as well as the right one.
+Message mirrorWords()
+{
+    return joined({ODO_TEXT("calibration.camera_upside_down", "The camera would be upside down"),
+                   ODO_TEXT("calibration.floor_may_be_mirrored",
+                            "if it is not, v is counted from below, and the labels are mirrored.")},
+                  Join::Semicolon);
+}
+
+/// The pixels are those of another camera, too.
+Message otherCameraWords(const TriedMarkers &tried)
+{
+    for (const OtherCamera &other : tried.context.others) {
+        if (const auto apartPx = markersApartPx(other, tried.pairs))
+            return ODO_TEXT("calibration.same_as_other_camera",
+                            "Camera '%1' sees the markers at the same pixels (to %2): check that the views "
+                            "are not swapped.")(Named::camera(other.name), quantity(*apartPx, 1, "px"));
+    }
+    return {};
+}
+
+Message verdictOf(const FloorRegistration &registration, const TriedMarkers &tried, const PlanePose &pose,
+                  double layoutM, bool intrinsicsKnown)
 {
     const double sigmaM = registration.floorSigmaM;
     const auto worst = std::ranges::max_element(registration.markers, {}, &MarkerError::errorM);
@@ -377,26 +406,32 @@ Message verdictOf(const FloorRegistration &registration, const PlanePose &pose, 
     if (registration.markers.size() == 4)
         hardly = hardlyChecked(
             ODO_TEXT("calibration.four_markers_unchecked", "Four markers are too few to check each other"));
-    return joined({registrationVerdict(
-                       std::max(registration.rmsM, sigmaM), layoutM,
-                       ODO_TEXT("calibration.markers_fit",
-                                "%1 markers fit to %2 RMS (worst %3, %4); floor uncertainty ±%5")(
-                           registration.markers.size(), millimetres(registration.rmsM),
-                           Named::marker(worst->label), millimetres(worst->errorM), millimetres(sigmaM))),
-                   std::move(hardly), lensWords(pose, intrinsicsKnown), unitWords(registration, layoutM)},
+    Message fit =
+        ODO_TEXT("calibration.markers_fit", "%1 markers fit to %2 RMS (worst %3, %4); floor uncertainty ±%5")(
+            registration.markers.size(), millimetres(registration.rmsM), Named::marker(worst->label),
+            millimetres(worst->errorM), millimetres(sigmaM));
+    const bool mirrored = mayBeMirrored(tried, pose);
+    return joined({mirrored
+                       ? doubtfulVerdict(std::move(fit))
+                       : registrationVerdict(std::max(registration.rmsM, sigmaM), layoutM, std::move(fit)),
+                   mirrored ? mirrorWords() : Message(), otherCameraWords(tried), std::move(hardly),
+                   lensWords(pose, intrinsicsKnown), unitWords(registration, layoutM)},
                   Join::Space);
 }
 
 } // namespace
 
 Result<FloorRegistration> registerFloor(const MarkerLayout &layout, const std::vector<MarkerPixel> &pixels,
-                                        const CameraModel &camera, bool intrinsicsKnown)
+                                        const CameraModel &camera, bool intrinsicsKnown,
+                                        const RegistrationContext &context)
 {
     const auto pairs = ODO_TRY(commonMarkers(layout, pixels));
     const double layoutM = extentM(pairs);
     ODO_TRY(checkDistances(pairs, layoutM));
-    const FocalLength focal = intrinsicsKnown ? FocalLength::Known : FocalLength::Free;
-    const auto pose = ODO_TRY(soundPose(pairs, camera, focal));
+    const TriedMarkers tried{pairs, camera, intrinsicsKnown ? FocalLength::Known : FocalLength::Free,
+                             context};
+    ODO_TRY(checkPixels(tried));
+    const auto pose = ODO_TRY(soundPose(tried));
     ODO_TRY(checkPosition(pose));
 
     FloorRegistration registration;
@@ -414,7 +449,8 @@ Result<FloorRegistration> registerFloor(const MarkerLayout &layout, const std::v
                                   quantity(registration.rmsPx, 1, "px"), Named::marker(worst->label),
                                   quantity(worst->errorPx, 1, "px"))},
                              Join::Colon),
-                      ODO_TEXT("calibration.check_all", "check the layout, the labels and the intrinsics"));
+                      causesOr(tried, ODO_TEXT("calibration.check_all",
+                                               "check the layout, the labels and the intrinsics")));
     }
     if (registration.floorSigmaM > worstSigma * layoutM)
         return refuse(
@@ -430,8 +466,9 @@ Result<FloorRegistration> registerFloor(const MarkerLayout &layout, const std::v
                         pairs.size(), quantity(registration.rmsPx, 1, "px"), millimetres(registration.rmsM)),
                     ODO_TEXT("calibration.wrong_by_more", "it may be wrong by much more")},
                    Join::Semicolon),
-            ODO_TEXT("calibration.measure_again", "mark and remeasure them, or add another"));
-    registration.verdict = verdictOf(registration, pose, layoutM, intrinsicsKnown);
+            causesOr(tried,
+                     ODO_TEXT("calibration.measure_again", "mark and remeasure them, or add another")));
+    registration.verdict = verdictOf(registration, tried, pose, layoutM, intrinsicsKnown);
     return registration;
 }
 

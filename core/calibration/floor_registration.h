@@ -6,6 +6,7 @@
 #include "core/geometry/camera_model.h"
 #include "core/geometry/floor_view.h"
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -33,18 +34,37 @@ struct FloorRegistration
     Intrinsics intrinsics;
 };
 
+/// Another camera of the testbed, whose markers may have been taken for this one's.
+struct OtherCamera
+{
+    std::string name;
+    CameraModel camera;
+    std::optional<FloorView> view; ///< where it is registered to the same layout
+};
+
+/// What is known of the markers' pixels besides; it names mistakes, and changes no position.
+struct RegistrationContext
+{
+    /// They were found or clicked in an image of this camera, at its size: not taken over from elsewhere.
+    bool isSeenInImage = false;
+    std::vector<OtherCamera> others;
+};
+
 /// Homography by normalised DLT from undistorted pixels, decomposed to a pose (Zhang 2000), refined with the
 /// lens model on pixel distance (Levenberg–Marquardt); covariance from the Jacobian with the residuals' σ,
 /// steadied by a prior of 0.3 px that weighs as four residuals. Refuses by name: fewer than four markers
 /// common to both lists, doubled labels or points, collinear markers, mirrored or swapped order, non-finite
-/// values, a camera below the floor, markers beyond the horizon, markers that fit no plane, labels that fit
-/// five times better in another order where that is no chance (a pixel), a floor known worse than 3 % of the
-/// layout's extent, and a camera lower than 5 cm or higher than 100 m (a wrong unit).
+/// values, pixels outside the image, a camera below the floor, markers beyond the horizon, markers that fit
+/// no plane, markers that fit five times better without a usual mistake where that is no chance (a pixel), a
+/// floor known worse than 3 % of the layout's extent, and a camera lower than 5 cm or higher than 100 m (a
+/// wrong unit). The advice names the usual mistakes that explain the misfit (internal/registration_causes.h).
+/// The verdict is "Doubtful" where the floor may be mirrored.
 ///
 /// With intrinsicsKnown = false the focal length is estimated from the homography as well where it is
 /// determined to 10 %; elsewhere the one given stays. Use the registration's intrinsics with its pose.
 Result<FloorRegistration> registerFloor(const MarkerLayout &layout, const std::vector<MarkerPixel> &pixels,
-                                        const CameraModel &camera, bool intrinsicsKnown);
+                                        const CameraModel &camera, bool intrinsicsKnown,
+                                        const RegistrationContext &context = {});
 
 /// σ of one coordinate of a marker's pixel, as it is believed of before any residual is seen.
 inline constexpr double usualMarkSigmaPx = 0.3;

@@ -15,6 +15,7 @@
 #include <array>
 #include <cmath>
 #include <iterator>
+#include <memory>
 #include <opencv2/imgproc.hpp>
 #include <optional>
 
@@ -80,6 +81,41 @@ std::vector<SeenTag> layoutTags(const Frame &frame, const MarkerLayout &layout, 
     return tags;
 }
 
+/// The luma of a frame, seen in a mirror.
+Frame mirrored(const Frame &frame)
+{
+    auto buffer = std::make_shared<FrameBuffer>(frame.format);
+    for (int y = 0; y < frame.y.height; ++y)
+        std::reverse_copy(frame.y.row(y), frame.y.row(y) + frame.y.width, buffer->yRow(y));
+    return FrameBuffer::toFrame(std::move(buffer), frame.index, frame.time);
+}
+
+/// Of an image in which the markers are not found: they are, once it is mirrored. A tag cannot be read as
+/// another one in a mirror; of rings and dots all must fit.
+std::optional<Error> mirroredMarkers(const Frame &frame, const MarkerLayout &layout,
+                                     const MarkerSearch &search, const Message &what)
+{
+    const Frame mirror = mirrored(frame);
+    const auto ofLayout =
+        static_cast<std::size_t>(std::ranges::count_if(findTags(mirror), [&](const SeenTag &tag) {
+            return tag.number < static_cast<int>(layout.markers.size());
+        }));
+    const Message flip = ODO_TEXT("calibration.flip_image",
+                                  "switch off mirroring in the camera or its program, or flip the file");
+    if (ofLayout >= 2)
+        return Error{ErrorCode::Undetermined, what,
+                     ODO_TEXT("calibration.tags_mirrored", "%1 tags were found, mirrored")(ofLayout), flip};
+    const CameraModel camera = search.camera.value_or(CameraModel::assumed(frame.y.width, frame.y.height));
+    const auto shapes = findRoundMarkers(mirror);
+    const auto assigned = assignMarkers(shapes, layout, camera, search.camera && search.intrinsicsKnown, {});
+    if (!assigned || assigned->size() < std::max<std::size_t>(5, layout.markers.size()))
+        return std::nullopt;
+    return Error{ErrorCode::Undetermined, what,
+                 ODO_TEXT("calibration.rings_mirrored",
+                          "%1 rings and dots fit the layout, mirrored")(assigned->size()),
+                 flip};
+}
+
 } // namespace
 
 Result<std::vector<MarkerPixel>> findMarkers(const Frame &frame, const MarkerLayout &layout,
@@ -113,7 +149,9 @@ Result<std::vector<MarkerPixel>> findMarkers(const Frame &frame, const MarkerLay
         if (std::ranges::find(hints, hint.label, &MarkerPixel::label) == hints.end())
             hints.push_back(hint);
     }
-    if (shapes.size() + hints.size() < 4)
+    if (shapes.size() + hints.size() < 4) {
+        if (auto error = mirroredMarkers(frame, layout, search, what))
+            return tl::unexpected(*error);
         return fail(ErrorCode::Undetermined, what,
                     joined({ODO_TEXT("calibration.markers_found", "%1 of %2 were found, four are needed")(
                                 markers.size(), layout.markers.size()),
@@ -124,10 +162,15 @@ Result<std::vector<MarkerPixel>> findMarkers(const Frame &frame, const MarkerLay
                     ODO_TEXT("calibration.show_missing_tags",
                              "show the missing tags (AprilTag 36h11, numbered from 0 in the layout's order) "
                              "or rings, or mark the markers by hand"));
+    }
     const CameraModel camera = search.camera.value_or(CameraModel::assumed(frame.y.width, frame.y.height));
     const bool known = search.camera && search.intrinsicsKnown;
-    auto assigned = ODO_TRY(assignMarkers(shapes, layout, camera, known, hints));
-    return withTrueCentres(std::move(assigned), shapes, layout, camera, known);
+    auto assigned = assignMarkers(shapes, layout, camera, known, hints);
+    if (!assigned) {
+        auto error = mirroredMarkers(frame, layout, search, what);
+        return tl::unexpected(error ? *error : assigned.error());
+    }
+    return withTrueCentres(std::move(*assigned), shapes, layout, camera, known);
 }
 
 namespace {

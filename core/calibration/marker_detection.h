@@ -25,7 +25,7 @@ struct MarkerSearch
 /// index of its label in the layout (first marker: tag 0, ...); where fewer than four of them are seen, rings
 /// and dots as well, named by assignMarkers(). The pixel is the image of the marker's middle, not the middle
 /// of its image. Error Undetermined, naming how many of how many were found, when fewer than four are seen,
-/// and as assignMarkers.
+/// and as assignMarkers; where they are found in the mirrored image, it says that instead.
 Result<std::vector<MarkerPixel>> findMarkers(const Frame &frame, const MarkerLayout &layout,
                                              const MarkerSearch &search = {});
 

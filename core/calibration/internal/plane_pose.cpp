@@ -8,7 +8,6 @@
 #include <Eigen/SVD>
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <optional>
 #include <vector>
 
@@ -207,80 +206,6 @@ std::optional<PlanePose> refinePlanePose(std::span<const PointPair> pairs, const
                                          FocalLength focal, const RigidTransform &worldFromCamera)
 {
     return refined(pairs, camera, focal, {worldFromCamera, 1}, {});
-}
-
-namespace {
-
-using Order = std::vector<std::size_t>;
-
-/// RMS in pixels when marker i is given the pixel of marker order[i].
-std::optional<double> misfit(std::span<const PointPair> pairs, const Order &order, const CameraModel &camera,
-                             FocalLength focal)
-{
-    std::vector<PointPair> ordered(pairs.begin(), pairs.end());
-    for (std::size_t i = 0; i < order.size(); ++i)
-        ordered[i].target = pairs[order[i]].target;
-    const auto pose = fitPlanePose(ordered, camera, focal);
-    if (!pose || pose->worldFromCamera.translation.z() <= 0)
-        return std::nullopt;
-    return pose->rmsPx;
-}
-
-std::vector<Order> exchanges(std::size_t count)
-{
-    Order order(count);
-    std::iota(order.begin(), order.end(), 0);
-    std::vector<Order> orders;
-    for (std::size_t i = 0; i < count; ++i) {
-        for (std::size_t j = i + 1; j < count; ++j) {
-            orders.push_back(order);
-            std::swap(orders.back()[i], orders.back()[j]);
-        }
-    }
-    return orders;
-}
-
-Message describe(std::span<const PointPair> pairs, const Order &order, double rmsPx)
-{
-    std::vector<std::size_t> moved;
-    for (std::size_t i = 0; i < order.size(); ++i) {
-        if (order[i] != i)
-            moved.push_back(i);
-    }
-    const MessageArgument fit = quantity(rmsPx, 1, "px");
-    if (moved.size() == 2)
-        return ODO_TEXT("calibration.labels_exchanged", "with %1 and %2 swapped they fit to %3")(
-            Named::marker(pairs[moved[0]].label), Named::marker(pairs[moved[1]].label), fit);
-    std::vector<std::string> told, meant;
-    for (std::size_t i : moved) {
-        told.push_back(pairs[order[i]].label);
-        meant.push_back(pairs[i].label);
-    }
-    const auto inOrder = [](const std::vector<std::string> &labels) {
-        return listed(labels, MessageArgument::Kind::Marker, MessageArgument::Joint::Comma);
-    };
-    return ODO_TEXT("calibration.labels_called", "with %1 renamed %2 they fit to %3")(inOrder(told),
-                                                                                      inOrder(meant), fit);
-}
-
-} // namespace
-
-Message betterOrder(std::span<const PointPair> pairs, const CameraModel &camera, FocalLength focal,
-                    double fitPx)
-{
-    std::vector<Message> better;
-    const auto consider = [&](const Order &order) {
-        if (const auto rmsPx = misfit(pairs, order, camera, focal); rmsPx && *rmsPx <= fitPx)
-            better.push_back(describe(pairs, order, *rmsPx));
-    };
-    for (const Order &order : exchanges(pairs.size()))
-        consider(order);
-    if (better.empty() && pairs.size() == 4) {
-        Order order{0, 1, 2, 3};
-        while (better.empty() && std::ranges::next_permutation(order).found)
-            consider(order);
-    }
-    return joined(std::move(better), Join::Semicolon);
 }
 
 } // namespace odo

@@ -47,11 +47,4 @@ Result<PlanePose> fitPlanePose(std::span<const PointPair> pairs, const CameraMod
 std::optional<PlanePose> refinePlanePose(std::span<const PointPair> pairs, const CameraModel &camera,
                                          FocalLength focal, const RigidTransform &worldFromCamera);
 
-/// Finds the mistake in labels that do not fit: each exchange of two labels, and for four markers each order,
-/// is fitted. Returns clauses such as "with U and V swapped they fit to 0.3 px", for every swap that fits to
-/// within fitPx, with semicolons between them; empty where nothing helps. The camera is assumed to be above
-/// the floor.
-Message betterOrder(std::span<const PointPair> pairs, const CameraModel &camera, FocalLength focal,
-                    double fitPx);
-
 } // namespace odo

@@ -27,6 +27,11 @@ Message usableVerdict(Message clauses)
     return ODO_TEXT("calibration.usable", "Usable: %1.")(std::move(clauses));
 }
 
+Message doubtfulVerdict(Message clauses)
+{
+    return ODO_TEXT("calibration.doubtful", "Doubtful: %1.")(std::move(clauses));
+}
+
 Message registrationVerdict(double worseM, double extentM, Message clauses)
 {
     if (worseM <= std::max(0.005, 0.0025 * extentM))

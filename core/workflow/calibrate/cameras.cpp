@@ -9,7 +9,9 @@
 #include "core/project/records.h"
 #include "core/project/repositories.h"
 #include "core/workflow/calibrate/register_job.h"
+#include "core/workflow/calibrate/result_axes.h"
 #include "core/workflow/shared_words.h"
+#include "core/workflow/trial_sources.h"
 
 #include <algorithm>
 #include <map>
@@ -60,7 +62,7 @@ Result<void> exportIntrinsics(Project &project, const std::string &camera, const
             ErrorCode::NotFound,
             ODO_TEXT("workflow.intrinsics_of_camera", "intrinsics of camera '%1'")(Named::camera(camera)),
             ODO_TEXT("workflow.never_calibrated", "it was never calibrated"),
-            ODO_TEXT("workflow.run_calibrate", "run odograph calibrate, or odograph intrinsics import"));
+            ODO_TEXT("workflow.run_calibrate", "calibrate its lens, or import its intrinsics"));
     return writeIntrinsics(target, camera, intrinsics->calibration.intrinsics);
 }
 
@@ -193,6 +195,29 @@ Result<std::vector<Revision>> revisionsOf(Project &project, const std::string &c
     return all;
 }
 
+namespace {
+
+/// A registration in other axes than its layout has now would mix both on one floor.
+Result<void> chooseInPresentAxes(Project &project, const std::string &camera, RecordId id)
+{
+    RegistrationRecord record = ODO_TRY(project.cameras().registration(id));
+    const auto axes = ODO_TRY(presentAxesOf(project, record));
+    if (!axes)
+        return fail(ErrorCode::InvalidInput, ODO_TEXT("workflow.registration", "registration %1")(id),
+                    ODO_TEXT("workflow.registration_in_older_axes",
+                             "it has other axes: those of its layout were changed since"),
+                    ODO_TEXT("workflow.register_camera_anew", "register the camera again"));
+    if (axes->scale == 1 && axes->turnRad == 0 && axes->shiftM.isZero(0))
+        return project.cameras().chooseRegistration(id);
+    std::optional<RegistrationCheck> check = record.lastCheck;
+    if (check)
+        check->shiftM *= axes->scale;
+    record.registration = transformed(record.registration, *axes);
+    return withoutValue(storeFromOldMarkers(project, camera, std::move(record), check));
+}
+
+} // namespace
+
 Result<void> chooseRevision(Project &project, const std::string &camera, Revision::Kind kind, RecordId id)
 {
     const auto revisions = ODO_TRY(revisionsOf(project, camera));
@@ -213,7 +238,7 @@ Result<void> chooseRevision(Project &project, const std::string &camera, Revisio
                                          "choose registration %1 of camera %2")(id, Named::camera(camera)),
                           [&] {
                               return isCalibration ? project.cameras().chooseIntrinsics(id)
-                                                   : project.cameras().chooseRegistration(id);
+                                                   : chooseInPresentAxes(project, camera, id);
                           });
 }
 
@@ -329,14 +354,73 @@ Result<void> carryCameras(Project &project, const LayoutRecord &layout, LayoutAx
     return {};
 }
 
-Result<std::vector<std::string>> tasksWithPositions(Project &project)
+bool hasPositions(const Task &task)
 {
+    return !task.gates.empty() || !task.path.points.empty() || !task.zones.empty();
+}
+
+/// Whether the runs of a task were measured on these floors alone; of one that was never driven: whether
+/// there is no other floor.
+class TasksOfFloor
+{
+public:
+    static Result<TasksOfFloor> of(Project &project, const std::vector<LayoutRecord> &floor)
+    {
+        TasksOfFloor tasks;
+        const auto isOfFloor = [&](RecordId layout) {
+            return std::ranges::find(floor, layout, &LayoutRecord::id) != floor.end();
+        };
+        const auto layouts = ODO_TRY(project.layouts().all());
+        tasks.m_isOnlyFloor =
+            std::ranges::all_of(layouts, [&](const LayoutRecord &layout) { return isOfFloor(layout.id); });
+        std::set<std::string> here, elsewhere;
+        const auto registrations = ODO_TRY(project.analyses().trialsByRegistration());
+        for (const auto &[id, names] : registrations) {
+            const auto registration = ODO_TRY(project.cameras().registration(id));
+            (isOfFloor(registration.layout) ? here : elsewhere).insert(names.begin(), names.end());
+        }
+        const auto trials = ODO_TRY(project.trials().all());
+        for (const TrialRecord &trial : trials) {
+            // A track that was imported is in axes of its own.
+            const auto tracks = ODO_TRY(importedTracksOf(project, trial));
+            const bool isElsewhere =
+                elsewhere.contains(trial.name) || (!here.contains(trial.name) && !tracks.empty());
+            if (isElsewhere)
+                tasks.m_elsewhere.insert(trial.task);
+            else if (here.contains(trial.name))
+                tasks.m_here.insert(trial.task);
+        }
+        return tasks;
+    }
+
+    bool contains(const TaskRecord &task) const
+    {
+        return !m_elsewhere.contains(task.name) && (m_isOnlyFloor || m_here.contains(task.name));
+    }
+
+private:
+    bool m_isOnlyFloor = false;
+    std::set<std::string> m_here, m_elsewhere;
+};
+
+Result<void> carryTasks(Project &project, const std::vector<LayoutRecord> &floor, LayoutAxesOutcome &outcome)
+{
+    const auto ofFloor = ODO_TRY(TasksOfFloor::of(project, floor));
+    const auto uses = ODO_TRY(project.tasks().uses());
     const auto tasks = ODO_TRY(project.tasks().all());
-    std::vector<std::string> names;
-    for (const TaskRecord &record : tasks)
-        if (!record.task.gates.empty() || !record.task.path.points.empty() || !record.task.zones.empty())
-            names.push_back(record.name);
-    return names;
+    for (TaskRecord task : tasks) {
+        const auto use = uses.find(task.id);
+        if (!hasPositions(task.task) || (use != uses.end() && isEarlierVersion(task, use->second)))
+            continue;
+        if (!ofFloor.contains(task)) {
+            outcome.tasks.push_back(task.name);
+            continue;
+        }
+        task.task = transformed(task.task, outcome.newFromOld);
+        ODO_TRY(project.tasks().change(task));
+        outcome.movedTasks.push_back(task.name);
+    }
+    return {};
 }
 
 } // namespace
@@ -346,8 +430,7 @@ Result<LayoutAxesOutcome> changeLayoutAxes(Project &project, const std::string &
 {
     auto stored = ODO_TRY(project.layouts().find(layout));
     const auto newFromOld = ODO_TRY(axesTransformOf(stored.layout, change));
-    auto tasks = ODO_TRY(tasksWithPositions(project));
-    LayoutAxesOutcome outcome{std::move(stored), newFromOld, {}, std::move(tasks)};
+    LayoutAxesOutcome outcome{std::move(stored), newFromOld, {}, {}, {}};
     const auto world = ODO_TRY(layoutsOfWorld(project, outcome.layout));
     const auto done = project.change(
         ODO_TEXT("workflow.put_axes_elsewhere", "change the world axes of layout %1")(Named::layout(layout)),
@@ -358,7 +441,7 @@ Result<LayoutAxesOutcome> changeLayoutAxes(Project &project, const std::string &
                 ODO_TRY(carryCameras(project, each, outcome));
             }
             outcome.layout.layout = transformed(outcome.layout.layout, newFromOld);
-            return {};
+            return carryTasks(project, world, outcome);
         });
     if (!done)
         return tl::unexpected(done.error());

@@ -74,8 +74,9 @@ struct Revision
 /// Project's thread.
 Result<std::vector<Revision>> revisionsOf(Project &project, const std::string &camera);
 
-/// Puts a revision of a camera in force until the next one is made. NotFound where it is none of this
-/// camera's.
+/// Puts a revision of a camera in force until the next one is made. A registration in older axes of its
+/// layout is stored again in the present ones. NotFound where it is none of this camera's; InvalidInput for a
+/// registration whose axes are not known.
 Result<void> chooseRevision(Project &project, const std::string &camera, Revision::Kind kind, RecordId id);
 
 /// Trials whose newest analysis was made with another registration of a camera than the one in force.
@@ -94,15 +95,16 @@ struct LayoutAxesOutcome
 {
     LayoutRecord layout; ///< in the new axes
     AxesTransform newFromOld;
-    std::vector<std::string> cameras; ///< whose registrations were carried along
-    /// with gates or a path, which stay where they are in the axes that were
+    std::vector<std::string> cameras;    ///< whose registrations were carried along
+    std::vector<std::string> movedTasks; ///< whose gates, paths and zones were carried along
+    /// with gates or a path, which stay where they are in the axes that were: other floors use them, too
     std::vector<std::string> tasks;
 };
 
 /// Changes the world axes of a layout in one transaction: the layout's positions, and a new revision of the
 /// registration of each of its cameras, also of those registered via such a camera ("C through B") with their
-/// own layouts. Older revisions, and the analyses made with them, stay in the old axes. Project's thread;
-/// quick.
+/// own layouts; and the tasks that were driven on this floor only, or of a project with a single floor. Older
+/// revisions, and the analyses made with them, stay in the old axes (result_axes.h). Project's thread; quick.
 Result<LayoutAxesOutcome> changeLayoutAxes(Project &project, const std::string &layout,
                                            const AxesChange &change);
 

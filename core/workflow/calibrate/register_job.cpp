@@ -64,6 +64,19 @@ Result<void> RegisterJob::prepare(Project &project)
             m_intrinsics.heightPx = recording->heightPx;
         }
     }
+    m_context.isSeenInImage = m_settings.pixelsFile.empty();
+    return findOtherCameras(project, layout.id);
+}
+
+Result<void> RegisterJob::findOtherCameras(Project &project, RecordId layout)
+{
+    const auto cameras = ODO_TRY(camerasOnLayout(project, layout));
+    for (const RegisteredCamera &each : cameras) {
+        if (each.camera.name == m_settings.camera)
+            continue;
+        auto view = ODO_TRY(floorViewOf(project, each.registration));
+        m_context.others.push_back({each.camera.name, view.camera(), std::move(view)});
+    }
     return {};
 }
 
@@ -76,7 +89,7 @@ Result<void> RegisterJob::run(const JobControl &control)
     if (m_settings.pixels.empty() || !m_settings.imageFile.empty())
         ODO_TRY(findInImages(control));
     auto camera = ODO_TRY(cameraModel());
-    auto registration = registerFloor(m_layout, m_settings.pixels, camera, m_intrinsicsKnown);
+    auto registration = registerFloor(m_layout, m_settings.pixels, camera, m_intrinsicsKnown, m_context);
     if (!registration) {
         Error error = registration.error();
         error.what = registrationOf(m_settings.camera);
@@ -106,7 +119,7 @@ Result<void> RegisterJob::findInImages(const JobControl &control)
                     ODO_TEXT("workflow.no_pixels_no_picture",
                              "it needs pixels, or an image to detect the markers in"),
                     ODO_TEXT("workflow.give_pixels_or_picture",
-                             "give --pixels pixels.csv, --image image.png or --video clip.mp4"));
+                             "give the markers' pixels, or an image or a video of the floor"));
     const bool wanted = m_settings.pixels.empty();
     MarkerSearch search{std::nullopt, m_intrinsicsKnown, m_settings.hints};
     if (m_intrinsicsKnown) {
@@ -117,6 +130,7 @@ Result<void> RegisterJob::findInImages(const JobControl &control)
         fail(ErrorCode::Undetermined, what,
              ODO_TEXT("workflow.video_without_picture", "the video has no frame"), giveAnotherFile());
     int looked = 0;
+    Result<void> rightSize;
     auto visited = visitImages(
         m_settings.imageFile, markerVideoStep,
         [&](const Frame &frame, const std::string &name) {
@@ -129,6 +143,9 @@ Result<void> RegisterJob::findInImages(const JobControl &control)
                 m_seenIn = frame;
                 return false;
             }
+            rightSize = checkSizeOf(frame, name);
+            if (!rightSize)
+                return false;
             auto pixels = findMarkers(frame, m_layout, search);
             if (!pixels)
                 lastProblem = tl::unexpected(pixels.error());
@@ -142,11 +159,23 @@ Result<void> RegisterJob::findInImages(const JobControl &control)
         control.cancel);
     if (control.isCancelled())
         return cancelled(what);
-    if (!visited)
-        return visited;
+    if (!visited || !rightSize)
+        return visited ? rightSize : visited;
     if (m_settings.pixels.empty())
         return lastProblem;
     return {};
+}
+
+Result<void> RegisterJob::checkSizeOf(const Frame &frame, const std::string &name) const
+{
+    if (frame.format.width == m_intrinsics.widthPx && frame.format.height == m_intrinsics.heightPx)
+        return {};
+    return fail(ErrorCode::InvalidInput, registrationOf(m_settings.camera),
+                ODO_TEXT("workflow.picture_of_other_size", "%1 is %2, but the lens was calibrated at %3")(
+                    Named::file(name), sizeText(frame.format.width, frame.format.height),
+                    sizeText(m_intrinsics.widthPx, m_intrinsics.heightPx)),
+                ODO_TEXT("workflow.give_picture_of_size",
+                         "give an image of that size, or calibrate the camera at the size it records"));
 }
 
 Result<CameraModel> RegisterJob::cameraModel() const
@@ -157,7 +186,7 @@ Result<CameraModel> RegisterJob::cameraModel() const
         return CameraModel::assumed(m_intrinsics.widthPx, m_intrinsics.heightPx);
     return fail(ErrorCode::NotFound, registrationOf(m_settings.camera), imageSizeNotKnown(),
                 ODO_TEXT("workflow.calibrate_or_give_picture",
-                         "calibrate it, import its intrinsics, or give --image or --video as well"));
+                         "calibrate it, import its intrinsics, or give an image or a video as well"));
 }
 
 Message registerChange(const std::string &camera)

@@ -23,7 +23,7 @@ struct RegisterSettings
     /// an image or video in which to detect the markers, or (with pixelsFile)
     std::filesystem::path imageFile;
     ///< that gives the image size of a camera without intrinsics; or empty
-    std::vector<MarkerPixel> pixels; ///< picked in a window; instead of pixelsFile
+    std::vector<MarkerPixel> pixels; ///< picked in a window, in the camera's image; instead of pixelsFile
     StoredImage image = {};          ///< in which the pixels were picked, if the project has it already
     /// markers marked by hand, to find the others in the image (MarkerSearch)
     std::vector<MarkerPixel> hints = {};
@@ -44,14 +44,17 @@ public:
     const RegistrationRecord &record() const { return m_record; } ///< after run
 
 private:
+    Result<void> findOtherCameras(Project &project, RecordId layout);
     Result<void> findInImages(const JobControl &control);
+    Result<void> checkSizeOf(const Frame &frame, const std::string &name) const;
     Result<CameraModel> cameraModel() const;
     Result<void> keepImage();
 
     RegisterSettings m_settings;
     MarkerLayout m_layout;
     bool m_intrinsicsKnown = false;
-    Intrinsics m_intrinsics;       ///< stored ones, or only the image's size
+    Intrinsics m_intrinsics; ///< stored ones, or only the image's size
+    RegistrationContext m_context;
     std::optional<Frame> m_seenIn; ///< the image that the markers were found in
     std::filesystem::path m_mediaFolder;
     std::unique_ptr<CalibrationMedia> m_media;

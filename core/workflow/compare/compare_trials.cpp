@@ -3,6 +3,7 @@
 
 #include "core/project/project.h"
 #include "core/project/repositories.h"
+#include "core/workflow/calibrate/result_axes.h"
 #include "core/workflow/shared_words.h"
 #include "core/workflow/track/stored_verdicts.h"
 
@@ -52,11 +53,47 @@ Result<std::optional<TaskRecord>> commonTask(Project &project, const std::vector
     return task;
 }
 
-bool sharesCalibration(const AnalysisRecord &a, const AnalysisRecord &b)
+Result<bool> sharesCalibration(Project &project, const AnalysisRecord &a, const AnalysisRecord &b)
 {
     const bool isRegistered = std::ranges::any_of(a.registrations, [](RecordId id) { return id != 0; });
-    return isRegistered && a.registrations == b.registrations && a.robot == b.robot &&
-           !a.profile.heightEstimated && !b.profile.heightEstimated;
+    if (!isRegistered || a.robot != b.robot || a.profile.heightEstimated || b.profile.heightEstimated)
+        return false;
+    return haveSameRegistrations(project, a, b);
+}
+
+Result<MessageArgument> layoutNameOf(Project &project, const AnalysisRecord &analysis)
+{
+    const RecordId id = ODO_TRY(layoutOf(project, analysis));
+    const auto layout = ODO_TRY(project.layouts().get(id));
+    return Named::layout(layout.layout.name);
+}
+
+/// Puts all runs into one set of axes: the present ones of their layouts.
+Result<void> bringToCommonAxes(Project &project, std::vector<ComparedTrial> &runs)
+{
+    for (ComparedTrial &run : runs) {
+        if (ODO_TRY(bringToPresentAxes(project, run.trial, run.analysis)))
+            continue;
+        const auto layout = ODO_TRY(layoutNameOf(project, run.analysis));
+        return fail(
+            ErrorCode::InvalidInput, comparisonOf(run.trial.name),
+            ODO_TEXT("workflow.run_in_older_axes",
+                     "it has other axes: those of layout '%1' were changed after it was analysed")(layout),
+            ODO_TEXT("workflow.analyse_it_again", "reanalyse it"));
+    }
+    const ComparedTrial &first = runs.front();
+    for (const ComparedTrial &run : runs) {
+        if (ODO_TRY(haveCommonAxes(project, first.analysis, run.analysis)))
+            continue;
+        const auto layout = ODO_TRY(layoutNameOf(project, run.analysis));
+        const auto other = ODO_TRY(layoutNameOf(project, first.analysis));
+        return fail(ErrorCode::InvalidInput, comparisonOf(run.trial.name),
+                    ODO_TEXT("workflow.runs_in_other_axes",
+                             "it has other axes (layout '%1') than trial '%2' (layout '%3')")(
+                        layout, Named::trial(first.trial.name), other),
+                    ODO_TEXT("workflow.choose_run_on_layout", "choose a run on the same layout"));
+    }
+    return {};
 }
 
 } // namespace
@@ -82,6 +119,7 @@ Result<ComparedTrials> readComparedTrials(Project &project, const CompareSetting
     }
     if (read.runs.size() < 2)
         return takesTwoRuns();
+    ODO_TRY(bringToCommonAxes(project, read.runs));
     std::set<RecordId> trials;
     for (const ComparedTrial &run : read.runs)
         trials.insert(run.trial.id);
@@ -94,7 +132,8 @@ Result<ComparedTrials> readComparedTrials(Project &project, const CompareSetting
     const AnalysisRecord &first = read.runs.front().analysis;
     read.shareCalibration = read.shareTask = true;
     for (auto run = read.runs.begin() + 1; run != read.runs.end(); ++run) {
-        read.shareCalibration = read.shareCalibration && sharesCalibration(first, run->analysis);
+        read.shareCalibration =
+            read.shareCalibration && ODO_TRY(sharesCalibration(project, first, run->analysis));
         read.shareTask = read.shareTask && first.task == run->analysis.task;
     }
     return read;

@@ -58,8 +58,10 @@ std::string runName(const ComparedTrial &run);
 
 /// Reads the runs' newest analyses, on the project's thread. Calibration is shared by runs of one robot whose
 /// views' registrations were the same and whose height was given: with another robot or a height of its own
-/// each has its own error. Errors: NotFound for a trial, a robot or an analysis that is not there;
-/// Undetermined where a robot must be chosen; InvalidInput for fewer than two runs or one with itself.
+/// each has its own error. Runs that were analysed before the axes of their layout were changed are put into
+/// the present ones. Errors: InvalidInput for runs in axes that are not known to each other; NotFound for a
+/// trial, a robot or an analysis that is not there; Undetermined where a robot must be chosen; InvalidInput
+/// for fewer than two runs or one with itself.
 Result<ComparedTrials> readComparedTrials(Project &project, const CompareSettings &settings);
 
 /// Compares what was read; some ten milliseconds for minutes of video. Pure, any thread. Errors: those of

@@ -373,7 +373,8 @@ void MarkerPage::evaluate()
     if (m_image) {
         const CameraModel camera =
             cameraOf(m_intrinsics, m_image->frame.format.width, m_image->frame.format.height);
-        const auto registered = registerFloor(m_layout, m_pixels, camera, m_intrinsics.has_value());
+        const auto registered =
+            registerFloor(m_layout, m_pixels, camera, m_intrinsics.has_value(), {true, {}});
         if (registered) {
             m_registration = *registered;
             view = floorViewOf(*registered, *CameraModel::create(registered->intrinsics), m_pixels);
