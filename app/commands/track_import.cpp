@@ -89,7 +89,7 @@ Message withOption(const Message &advice)
     if (code == "exchange.choose_decimal_sign")
         return ODO_TEXT("app.give_decimal_sign", "give the decimal sign: --decimal point or --decimal comma");
     if (code == "exchange.give_rate")
-        return ODO_TEXT("app.give_rate", "give the frame rate of the camera, like --rate 30");
+        return giveRateOption();
     if (code == "exchange.give_pixel_length")
         return ODO_TEXT(
             "app.give_pixel_length",
@@ -209,10 +209,15 @@ QList<QCommandLineOption> trackReadingOptions()
              QStringLiteral("point|comma")}};
 }
 
+Message giveRateOption()
+{
+    return ODO_TEXT("app.give_rate", "give the frame rate of the camera, like --rate 30");
+}
+
 Result<double> frameRateOf(const CommandCall &call)
 {
     const auto framesPerSecond = call.number(option::rate);
-    if (!framesPerSecond || *framesPerSecond < lowestFrameRate || *framesPerSecond > highestFrameRate)
+    if (!framesPerSecond || !(*framesPerSecond >= lowestFrameRate && *framesPerSecond <= highestFrameRate))
         return call.wrongCall(
             ODO_TEXT("app.rate_is", "--rate is a number of frames a second from 0.1 to 100,000"));
     return *framesPerSecond;

@@ -116,7 +116,11 @@ Result<void> runImport(const QStringList &arguments, const CancelToken &cancel)
     if (settings.robots.empty() && !settings.team.empty())
         settings.robots = robotsOfTeam(*project, settings.team);
     ImportTrialJob job(std::move(settings));
-    ODO_TRY(runToEnd(job, *project, call.control()));
+    if (auto done = runToEnd(job, *project, call.control()); !done) {
+        if (done.error().advice.code() == "workflow.give_camera_rate")
+            done.error().advice = giveRateOption();
+        return done;
+    }
     QJsonObject views;
     for (const RecordingRecord &recording : job.recordings())
         views.insert(QString::fromStdString(recording.cameraName), recordingJson(recording));

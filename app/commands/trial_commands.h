@@ -14,6 +14,8 @@ Result<void> refuseTrackOptions(const CommandCall &call);
 
 /// --rate, within its limits.
 Result<double> frameRateOf(const CommandCall &call);
+/// Advice to give it.
+Message giveRateOption();
 
 /// Where a track came from, as `import` and `show` print it.
 QJsonObject importedTrackJson(const ImportedTrack &source);

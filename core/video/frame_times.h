@@ -10,6 +10,13 @@
 
 namespace odo {
 
+/// Where the times of a video's frames come from.
+enum class TimeSource {
+    Stamps, ///< each frame has its own
+    Rate,   ///< none has; the file's header states an even frame rate
+    Nowhere ///< the file states neither: only the frames' order is known, and their times are made up
+};
+
 /// How far apart the frames of a video are.
 struct FrameSpacing
 {

@@ -7,6 +7,10 @@
 #include "core/video/internal/libav.h"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
+#include <span>
+#include <string_view>
 #include <vector>
 extern "C" {
 #include <libavutil/crc.h>
@@ -24,6 +28,12 @@ constexpr const char *ordinaryContainers =
     "matroska,webm,mov,mp4,m4a,3gp,3g2,mj2,avi,mpegts,mpeg,mpegvideo,mjpeg,"
     "h264,hevc,m4v,ivf,flv,asf,ogg,nut,dv";
 
+// Of those, the ones that are a codec's bare stream.
+constexpr std::array<std::string_view, 5> bareStreams{"mjpeg", "h264", "hevc", "m4v", "mpegvideo"};
+// What libav is to take for the frame rate of a bare stream that states none: no camera's.
+constexpr AVRational unstated{98'765, 4'321};
+const char *const unstatedText = "98765/4321";
+
 int refuseOtherFiles(AVFormatContext *, AVIOContext **, const char *, int, AVDictionary **)
 {
     return AVERROR(EPERM);
@@ -38,12 +48,33 @@ Result<void> checkFile(const std::filesystem::path &file)
     return {};
 }
 
+/// The container that a file is by its name, where libav takes it for a photo.
+const AVInputFormat *formatByName(const std::filesystem::path &file)
+{
+    const auto ending = file.extension();
+    return ending == ".mjpeg" || ending == ".mjpg" ? av_find_input_format("mjpeg") : nullptr;
+}
+
+/// Whether cameras take frames at this rate, or 1000/1001 of it as in television.
+bool isOrdinaryRate(double framesPerSecond)
+{
+    constexpr std::array ordinary{10, 12, 15, 20, 24, 25, 30, 48, 50, 60, 75, 90, 100, 120, 200, 240};
+    constexpr double roundedOff = 1e-4;
+    return std::ranges::any_of(ordinary, [framesPerSecond](int rate) {
+        return std::abs(framesPerSecond / rate - 1) < roundedOff ||
+               std::abs(framesPerSecond * 1.001 / rate - 1) < roundedOff;
+    });
+}
+
 } // namespace
 
 Result<std::unique_ptr<VideoInput>> VideoInput::open(const std::filesystem::path &file,
                                                      const CancelToken &cancel)
 {
-    return open(file, nullptr, cancel);
+    auto input = open(file, nullptr, cancel);
+    if (const AVInputFormat *named = input ? nullptr : formatByName(file))
+        return open(file, named, cancel);
+    return input;
 }
 
 Result<std::unique_ptr<VideoInput>> VideoInput::openedAgain() const
@@ -86,6 +117,7 @@ Result<void> VideoInput::openContainer(const AVInputFormat *known)
     libav::Options options;
     options.set("format_whitelist", ordinaryContainers);
     options.set("protocol_whitelist", "file");
+    options.set("framerate", unstatedText);
     // Frees the context when it fails. That there is no memory libav also says of damaged lengths.
     error = avformat_open_input(&m_container, nullptr, known, options.get());
     if (error < 0)
@@ -125,6 +157,19 @@ Result<void> VideoInput::findStream()
     if (static_cast<std::size_t>(best) < stated.size())
         m_containerChromaLocation = stated[static_cast<std::size_t>(best)];
     return {};
+}
+
+bool VideoInput::isBareStream() const
+{
+    return std::ranges::find(bareStreams, m_container->iformat->name) != bareStreams.end();
+}
+
+std::optional<AVRational> VideoInput::statedRate() const
+{
+    const AVRational rate = m_stream->r_frame_rate;
+    if (rate.num <= 0 || rate.den <= 0 || av_cmp_q(rate, unstated) == 0 || !isOrdinaryRate(av_q2d(rate)))
+        return std::nullopt;
+    return rate;
 }
 
 int VideoInput::read(AVPacket &packet)
@@ -207,7 +252,7 @@ Walk walkPackets(VideoInput &input, PacketIndex &index)
             index.firstJpegs.emplace_back(packet->data, packet->data + packet->size);
         if (!isNeverShown(*packet, codec)) {
             index.frames.push_back({pts, index.packets.size() - 1});
-            walk.decodeTimes.push_back(packet->dts);
+            walk.decodeTimes.push_back(packet->dts != AV_NOPTS_VALUE || reorders ? packet->dts : packet->pts);
         }
     }
 }
@@ -234,12 +279,15 @@ Nanoseconds timeBetween(std::int64_t first, std::int64_t stamp, AVRational base)
     return Nanoseconds(time < 0 ? longestVideoNs + 1 : std::min(time, longestVideoNs + 1));
 }
 
-std::vector<std::int64_t> evenTimes(std::size_t count)
+/// At an even rate, which the file states or nobody knows.
+void timeByRate(PacketIndex &index, std::optional<AVRational> stated)
 {
-    std::vector<std::int64_t> times(count);
-    for (std::size_t i = 0; i < count; ++i)
-        times[i] = static_cast<std::int64_t>(i);
-    return times;
+    constexpr AVRational madeUp{25, 1};
+    index.timeSource = stated ? TimeSource::Rate : TimeSource::Nowhere;
+    const AVRational interval = av_inv_q(stated.value_or(madeUp));
+    index.times.clear();
+    for (std::size_t i = 0; i < index.frames.size(); ++i)
+        index.times.push_back(timeBetween(0, static_cast<std::int64_t>(i), interval));
 }
 
 /// Times without pts: each frame of such a file is shown at one of its decoding times, in order; failing
@@ -247,21 +295,17 @@ std::vector<std::int64_t> evenTimes(std::size_t count)
 void timeByCounting(PacketIndex &index, const Walk &walk, const AVStream &stream)
 {
     index.counted = true;
-    std::vector<std::int64_t> stamps = walk.decodeTimes;
-    AVRational base = stream.time_base;
     if (walk.dtsMissing) {
-        const AVRational rate = stream.avg_frame_rate.num > 0 ? stream.avg_frame_rate : stream.r_frame_rate;
-        base = rate.num > 0 ? av_inv_q(rate) : AVRational{1, 25};
-        stamps = evenTimes(index.frames.size());
-        addWarning(index, ODO_TEXT("video.no_time_stamps", "the file has no time stamps"),
-                   ODO_TEXT("video.even_rate_assumed",
-                            "an even %1 is assumed")(quantity(1.0 / av_q2d(base), 3, "frames/s")));
+        const AVRational rate = stream.avg_frame_rate;
+        timeByRate(index, rate.num > 0 && rate.den > 0 ? std::optional(rate) : std::nullopt);
+        return;
     }
+    std::vector<std::int64_t> stamps = walk.decodeTimes;
     std::sort(stamps.begin(), stamps.end());
     stamps.erase(std::unique(stamps.begin(), stamps.end()), stamps.end());
     index.frames.resize(std::min(index.frames.size(), stamps.size()));
     for (std::size_t i = 0; i < index.frames.size(); ++i)
-        index.times.push_back(timeBetween(stamps[0], stamps[i], base));
+        index.times.push_back(timeBetween(stamps[0], stamps[i], stream.time_base));
 }
 
 void timeByStamps(PacketIndex &index, const AVStream &stream)
@@ -269,6 +313,23 @@ void timeByStamps(PacketIndex &index, const AVStream &stream)
     sortByPresentation(index);
     for (const auto &frame : index.frames)
         index.times.push_back(timeBetween(index.frames.front().pts, frame.pts, stream.time_base));
+}
+
+/// The last stamp before they begin again: several that follow each other in the file lie behind several
+/// before them. One alone may be damaged.
+std::optional<std::int64_t> restartOf(const std::vector<std::int64_t> &decodeTimes)
+{
+    constexpr std::size_t several = 5;
+    const auto &times = decodeTimes;
+    for (std::size_t i = several; i + several <= times.size(); ++i) {
+        if (times[i] >= times[i - 1])
+            continue;
+        const auto before = std::span(times).subspan(i - several, several),
+                   after = std::span(times).subspan(i, several);
+        if (std::ranges::min(after) != AV_NOPTS_VALUE && std::ranges::max(after) < std::ranges::min(before))
+            return std::ranges::max(before);
+    }
+    return std::nullopt;
 }
 
 void warnIfCutShort(PacketIndex &index, const VideoInput &input, const Walk &walk)
@@ -338,6 +399,10 @@ Result<PacketIndex> indexPackets(VideoInput &input)
         timeByCounting(index, walk, input.stream());
     else
         timeByStamps(index, input.stream());
+    if (input.isBareStream())
+        timeByRate(index, input.statedRate());
+    else if (const auto restart = restartOf(walk.decodeTimes))
+        index.restartsAt = timeBetween(walk.decodeTimes.front(), *restart, input.stream().time_base);
     if (index.times.back().count() > longestVideoNs)
         return fail(ErrorCode::InvalidInput, cannotOpenVideo(input.file()),
                     ODO_TEXT("video.stamps_span",

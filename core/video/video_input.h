@@ -4,10 +4,12 @@
 #include "core/base/error.h"
 #include "core/base/job_control.h"
 #include "core/base/units.h"
+#include "core/video/frame_times.h"
 #include "core/video/internal/libav.h"
 
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -33,6 +35,11 @@ public:
     bool isCancelled() const { return m_cancel.isCancelled(); }
     const AVFormatContext &container() const { return *m_container; }
     const AVStream &stream() const { return *m_stream; }
+    /// It is a codec's bare stream, which holds no time stamps; those that libav gives it are made up.
+    bool isBareStream() const;
+    /// The frame rate that the headers of a bare stream state, frames/s: not what libav takes where they
+    /// state none, nor the tick of a clock, which is as good as any number (H.264 §E.2.1).
+    std::optional<AVRational> statedRate() const;
     /// Chroma location that the container itself states; the parameters of the stream hold what the decoder
     /// assumed.
     AVChromaLocation containerChromaLocation() const { return m_containerChromaLocation; }
@@ -85,6 +92,9 @@ struct PacketIndex
     /// Packets do not say when their frame is shown: frames can only be identified by counting from the
     /// start.
     bool counted = false;
+    TimeSource timeSource = TimeSource::Stamps;
+    /// How long after the first frame its clock starts again: what follows is stamped as if it came before.
+    std::optional<Nanoseconds> restartsAt;
     /// empty, or such as "ends early at 12.40 s: …"
     Message warning;
     std::vector<std::vector<std::uint8_t>> firstJpegs; ///< of MJPEG: the first packets

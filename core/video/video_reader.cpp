@@ -47,6 +47,8 @@ VideoInfo describe(const VideoInput &input, const PacketIndex &index, const Fram
     info.format = format;
     info.codec = avcodec_get_name(input.stream().codecpar->codec_id);
     info.frameTimes = index.times;
+    info.timeSource = index.timeSource;
+    info.restartsAt = index.restartsAt;
     info.warning = index.warning;
     const FrameSpacing spacing = spacingOf(index.times);
     info.variableRate = spacing.isVariable;
@@ -369,6 +371,12 @@ Result<std::unique_ptr<VideoReader>> VideoReader::openChecked(const std::filesys
         impl->jpegDecoder = std::make_shared<JpegDecoder>(format);
     ODO_TRY(impl->restart());
     return std::unique_ptr<VideoReader>(new VideoReader(std::move(impl)));
+}
+
+bool VideoReader::lacksTimes(const std::filesystem::path &file)
+{
+    const auto input = orShortage(cannotOpenVideo(file), [&] { return VideoInput::open(file); });
+    return input && (*input)->isBareStream() && !(*input)->statedRate();
 }
 
 const VideoInfo &VideoReader::info() const

@@ -4,6 +4,7 @@
 #include "core/base/error.h"
 #include "core/base/job_control.h"
 #include "core/video/frame.h"
+#include "core/video/frame_times.h"
 
 #include <filesystem>
 #include <memory>
@@ -22,7 +23,11 @@ struct VideoInfo
     double framesPerSecond = 0; ///< 1 / typical interval (mean of those near the median); 0 for one frame
     bool variableRate = false;  ///< intervals differ by more than 10 % of the median
     Nanoseconds duration{0};    ///< last frame time − first frame time + typical interval
-    Message warning;            ///< empty, or such as "ends early at 12.40 s: …" of a truncated file
+    TimeSource timeSource = TimeSource::Stamps; ///< of the times and all that follows from them
+    /// How long after the first frame the file's clock starts again, as where two files were joined: the
+    /// frames that follow are stamped as if they came before, and all of them are sorted by their stamps.
+    std::optional<Nanoseconds> restartsAt;
+    Message warning; ///< empty, or such as "ends early at 12.40 s: …" of a truncated file
 };
 
 /// Decodes one local video file to planes, exactly as coded, frame-accurately; MJPEG by libjpeg-turbo, all
@@ -40,6 +45,10 @@ public:
     ~VideoReader();
     VideoReader(const VideoReader &) = delete;
     VideoReader &operator=(const VideoReader &) = delete;
+
+    /// Whether a file without time stamps states no frame rate either (TimeSource::Nowhere), from its
+    /// headers alone. False also where it cannot be opened.
+    static bool lacksTimes(const std::filesystem::path &file);
 
     const VideoInfo &info() const;
     /// The next frame in order of presentation; nullopt at the end. A damaged frame is an Error that can be

@@ -99,7 +99,7 @@ bool remux(const std::filesystem::path &from, const std::filesystem::path &to)
 }
 
 bool writeRaw(const std::filesystem::path &to, const std::string &encoderName, const std::string &pixelFormat,
-              int frames, std::int64_t interval, int width)
+              int frames, std::int64_t interval, int width, int ticksPerSecond)
 {
     Output out(to);
     const AVCodec *codec = avcodec_find_encoder_by_name(encoderName.c_str());
@@ -108,8 +108,8 @@ bool writeRaw(const std::filesystem::path &to, const std::string &encoderName, c
     const libav::CodecPtr encoder(avcodec_alloc_context3(codec));
     encoder->width = width;
     encoder->height = width * 3 / 4;
-    encoder->time_base = {1, 25};
-    encoder->framerate = {25, 1};
+    encoder->time_base = {1, ticksPerSecond};
+    encoder->framerate = {ticksPerSecond, 1};
     encoder->pix_fmt = av_get_pix_fmt(pixelFormat.c_str());
     if (avcodec_open2(encoder.get(), codec, nullptr) < 0)
         return false;

@@ -5,9 +5,11 @@
 #include "tests/support/registered_test.h"
 #include "tests/support/said_error.h"
 #include "tests/video/coded_frames.h"
+#include "tests/video/foreign_files.h"
 
 #include <QTemporaryDir>
 #include <QTest>
+#include <cmath>
 
 using namespace odo;
 using namespace odo::test;
@@ -56,6 +58,38 @@ private Q_SLOTS:
         QVERIFY2(warnings.front().starts_with("video 'cut.mkv': ends early at "), warnings.front().c_str());
     }
 
+    /// A codec's bare stream has no time stamps: nobody's rate is invented.
+    void aVideoWithoutTimesNeedsItsRate()
+    {
+        QVERIFY(imported("timed", evenTimes(30, 30)).empty());
+        // JPEG images one after another, as some cameras write them
+        QVERIFY(writeRaw(path("bare.mjpeg"), "mjpeg", "yuvj420p", 30, 1, 320));
+        QCOMPARE(
+            importFile("bare", ".mjpeg").front(),
+            std::string("video 'bare.mjpeg': it has no time stamps and states no frame rate; give the rate "
+                        "at which the camera took the frames"));
+        QVERIFY(!m_project->trials().find("bare"));
+        QVERIFY(importFile("bare", ".mjpeg", 50).empty());
+        const auto stored = m_project->trials().recordings(m_project->trials().find("bare")->id)->front();
+        QCOMPARE(stored.framesPerSecond, 50.0);
+        QCOMPARE(stored.frameTimes.size(), std::size_t(30));
+        QCOMPARE(stored.frameTimes.back(), Nanoseconds(29 * 20'000'000LL));
+    }
+
+    void aRateThatNoCameraHasIsRefused()
+    {
+        std::vector<Nanoseconds> times;
+        for (int i = 0; i < 30; ++i)
+            times.push_back(std::chrono::microseconds(i));
+        const std::string refused = imported("dense", times).front();
+        QVERIFY2(refused.find("frames/s, which no camera takes; give the rate at which") != std::string::npos,
+                 refused.c_str());
+        QVERIFY(importFile("dense", ".mkv", 30).empty());
+        for (const double nonsense : {1e9, 0.0, -30.0, std::nan("")})
+            QVERIFY(importFile("timed", ".mkv", nonsense).front().find("not between 0.1 and 100,000") !=
+                    std::string::npos);
+    }
+
 private:
     std::filesystem::path path(const std::string &name) const
     {
@@ -67,11 +101,13 @@ private:
             return {problem.toStdString()};
         return importFile(trial);
     }
-    std::vector<std::string> importFile(const std::string &trial)
+    std::vector<std::string> importFile(const std::string &trial, const std::string &ending = ".mkv",
+                                        std::optional<double> rate = {})
     {
         ImportSettings settings;
         settings.trial = trial;
-        settings.videos = {{"A", path(trial + ".mkv")}};
+        settings.videos = {{"A", path(trial + ending)}};
+        settings.rate = rate;
         ImportTrialJob job(std::move(settings));
         const auto done = runToEnd(job, *m_project, {});
         return done ? test::english(job.warnings()) : std::vector<std::string>{done.error().message()};

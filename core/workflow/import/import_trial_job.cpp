@@ -94,6 +94,11 @@ Result<std::vector<Result<FoundOffset>>> findClipOffsets(const std::vector<Regis
 
 namespace {
 
+Message giveCameraRate()
+{
+    return ODO_TEXT("workflow.give_camera_rate", "give the rate at which the camera took the frames");
+}
+
 double durationOf(const RecordingRecord &recording)
 {
     return recording.frameTimes.empty() ? 0 : toSeconds(recording.frameTimes.back());
@@ -119,11 +124,10 @@ Result<void> ImportTrialJob::prepare(Project &project)
     if (m_settings.videos.size() > mostViews)
         return tooManyViews(what, m_settings.videos.size());
     if (m_settings.rate && !(*m_settings.rate >= lowestFrameRate && *m_settings.rate <= highestFrameRate))
-        return fail(
-            ErrorCode::InvalidInput, what,
-            ODO_TEXT("workflow.unusual_frame_rate",
-                     "its frame rate is not between 0.1 and 100,000 frames a second"),
-            ODO_TEXT("workflow.give_camera_rate", "give the rate at which the camera took the frames"));
+        return fail(ErrorCode::InvalidInput, what,
+                    ODO_TEXT("workflow.unusual_frame_rate",
+                             "its frame rate is not between 0.1 and 100,000 frames a second"),
+                    giveCameraRate());
     ODO_TRY(checkSteps());
     if (project.trials().find(m_settings.trial))
         return trialIsThere(what);
@@ -178,12 +182,55 @@ Result<void> ImportTrialJob::run(const JobControl &control)
     return {};
 }
 
+namespace {
+
+/// Refuses times that are out of order, and those that are made up, or that no camera's frames have, where
+/// nobody gives their rate.
+Result<void> checkTimes(const std::filesystem::path &file, const VideoInfo &info, bool isRateGiven)
+{
+    const Message what = ODO_TEXT("workflow.video", "video '%1'")(Named::file(file.filename()));
+    if (info.restartsAt)
+        return fail(
+            ErrorCode::Undetermined, what,
+            ODO_TEXT("workflow.clock_restarts",
+                     "its time stamps begin again after %1: two files were joined, or the camera's "
+                     "clock was reset")(quantity(toSeconds(*info.restartsAt), 2, "s")),
+            ODO_TEXT("workflow.cut_at_restart", "cut it there, and import each part as its own trial"));
+    if (isRateGiven)
+        return {};
+    if (info.timeSource == TimeSource::Nowhere && info.frameTimes.size() > 1)
+        return fail(ErrorCode::Undetermined, what,
+                    ODO_TEXT("workflow.no_times_in_file", "it has no time stamps and states no frame rate"),
+                    giveCameraRate());
+    if (info.framesPerSecond > highestFrameRate)
+        return fail(ErrorCode::InvalidInput, what,
+                    ODO_TEXT("workflow.stamps_too_dense", "its time stamps mean %1, which no camera takes")(
+                        quantity(std::round(info.framesPerSecond), 0, "frames/s")),
+                    giveCameraRate());
+    return {};
+}
+
+/// What the user should know of a video's times.
+std::vector<Message> timeRemarks(const VideoInfo &info, bool isRateGiven)
+{
+    std::vector<Message> remarks{info.warning, unevenRateWords(info.frameTimes)};
+    if (info.timeSource == TimeSource::Rate && !isRateGiven)
+        remarks.push_back(joined({ODO_TEXT("video.no_time_stamps", "the file has no time stamps"),
+                                  ODO_TEXT("workflow.rate_of_header", "its header states an even %1")(
+                                      quantity(info.framesPerSecond, 3, "frames/s"))},
+                                 Join::Colon));
+    return remarks;
+}
+
+} // namespace
+
 Result<void> ImportTrialJob::readVideo(std::size_t view, const CancelToken &cancel)
 {
     const auto &[camera, file] = m_settings.videos[view];
     const auto reader = ODO_TRY(VideoReader::open(file, cancel));
     const VideoInfo &info = reader->info();
-    for (const Message &warning : {info.warning, unevenRateWords(info.frameTimes)}) {
+    ODO_TRY(checkTimes(file, info, m_settings.rate.has_value()));
+    for (const Message &warning : timeRemarks(info, m_settings.rate.has_value())) {
         if (!warning.isEmpty())
             m_warnings.push_back(
                 joined({ODO_TEXT("workflow.video", "video '%1'")(Named::file(file.filename())), warning},

@@ -1,20 +1,24 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/registered_test.h"
 #include "tests/ui/support/found_widgets.h"
+#include "tests/video/foreign_files.h"
 #include "ui/main_window/internal/import_dialogs.h"
 #include "ui/views/widgets/form_fields.h"
 #include "ui/views/widgets/theme.h"
 
 #include <QApplication>
+#include <QCheckBox>
 #include <QComboBox>
 #include <QDialogButtonBox>
 #include <QDoubleSpinBox>
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
+#include <QTemporaryDir>
 #include <QTest>
 
 using namespace odo;
+using odo::test::writeRaw;
 
 using Sync = ImportSettings::Sync;
 
@@ -27,6 +31,7 @@ private Q_SLOTS:
     void aCameraShowsHowWellItIsRegistered();
     void aTeamProposesItsRobots();
     void aViewWithoutAVideoNeedsNoStep();
+    void aVideoWithoutTimesNeedsItsRate();
     void isReachedByTheTabKey();
     void paintsThePicture_data();
     void paintsThePicture();
@@ -155,6 +160,30 @@ void TestImportTrialDialog::aViewWithoutAVideoNeedsNoStep()
     QCOMPARE(later.videos[0].first, std::string("Window"));
     QCOMPARE(later.steps.size(), std::size_t(1));
     QVERIFY(later.steps[0].how == Sync::Given);
+}
+
+/// JPEG images one after another: nothing says when they were taken.
+void TestImportTrialDialog::aVideoWithoutTimesNeedsItsRate()
+{
+    QTemporaryDir folder;
+    const QString bare = folder.filePath(QStringLiteral("bare.mjpeg"));
+    QVERIFY(writeRaw(bare.toStdString(), "mjpeg", "yuvj420p", 5, 1, 320));
+    const auto files = m_dialog->findChildren<PathField *>();
+    auto *given = m_dialog->findChild<QCheckBox *>();
+    auto *rate = field<QDoubleSpinBox>("Camera's real rate");
+    QVERIFY(given && rate);
+    const auto canImport = [&] { return test::button(*m_dialog, "Import")->isEnabled(); };
+    files.at(0)->setPath(QStringLiteral("a.mp4"));
+    QVERIFY(canImport() && given->isEnabled() && !given->isChecked() && !m_dialog->settings().rate);
+    files.at(1)->setPath(bare);
+    QVERIFY(given->isChecked() && !given->isEnabled() && rate->isEnabled());
+    QCOMPARE(rate->text(), QStringLiteral("not entered"));
+    QVERIFY(!canImport());
+    rate->setValue(30);
+    QVERIFY(canImport());
+    QCOMPARE(m_dialog->settings().rate, std::optional(30.0));
+    files.at(1)->setPath(QStringLiteral("b.mp4"));
+    QVERIFY(canImport() && given->isEnabled() && !given->isChecked() && !m_dialog->settings().rate);
 }
 
 void TestImportTrialDialog::isReachedByTheTabKey()

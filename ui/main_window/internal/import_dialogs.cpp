@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/main_window/internal/import_dialogs.h"
 
+#include "core/project/names.h"
+#include "core/video/video_reader.h"
 #include "ui/views/widgets/form_fields.h"
 #include "ui/views/widgets/labels.h"
 
@@ -20,7 +22,7 @@ namespace odo {
 
 namespace {
 constexpr int usualViews = 2;
-constexpr double usualRate = 240;
+constexpr double usualRate = 240, lowestRate = 1;
 } // namespace
 
 ImportTrialDialog::ImportTrialDialog(const Offer &offer, QWidget *parent)
@@ -28,7 +30,7 @@ ImportTrialDialog::ImportTrialDialog(const Offer &offer, QWidget *parent)
       m_name(new QLineEdit(offer.name)), m_team(new QComboBox), m_task(new QComboBox),
       m_robots(new CheckList(tr("Robots in the trial"))), m_videoGrid(new QGridLayout),
       m_addView(new QPushButton(tr("Add &view"))), m_steps(new ViewSteps),
-      m_givenRate(new QCheckBox(tr("Camera's real &rate"))), m_rate(new NumberBox),
+      m_givenRate(new QCheckBox(tr("Camera's real &rate"))), m_rate(new NumberBox), m_rateReason(new QLabel),
       m_buttons(new QDialogButtonBox(QDialogButtonBox::Cancel))
 {
     setWindowTitle(tr("Import trial from videos"));
@@ -51,6 +53,9 @@ ImportTrialDialog::ImportTrialDialog(const Offer &offer, QWidget *parent)
     step->setBuddy(m_steps->fields().constFirst());
     form->addRow(step, m_steps);
     form->addRow(m_givenRate, makeRate());
+    m_rateReason->setWordWrap(true);
+    m_rateReason->hide();
+    form->addRow(m_rateReason);
     QPushButton *accept = m_buttons->addButton(tr("Import"), QDialogButtonBox::AcceptRole);
     auto *layout = new QVBoxLayout(this);
     layout->addLayout(form);
@@ -99,14 +104,44 @@ QWidget *ImportTrialDialog::makeVideos()
 
 QWidget *ImportTrialDialog::makeRate()
 {
-    m_rate->setRange(1, 10000);
+    m_rate->setRange(lowestRate, 10000);
     m_rate->setValue(usualRate);
     m_rate->setSuffix(tr(" frames/s"));
     m_rate->setAccessibleName(tr("Camera's real rate"));
     m_rate->setEnabled(false);
     m_givenRate->setToolTip(tr("For slow motion: the file plays slower than the camera recorded it"));
     connect(m_givenRate, &QCheckBox::toggled, m_rate, &QWidget::setEnabled);
+    connect(m_rate, &QDoubleSpinBox::valueChanged, this, &ImportTrialDialog::updateButtons);
     return m_rate;
+}
+
+/// A codec's bare stream may say nothing of when its frames were taken.
+void ImportTrialDialog::findMissingTimes(std::size_t row)
+{
+    m_videos[row].lacksTimes = VideoReader::lacksTimes(m_videos[row].file->path());
+    requireRate();
+}
+
+/// Where some video lacks its times, the rate must be given, and is not proposed.
+void ImportTrialDialog::requireRate()
+{
+    const auto lacking = std::ranges::find(m_videos, true, &VideoRow::lacksTimes);
+    const bool isNeeded = lacking != m_videos.end();
+    if (isNeeded == !m_givenRate->isEnabled()) {
+        updateButtons();
+        return;
+    }
+    m_givenRate->setChecked(isNeeded);
+    m_givenRate->setEnabled(!isNeeded);
+    m_rate->setMinimum(isNeeded ? 0 : lowestRate);
+    m_rate->setSpecialValueText(isNeeded ? tr("not entered") : QString());
+    m_rate->setValue(isNeeded ? 0 : usualRate);
+    m_rateReason->setVisible(isNeeded);
+    if (isNeeded)
+        m_rateReason->setText(
+            tr("%1 has no time stamps and states no frame rate. Enter the rate of its camera.")
+                .arg(QString::fromStdString(lacking->file->path().filename().string())));
+    updateButtons();
 }
 
 /// A view that was added would be reached last.
@@ -142,10 +177,12 @@ void ImportTrialDialog::addVideo(const QString &camera, const QString &file)
     badge->setAccessibleName(tr("Registration of the camera of view %1").arg(number));
     m_videoGrid->addWidget(badge, number, 1);
     m_videoGrid->addWidget(path, number, 2);
+    const std::size_t row = m_videos.size();
     m_videos.push_back({name, badge, path});
+    findMissingTimes(row);
     m_steps->addView();
     connect(name, &QComboBox::editTextChanged, this, &ImportTrialDialog::updateButtons);
-    connect(path, &PathField::changed, this, &ImportTrialDialog::updateButtons);
+    connect(path, &PathField::changed, this, [this, row] { findMissingTimes(row); });
     updateButtons();
 }
 
@@ -167,7 +204,9 @@ void ImportTrialDialog::updateButtons()
     const bool nameless = std::any_of(m_videos.begin(), m_videos.end(), [](const VideoRow &row) {
         return !row.file->path().empty() && row.camera->currentText().trimmed().isEmpty();
     });
-    const bool complete = !m_name->text().trimmed().isEmpty() && !nameless && !settings().videos.empty();
+    const bool isRateMissing = m_givenRate->isChecked() && m_rate->value() < lowestFrameRate;
+    const bool complete =
+        !m_name->text().trimmed().isEmpty() && !nameless && !isRateMissing && !settings().videos.empty();
     for (QAbstractButton *button : m_buttons->buttons())
         if (m_buttons->buttonRole(button) == QDialogButtonBox::AcceptRole)
             button->setEnabled(complete);

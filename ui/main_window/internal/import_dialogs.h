@@ -13,6 +13,7 @@ class QComboBox;
 class QDialogButtonBox;
 class QDoubleSpinBox;
 class QGridLayout;
+class QLabel;
 class QLineEdit;
 class QPushButton;
 
@@ -24,7 +25,7 @@ class PathField;
 class ViewSteps;
 
 /// Asks what belongs to a trial: its name, team, task and robots, the video of each camera, and how to
-/// synchronise each with the first.
+/// synchronise each with the first. Of a video that says nothing of its frames' times it asks the rate.
 class ImportTrialDialog : public QDialog
 {
     Q_OBJECT
@@ -54,12 +55,15 @@ private:
         QComboBox *camera;
         BadgeLabel *badge;
         PathField *file;
+        bool lacksTimes = false;
     };
     QWidget *makeVideos();
     QWidget *makeRate();
     void orderTabs();
     void proposeRobots(int team);
     void updateButtons();
+    void findMissingTimes(std::size_t row);
+    void requireRate();
 
     Badge badgeOf(const QString &camera) const;
 
@@ -75,6 +79,7 @@ private:
     ViewSteps *m_steps;
     QCheckBox *m_givenRate;
     QDoubleSpinBox *m_rate;
+    QLabel *m_rateReason; ///< why it must be given; hidden where it need not
     QDialogButtonBox *m_buttons;
 };
 
