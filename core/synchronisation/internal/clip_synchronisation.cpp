@@ -142,6 +142,8 @@ Result<ClipOffset> estimateClipOffset(const std::vector<TimedPosition> &firstTra
         if (Message uniform = uniformMotion(*track); !uniform.isEmpty())
             return undeterminedOffset(std::move(uniform));
     const ConstantLag constant = findConstantLag(first, second, range);
+    if (constant.failure == NoLag::Repeats)
+        return undeterminedOffset(unsynchronisedCause(first, second, constant, range));
     const bool isFound = constant.failure == NoLag::None && !constant.isRateBeyond;
     if (isFound && std::abs(constant.offset.rate) < comparedRate) {
         const auto hypotheses = hypothesesAbout(first, second, lagsOf(range, first, second), constant.fit);
@@ -152,6 +154,8 @@ Result<ClipOffset> estimateClipOffset(const std::vector<TimedPosition> &firstTra
         if (ofChoice && isExplained && hypotheses.front().clocks.steps() == 0) {
             ClipOffset offset = constant.offset;
             offset.sigmaS = std::hypot(offset.sigmaS, std::sqrt(*ofChoice));
+            const double spanS = first.back().timeS - first.front().timeS;
+            offset.sigmaS = std::hypot(offset.sigmaS, constant.rateLeft * spanS / 2);
             return offset;
         }
     }

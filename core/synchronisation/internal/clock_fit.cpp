@@ -31,6 +31,8 @@ double correlationS(const std::vector<Eigen::Vector2d> &remaining, const std::ve
         if (correlation < 0.05)
             break;
         sum += 2 * correlation;
+        if (sum * stepS > restCorrelationS)
+            break;
     }
     return sum * stepS;
 }

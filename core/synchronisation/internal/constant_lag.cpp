@@ -76,6 +76,8 @@ void takeRate(ConstantLag &found, const Fit &fit, double frameS)
         return;
     const Eigen::Matrix2d covariance = independentVariance(fit.agreement.variance, frameS) * given.inverse();
     found.offset.rateSigma = std::sqrt(covariance(1, 1));
+    if (std::abs(fit.clock.rate) > 2 * found.offset.rateSigma)
+        found.rateLeft = std::abs(fit.clock.rate);
     if (std::abs(fit.clock.rate) <= 3 * found.offset.rateSigma ||
         fit.agreement.variance >= found.fit.agreement.variance)
         return;
@@ -83,6 +85,7 @@ void takeRate(ConstantLag &found, const Fit &fit, double frameS)
     if (found.isRateBeyond)
         return;
     const double rateSigma = found.offset.rateSigma;
+    found.rateLeft = 0;
     found.fit = fit;
     found.offset = offsetFrom(fit, frameS);
     found.offset.sigmaS = std::sqrt(covariance(0, 0));

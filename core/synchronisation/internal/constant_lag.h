@@ -15,9 +15,10 @@ enum class NoLag { None, RarelyTogether, EveryOffset, TracksDiffer, BeyondRange,
 struct ConstantLag
 {
     NoLag failure = NoLag::None;
-    ClipOffset offset; ///< where there is no failure
-    Fit fit;           ///< of the offset; with the rate where it is taken
-    double rivalS = 0; ///< that fits as well, where the motion repeats itself
+    ClipOffset offset;   ///< where there is no failure
+    Fit fit;             ///< of the offset; with the rate where it is taken
+    double rivalS = 0;   ///< that fits as well, where the motion repeats itself
+    double rateLeft = 0; ///< that may be there, but is not significant
     /// the tracks agree better at a rate that no clock has
     bool isRateBeyond = false;
 };

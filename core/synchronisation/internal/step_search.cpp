@@ -21,6 +21,7 @@ constexpr double clearM = 0.008;   ///< of that way: less tells nothing
 constexpr double gapS = 0.3;
 constexpr int mostRounds = 12;
 constexpr std::size_t mostAdded = 8;
+constexpr double mostScanned = 100;
 constexpr double scanStepS = 0.1, fromEndS = 0.5;
 constexpr double leastVariance = 1e-6; ///< m²: never surer than 1 mm of disagreement
 constexpr double shortestCorrelationS = 0.1, longestCorrelationS = 0.5;
@@ -318,11 +319,12 @@ FurtherStep likeliestStep(const std::vector<TimedPosition> &first, const std::ve
         changes.push_back({clocks.first.timeS(clocks.pieces[k].fromS) - clocks.clock.offsetS});
     changes.push_back({0});
     FurtherStep best;
+    const double stepS = std::max(scanStepS, double(pairs.size()) * frameS / mostScanned);
     double least = HUGE_VAL;
     if (pairs.size() < fewestPairs)
         return best;
     for (double atS = pairs.sinceStartS.front() + fromEndS; atS < pairs.sinceStartS.back() - fromEndS;
-         atS += scanStepS) {
+         atS += stepS) {
         changes.back().fromS = atS;
         const Agreement agreement = agreementOf(pairs, withRate, changes, noise);
         if (agreement.predicted < least) {

@@ -13,7 +13,7 @@ namespace {
 
 constexpr double noiseTimes = 3, leastLeftM = 0.004; ///< of what a uniform motion may leave
 constexpr double restM = 0.01;
-constexpr double sameFormShare = 0.02, farBetter = 10; ///< of the motion's variance; than by a shift
+constexpr double sameFormShare = 0.002, farBetter = 10; ///< of the motion's variance; than by a shift
 constexpr double formStepS = 0.05;
 constexpr double shortestOverlapS = 2, sameRunScore = 0.98;
 constexpr std::size_t formPoints = 200;
