@@ -3,21 +3,16 @@
 
 #include "core/base/error.h"
 #include "core/base/units.h"
+#include "core/synchronisation/internal/track_sampling.h"
 
 #include <Eigen/Core>
 #include <vector>
 
 namespace odo {
 
-/// A floor position at a time of the view's own clock, zero at its first frame.
-struct TimedPosition
-{
-    double timeS = 0;
-    Eigen::Vector2d pointInWorld;
-};
-
 /// Offset and rate of the second view's clock against the first view's: what the second view stamps u was
-/// taken at offset + u / (1 + rate) of the first view's clock (core/trajectory/analyser.h).
+/// taken at offset + u / (1 + rate) of the first view's clock (core/trajectory/analyser.h), by the stamps of
+/// both as they are after their repair.
 struct ClipOffset
 {
     double offsetS = 0; ///< how much later the second view's first frame was taken than the first view's
@@ -25,10 +20,11 @@ struct ClipOffset
     double score = 0;     ///< 0 to 1: part of the motion's variance that both views share at this offset
     double rate = 0;      ///< by how much the second clock runs faster; 0 where it is not significant
     double rateSigma = 0; ///< also if the rate is 0: how well the motion determines it
+    ClockRepair first = {}, second = {}; ///< of each view's stamps; none where they are even
 };
 
-/// No camera's clock is wrong by more.
-inline constexpr double largestClockRate = 0.005;
+/// A clock that is wrong by more is one whose clip states another frame rate than it was recorded at.
+inline constexpr double largestClockRate = 0.0225;
 
 /// "synchronisation of the clips", as the subject of errors.
 Message clipsSubject();
@@ -49,9 +45,14 @@ struct OffsetRange
 /// Of cameras with more than 120 frames a second the means of neighbouring positions count as frames.
 /// Searches the range in half frames, refines by Gauss–Newton. σ from the curvature, less what noise
 /// adds to it, and the residual, taking the residuals as correlated over half a second. The rate is taken
-/// where it is beyond 3σ, makes the tracks agree better, and is one that a clock can have (half a percent).
-/// Pure; any thread. Undetermined: too few common positions, no or uniform motion, periodic motion with two
-/// equal answers.
+/// where it is beyond 3σ, makes the tracks agree better, and is one that a clock can have (two percent).
+///
+/// Where one offset and rate do not explain the tracks, frames that one view lost or doubled, pauses, jumps
+/// of a clock, rates up to ±2 % and those of wrong labels (half to twice the frame rate) are searched
+/// together. If another relation explains the tracks nearly as well, σ covers it, or it is refused. Pure; any
+/// thread. Undetermined, with the cause that was found by a test of it: too few or too short common
+/// positions, no or uniform motion, periodic motion with two equal answers, tracks of different form, nothing
+/// in common.
 Result<ClipOffset> estimateClipOffset(const std::vector<TimedPosition> &firstTrack,
                                       const std::vector<TimedPosition> &secondTrack,
                                       const OffsetRange &range);

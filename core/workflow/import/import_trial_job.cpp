@@ -18,6 +18,7 @@
 #include "core/workflow/media_copy.h"
 #include "core/workflow/shared_words.h"
 #include "core/workflow/track/settled_views.h"
+#include "core/workflow/track/track_warnings.h"
 #include "core/workflow/trial_sources.h"
 
 #include <algorithm>
@@ -63,15 +64,41 @@ Message whyNoTracks(const RegisteredView &view, const std::vector<RobotRecord> &
     return robots.empty() ? noRobotToTrack() : Message();
 }
 
+/// What is found of the clocks of all views.
+struct FoundClocks
+{
+    std::vector<Result<FoundOffset>> views; ///< for each but the first, against the first as repaired
+    std::optional<ClockRepair> first;       ///< of the first view's stamps
+};
+
+/// Once a view shows that the first one's stamps are uneven, all are compared with the repaired ones.
+FoundClocks clocksFrom(std::vector<ClipEvidence> evidence)
+{
+    FoundClocks found;
+    for (std::size_t v = 1; v < evidence.size(); ++v) {
+        auto offset = findClipOffset(evidence.front(), evidence[v], {0, longestOffsetS});
+        if (offset && !offset->clock.first.steps.empty() && !found.first) {
+            found.first = offset->clock.first;
+            for (MotionTrack &track : evidence.front().tracks)
+                for (TimedPosition &position : track.positions)
+                    position.timeS = found.first->timeS(position.timeS);
+            found.views.clear();
+            v = 0;
+            continue;
+        }
+        found.views.push_back(std::move(offset));
+    }
+    return found;
+}
+
 } // namespace
 
 /// Reads all views once, tracks the robots where two views or more are registered and measures the light, and
 /// finds for each view but the first its time offset to the first (findClipOffset): Undetermined, with the
 /// reason, if neither motion nor a flash gives it. Touches no project. Errors: a video that cannot be read;
 /// cancelled.
-Result<std::vector<Result<FoundOffset>>> findClipOffsets(const std::vector<RegisteredView> &views,
-                                                         const std::vector<RobotRecord> &robots,
-                                                         const JobControl &control)
+Result<FoundClocks> findClipOffsets(const std::vector<RegisteredView> &views,
+                                    const std::vector<RobotRecord> &robots, const JobControl &control)
 {
     const auto registered =
         std::count_if(views.begin(), views.end(), [](const RegisteredView &view) { return view.floorView; });
@@ -86,10 +113,7 @@ Result<std::vector<Result<FoundOffset>>> findClipOffsets(const std::vector<Regis
         evidence.push_back(
             {std::move(tracks[v]), whyNoTracks(views[v], robots), lightCourseOf(tracked[v].light)});
 
-    std::vector<Result<FoundOffset>> found;
-    for (std::size_t v = 1; v < views.size(); ++v)
-        found.push_back(findClipOffset(evidence.front(), evidence[v], {0, longestOffsetS}));
-    return found;
+    return clocksFrom(std::move(evidence));
 }
 
 namespace {
@@ -301,12 +325,26 @@ Result<void> ImportTrialJob::synchronise(const JobControl &control)
     return {};
 }
 
+/// Moves the frame times to where they were taken, and says so.
+void ImportTrialJob::repairTimes(RecordingRecord &recording, const ClockRepair &repair)
+{
+    for (Nanoseconds &time : recording.frameTimes)
+        time = fromSeconds(repair.timeS(toSeconds(time)));
+    for (const ClockStep &step : repair.steps)
+        m_warnings.push_back(joined({ODO_TEXT("workflow.times_of_view", "time stamps of view '%1'")(
+                                         Named::camera(recording.cameraName)),
+                                     clockStepSentence(step)},
+                                    Join::Colon));
+}
+
 Result<void> ImportTrialJob::findOffsets(const std::vector<std::size_t> &toFind, const JobControl &control)
 {
     std::vector<RegisteredView> views{m_views.front()};
     for (const std::size_t view : toFind)
         views.push_back(m_views[view]);
-    const auto found = ODO_TRY(findClipOffsets(views, m_robots, control));
+    auto [found, firstRepair] = ODO_TRY(findClipOffsets(views, m_robots, control));
+    if (firstRepair)
+        repairTimes(m_recordings.front(), *firstRepair);
     for (std::size_t i = 0; i < toFind.size(); ++i) {
         RecordingRecord &recording = m_recordings[toFind[i]];
         const Result<FoundOffset> &offset = found[i];
@@ -320,6 +358,10 @@ Result<void> ImportTrialJob::findOffsets(const std::vector<std::size_t> &toFind,
         }
         for (const Message &remark : offset->remarks)
             m_warnings.push_back(joined({what, remark}, Join::Colon));
+        repairTimes(recording, offset->clock.second);
+        if (Message sentence = clockRateSentence(recording, m_recordings.front(), offset->clock.rate);
+            !sentence.isEmpty())
+            m_warnings.push_back(joined({what, std::move(sentence)}, Join::Colon));
         recording.syncMethod = offset->fromFlash ? "flash" : "auto";
         recording.startOffsetS = offset->clock.offsetS;
         recording.startOffsetSigmaS = offset->clock.sigmaS;
@@ -360,7 +402,8 @@ Result<void> ImportTrialJob::compareViews()
                  ODO_TEXT("workflow.check_views_of_one_run",
                           "only one view measures the rest, so check that both belong to one run"));
         const double a = m_recordings[0].framesPerSecond, b = other.framesPerSecond;
-        if (a > 0 && b > 0 && std::abs(a - b) > 0.02 * a)
+        const bool isLabelWrong = std::abs(other.clockRate) > largestClockRate; // said already
+        if (a > 0 && b > 0 && std::abs(a - b) > 0.02 * a && !isLabelWrong)
             warn(ODO_TEXT("workflow.unequal_rates", "%1 and %2")(std::lround(a),
                                                                  quantity(std::round(b), 0, "frames/s")),
                  ODO_TEXT("workflow.check_rate",

@@ -3,6 +3,7 @@
 
 #include "core/files/temporary.h"
 #include "core/project/records.h"
+#include "core/synchronisation/clock_repair.h"
 #include "core/workflow/job.h"
 #include "core/workflow/trial_sources.h"
 
@@ -38,7 +39,8 @@ struct ImportSettings
 
 /// Brings the videos of one trial into the project: each is copied beside it (with its hash), its frame times
 /// are read, and the views are synchronised. An import that fails or is cancelled removes what it made, and
-/// only that.
+/// only that. Where the robot's motion shows that a file's time stamps are wrong (lost or doubled frames, a
+/// pause, a jump), the stored frame times are those at which the frames were taken, and a warning says so.
 class ImportTrialJob : public Job
 {
 public:
@@ -60,6 +62,7 @@ private:
     Result<void> checkSteps();
     Result<void> synchronise(const JobControl &control);
     Result<void> findOffsets(const std::vector<std::size_t> &toFind, const JobControl &control);
+    void repairTimes(RecordingRecord &recording, const ClockRepair &repair);
     Result<void> compareViews();
 
     ImportSettings m_settings;

@@ -3,6 +3,7 @@
 
 #include "core/base/error.h"
 #include "core/base/percentile.h"
+#include "core/synchronisation/frame_rate_labels.h"
 #include "core/trajectory/occlusions.h"
 #include "core/trajectory/view_disagreement.h"
 #include "core/workflow/track/frame_damage.h"
@@ -20,6 +21,7 @@ namespace {
 constexpr double mostOfImage = 0.10; ///< no robot is larger in a frame that shows its task
 constexpr double hardlyEver = 0.05;  ///< of the frames
 constexpr double ambiguousStepS = 0.005;
+constexpr double unusualClockRate = 0.001;
 
 double partFound(const std::vector<TrackedView> &tracked, std::size_t robot)
 {
@@ -220,6 +222,55 @@ std::vector<Message> moveWarnings(const std::string &trialName, const std::vecto
         if (tracked[v].cameraMove)
             sentences.push_back(movedSentence(trialName, views[v].recording, *tracked[v].cameraMove));
     return sentences;
+}
+
+Message clockStepSentence(const ClockStep &step)
+{
+    const MessageArgument at = quantity(step.afterS, 2, "s"),
+                          length = quantity(std::abs(step.lengthS), 3, "s");
+    if (step.lengthS > 0)
+        return ODO_TEXT(
+            "workflow.frames_lost",
+            "after %1 the frames of %2 are missing, because the camera paused or lost them; later "
+            "times were corrected")(at, length);
+    if (step.squeezedS > 0)
+        return ODO_TEXT("workflow.frames_doubled",
+                        "up to %1 frames repeat for %2; later times were corrected")(at, length);
+    return ODO_TEXT("workflow.clock_jumped",
+                    "at %1 the clock jumped ahead by %2; later times were corrected")(at, length);
+}
+
+Message clockRateSentence(const RecordingRecord &view, const RecordingRecord &first, double clockRate)
+{
+    if (std::abs(clockRate) < unusualClockRate)
+        return {};
+    const auto rateOf = [](double rate) {
+        return quantity(rate, std::abs(rate - std::round(rate)) < 0.005 ? 0 : 2, "frames/s");
+    };
+    const auto taken = rateBehindLabel(view.framesPerSecond, clockRate),
+               takenByFirst = rateBehindLabel(first.framesPerSecond, 1 / (1 + clockRate) - 1);
+    const MessageArgument viewName = Named::camera(view.cameraName),
+                          firstName = Named::camera(first.cameraName);
+    if (taken && takenByFirst)
+        return ODO_TEXT(
+            "workflow.labels_wrong",
+            "view '%1' was recorded at %2 (its file says %3), or view '%4' at %5 (its file says %6); "
+            "speeds and times are by the file of view '%4'")(
+            viewName, rateOf(*taken), rateOf(view.framesPerSecond), firstName, rateOf(*takenByFirst),
+            rateOf(first.framesPerSecond));
+    if (taken)
+        return ODO_TEXT("workflow.label_wrong", "view '%1' was recorded at %2, its file says %3")(
+            viewName, rateOf(*taken), rateOf(view.framesPerSecond));
+    if (takenByFirst)
+        return ODO_TEXT(
+            "workflow.first_label_wrong",
+            "view '%1' was recorded at %2, its file says %3, so speeds and times are wrong by %4")(
+            firstName, rateOf(*takenByFirst), rateOf(first.framesPerSecond),
+            quantity(100 * std::abs(clockRate), 1, "%"));
+    return ODO_TEXT(
+        "workflow.clocks_differ",
+        "the clocks of views '%1' and '%2' differ by %3; speeds and times are by the clock of view "
+        "'%1'")(firstName, viewName, quantity(100 * std::abs(clockRate), 2, "%"));
 }
 
 Message stepWarning(const std::string &trialName, const RecordingRecord &view)

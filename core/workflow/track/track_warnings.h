@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/project/records.h"
+#include "core/synchronisation/clock_repair.h"
 #include "core/workflow/track/view_tracking.h"
 
 #include <optional>
@@ -23,6 +24,13 @@ Message changedResults();
 /// where they agree, but for some moments. Where it is known why they contradict each other, that is said.
 /// views: names of the views that were measured with.
 Message viewsApartSentence(const Profile &profile, const std::vector<std::string> &views);
+
+/// What was wrong with a view's time stamps, and was repaired: a predicate.
+Message clockStepSentence(const ClockStep &step);
+
+/// That a view's clock runs so fast that its file states a wrong frame rate, or faster than clocks differ; by
+/// the first view's clock, which may be the wrong one as well. Empty where the rate is usual. A predicate.
+Message clockRateSentence(const RecordingRecord &view, const RecordingRecord &first, double clockRate);
 
 /// "from 3.20 s to 3.90 s this may be Blue 1 or Blue 2": a robot and those that it may be as well. Of several
 /// stretches the first one, how many there are, and all those robots. Empty for none.

@@ -175,8 +175,12 @@ void checkDecoding(const ObservationSeries &series, const RecordingRecord &view,
                       Join::Colon));
 }
 
-void checkSynchronisation(const RecordingRecord &view, const std::string &trial, Checks &checks)
+void checkSynchronisation(const RecordingRecord &view, const RecordingRecord &first, const std::string &trial,
+                          Checks &checks)
 {
+    if (Message sentence = clockRateSentence(view, first, view.clockRate); !sentence.isEmpty())
+        checks.add(synchronised, CheckLevel::Doubtful,
+                   joined({viewInTrialSubject(view.cameraName, trial), std::move(sentence)}, Join::Colon));
     if (Message sentence = stepWarning(trial, view); !sentence.isEmpty())
         checks.add(synchronised, isStepMeasured(view) ? CheckLevel::Doubtful : CheckLevel::Bad,
                    std::move(sentence));
@@ -293,7 +297,7 @@ Result<TrialVerdict> verdictOn(Project &project, const TrialRecord &trial,
         ODO_TRY(checkTracking(project, analyses.front(), *recordings[view], trial.name, checks));
     }
     for (std::size_t i = 0; used.size() > 1 && i < used.size(); ++i)
-        checkSynchronisation(*recordings[used[i]], trial.name, checks);
+        checkSynchronisation(*recordings[used[i]], *recordings.front(), trial.name, checks);
     passTheRest(!recordings.empty(), used.size(), checks);
     TrialVerdict verdict = checks.take();
     verdict.acceptance = ODO_TRY(project.verdicts().acceptance(trial.id));

@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/synchronisation/internal/clock_hypotheses.h"
+
+#include "core/synchronisation/frame_rate_labels.h"
+#include "core/synchronisation/internal/clip_synchronisation.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace odo {
+
+namespace {
+
+constexpr std::size_t mostRates = 61, mostSettled = 6;
+
+/// Rates from −2 to 2 %, no further apart than the tracks can tell, then those of wrong labels.
+std::vector<double> ratesToTry(double spanS, double frameS)
+{
+    const auto aside = std::min(mostRates / 2, std::size_t(std::ceil(largestClockRate * spanS / frameS)));
+    std::vector<double> rates{0};
+    for (std::size_t i = 1; i <= aside; ++i) {
+        rates.push_back(largestClockRate * double(i) / double(aside));
+        rates.push_back(-rates.back());
+    }
+    for (const double rate : labelRates()) {
+        const bool isNew = std::none_of(rates.begin(), rates.end(), [&](double other) {
+            return std::abs(other - rate) * spanS < frameS;
+        });
+        if (isNew)
+            rates.push_back(rate);
+    }
+    return rates;
+}
+
+/// Weighs relations against one another, the likeliest first.
+void rank(std::vector<ClockHypothesis> &all, double frameS)
+{
+    const auto best = std::min_element(all.begin(), all.end(), [](const auto &a, const auto &b) {
+        return a.clocks.variance < b.clocks.variance;
+    });
+    if (best == all.end())
+        return;
+    const double independent = independentMoments(best->clocks, frameS);
+    std::size_t most = 0;
+    for (const ClockHypothesis &one : all)
+        most = std::max(most, one.clocks.pairs);
+    for (ClockHypothesis &one : all)
+        one.likelihood = clockLikelihood(one.clocks, independent) -
+                         againstUnseenS * frameS * double(most - one.clocks.pairs);
+    std::sort(all.begin(), all.end(),
+              [](const auto &a, const auto &b) { return a.likelihood > b.likelihood; });
+}
+
+} // namespace
+
+std::vector<ClockHypothesis> hypothesesAbout(const std::vector<TimedPosition> &first,
+                                             const std::vector<TimedPosition> &second, const LagRange &range,
+                                             const Fit &fit)
+{
+    const double frameS = std::max(medianStepS(first), 1e-3);
+    LagCourse course = LagSearch(first, second, range).courseAt(fit.clock.rate);
+    std::vector<ClockHypothesis> both;
+    const LagPiece whole{first.front().timeS, first.back().timeS, fit.clock.offsetS};
+    for (const std::vector<LagPiece> &pieces : {std::vector{whole}, course.pieces}) {
+        course.pieces = pieces;
+        if (auto clocks = steppedClocks(first, second, course, fit.clock.rate != 0))
+            both.push_back(
+                {withBetterSteps(first, second, std::move(*clocks), course.noiseM, fit.clock.rate != 0)});
+    }
+    ClockHypothesis constant;
+    constant.clocks.clock = fit.clock;
+    constant.clocks.variance = fit.agreement.variance;
+    constant.clocks.correlatedS = fit.agreement.correlatedS;
+    constant.clocks.pairs = fit.pairs;
+    both.push_back(constant);
+    rank(both, frameS);
+    return both;
+}
+
+std::vector<ClockHypothesis> clockHypotheses(const std::vector<TimedPosition> &first,
+                                             const std::vector<TimedPosition> &second, const LagRange &range)
+{
+    const double frameS = std::max(medianStepS(first), 1e-3),
+                 spanS = first.back().timeS - first.front().timeS;
+    const std::size_t enough = std::max(fewestPairs, std::min(first.size(), second.size()) / 2);
+    const LagSearch search(first, second, range);
+    std::vector<LagCourse> courses;
+    double noiseM = HUGE_VAL;
+    for (const double rate : ratesToTry(spanS, frameS)) {
+        courses.push_back(search.courseAt(rate));
+        if (!courses.back().pieces.empty())
+            noiseM = std::min(noiseM, courses.back().noiseM);
+    }
+    for (LagCourse &course : courses)
+        course = search.courseAt(course.rate, noiseM);
+    std::sort(courses.begin(), courses.end(),
+              [](const LagCourse &a, const LagCourse &b) { return a.cost < b.cost; });
+    courses.resize(std::min(courses.size(), mostSettled));
+
+    std::vector<ClockHypothesis> found;
+    for (const LagCourse &course : courses) {
+        for (const bool withRate : {true, false}) {
+            if (!withRate && course.rate != 0)
+                continue;
+            auto clocks = steppedClocks(first, second, course, withRate);
+            if (!clocks || clocks->pairs < enough)
+                continue;
+            found.push_back({withBetterSteps(first, second, std::move(*clocks), course.noiseM, withRate)});
+        }
+    }
+    rank(found, frameS);
+    return found;
+}
+
+} // namespace odo
