@@ -3819,6 +3819,13 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
 </context>
 <context>
+    <name>calibration.camera_upside_down</name>
+    <message>
+        <source>The camera would be upside down</source>
+        <translation>Die Kamera wäre kopfüber</translation>
+    </message>
+</context>
+<context>
     <name>calibration.cameras_undetermined</name>
     <message>
         <source>the markers do not determine the camera positions</source>
@@ -4092,6 +4099,13 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
 </context>
 <context>
+    <name>calibration.doubtful</name>
+    <message>
+        <source>Doubtful: %1.</source>
+        <translation>Zweifelhaft: %1.</translation>
+    </message>
+</context>
+<context>
     <name>calibration.edges_wide</name>
     <message>
         <source>its edges are %1 pixels wide</source>
@@ -4169,10 +4183,38 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
 </context>
 <context>
+    <name>calibration.fit_only_to</name>
+    <message>
+        <source>the markers fit only to %1</source>
+        <translation>die Marker passen nur auf %1</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.fits_without</name>
+    <message>
+        <source>without %1 the others fit to %2: check its position and its pixel</source>
+        <translation>ohne %1 passen die anderen auf %2: seine Position und sein Pixel prüfen</translation>
+    </message>
+</context>
+<context>
     <name>calibration.fitting_lens</name>
     <message>
         <source>fitting the lens model to %1 images</source>
         <translation>das Objektiv wird an %1 Bilder angepasst</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.flip_image</name>
+    <message>
+        <source>switch off mirroring in the camera or its program, or flip the file</source>
+        <translation>Spiegelung in der Kamera oder ihrem Programm ausschalten oder die Datei spiegeln</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.floor_may_be_mirrored</name>
+    <message>
+        <source>if it is not, v is counted from below, and the labels are mirrored.</source>
+        <translation>wenn nicht, zählt v von unten und die Bezeichnungen sind gespiegelt.</translation>
     </message>
 </context>
 <context>
@@ -4421,6 +4463,13 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
 </context>
 <context>
+    <name>calibration.image_mirrored</name>
+    <message>
+        <source>mirrored left to right they fit to %1: is the image mirrored?</source>
+        <translation>seitenverkehrt passen sie auf %1: Ist das Bild gespiegelt?</translation>
+    </message>
+</context>
+<context>
     <name>calibration.inches</name>
     <message>
         <source>inches</source>
@@ -4495,6 +4544,13 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>it must be in mm</source>
         <translation>erwartet werden mm</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.layout_mirrored</name>
+    <message>
+        <source>with a reversed Y of the layout they fit to %1: check the signs of the layout, seen from above Y must point to the left of X</source>
+        <translation>mit umgekehrtem Y der Markeranordnung passen sie auf %1: Vorzeichen der Anordnung prüfen, von oben gesehen muss Y links von X zeigen</translation>
     </message>
 </context>
 <context>
@@ -4579,6 +4635,13 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>no camera shows it</source>
         <translation>keine Kamera wurde angegeben, die sie sieht</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.lens_of_other_camera</name>
+    <message>
+        <source>with the lens calibration of camera &apos;%1&apos; they fit to %2: are the views swapped?</source>
+        <translation>mit der Objektivkalibrierung von Kamera „%1“ passen sie auf %2: Sind die Ansichten vertauscht?</translation>
     </message>
 </context>
 <context>
@@ -5093,10 +5156,10 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
 </context>
 <context>
-    <name>calibration.other_order_fits</name>
+    <name>calibration.other_picking_size</name>
     <message>
-        <source>the markers fit only to %1, but %2</source>
-        <translation>die Marker passen nur auf %1, aber %2</translation>
+        <source>at %1 they fit to %2: were they picked at that size?</source>
+        <translation>bei %1 passen sie auf %2: Wurden sie in dieser Größe markiert?</translation>
     </message>
 </context>
 <context>
@@ -5104,6 +5167,13 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>it is %1×%2, the first image %3×%4</source>
         <translation>dieses Bild hat %1×%2, das erste %3×%4</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.other_zoom</name>
+    <message>
+        <source>with a focal length of %1 instead of %2 they fit to %3: has the zoom or the lens changed?</source>
+        <translation>mit einer Brennweite von %1 statt %2 passen sie auf %3: Wurde der Zoom oder das Objektiv geändert?</translation>
     </message>
 </context>
 <context>
@@ -5373,6 +5443,13 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
 </context>
 <context>
+    <name>calibration.quarter_turn</name>
+    <message>
+        <source>turned by a quarter they fit to %1: was the image shown turned?</source>
+        <translation>um eine Vierteldrehung gedreht passen sie auf %1: Wurde das Bild gedreht gezeigt?</translation>
+    </message>
+</context>
+<context>
     <name>calibration.rational</name>
     <message>
         <source>rational</source>
@@ -5443,6 +5520,20 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
 </context>
 <context>
+    <name>calibration.rings_mirrored</name>
+    <message>
+        <source>%1 rings and dots fit the layout, mirrored</source>
+        <translation>%1 Ringe und Punkte passen gespiegelt zur Anordnung</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.same_as_other_camera</name>
+    <message>
+        <source>Camera &apos;%1&apos; sees the markers at the same pixels (to %2): check that the views are not swapped.</source>
+        <translation>Kamera „%1“ sieht die Marker an denselben Pixeln (auf %2): prüfen, ob die Ansichten vertauscht sind.</translation>
+    </message>
+</context>
+<context>
     <name>calibration.same_attitude</name>
     <message>
         <source>all %1 images show the board at nearly the same tilt, too little to determine the focal length</source>
@@ -5461,6 +5552,13 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>aim them at a common part of the floor</source>
         <translation>lassen Sie sie ein Stück gemeinsamen Bodens sehen</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.seen_by_other_camera</name>
+    <message>
+        <source>camera &apos;%1&apos; sees the markers there, to %2: are the views swapped?</source>
+        <translation>Kamera „%1“ sieht die Marker dort, auf %2: Sind die Ansichten vertauscht?</translation>
     </message>
 </context>
 <context>
@@ -5618,6 +5716,13 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
 </context>
 <context>
+    <name>calibration.tags_mirrored</name>
+    <message>
+        <source>%1 tags were found, mirrored</source>
+        <translation>%1 Tags wurden gespiegelt gefunden</translation>
+    </message>
+</context>
+<context>
     <name>calibration.take_ten</name>
     <message>
         <source>take ten or more, the board tilted differently in each</source>
@@ -5765,6 +5870,20 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
 </context>
 <context>
+    <name>calibration.u_outside</name>
+    <message>
+        <source>u = %1 of marker %2 is outside the image of %3</source>
+        <translation>u = %1 von Marker %2 ist außerhalb des Bildes von %3</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.u_v_swapped</name>
+    <message>
+        <source>with u and v swapped they fit to %1: are these columns swapped?</source>
+        <translation>mit vertauschtem u und v passen sie auf %1: Sind diese Spalten vertauscht?</translation>
+    </message>
+</context>
+<context>
     <name>calibration.unit</name>
     <message>
         <source>unit &apos;%1&apos;</source>
@@ -5839,6 +5958,20 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>use images of one camera at one resolution</source>
         <translation>verwenden Sie Bilder einer Kamera mit einer Auflösung</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.v_from_below</name>
+    <message>
+        <source>v = %1 - v fits to %2: is v counted from below?</source>
+        <translation>v = %1 - v passt auf %2: Zählt v von unten?</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.v_outside</name>
+    <message>
+        <source>v = %1 of marker %2 is outside the image of %3</source>
+        <translation>v = %1 von Marker %2 ist außerhalb des Bildes von %3</translation>
     </message>
 </context>
 <context>
@@ -11147,6 +11280,14 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>Registration of the camera of view %1</source>
         <translation>Einmessung der Kamera der Sicht %1</translation>
+    </message>
+    <message>
+        <source>not entered</source>
+        <translation>nicht eingegeben</translation>
+    </message>
+    <message>
+        <source>%1 has no time stamps and states no frame rate. Enter the rate of its camera.</source>
+        <translation>%1 hat keine Zeitstempel und nennt keine Bildrate. Bitte die Rate der Kamera eingeben.</translation>
     </message>
 </context>
 <context>
@@ -17683,10 +17824,10 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
 </context>
 <context>
-    <name>synchronisation.every_offset_fits</name>
+    <name>synchronisation.different_runs</name>
     <message>
-        <source>the robot stood still or ran straight at constant speed, so every time offset fits</source>
-        <translation>der Roboter stand oder fuhr gleichmäßig geradeaus, darum passt jeder Versatz</translation>
+        <source>the views&apos; tracks match at no time offset, frame rate or pause tried, so the videos may be of different runs</source>
+        <translation>die Bahnen der Ansichten passen bei keinem der probierten Zeitversätze, Bildraten und Pausen zusammen; die Videos zeigen vielleicht verschiedene Fahrten</translation>
     </message>
 </context>
 <context>
@@ -17732,6 +17873,13 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
 </context>
 <context>
+    <name>synchronisation.motion_too_even</name>
+    <message>
+        <source>the robot turned and changed its speed too little to give the time offset</source>
+        <translation>der Roboter bog zu wenig ab und änderte seine Geschwindigkeit zu wenig, um den Zeitversatz zu bestimmen</translation>
+    </message>
+</context>
+<context>
     <name>synchronisation.neither_tells</name>
     <message>
         <source>%1, and %2</source>
@@ -17743,13 +17891,6 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>neither view shows a flash of light</source>
         <translation>keine der Sichten zeigt einen Lichtblitz</translation>
-    </message>
-</context>
-<context>
-    <name>synchronisation.no_offset_fits</name>
-    <message>
-        <source>the views&apos; tracks do not match at any time offset tried</source>
-        <translation>die Spuren der Sichten decken sich bei keinem untersuchten Versatz</translation>
     </message>
 </context>
 <context>
@@ -17788,6 +17929,20 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
 </context>
 <context>
+    <name>synchronisation.robot_ran_straight</name>
+    <message>
+        <source>the robot ran straight at constant speed, so every time offset fits</source>
+        <translation>der Roboter fuhr mit gleichbleibender Geschwindigkeit geradeaus, sodass jeder Zeitversatz passt</translation>
+    </message>
+</context>
+<context>
+    <name>synchronisation.robot_rested</name>
+    <message>
+        <source>the robot stood still, so every time offset fits</source>
+        <translation>der Roboter stand still, sodass jeder Zeitversatz passt</translation>
+    </message>
+</context>
+<context>
     <name>synchronisation.robots_disagree</name>
     <message>
         <source>robot %1 gives a time offset of %2, robot %3 gives %4; the second was used</source>
@@ -17809,10 +17964,17 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
 </context>
 <context>
-    <name>synchronisation.tracks_differ</name>
+    <name>synchronisation.short_overlap</name>
     <message>
-        <source>the views&apos; tracks do not resemble one another</source>
-        <translation>die Spuren der Sichten ähneln einander nicht</translation>
+        <source>the views seem to have only %1 in common, which is too short to be sure</source>
+        <translation>die Ansichten scheinen nur %1 gemeinsam zu haben, zu wenig, um sicher zu sein</translation>
+    </message>
+</context>
+<context>
+    <name>synchronisation.views_distorted</name>
+    <message>
+        <source>the views show the same run, but with another size or direction: a camera has moved since its registration, or the videos are exchanged</source>
+        <translation>die Ansichten zeigen dieselbe Fahrt, aber in anderer Größe oder Richtung: Eine Kamera wurde seit ihrer Registrierung bewegt, oder die Videos sind vertauscht</translation>
     </message>
 </context>
 <context>
@@ -19531,13 +19693,6 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
 </context>
 <context>
-    <name>video.even_rate_assumed</name>
-    <message>
-        <source>an even %1 is assumed</source>
-        <translation>gleichmäßige %1 werden angenommen</translation>
-    </message>
-</context>
-<context>
     <name>video.failed_before</name>
     <message>
         <source>writing failed earlier</source>
@@ -20021,6 +20176,13 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
 </context>
 <context>
+    <name>workflow.analyse_it_again</name>
+    <message>
+        <source>reanalyse it</source>
+        <translation>ihn neu auswerten</translation>
+    </message>
+</context>
+<context>
     <name>workflow.analysing</name>
     <message>
         <source>analysing</source>
@@ -20135,8 +20297,8 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
 <context>
     <name>workflow.calibrate_or_give_picture</name>
     <message>
-        <source>calibrate it, import its intrinsics, or give --image or --video as well</source>
-        <translation>kalibrieren Sie sie, importieren Sie ihre Objektivdaten, oder geben Sie auch --image oder --video an</translation>
+        <source>calibrate it, import its intrinsics, or give an image or a video as well</source>
+        <translation>sie kalibrieren, ihre Objektivkalibrierung importieren oder auch ein Bild oder Video angeben</translation>
     </message>
 </context>
 <context>
@@ -20427,6 +20589,13 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
 </context>
 <context>
+    <name>workflow.choose_run_on_layout</name>
+    <message>
+        <source>choose a run on the same layout</source>
+        <translation>einen Lauf auf derselben Anordnung wählen</translation>
+    </message>
+</context>
+<context>
     <name>workflow.choose_time</name>
     <message>
         <source>choose a time from %1 to %2</source>
@@ -20438,6 +20607,27 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>choose one with --robot</source>
         <translation>wählen Sie einen mit --robot</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.clock_jumped</name>
+    <message>
+        <source>at %1 the clock jumped ahead by %2; later times were corrected</source>
+        <translation>bei %1 sprang die Uhr um %2 vor; spätere Zeiten wurden berichtigt</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.clock_restarts</name>
+    <message>
+        <source>its time stamps begin again after %1: two files were joined, or the camera&apos;s clock was reset</source>
+        <translation>ihre Zeitstempel beginnen nach %1 von vorn: Zwei Dateien wurden verbunden, oder die Uhr der Kamera wurde zurückgesetzt</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.clocks_differ</name>
+    <message>
+        <source>the clocks of views &apos;%1&apos; and &apos;%2&apos; differ by %3; speeds and times are by the clock of view &apos;%1&apos;</source>
+        <translation>die Uhren der Ansichten „%1“ und „%2“ weichen um %3 voneinander ab; Geschwindigkeiten und Zeiten folgen der Uhr der Ansicht „%1“</translation>
     </message>
 </context>
 <context>
@@ -20501,6 +20691,13 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>copying the project</source>
         <translation>Projekt wird kopiert</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.cut_at_restart</name>
+    <message>
+        <source>cut it there, and import each part as its own trial</source>
+        <translation>dort trennen und jeden Teil als eigenen Versuch importieren</translation>
     </message>
 </context>
 <context>
@@ -20616,6 +20813,13 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
 </context>
 <context>
+    <name>workflow.first_label_wrong</name>
+    <message>
+        <source>view &apos;%1&apos; was recorded at %2, its file says %3, so speeds and times are wrong by %4</source>
+        <translation>Ansicht „%1“ wurde mit %2 aufgenommen, ihre Datei nennt %3; Geschwindigkeiten und Zeiten sind daher um %4 falsch</translation>
+    </message>
+</context>
+<context>
     <name>workflow.fitting_cameras_together</name>
     <message>
         <source>fitting %1 cameras jointly</source>
@@ -20662,6 +20866,20 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>frame %1 of trial &apos;%2&apos;</source>
         <translation>Bild %1 des Versuchs &apos;%2&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.frames_doubled</name>
+    <message>
+        <source>up to %1 frames repeat for %2; later times were corrected</source>
+        <translation>bis %1 wiederholen sich Bilder %2 lang; spätere Zeiten wurden berichtigt</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.frames_lost</name>
+    <message>
+        <source>after %1 the frames of %2 are missing, because the camera paused or lost them; later times were corrected</source>
+        <translation>nach %1 fehlen die Bilder von %2, weil die Kamera pausierte oder sie verlor; spätere Zeiten wurden berichtigt</translation>
     </message>
 </context>
 <context>
@@ -20735,6 +20953,13 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
 </context>
 <context>
+    <name>workflow.give_picture_of_size</name>
+    <message>
+        <source>give an image of that size, or calibrate the camera at the size it records</source>
+        <translation>ein Bild dieser Größe angeben oder die Kamera in der Größe kalibrieren, in der sie aufnimmt</translation>
+    </message>
+</context>
+<context>
     <name>workflow.give_picture_of_that_size</name>
     <message>
         <source>give an image of that size</source>
@@ -20744,8 +20969,8 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
 <context>
     <name>workflow.give_pixels_or_picture</name>
     <message>
-        <source>give --pixels pixels.csv, --image image.png or --video clip.mp4</source>
-        <translation>geben Sie --pixels pixels.csv, --image picture.png oder --video clip.mp4 an</translation>
+        <source>give the markers&apos; pixels, or an image or a video of the floor</source>
+        <translation>die Pixel der Marker oder ein Bild oder Video des Bodens angeben</translation>
     </message>
 </context>
 <context>
@@ -20844,6 +21069,20 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>saving the images</source>
         <translation>Bilder werden abgelegt</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.label_wrong</name>
+    <message>
+        <source>view &apos;%1&apos; was recorded at %2, its file says %3</source>
+        <translation>Ansicht „%1“ wurde mit %2 aufgenommen, ihre Datei nennt %3</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.labels_wrong</name>
+    <message>
+        <source>view &apos;%1&apos; was recorded at %2 (its file says %3), or view &apos;%4&apos; at %5 (its file says %6); speeds and times are by the file of view &apos;%4&apos;</source>
+        <translation>Ansicht „%1“ wurde mit %2 aufgenommen (laut Datei %3) oder Ansicht „%4“ mit %5 (laut Datei %6); Geschwindigkeiten und Zeiten folgen der Datei der Ansicht „%4“</translation>
     </message>
 </context>
 <context>
@@ -21267,6 +21506,13 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
 </context>
 <context>
+    <name>workflow.no_times_in_file</name>
+    <message>
+        <source>it has no time stamps and states no frame rate</source>
+        <translation>sie hat keine Zeitstempel und nennt keine Bildrate</translation>
+    </message>
+</context>
+<context>
     <name>workflow.no_track_given</name>
     <message>
         <source>no track was given</source>
@@ -21554,6 +21800,13 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
 </context>
 <context>
+    <name>workflow.picture_of_other_size</name>
+    <message>
+        <source>%1 is %2, but the lens was calibrated at %3</source>
+        <translation>%1 hat %2, aber das Objektiv wurde bei %3 kalibriert</translation>
+    </message>
+</context>
+<context>
     <name>workflow.picture_size_not_known</name>
     <message>
         <source>the size of its images is not known</source>
@@ -21638,6 +21891,13 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
 </context>
 <context>
+    <name>workflow.rate_of_header</name>
+    <message>
+        <source>its header states an even %1</source>
+        <translation>ihr Kopf nennt gleichmäßige %1</translation>
+    </message>
+</context>
+<context>
     <name>workflow.record</name>
     <message>
         <source>record %1</source>
@@ -21705,6 +21965,13 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>register camera %1 again</source>
         <translation>Kamera %1 neu einmessen</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.register_camera_anew</name>
+    <message>
+        <source>register the camera again</source>
+        <translation>die Kamera neu registrieren</translation>
     </message>
 </context>
 <context>
@@ -21796,6 +22063,13 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>registration %1</source>
         <translation>Einmessung %1</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.registration_in_older_axes</name>
+    <message>
+        <source>it has other axes: those of its layout were changed since</source>
+        <translation>sie hat andere Achsen: Die ihrer Anordnung wurden seither geändert</translation>
     </message>
 </context>
 <context>
@@ -21906,8 +22180,15 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
 <context>
     <name>workflow.run_calibrate</name>
     <message>
-        <source>run odograph calibrate, or odograph intrinsics import</source>
-        <translation>kalibrieren Sie sie, oder importieren Sie ihre Objektivdaten</translation>
+        <source>calibrate its lens, or import its intrinsics</source>
+        <translation>ihr Objektiv kalibrieren oder ihre Objektivkalibrierung importieren</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.run_in_older_axes</name>
+    <message>
+        <source>it has other axes: those of layout &apos;%1&apos; were changed after it was analysed</source>
+        <translation>er hat andere Achsen: Die von Anordnung „%1“ wurden nach der Auswertung geändert</translation>
     </message>
 </context>
 <context>
@@ -21922,6 +22203,13 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>run odograph track without --again first</source>
         <translation>verfolgen Sie zuerst ohne --again</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.runs_in_other_axes</name>
+    <message>
+        <source>it has other axes (layout &apos;%1&apos;) than trial &apos;%2&apos; (layout &apos;%3&apos;)</source>
+        <translation>er hat andere Achsen (Anordnung „%1“) als Versuch „%2“ (Anordnung „%3“)</translation>
     </message>
 </context>
 <context>
@@ -21978,6 +22266,13 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>Spikes: %1 instead of %2.</source>
         <translation>Ausreißer: %1 statt %2.</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.stamps_too_dense</name>
+    <message>
+        <source>its time stamps mean %1, which no camera takes</source>
+        <translation>ihre Zeitstempel bedeuten %1, was keine Kamera aufnimmt</translation>
     </message>
 </context>
 <context>
@@ -22048,6 +22343,13 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>its times start at %1</source>
         <translation>die Zeiten zählen ab %1</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.times_of_view</name>
+    <message>
+        <source>time stamps of view &apos;%1&apos;</source>
+        <translation>Zeitstempel der Ansicht „%1“</translation>
     </message>
 </context>
 <context>

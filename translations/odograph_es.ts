@@ -3819,6 +3819,13 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     </message>
 </context>
 <context>
+    <name>calibration.camera_upside_down</name>
+    <message>
+        <source>The camera would be upside down</source>
+        <translation>La cámara estaría boca abajo</translation>
+    </message>
+</context>
+<context>
     <name>calibration.cameras_undetermined</name>
     <message>
         <source>the markers do not determine the camera positions</source>
@@ -4092,6 +4099,13 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     </message>
 </context>
 <context>
+    <name>calibration.doubtful</name>
+    <message>
+        <source>Doubtful: %1.</source>
+        <translation>Dudoso: %1.</translation>
+    </message>
+</context>
+<context>
     <name>calibration.edges_wide</name>
     <message>
         <source>its edges are %1 pixels wide</source>
@@ -4169,10 +4183,38 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     </message>
 </context>
 <context>
+    <name>calibration.fit_only_to</name>
+    <message>
+        <source>the markers fit only to %1</source>
+        <translation>los marcadores solo encajan con %1</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.fits_without</name>
+    <message>
+        <source>without %1 the others fit to %2: check its position and its pixel</source>
+        <translation>sin %1 los demás encajan con %2: compruebe su posición y su píxel</translation>
+    </message>
+</context>
+<context>
     <name>calibration.fitting_lens</name>
     <message>
         <source>fitting the lens model to %1 images</source>
         <translation>ajustando la lente a %1 imágenes</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.flip_image</name>
+    <message>
+        <source>switch off mirroring in the camera or its program, or flip the file</source>
+        <translation>desactive el reflejo en la cámara o su programa, o voltee el archivo</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.floor_may_be_mirrored</name>
+    <message>
+        <source>if it is not, v is counted from below, and the labels are mirrored.</source>
+        <translation>si no lo está, v se cuenta desde abajo y las etiquetas están reflejadas.</translation>
     </message>
 </context>
 <context>
@@ -4421,6 +4463,13 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     </message>
 </context>
 <context>
+    <name>calibration.image_mirrored</name>
+    <message>
+        <source>mirrored left to right they fit to %1: is the image mirrored?</source>
+        <translation>reflejados de izquierda a derecha encajan con %1: ¿está reflejada la imagen?</translation>
+    </message>
+</context>
+<context>
     <name>calibration.inches</name>
     <message>
         <source>inches</source>
@@ -4495,6 +4544,13 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <message>
         <source>it must be in mm</source>
         <translation>se da en mm</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.layout_mirrored</name>
+    <message>
+        <source>with a reversed Y of the layout they fit to %1: check the signs of the layout, seen from above Y must point to the left of X</source>
+        <translation>con Y de la disposición invertida encajan con %1: compruebe los signos de la disposición; vista desde arriba, Y debe apuntar a la izquierda de X</translation>
     </message>
 </context>
 <context>
@@ -4579,6 +4635,13 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <message>
         <source>no camera shows it</source>
         <translation>no se dio ninguna cámara que la vea</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.lens_of_other_camera</name>
+    <message>
+        <source>with the lens calibration of camera &apos;%1&apos; they fit to %2: are the views swapped?</source>
+        <translation>con la calibración del objetivo de la cámara «%1» encajan con %2: ¿están intercambiadas las vistas?</translation>
     </message>
 </context>
 <context>
@@ -5093,10 +5156,10 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     </message>
 </context>
 <context>
-    <name>calibration.other_order_fits</name>
+    <name>calibration.other_picking_size</name>
     <message>
-        <source>the markers fit only to %1, but %2</source>
-        <translation>los marcadores se ajustan solo a %1, pero %2</translation>
+        <source>at %1 they fit to %2: were they picked at that size?</source>
+        <translation>a %1 encajan con %2: ¿se marcaron con ese tamaño?</translation>
     </message>
 </context>
 <context>
@@ -5104,6 +5167,13 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <message>
         <source>it is %1×%2, the first image %3×%4</source>
         <translation>tiene %1×%2, la primera imagen %3×%4</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.other_zoom</name>
+    <message>
+        <source>with a focal length of %1 instead of %2 they fit to %3: has the zoom or the lens changed?</source>
+        <translation>con una distancia focal de %1 en vez de %2 encajan con %3: ¿ha cambiado el zoom o el objetivo?</translation>
     </message>
 </context>
 <context>
@@ -5373,6 +5443,13 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     </message>
 </context>
 <context>
+    <name>calibration.quarter_turn</name>
+    <message>
+        <source>turned by a quarter they fit to %1: was the image shown turned?</source>
+        <translation>girados un cuarto de vuelta encajan con %1: ¿se mostró girada la imagen?</translation>
+    </message>
+</context>
+<context>
     <name>calibration.rational</name>
     <message>
         <source>rational</source>
@@ -5443,6 +5520,20 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     </message>
 </context>
 <context>
+    <name>calibration.rings_mirrored</name>
+    <message>
+        <source>%1 rings and dots fit the layout, mirrored</source>
+        <translation>%1 anillos y puntos encajan reflejados en la disposición</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.same_as_other_camera</name>
+    <message>
+        <source>Camera &apos;%1&apos; sees the markers at the same pixels (to %2): check that the views are not swapped.</source>
+        <translation>La cámara «%1» ve los marcadores en los mismos píxeles (con %2): compruebe que las vistas no estén intercambiadas.</translation>
+    </message>
+</context>
+<context>
     <name>calibration.same_attitude</name>
     <message>
         <source>all %1 images show the board at nearly the same tilt, too little to determine the focal length</source>
@@ -5461,6 +5552,13 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <message>
         <source>aim them at a common part of the floor</source>
         <translation>haga que vean parte del mismo suelo</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.seen_by_other_camera</name>
+    <message>
+        <source>camera &apos;%1&apos; sees the markers there, to %2: are the views swapped?</source>
+        <translation>la cámara «%1» ve ahí los marcadores, con %2: ¿están intercambiadas las vistas?</translation>
     </message>
 </context>
 <context>
@@ -5618,6 +5716,13 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     </message>
 </context>
 <context>
+    <name>calibration.tags_mirrored</name>
+    <message>
+        <source>%1 tags were found, mirrored</source>
+        <translation>se encontraron %1 etiquetas, reflejadas</translation>
+    </message>
+</context>
+<context>
     <name>calibration.take_ten</name>
     <message>
         <source>take ten or more, the board tilted differently in each</source>
@@ -5765,6 +5870,20 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     </message>
 </context>
 <context>
+    <name>calibration.u_outside</name>
+    <message>
+        <source>u = %1 of marker %2 is outside the image of %3</source>
+        <translation>u = %1 del marcador %2 está fuera de la imagen de %3</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.u_v_swapped</name>
+    <message>
+        <source>with u and v swapped they fit to %1: are these columns swapped?</source>
+        <translation>con u y v intercambiadas encajan con %1: ¿están intercambiadas estas columnas?</translation>
+    </message>
+</context>
+<context>
     <name>calibration.unit</name>
     <message>
         <source>unit &apos;%1&apos;</source>
@@ -5839,6 +5958,20 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <message>
         <source>use images of one camera at one resolution</source>
         <translation>use imágenes de una cámara con una misma resolución</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.v_from_below</name>
+    <message>
+        <source>v = %1 - v fits to %2: is v counted from below?</source>
+        <translation>v = %1 - v encaja con %2: ¿se cuenta v desde abajo?</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.v_outside</name>
+    <message>
+        <source>v = %1 of marker %2 is outside the image of %3</source>
+        <translation>v = %1 del marcador %2 está fuera de la imagen de %3</translation>
     </message>
 </context>
 <context>
@@ -11147,6 +11280,14 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <message>
         <source>Registration of the camera of view %1</source>
         <translation>Registro de la cámara de la vista %1</translation>
+    </message>
+    <message>
+        <source>not entered</source>
+        <translation>sin indicar</translation>
+    </message>
+    <message>
+        <source>%1 has no time stamps and states no frame rate. Enter the rate of its camera.</source>
+        <translation>%1 no tiene marcas de tiempo ni indica la frecuencia de imágenes. Introduzca la de su cámara.</translation>
     </message>
 </context>
 <context>
@@ -17683,10 +17824,10 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     </message>
 </context>
 <context>
-    <name>synchronisation.every_offset_fits</name>
+    <name>synchronisation.different_runs</name>
     <message>
-        <source>the robot stood still or ran straight at constant speed, so every time offset fits</source>
-        <translation>el robot estuvo quieto o fue recto a velocidad constante, así que cualquier desfase encaja</translation>
+        <source>the views&apos; tracks match at no time offset, frame rate or pause tried, so the videos may be of different runs</source>
+        <translation>las trayectorias de las vistas no coinciden con ningún desfase, frecuencia o pausa probados, por lo que los vídeos pueden ser de recorridos distintos</translation>
     </message>
 </context>
 <context>
@@ -17732,6 +17873,13 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     </message>
 </context>
 <context>
+    <name>synchronisation.motion_too_even</name>
+    <message>
+        <source>the robot turned and changed its speed too little to give the time offset</source>
+        <translation>el robot giró y cambió de velocidad demasiado poco para determinar el desfase</translation>
+    </message>
+</context>
+<context>
     <name>synchronisation.neither_tells</name>
     <message>
         <source>%1, and %2</source>
@@ -17743,13 +17891,6 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <message>
         <source>neither view shows a flash of light</source>
         <translation>ninguna vista muestra un destello de luz</translation>
-    </message>
-</context>
-<context>
-    <name>synchronisation.no_offset_fits</name>
-    <message>
-        <source>the views&apos; tracks do not match at any time offset tried</source>
-        <translation>las trazas de las vistas no coinciden con ningún desfase examinado</translation>
     </message>
 </context>
 <context>
@@ -17788,6 +17929,20 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     </message>
 </context>
 <context>
+    <name>synchronisation.robot_ran_straight</name>
+    <message>
+        <source>the robot ran straight at constant speed, so every time offset fits</source>
+        <translation>el robot avanzó en línea recta a velocidad constante, por lo que cualquier desfase encaja</translation>
+    </message>
+</context>
+<context>
+    <name>synchronisation.robot_rested</name>
+    <message>
+        <source>the robot stood still, so every time offset fits</source>
+        <translation>el robot estuvo parado, por lo que cualquier desfase encaja</translation>
+    </message>
+</context>
+<context>
     <name>synchronisation.robots_disagree</name>
     <message>
         <source>robot %1 gives a time offset of %2, robot %3 gives %4; the second was used</source>
@@ -17809,10 +17964,17 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     </message>
 </context>
 <context>
-    <name>synchronisation.tracks_differ</name>
+    <name>synchronisation.short_overlap</name>
     <message>
-        <source>the views&apos; tracks do not resemble one another</source>
-        <translation>las trazas de las vistas no se parecen entre sí</translation>
+        <source>the views seem to have only %1 in common, which is too short to be sure</source>
+        <translation>las vistas parecen tener solo %1 en común, demasiado poco para estar seguro</translation>
+    </message>
+</context>
+<context>
+    <name>synchronisation.views_distorted</name>
+    <message>
+        <source>the views show the same run, but with another size or direction: a camera has moved since its registration, or the videos are exchanged</source>
+        <translation>las vistas muestran el mismo recorrido, pero con otro tamaño u otra dirección: una cámara se movió desde su registro o los vídeos están intercambiados</translation>
     </message>
 </context>
 <context>
@@ -19531,13 +19693,6 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     </message>
 </context>
 <context>
-    <name>video.even_rate_assumed</name>
-    <message>
-        <source>an even %1 is assumed</source>
-        <translation>se suponen %1 constantes</translation>
-    </message>
-</context>
-<context>
     <name>video.failed_before</name>
     <message>
         <source>writing failed earlier</source>
@@ -20021,6 +20176,13 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     </message>
 </context>
 <context>
+    <name>workflow.analyse_it_again</name>
+    <message>
+        <source>reanalyse it</source>
+        <translation>vuelva a analizarlo</translation>
+    </message>
+</context>
+<context>
     <name>workflow.analysing</name>
     <message>
         <source>analysing</source>
@@ -20135,8 +20297,8 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
 <context>
     <name>workflow.calibrate_or_give_picture</name>
     <message>
-        <source>calibrate it, import its intrinsics, or give --image or --video as well</source>
-        <translation>calíbrela, importe sus parámetros intrínsecos, o dé además --image o --video</translation>
+        <source>calibrate it, import its intrinsics, or give an image or a video as well</source>
+        <translation>calíbrela, importe sus parámetros intrínsecos o indique también una imagen o un vídeo</translation>
     </message>
 </context>
 <context>
@@ -20427,6 +20589,13 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     </message>
 </context>
 <context>
+    <name>workflow.choose_run_on_layout</name>
+    <message>
+        <source>choose a run on the same layout</source>
+        <translation>elija un recorrido en la misma disposición</translation>
+    </message>
+</context>
+<context>
     <name>workflow.choose_time</name>
     <message>
         <source>choose a time from %1 to %2</source>
@@ -20438,6 +20607,27 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <message>
         <source>choose one with --robot</source>
         <translation>elija uno con --robot</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.clock_jumped</name>
+    <message>
+        <source>at %1 the clock jumped ahead by %2; later times were corrected</source>
+        <translation>en %1 el reloj saltó hacia delante %2; los tiempos posteriores se corrigieron</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.clock_restarts</name>
+    <message>
+        <source>its time stamps begin again after %1: two files were joined, or the camera&apos;s clock was reset</source>
+        <translation>sus marcas de tiempo empiezan de nuevo tras %1: se unieron dos archivos o se reinició el reloj de la cámara</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.clocks_differ</name>
+    <message>
+        <source>the clocks of views &apos;%1&apos; and &apos;%2&apos; differ by %3; speeds and times are by the clock of view &apos;%1&apos;</source>
+        <translation>los relojes de las vistas «%1» y «%2» difieren en %3; las velocidades y los tiempos siguen el reloj de la vista «%1»</translation>
     </message>
 </context>
 <context>
@@ -20501,6 +20691,13 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <message>
         <source>copying the project</source>
         <translation>copiando el proyecto</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.cut_at_restart</name>
+    <message>
+        <source>cut it there, and import each part as its own trial</source>
+        <translation>córtelo ahí e importe cada parte como un ensayo propio</translation>
     </message>
 </context>
 <context>
@@ -20616,6 +20813,13 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     </message>
 </context>
 <context>
+    <name>workflow.first_label_wrong</name>
+    <message>
+        <source>view &apos;%1&apos; was recorded at %2, its file says %3, so speeds and times are wrong by %4</source>
+        <translation>la vista «%1» se grabó a %2, su archivo indica %3, por lo que velocidades y tiempos tienen un error del %4</translation>
+    </message>
+</context>
+<context>
     <name>workflow.fitting_cameras_together</name>
     <message>
         <source>fitting %1 cameras jointly</source>
@@ -20662,6 +20866,20 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <message>
         <source>frame %1 of trial &apos;%2&apos;</source>
         <translation>fotograma %1 del ensayo &apos;%2&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.frames_doubled</name>
+    <message>
+        <source>up to %1 frames repeat for %2; later times were corrected</source>
+        <translation>hasta %1 los fotogramas se repiten durante %2; los tiempos posteriores se corrigieron</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.frames_lost</name>
+    <message>
+        <source>after %1 the frames of %2 are missing, because the camera paused or lost them; later times were corrected</source>
+        <translation>después de %1 faltan los fotogramas de %2, porque la cámara hizo una pausa o los perdió; los tiempos posteriores se corrigieron</translation>
     </message>
 </context>
 <context>
@@ -20735,6 +20953,13 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     </message>
 </context>
 <context>
+    <name>workflow.give_picture_of_size</name>
+    <message>
+        <source>give an image of that size, or calibrate the camera at the size it records</source>
+        <translation>indique una imagen de ese tamaño o calibre la cámara con el tamaño al que graba</translation>
+    </message>
+</context>
+<context>
     <name>workflow.give_picture_of_that_size</name>
     <message>
         <source>give an image of that size</source>
@@ -20744,8 +20969,8 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
 <context>
     <name>workflow.give_pixels_or_picture</name>
     <message>
-        <source>give --pixels pixels.csv, --image image.png or --video clip.mp4</source>
-        <translation>dé --pixels pixels.csv, --image picture.png o --video clip.mp4</translation>
+        <source>give the markers&apos; pixels, or an image or a video of the floor</source>
+        <translation>indique los píxeles de los marcadores, o una imagen o un vídeo del suelo</translation>
     </message>
 </context>
 <context>
@@ -20844,6 +21069,20 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <message>
         <source>saving the images</source>
         <translation>guardando las imágenes</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.label_wrong</name>
+    <message>
+        <source>view &apos;%1&apos; was recorded at %2, its file says %3</source>
+        <translation>la vista «%1» se grabó a %2, su archivo indica %3</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.labels_wrong</name>
+    <message>
+        <source>view &apos;%1&apos; was recorded at %2 (its file says %3), or view &apos;%4&apos; at %5 (its file says %6); speeds and times are by the file of view &apos;%4&apos;</source>
+        <translation>la vista «%1» se grabó a %2 (su archivo indica %3), o la vista «%4» a %5 (su archivo indica %6); las velocidades y los tiempos siguen el archivo de la vista «%4»</translation>
     </message>
 </context>
 <context>
@@ -21267,6 +21506,13 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     </message>
 </context>
 <context>
+    <name>workflow.no_times_in_file</name>
+    <message>
+        <source>it has no time stamps and states no frame rate</source>
+        <translation>no tiene marcas de tiempo ni indica la frecuencia de imágenes</translation>
+    </message>
+</context>
+<context>
     <name>workflow.no_track_given</name>
     <message>
         <source>no track was given</source>
@@ -21554,6 +21800,13 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     </message>
 </context>
 <context>
+    <name>workflow.picture_of_other_size</name>
+    <message>
+        <source>%1 is %2, but the lens was calibrated at %3</source>
+        <translation>%1 es de %2, pero el objetivo se calibró a %3</translation>
+    </message>
+</context>
+<context>
     <name>workflow.picture_size_not_known</name>
     <message>
         <source>the size of its images is not known</source>
@@ -21638,6 +21891,13 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     </message>
 </context>
 <context>
+    <name>workflow.rate_of_header</name>
+    <message>
+        <source>its header states an even %1</source>
+        <translation>su cabecera indica %1 constantes</translation>
+    </message>
+</context>
+<context>
     <name>workflow.record</name>
     <message>
         <source>record %1</source>
@@ -21705,6 +21965,13 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <message>
         <source>register camera %1 again</source>
         <translation>registrar de nuevo la cámara %1</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.register_camera_anew</name>
+    <message>
+        <source>register the camera again</source>
+        <translation>registre de nuevo la cámara</translation>
     </message>
 </context>
 <context>
@@ -21796,6 +22063,13 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <message>
         <source>registration %1</source>
         <translation>registro %1</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.registration_in_older_axes</name>
+    <message>
+        <source>it has other axes: those of its layout were changed since</source>
+        <translation>tiene otros ejes: los de su disposición se han cambiado desde entonces</translation>
     </message>
 </context>
 <context>
@@ -21906,8 +22180,15 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
 <context>
     <name>workflow.run_calibrate</name>
     <message>
-        <source>run odograph calibrate, or odograph intrinsics import</source>
-        <translation>calíbrela, o importe sus parámetros intrínsecos</translation>
+        <source>calibrate its lens, or import its intrinsics</source>
+        <translation>calibre su objetivo o importe sus parámetros intrínsecos</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.run_in_older_axes</name>
+    <message>
+        <source>it has other axes: those of layout &apos;%1&apos; were changed after it was analysed</source>
+        <translation>tiene otros ejes: los de la disposición «%1» se cambiaron después de analizarlo</translation>
     </message>
 </context>
 <context>
@@ -21922,6 +22203,13 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <message>
         <source>run odograph track without --again first</source>
         <translation>rastree antes sin --again</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.runs_in_other_axes</name>
+    <message>
+        <source>it has other axes (layout &apos;%1&apos;) than trial &apos;%2&apos; (layout &apos;%3&apos;)</source>
+        <translation>tiene otros ejes (disposición «%1») que el ensayo «%2» (disposición «%3»)</translation>
     </message>
 </context>
 <context>
@@ -21978,6 +22266,13 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <message>
         <source>Spikes: %1 instead of %2.</source>
         <translation>Valores atípicos: %1 en lugar de %2.</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.stamps_too_dense</name>
+    <message>
+        <source>its time stamps mean %1, which no camera takes</source>
+        <translation>sus marcas de tiempo significan %1, que ninguna cámara toma</translation>
     </message>
 </context>
 <context>
@@ -22048,6 +22343,13 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <message>
         <source>its times start at %1</source>
         <translation>sus tiempos cuentan desde %1</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.times_of_view</name>
+    <message>
+        <source>time stamps of view &apos;%1&apos;</source>
+        <translation>marcas de tiempo de la vista «%1»</translation>
     </message>
 </context>
 <context>

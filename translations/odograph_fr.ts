@@ -1227,7 +1227,7 @@ La méthode suit S. Park, «&#xa0;Computational Vision for Automatic Tracking an
     </message>
     <message>
         <source>smoothed, with its ±95 % band; dots: as measured; shaded: not measured</source>
-        <translation>lissé, avec sa bande à ±95 % ; points : valeurs mesurées ; ombré : non mesuré</translation>
+        <translation>lissé, avec sa bande à ±95&#xa0;%&#xa0;; points&#xa0;: valeurs mesurées&#xa0;; ombré&#xa0;: non mesuré</translation>
     </message>
 </context>
 <context>
@@ -3185,7 +3185,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <name>analysis.uncertainty_duration</name>
     <message>
         <source>of both moments: σ of the speed divided by its slope there, and how far smoothing blurs them</source>
-        <translation>des deux instants : σ de la vitesse, divisé par sa pente à cet instant, et l’étalement dû au lissage</translation>
+        <translation>des deux instants&#xa0;: σ de la vitesse, divisé par sa pente à cet instant, et l’étalement dû au lissage</translation>
     </message>
 </context>
 <context>
@@ -3213,7 +3213,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <name>analysis.uncertainty_mean_speed</name>
     <message>
         <source>of both, treated as independent, and of gaps: from straight through them to the top speed in them</source>
-        <translation>des deux, pris comme indépendants, et des trous : depuis une traversée en ligne droite jusqu’à la vitesse maximale</translation>
+        <translation>des deux, pris comme indépendants, et des trous&#xa0;: depuis une traversée en ligne droite jusqu’à la vitesse maximale</translation>
     </message>
 </context>
 <context>
@@ -3819,6 +3819,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
 </context>
 <context>
+    <name>calibration.camera_upside_down</name>
+    <message>
+        <source>The camera would be upside down</source>
+        <translation>La caméra serait à l’envers</translation>
+    </message>
+</context>
+<context>
     <name>calibration.cameras_undetermined</name>
     <message>
         <source>the markers do not determine the camera positions</source>
@@ -4092,6 +4099,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
 </context>
 <context>
+    <name>calibration.doubtful</name>
+    <message>
+        <source>Doubtful: %1.</source>
+        <translation>Douteux : %1.</translation>
+    </message>
+</context>
+<context>
     <name>calibration.edges_wide</name>
     <message>
         <source>its edges are %1 pixels wide</source>
@@ -4169,10 +4183,38 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
 </context>
 <context>
+    <name>calibration.fit_only_to</name>
+    <message>
+        <source>the markers fit only to %1</source>
+        <translation>les marqueurs ne conviennent qu’à %1 près</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.fits_without</name>
+    <message>
+        <source>without %1 the others fit to %2: check its position and its pixel</source>
+        <translation>sans %1 les autres conviennent à %2 près : vérifier sa position et son pixel</translation>
+    </message>
+</context>
+<context>
     <name>calibration.fitting_lens</name>
     <message>
         <source>fitting the lens model to %1 images</source>
         <translation>ajustement de l’objectif à %1 photos</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.flip_image</name>
+    <message>
+        <source>switch off mirroring in the camera or its program, or flip the file</source>
+        <translation>désactiver le miroir de la caméra ou de son programme, ou retourner le fichier</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.floor_may_be_mirrored</name>
+    <message>
+        <source>if it is not, v is counted from below, and the labels are mirrored.</source>
+        <translation>sinon, v est compté depuis le bas et les étiquettes sont en miroir.</translation>
     </message>
 </context>
 <context>
@@ -4421,6 +4463,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
 </context>
 <context>
+    <name>calibration.image_mirrored</name>
+    <message>
+        <source>mirrored left to right they fit to %1: is the image mirrored?</source>
+        <translation>inversés de gauche à droite ils conviennent à %1 près : l’image est-elle en miroir ?</translation>
+    </message>
+</context>
+<context>
     <name>calibration.inches</name>
     <message>
         <source>inches</source>
@@ -4495,6 +4544,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>it must be in mm</source>
         <translation>il est donné en mm</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.layout_mirrored</name>
+    <message>
+        <source>with a reversed Y of the layout they fit to %1: check the signs of the layout, seen from above Y must point to the left of X</source>
+        <translation>avec Y de la disposition inversé ils conviennent à %1 près : vérifier les signes de la disposition ; vu d’en haut, Y doit pointer à gauche de X</translation>
     </message>
 </context>
 <context>
@@ -4579,6 +4635,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>no camera shows it</source>
         <translation>aucune caméra qui la voit n’a été donnée</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.lens_of_other_camera</name>
+    <message>
+        <source>with the lens calibration of camera &apos;%1&apos; they fit to %2: are the views swapped?</source>
+        <translation>avec l’étalonnage de l’objectif de la caméra « %1 » ils conviennent à %2 près : les vues sont-elles échangées ?</translation>
     </message>
 </context>
 <context>
@@ -5093,10 +5156,10 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
 </context>
 <context>
-    <name>calibration.other_order_fits</name>
+    <name>calibration.other_picking_size</name>
     <message>
-        <source>the markers fit only to %1, but %2</source>
-        <translation>les marqueurs ne s’ajustent qu’à %1, mais %2</translation>
+        <source>at %1 they fit to %2: were they picked at that size?</source>
+        <translation>en %1 ils conviennent à %2 près : ont-ils été relevés à cette taille ?</translation>
     </message>
 </context>
 <context>
@@ -5104,6 +5167,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>it is %1×%2, the first image %3×%4</source>
         <translation>elle fait %1×%2, la première photo %3×%4</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.other_zoom</name>
+    <message>
+        <source>with a focal length of %1 instead of %2 they fit to %3: has the zoom or the lens changed?</source>
+        <translation>avec une focale de %1 au lieu de %2 ils conviennent à %3 près : le zoom ou l’objectif a-t-il changé ?</translation>
     </message>
 </context>
 <context>
@@ -5373,6 +5443,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
 </context>
 <context>
+    <name>calibration.quarter_turn</name>
+    <message>
+        <source>turned by a quarter they fit to %1: was the image shown turned?</source>
+        <translation>tournés d’un quart ils conviennent à %1 près : l’image était-elle tournée ?</translation>
+    </message>
+</context>
+<context>
     <name>calibration.rational</name>
     <message>
         <source>rational</source>
@@ -5443,6 +5520,20 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
 </context>
 <context>
+    <name>calibration.rings_mirrored</name>
+    <message>
+        <source>%1 rings and dots fit the layout, mirrored</source>
+        <translation>%1 anneaux et points conviennent à la disposition, en miroir</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.same_as_other_camera</name>
+    <message>
+        <source>Camera &apos;%1&apos; sees the markers at the same pixels (to %2): check that the views are not swapped.</source>
+        <translation>La caméra « %1 » voit les marqueurs aux mêmes pixels (à %2 près) : vérifier que les vues ne sont pas échangées.</translation>
+    </message>
+</context>
+<context>
     <name>calibration.same_attitude</name>
     <message>
         <source>all %1 images show the board at nearly the same tilt, too little to determine the focal length</source>
@@ -5461,6 +5552,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>aim them at a common part of the floor</source>
         <translation>faites-leur voir une partie commune du sol</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.seen_by_other_camera</name>
+    <message>
+        <source>camera &apos;%1&apos; sees the markers there, to %2: are the views swapped?</source>
+        <translation>la caméra « %1 » voit les marqueurs là, à %2 près : les vues sont-elles échangées ?</translation>
     </message>
 </context>
 <context>
@@ -5618,6 +5716,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
 </context>
 <context>
+    <name>calibration.tags_mirrored</name>
+    <message>
+        <source>%1 tags were found, mirrored</source>
+        <translation>%1 tags ont été trouvés, en miroir</translation>
+    </message>
+</context>
+<context>
     <name>calibration.take_ten</name>
     <message>
         <source>take ten or more, the board tilted differently in each</source>
@@ -5765,6 +5870,20 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
 </context>
 <context>
+    <name>calibration.u_outside</name>
+    <message>
+        <source>u = %1 of marker %2 is outside the image of %3</source>
+        <translation>u = %1 du marqueur %2 est hors de l’image de %3</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.u_v_swapped</name>
+    <message>
+        <source>with u and v swapped they fit to %1: are these columns swapped?</source>
+        <translation>avec u et v échangés ils conviennent à %1 près : ces colonnes sont-elles échangées ?</translation>
+    </message>
+</context>
+<context>
     <name>calibration.unit</name>
     <message>
         <source>unit &apos;%1&apos;</source>
@@ -5839,6 +5958,20 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>use images of one camera at one resolution</source>
         <translation>utilisez des photos d’une même caméra à une même résolution</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.v_from_below</name>
+    <message>
+        <source>v = %1 - v fits to %2: is v counted from below?</source>
+        <translation>v = %1 - v convient à %2 près : v est-il compté depuis le bas ?</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.v_outside</name>
+    <message>
+        <source>v = %1 of marker %2 is outside the image of %3</source>
+        <translation>v = %1 du marqueur %2 est hors de l’image de %3</translation>
     </message>
 </context>
 <context>
@@ -11148,6 +11281,14 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <source>Registration of the camera of view %1</source>
         <translation>Localisation de la caméra de la vue %1</translation>
     </message>
+    <message>
+        <source>not entered</source>
+        <translation>non indiquée</translation>
+    </message>
+    <message>
+        <source>%1 has no time stamps and states no frame rate. Enter the rate of its camera.</source>
+        <translation>%1 n&apos;a pas d&apos;horodatage et n&apos;indique aucune fréquence d&apos;images. Saisissez celle de la caméra.</translation>
+    </message>
 </context>
 <context>
     <name>odo::JobIndicator</name>
@@ -12248,7 +12389,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
     <message>
         <source>shaded: hidden, ambiguous or not measured</source>
-        <translation>ombré : caché, en doute ou non mesuré</translation>
+        <translation>ombré&#xa0;: caché, en doute ou non mesuré</translation>
     </message>
 </context>
 <context>
@@ -17683,10 +17824,10 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
 </context>
 <context>
-    <name>synchronisation.every_offset_fits</name>
+    <name>synchronisation.different_runs</name>
     <message>
-        <source>the robot stood still or ran straight at constant speed, so every time offset fits</source>
-        <translation>le robot était immobile ou allait droit à vitesse constante, si bien que tout décalage convient</translation>
+        <source>the views&apos; tracks match at no time offset, frame rate or pause tried, so the videos may be of different runs</source>
+        <translation>les trajectoires des vues ne concordent pour aucun décalage, aucune fréquence ni aucune pause essayés ; les vidéos montrent peut-être des parcours différents</translation>
     </message>
 </context>
 <context>
@@ -17732,6 +17873,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
 </context>
 <context>
+    <name>synchronisation.motion_too_even</name>
+    <message>
+        <source>the robot turned and changed its speed too little to give the time offset</source>
+        <translation>le robot a trop peu tourné et changé de vitesse pour déterminer le décalage</translation>
+    </message>
+</context>
+<context>
     <name>synchronisation.neither_tells</name>
     <message>
         <source>%1, and %2</source>
@@ -17743,13 +17891,6 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>neither view shows a flash of light</source>
         <translation>aucune des vues ne montre d’éclair de lumière</translation>
-    </message>
-</context>
-<context>
-    <name>synchronisation.no_offset_fits</name>
-    <message>
-        <source>the views&apos; tracks do not match at any time offset tried</source>
-        <translation>les trajectoires des vues ne coïncident à aucun décalage examiné</translation>
     </message>
 </context>
 <context>
@@ -17788,6 +17929,20 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
 </context>
 <context>
+    <name>synchronisation.robot_ran_straight</name>
+    <message>
+        <source>the robot ran straight at constant speed, so every time offset fits</source>
+        <translation>le robot a roulé en ligne droite à vitesse constante, si bien que tout décalage convient</translation>
+    </message>
+</context>
+<context>
+    <name>synchronisation.robot_rested</name>
+    <message>
+        <source>the robot stood still, so every time offset fits</source>
+        <translation>le robot est resté immobile, si bien que tout décalage convient</translation>
+    </message>
+</context>
+<context>
     <name>synchronisation.robots_disagree</name>
     <message>
         <source>robot %1 gives a time offset of %2, robot %3 gives %4; the second was used</source>
@@ -17809,10 +17964,17 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
 </context>
 <context>
-    <name>synchronisation.tracks_differ</name>
+    <name>synchronisation.short_overlap</name>
     <message>
-        <source>the views&apos; tracks do not resemble one another</source>
-        <translation>les trajectoires des vues ne se ressemblent pas</translation>
+        <source>the views seem to have only %1 in common, which is too short to be sure</source>
+        <translation>les vues semblent n’avoir que %1 en commun, trop peu pour être sûr</translation>
+    </message>
+</context>
+<context>
+    <name>synchronisation.views_distorted</name>
+    <message>
+        <source>the views show the same run, but with another size or direction: a camera has moved since its registration, or the videos are exchanged</source>
+        <translation>les vues montrent le même parcours, mais avec une autre taille ou direction : une caméra a bougé depuis son enregistrement, ou les vidéos sont échangées</translation>
     </message>
 </context>
 <context>
@@ -19531,13 +19693,6 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
 </context>
 <context>
-    <name>video.even_rate_assumed</name>
-    <message>
-        <source>an even %1 is assumed</source>
-        <translation>une cadence régulière de %1 est supposée</translation>
-    </message>
-</context>
-<context>
     <name>video.failed_before</name>
     <message>
         <source>writing failed earlier</source>
@@ -20021,6 +20176,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
 </context>
 <context>
+    <name>workflow.analyse_it_again</name>
+    <message>
+        <source>reanalyse it</source>
+        <translation>le réanalyser</translation>
+    </message>
+</context>
+<context>
     <name>workflow.analysing</name>
     <message>
         <source>analysing</source>
@@ -20135,8 +20297,8 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>workflow.calibrate_or_give_picture</name>
     <message>
-        <source>calibrate it, import its intrinsics, or give --image or --video as well</source>
-        <translation>étalonnez-la, importez ses paramètres intrinsèques, ou donnez aussi --image ou --video</translation>
+        <source>calibrate it, import its intrinsics, or give an image or a video as well</source>
+        <translation>l’étalonner, importer ses paramètres intrinsèques, ou donner aussi une image ou une vidéo</translation>
     </message>
 </context>
 <context>
@@ -20427,6 +20589,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
 </context>
 <context>
+    <name>workflow.choose_run_on_layout</name>
+    <message>
+        <source>choose a run on the same layout</source>
+        <translation>choisir un essai sur la même disposition</translation>
+    </message>
+</context>
+<context>
     <name>workflow.choose_time</name>
     <message>
         <source>choose a time from %1 to %2</source>
@@ -20438,6 +20607,27 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>choose one with --robot</source>
         <translation>choisissez-en un avec --robot</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.clock_jumped</name>
+    <message>
+        <source>at %1 the clock jumped ahead by %2; later times were corrected</source>
+        <translation>à %1, l’horloge a sauté de %2 en avant ; les temps suivants ont été corrigés</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.clock_restarts</name>
+    <message>
+        <source>its time stamps begin again after %1: two files were joined, or the camera&apos;s clock was reset</source>
+        <translation>ses horodatages recommencent après %1 : deux fichiers ont été réunis, ou l&apos;horloge de la caméra a été remise à zéro</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.clocks_differ</name>
+    <message>
+        <source>the clocks of views &apos;%1&apos; and &apos;%2&apos; differ by %3; speeds and times are by the clock of view &apos;%1&apos;</source>
+        <translation>les horloges des vues « %1 » et « %2 » diffèrent de %3 ; vitesses et temps suivent l’horloge de la vue « %1 »</translation>
     </message>
 </context>
 <context>
@@ -20501,6 +20691,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>copying the project</source>
         <translation>copie du projet</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.cut_at_restart</name>
+    <message>
+        <source>cut it there, and import each part as its own trial</source>
+        <translation>coupez-le à cet endroit et importez chaque partie comme un essai distinct</translation>
     </message>
 </context>
 <context>
@@ -20616,6 +20813,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
 </context>
 <context>
+    <name>workflow.first_label_wrong</name>
+    <message>
+        <source>view &apos;%1&apos; was recorded at %2, its file says %3, so speeds and times are wrong by %4</source>
+        <translation>la vue « %1 » a été enregistrée à %2, son fichier indique %3 ; vitesses et temps sont donc faux de %4</translation>
+    </message>
+</context>
+<context>
     <name>workflow.fitting_cameras_together</name>
     <message>
         <source>fitting %1 cameras jointly</source>
@@ -20662,6 +20866,20 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>frame %1 of trial &apos;%2&apos;</source>
         <translation>image %1 de l’essai &apos;%2&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.frames_doubled</name>
+    <message>
+        <source>up to %1 frames repeat for %2; later times were corrected</source>
+        <translation>jusqu’à %1, des images se répètent pendant %2 ; les temps suivants ont été corrigés</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.frames_lost</name>
+    <message>
+        <source>after %1 the frames of %2 are missing, because the camera paused or lost them; later times were corrected</source>
+        <translation>après %1, les images de %2 manquent, car la caméra a fait une pause ou les a perdues ; les temps suivants ont été corrigés</translation>
     </message>
 </context>
 <context>
@@ -20735,6 +20953,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
 </context>
 <context>
+    <name>workflow.give_picture_of_size</name>
+    <message>
+        <source>give an image of that size, or calibrate the camera at the size it records</source>
+        <translation>donner une image de cette taille, ou étalonner la caméra à la taille qu’elle enregistre</translation>
+    </message>
+</context>
+<context>
     <name>workflow.give_picture_of_that_size</name>
     <message>
         <source>give an image of that size</source>
@@ -20744,8 +20969,8 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>workflow.give_pixels_or_picture</name>
     <message>
-        <source>give --pixels pixels.csv, --image image.png or --video clip.mp4</source>
-        <translation>donnez --pixels pixels.csv, --image picture.png ou --video clip.mp4</translation>
+        <source>give the markers&apos; pixels, or an image or a video of the floor</source>
+        <translation>donner les pixels des marqueurs, ou une image ou une vidéo du sol</translation>
     </message>
 </context>
 <context>
@@ -20844,6 +21069,20 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>saving the images</source>
         <translation>conservation des photos</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.label_wrong</name>
+    <message>
+        <source>view &apos;%1&apos; was recorded at %2, its file says %3</source>
+        <translation>la vue « %1 » a été enregistrée à %2, son fichier indique %3</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.labels_wrong</name>
+    <message>
+        <source>view &apos;%1&apos; was recorded at %2 (its file says %3), or view &apos;%4&apos; at %5 (its file says %6); speeds and times are by the file of view &apos;%4&apos;</source>
+        <translation>la vue « %1 » a été enregistrée à %2 (son fichier indique %3), ou la vue « %4 » à %5 (son fichier indique %6) ; vitesses et temps suivent le fichier de la vue « %4 »</translation>
     </message>
 </context>
 <context>
@@ -21267,6 +21506,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
 </context>
 <context>
+    <name>workflow.no_times_in_file</name>
+    <message>
+        <source>it has no time stamps and states no frame rate</source>
+        <translation>il n&apos;a pas d&apos;horodatage et n&apos;indique aucune fréquence d&apos;images</translation>
+    </message>
+</context>
+<context>
     <name>workflow.no_track_given</name>
     <message>
         <source>no track was given</source>
@@ -21554,6 +21800,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
 </context>
 <context>
+    <name>workflow.picture_of_other_size</name>
+    <message>
+        <source>%1 is %2, but the lens was calibrated at %3</source>
+        <translation>%1 est en %2, mais l’objectif a été étalonné en %3</translation>
+    </message>
+</context>
+<context>
     <name>workflow.picture_size_not_known</name>
     <message>
         <source>the size of its images is not known</source>
@@ -21638,6 +21891,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
 </context>
 <context>
+    <name>workflow.rate_of_header</name>
+    <message>
+        <source>its header states an even %1</source>
+        <translation>son en-tête indique %1 constantes</translation>
+    </message>
+</context>
+<context>
     <name>workflow.record</name>
     <message>
         <source>record %1</source>
@@ -21705,6 +21965,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>register camera %1 again</source>
         <translation>nouvelle localisation de la caméra %1</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.register_camera_anew</name>
+    <message>
+        <source>register the camera again</source>
+        <translation>enregistrer de nouveau la caméra</translation>
     </message>
 </context>
 <context>
@@ -21796,6 +22063,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>registration %1</source>
         <translation>localisation %1</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.registration_in_older_axes</name>
+    <message>
+        <source>it has other axes: those of its layout were changed since</source>
+        <translation>il a d’autres axes : ceux de sa disposition ont changé depuis</translation>
     </message>
 </context>
 <context>
@@ -21906,8 +22180,15 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>workflow.run_calibrate</name>
     <message>
-        <source>run odograph calibrate, or odograph intrinsics import</source>
-        <translation>étalonnez-la, ou importez ses paramètres intrinsèques</translation>
+        <source>calibrate its lens, or import its intrinsics</source>
+        <translation>étalonner son objectif, ou importer ses paramètres intrinsèques</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.run_in_older_axes</name>
+    <message>
+        <source>it has other axes: those of layout &apos;%1&apos; were changed after it was analysed</source>
+        <translation>il a d’autres axes : ceux de la disposition « %1 » ont changé après son analyse</translation>
     </message>
 </context>
 <context>
@@ -21922,6 +22203,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>run odograph track without --again first</source>
         <translation>faites d’abord le suivi sans --again</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.runs_in_other_axes</name>
+    <message>
+        <source>it has other axes (layout &apos;%1&apos;) than trial &apos;%2&apos; (layout &apos;%3&apos;)</source>
+        <translation>il a d’autres axes (disposition « %1 ») que l’essai « %2 » (disposition « %3 »)</translation>
     </message>
 </context>
 <context>
@@ -21978,6 +22266,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>Spikes: %1 instead of %2.</source>
         <translation>Pics aberrants&#xa0;: %1 au lieu de %2.</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.stamps_too_dense</name>
+    <message>
+        <source>its time stamps mean %1, which no camera takes</source>
+        <translation>ses horodatages signifient %1, ce qu&apos;aucune caméra ne prend</translation>
     </message>
 </context>
 <context>
@@ -22048,6 +22343,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>its times start at %1</source>
         <translation>ses temps comptent à partir de %1</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.times_of_view</name>
+    <message>
+        <source>time stamps of view &apos;%1&apos;</source>
+        <translation>horodatages de la vue « %1 »</translation>
     </message>
 </context>
 <context>

@@ -3810,6 +3810,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>calibration.camera_upside_down</name>
+    <message>
+        <source>The camera would be upside down</source>
+        <translation>카메라가 거꾸로 놓인 것이 됩니다</translation>
+    </message>
+</context>
+<context>
     <name>calibration.cameras_undetermined</name>
     <message>
         <source>the markers do not determine the camera positions</source>
@@ -4083,6 +4090,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>calibration.doubtful</name>
+    <message>
+        <source>Doubtful: %1.</source>
+        <translation>의심스러움: %1.</translation>
+    </message>
+</context>
+<context>
     <name>calibration.edges_wide</name>
     <message>
         <source>its edges are %1 pixels wide</source>
@@ -4160,10 +4174,38 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>calibration.fit_only_to</name>
+    <message>
+        <source>the markers fit only to %1</source>
+        <translation>마커가 %1까지만 맞습니다</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.fits_without</name>
+    <message>
+        <source>without %1 the others fit to %2: check its position and its pixel</source>
+        <translation>%1 없이는 나머지가 %2까지 맞습니다. 그 위치와 픽셀을 확인하십시오</translation>
+    </message>
+</context>
+<context>
     <name>calibration.fitting_lens</name>
     <message>
         <source>fitting the lens model to %1 images</source>
         <translation>사진 %1장에 렌즈를 맞추는 중</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.flip_image</name>
+    <message>
+        <source>switch off mirroring in the camera or its program, or flip the file</source>
+        <translation>카메라나 그 프로그램의 좌우 반전을 끄거나 파일을 뒤집으십시오</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.floor_may_be_mirrored</name>
+    <message>
+        <source>if it is not, v is counted from below, and the labels are mirrored.</source>
+        <translation>아니라면 v를 아래에서부터 세었고 레이블이 좌우로 뒤집혀 있습니다.</translation>
     </message>
 </context>
 <context>
@@ -4412,6 +4454,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>calibration.image_mirrored</name>
+    <message>
+        <source>mirrored left to right they fit to %1: is the image mirrored?</source>
+        <translation>좌우로 뒤집으면 %1까지 맞습니다. 이미지가 좌우로 뒤집혔습니까?</translation>
+    </message>
+</context>
+<context>
     <name>calibration.inches</name>
     <message>
         <source>inches</source>
@@ -4486,6 +4535,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>it must be in mm</source>
         <translation>mm로 주어집니다</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.layout_mirrored</name>
+    <message>
+        <source>with a reversed Y of the layout they fit to %1: check the signs of the layout, seen from above Y must point to the left of X</source>
+        <translation>배치의 Y를 뒤집으면 %1까지 맞습니다. 배치의 부호를 확인하십시오. 위에서 볼 때 Y는 X의 왼쪽을 향해야 합니다</translation>
     </message>
 </context>
 <context>
@@ -4570,6 +4626,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>no camera shows it</source>
         <translation>그것을 보는 카메라가 지정되지 않았습니다</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.lens_of_other_camera</name>
+    <message>
+        <source>with the lens calibration of camera &apos;%1&apos; they fit to %2: are the views swapped?</source>
+        <translation>카메라 &apos;%1&apos;의 렌즈 보정으로는 %2까지 맞습니다. 시점이 바뀌었습니까?</translation>
     </message>
 </context>
 <context>
@@ -5084,10 +5147,10 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
-    <name>calibration.other_order_fits</name>
+    <name>calibration.other_picking_size</name>
     <message>
-        <source>the markers fit only to %1, but %2</source>
-        <translation>마커가 %1로만 맞습니다. 그러나 %2</translation>
+        <source>at %1 they fit to %2: were they picked at that size?</source>
+        <translation>%1에서는 %2까지 맞습니다. 그 크기에서 표시했습니까?</translation>
     </message>
 </context>
 <context>
@@ -5095,6 +5158,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>it is %1×%2, the first image %3×%4</source>
         <translation>%1×%2인데 첫 사진은 %3×%4입니다</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.other_zoom</name>
+    <message>
+        <source>with a focal length of %1 instead of %2 they fit to %3: has the zoom or the lens changed?</source>
+        <translation>초점 거리가 %2이(가) 아니라 %1이면 %3까지 맞습니다. 줌이나 렌즈가 바뀌었습니까?</translation>
     </message>
 </context>
 <context>
@@ -5364,6 +5434,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>calibration.quarter_turn</name>
+    <message>
+        <source>turned by a quarter they fit to %1: was the image shown turned?</source>
+        <translation>90도 돌리면 %1까지 맞습니다. 이미지가 회전되어 표시되었습니까?</translation>
+    </message>
+</context>
+<context>
     <name>calibration.rational</name>
     <message>
         <source>rational</source>
@@ -5434,6 +5511,20 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>calibration.rings_mirrored</name>
+    <message>
+        <source>%1 rings and dots fit the layout, mirrored</source>
+        <translation>고리와 점 %1개가 좌우로 뒤집히면 배치에 맞습니다</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.same_as_other_camera</name>
+    <message>
+        <source>Camera &apos;%1&apos; sees the markers at the same pixels (to %2): check that the views are not swapped.</source>
+        <translation>카메라 &apos;%1&apos;이(가) 같은 픽셀(%2까지)에서 마커를 봅니다. 시점이 바뀌지 않았는지 확인하십시오.</translation>
+    </message>
+</context>
+<context>
     <name>calibration.same_attitude</name>
     <message>
         <source>all %1 images show the board at nearly the same tilt, too little to determine the focal length</source>
@@ -5452,6 +5543,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>aim them at a common part of the floor</source>
         <translation>같은 바닥을 일부 함께 보게 하십시오</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.seen_by_other_camera</name>
+    <message>
+        <source>camera &apos;%1&apos; sees the markers there, to %2: are the views swapped?</source>
+        <translation>카메라 &apos;%1&apos;이(가) %2까지 그 위치에서 마커를 봅니다. 시점이 바뀌었습니까?</translation>
     </message>
 </context>
 <context>
@@ -5609,6 +5707,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>calibration.tags_mirrored</name>
+    <message>
+        <source>%1 tags were found, mirrored</source>
+        <translation>태그 %1개가 좌우로 뒤집힌 채 검출되었습니다</translation>
+    </message>
+</context>
+<context>
     <name>calibration.take_ten</name>
     <message>
         <source>take ten or more, the board tilted differently in each</source>
@@ -5756,6 +5861,20 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>calibration.u_outside</name>
+    <message>
+        <source>u = %1 of marker %2 is outside the image of %3</source>
+        <translation>마커 %2의 u = %1은(는) %3 이미지 밖에 있습니다</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.u_v_swapped</name>
+    <message>
+        <source>with u and v swapped they fit to %1: are these columns swapped?</source>
+        <translation>u와 v를 바꾸면 %1까지 맞습니다. 이 열들이 바뀌었습니까?</translation>
+    </message>
+</context>
+<context>
     <name>calibration.unit</name>
     <message>
         <source>unit &apos;%1&apos;</source>
@@ -5830,6 +5949,20 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>use images of one camera at one resolution</source>
         <translation>한 카메라의 같은 해상도 사진을 쓰십시오</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.v_from_below</name>
+    <message>
+        <source>v = %1 - v fits to %2: is v counted from below?</source>
+        <translation>v = %1 - v이면 %2까지 맞습니다. v를 아래에서부터 셌습니까?</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.v_outside</name>
+    <message>
+        <source>v = %1 of marker %2 is outside the image of %3</source>
+        <translation>마커 %2의 v = %1은(는) %3 이미지 밖에 있습니다</translation>
     </message>
 </context>
 <context>
@@ -11130,6 +11263,14 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>Registration of the camera of view %1</source>
         <translation>뷰 %1 카메라의 정합</translation>
+    </message>
+    <message>
+        <source>not entered</source>
+        <translation>입력 안 됨</translation>
+    </message>
+    <message>
+        <source>%1 has no time stamps and states no frame rate. Enter the rate of its camera.</source>
+        <translation>%1에는 타임스탬프가 없고 프레임 속도도 적혀 있지 않습니다. 카메라의 속도를 입력하십시오.</translation>
     </message>
 </context>
 <context>
@@ -17644,10 +17785,10 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
-    <name>synchronisation.every_offset_fits</name>
+    <name>synchronisation.different_runs</name>
     <message>
-        <source>the robot stood still or ran straight at constant speed, so every time offset fits</source>
-        <translation>로봇이 서 있었거나 일정한 속력으로 곧게 달려 어떤 오프셋도 맞습니다</translation>
+        <source>the views&apos; tracks match at no time offset, frame rate or pause tried, so the videos may be of different runs</source>
+        <translation>시도한 어떤 시간 차이, 프레임 속도, 일시 정지에서도 뷰들의 경로가 맞지 않습니다. 비디오가 서로 다른 주행일 수 있습니다</translation>
     </message>
 </context>
 <context>
@@ -17693,6 +17834,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>synchronisation.motion_too_even</name>
+    <message>
+        <source>the robot turned and changed its speed too little to give the time offset</source>
+        <translation>로봇이 방향과 속도를 너무 적게 바꾸어 시간 차이를 알 수 없습니다</translation>
+    </message>
+</context>
+<context>
     <name>synchronisation.neither_tells</name>
     <message>
         <source>%1, and %2</source>
@@ -17704,13 +17852,6 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>neither view shows a flash of light</source>
         <translation>어느 뷰에도 빛의 깜박임이 보이지 않습니다</translation>
-    </message>
-</context>
-<context>
-    <name>synchronisation.no_offset_fits</name>
-    <message>
-        <source>the views&apos; tracks do not match at any time offset tried</source>
-        <translation>살펴본 어떤 오프셋에서도 뷰들의 궤적이 일치하지 않습니다</translation>
     </message>
 </context>
 <context>
@@ -17749,6 +17890,20 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>synchronisation.robot_ran_straight</name>
+    <message>
+        <source>the robot ran straight at constant speed, so every time offset fits</source>
+        <translation>로봇이 일정한 속도로 똑바로 달려서 모든 시간 차이가 맞습니다</translation>
+    </message>
+</context>
+<context>
+    <name>synchronisation.robot_rested</name>
+    <message>
+        <source>the robot stood still, so every time offset fits</source>
+        <translation>로봇이 멈춰 있어서 모든 시간 차이가 맞습니다</translation>
+    </message>
+</context>
+<context>
     <name>synchronisation.robots_disagree</name>
     <message>
         <source>robot %1 gives a time offset of %2, robot %3 gives %4; the second was used</source>
@@ -17770,10 +17925,17 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
-    <name>synchronisation.tracks_differ</name>
+    <name>synchronisation.short_overlap</name>
     <message>
-        <source>the views&apos; tracks do not resemble one another</source>
-        <translation>뷰들의 궤적이 서로 비슷하지 않습니다</translation>
+        <source>the views seem to have only %1 in common, which is too short to be sure</source>
+        <translation>뷰들의 공통 시간이 %1뿐인 듯하여 확신하기에는 너무 짧습니다</translation>
+    </message>
+</context>
+<context>
+    <name>synchronisation.views_distorted</name>
+    <message>
+        <source>the views show the same run, but with another size or direction: a camera has moved since its registration, or the videos are exchanged</source>
+        <translation>뷰들이 같은 주행을 보여 주지만 크기나 방향이 다릅니다. 등록 후 카메라가 움직였거나 비디오가 서로 바뀌었습니다</translation>
     </message>
 </context>
 <context>
@@ -19492,13 +19654,6 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
-    <name>video.even_rate_assumed</name>
-    <message>
-        <source>an even %1 is assumed</source>
-        <translation>일정하게 %1인 것으로 봅니다</translation>
-    </message>
-</context>
-<context>
     <name>video.failed_before</name>
     <message>
         <source>writing failed earlier</source>
@@ -19982,6 +20137,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>workflow.analyse_it_again</name>
+    <message>
+        <source>reanalyse it</source>
+        <translation>다시 분석하십시오</translation>
+    </message>
+</context>
+<context>
     <name>workflow.analysing</name>
     <message>
         <source>analysing</source>
@@ -20096,8 +20258,8 @@ Much more than expected means that a setting is wrong: the views are not synchro
 <context>
     <name>workflow.calibrate_or_give_picture</name>
     <message>
-        <source>calibrate it, import its intrinsics, or give --image or --video as well</source>
-        <translation>보정하거나 내부 파라미터를 가져오거나 --image나 --video도 주십시오</translation>
+        <source>calibrate it, import its intrinsics, or give an image or a video as well</source>
+        <translation>보정하거나 내부 파라미터를 가져오거나 이미지 또는 동영상도 지정하십시오</translation>
     </message>
 </context>
 <context>
@@ -20388,6 +20550,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>workflow.choose_run_on_layout</name>
+    <message>
+        <source>choose a run on the same layout</source>
+        <translation>같은 배치에서의 주행을 선택하십시오</translation>
+    </message>
+</context>
+<context>
     <name>workflow.choose_time</name>
     <message>
         <source>choose a time from %1 to %2</source>
@@ -20399,6 +20568,27 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>choose one with --robot</source>
         <translation>--robot으로 하나를 고르십시오</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.clock_jumped</name>
+    <message>
+        <source>at %1 the clock jumped ahead by %2; later times were corrected</source>
+        <translation>%1에 시계가 %2만큼 앞으로 뛰었습니다. 이후의 시간은 보정되었습니다</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.clock_restarts</name>
+    <message>
+        <source>its time stamps begin again after %1: two files were joined, or the camera&apos;s clock was reset</source>
+        <translation>타임스탬프가 %1 후에 다시 시작됩니다. 두 파일을 이어 붙였거나 카메라 시계가 초기화되었습니다</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.clocks_differ</name>
+    <message>
+        <source>the clocks of views &apos;%1&apos; and &apos;%2&apos; differ by %3; speeds and times are by the clock of view &apos;%1&apos;</source>
+        <translation>뷰 &apos;%1&apos;와(과) &apos;%2&apos;의 시계가 %3 차이 납니다. 속도와 시간은 뷰 &apos;%1&apos;의 시계를 따릅니다</translation>
     </message>
 </context>
 <context>
@@ -20462,6 +20652,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>copying the project</source>
         <translation>프로젝트 복사 중</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.cut_at_restart</name>
+    <message>
+        <source>cut it there, and import each part as its own trial</source>
+        <translation>그 위치에서 잘라 각 부분을 별도의 시행으로 가져오십시오</translation>
     </message>
 </context>
 <context>
@@ -20577,6 +20774,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>workflow.first_label_wrong</name>
+    <message>
+        <source>view &apos;%1&apos; was recorded at %2, its file says %3, so speeds and times are wrong by %4</source>
+        <translation>뷰 &apos;%1&apos;은(는) %2로 녹화되었지만 파일에는 %3로 되어 있어 속도와 시간이 %4만큼 틀립니다</translation>
+    </message>
+</context>
+<context>
     <name>workflow.fitting_cameras_together</name>
     <message>
         <source>fitting %1 cameras jointly</source>
@@ -20623,6 +20827,20 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>frame %1 of trial &apos;%2&apos;</source>
         <translation>시행 &apos;%2&apos;의 프레임 %1</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.frames_doubled</name>
+    <message>
+        <source>up to %1 frames repeat for %2; later times were corrected</source>
+        <translation>%1까지 %2 동안 프레임이 반복됩니다. 이후의 시간은 보정되었습니다</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.frames_lost</name>
+    <message>
+        <source>after %1 the frames of %2 are missing, because the camera paused or lost them; later times were corrected</source>
+        <translation>%1 이후 %2 동안의 프레임이 없습니다. 카메라가 멈췄거나 프레임을 잃었습니다. 이후의 시간은 보정되었습니다</translation>
     </message>
 </context>
 <context>
@@ -20696,6 +20914,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>workflow.give_picture_of_size</name>
+    <message>
+        <source>give an image of that size, or calibrate the camera at the size it records</source>
+        <translation>그 크기의 이미지를 지정하거나 카메라가 녹화하는 크기로 보정하십시오</translation>
+    </message>
+</context>
+<context>
     <name>workflow.give_picture_of_that_size</name>
     <message>
         <source>give an image of that size</source>
@@ -20705,8 +20930,8 @@ Much more than expected means that a setting is wrong: the views are not synchro
 <context>
     <name>workflow.give_pixels_or_picture</name>
     <message>
-        <source>give --pixels pixels.csv, --image image.png or --video clip.mp4</source>
-        <translation>--pixels pixels.csv, --image picture.png 또는 --video clip.mp4를 주십시오</translation>
+        <source>give the markers&apos; pixels, or an image or a video of the floor</source>
+        <translation>마커의 픽셀이나 바닥의 이미지 또는 동영상을 지정하십시오</translation>
     </message>
 </context>
 <context>
@@ -20805,6 +21030,20 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>saving the images</source>
         <translation>사진 보관 중</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.label_wrong</name>
+    <message>
+        <source>view &apos;%1&apos; was recorded at %2, its file says %3</source>
+        <translation>뷰 &apos;%1&apos;은(는) %2로 녹화되었지만 파일에는 %3로 되어 있습니다</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.labels_wrong</name>
+    <message>
+        <source>view &apos;%1&apos; was recorded at %2 (its file says %3), or view &apos;%4&apos; at %5 (its file says %6); speeds and times are by the file of view &apos;%4&apos;</source>
+        <translation>뷰 &apos;%1&apos;은(는) %2로 녹화되었거나(파일에는 %3) 뷰 &apos;%4&apos;이(가) %5로 녹화되었습니다(파일에는 %6). 속도와 시간은 뷰 &apos;%4&apos;의 파일을 따릅니다</translation>
     </message>
 </context>
 <context>
@@ -21228,6 +21467,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>workflow.no_times_in_file</name>
+    <message>
+        <source>it has no time stamps and states no frame rate</source>
+        <translation>타임스탬프가 없고 프레임 속도도 적혀 있지 않습니다</translation>
+    </message>
+</context>
+<context>
     <name>workflow.no_track_given</name>
     <message>
         <source>no track was given</source>
@@ -21515,6 +21761,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>workflow.picture_of_other_size</name>
+    <message>
+        <source>%1 is %2, but the lens was calibrated at %3</source>
+        <translation>%1은(는) %2인데 렌즈는 %3에서 보정되었습니다</translation>
+    </message>
+</context>
+<context>
     <name>workflow.picture_size_not_known</name>
     <message>
         <source>the size of its images is not known</source>
@@ -21599,6 +21852,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>workflow.rate_of_header</name>
+    <message>
+        <source>its header states an even %1</source>
+        <translation>헤더에 일정한 %1이라고 적혀 있습니다</translation>
+    </message>
+</context>
+<context>
     <name>workflow.record</name>
     <message>
         <source>record %1</source>
@@ -21666,6 +21926,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>register camera %1 again</source>
         <translation>카메라 %1 다시 정합</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.register_camera_anew</name>
+    <message>
+        <source>register the camera again</source>
+        <translation>카메라를 다시 등록하십시오</translation>
     </message>
 </context>
 <context>
@@ -21757,6 +22024,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>registration %1</source>
         <translation>정합 %1</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.registration_in_older_axes</name>
+    <message>
+        <source>it has other axes: those of its layout were changed since</source>
+        <translation>축이 다릅니다. 그 뒤로 배치의 축이 바뀌었습니다</translation>
     </message>
 </context>
 <context>
@@ -21867,8 +22141,15 @@ Much more than expected means that a setting is wrong: the views are not synchro
 <context>
     <name>workflow.run_calibrate</name>
     <message>
-        <source>run odograph calibrate, or odograph intrinsics import</source>
-        <translation>보정하거나 내부 파라미터를 가져오십시오</translation>
+        <source>calibrate its lens, or import its intrinsics</source>
+        <translation>렌즈를 보정하거나 내부 파라미터를 가져오십시오</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.run_in_older_axes</name>
+    <message>
+        <source>it has other axes: those of layout &apos;%1&apos; were changed after it was analysed</source>
+        <translation>축이 다릅니다. 분석한 뒤에 배치 &apos;%1&apos;의 축이 바뀌었습니다</translation>
     </message>
 </context>
 <context>
@@ -21883,6 +22164,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>run odograph track without --again first</source>
         <translation>먼저 --again 없이 추적하십시오</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.runs_in_other_axes</name>
+    <message>
+        <source>it has other axes (layout &apos;%1&apos;) than trial &apos;%2&apos; (layout &apos;%3&apos;)</source>
+        <translation>시도 &apos;%2&apos;(배치 &apos;%3&apos;)와 축이 다릅니다(배치 &apos;%1&apos;)</translation>
     </message>
 </context>
 <context>
@@ -21939,6 +22227,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>Spikes: %1 instead of %2.</source>
         <translation>이상점: %2개 대신 %1개.</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.stamps_too_dense</name>
+    <message>
+        <source>its time stamps mean %1, which no camera takes</source>
+        <translation>타임스탬프대로라면 %1인데, 그런 카메라는 없습니다</translation>
     </message>
 </context>
 <context>
@@ -22009,6 +22304,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>its times start at %1</source>
         <translation>시간은 %1부터 셈</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.times_of_view</name>
+    <message>
+        <source>time stamps of view &apos;%1&apos;</source>
+        <translation>뷰 &apos;%1&apos;의 타임스탬프</translation>
     </message>
 </context>
 <context>

@@ -3810,6 +3810,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>calibration.camera_upside_down</name>
+    <message>
+        <source>The camera would be upside down</source>
+        <translation>摄像机将是倒置的</translation>
+    </message>
+</context>
+<context>
     <name>calibration.cameras_undetermined</name>
     <message>
         <source>the markers do not determine the camera positions</source>
@@ -4083,6 +4090,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>calibration.doubtful</name>
+    <message>
+        <source>Doubtful: %1.</source>
+        <translation>存疑：%1。</translation>
+    </message>
+</context>
+<context>
     <name>calibration.edges_wide</name>
     <message>
         <source>its edges are %1 pixels wide</source>
@@ -4160,10 +4174,38 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>calibration.fit_only_to</name>
+    <message>
+        <source>the markers fit only to %1</source>
+        <translation>标记仅吻合到 %1</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.fits_without</name>
+    <message>
+        <source>without %1 the others fit to %2: check its position and its pixel</source>
+        <translation>去掉 %1 后其余吻合到 %2：检查其位置和像素</translation>
+    </message>
+</context>
+<context>
     <name>calibration.fitting_lens</name>
     <message>
         <source>fitting the lens model to %1 images</source>
         <translation>正在用 %1 张图片拟合镜头</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.flip_image</name>
+    <message>
+        <source>switch off mirroring in the camera or its program, or flip the file</source>
+        <translation>关闭摄像机或其程序中的镜像，或翻转文件</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.floor_may_be_mirrored</name>
+    <message>
+        <source>if it is not, v is counted from below, and the labels are mirrored.</source>
+        <translation>若并非如此，则 v 从下往上计，且标签被镜像。</translation>
     </message>
 </context>
 <context>
@@ -4412,6 +4454,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>calibration.image_mirrored</name>
+    <message>
+        <source>mirrored left to right they fit to %1: is the image mirrored?</source>
+        <translation>左右镜像后吻合到 %1：图像是否被镜像？</translation>
+    </message>
+</context>
+<context>
     <name>calibration.inches</name>
     <message>
         <source>inches</source>
@@ -4486,6 +4535,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>it must be in mm</source>
         <translation>应以 mm 给出</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.layout_mirrored</name>
+    <message>
+        <source>with a reversed Y of the layout they fit to %1: check the signs of the layout, seen from above Y must point to the left of X</source>
+        <translation>将布局的 Y 反向后吻合到 %1：检查布局的正负号，从上方看 Y 必须指向 X 的左侧</translation>
     </message>
 </context>
 <context>
@@ -4570,6 +4626,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>no camera shows it</source>
         <translation>没有给出能看到它的相机</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.lens_of_other_camera</name>
+    <message>
+        <source>with the lens calibration of camera &apos;%1&apos; they fit to %2: are the views swapped?</source>
+        <translation>使用摄像机“%1”的镜头标定时吻合到 %2：视图是否颠倒？</translation>
     </message>
 </context>
 <context>
@@ -5084,10 +5147,10 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
-    <name>calibration.other_order_fits</name>
+    <name>calibration.other_picking_size</name>
     <message>
-        <source>the markers fit only to %1, but %2</source>
-        <translation>标记只拟合到 %1，但 %2</translation>
+        <source>at %1 they fit to %2: were they picked at that size?</source>
+        <translation>在 %1 下吻合到 %2：是否在该尺寸下选取？</translation>
     </message>
 </context>
 <context>
@@ -5095,6 +5158,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>it is %1×%2, the first image %3×%4</source>
         <translation>它为 %1×%2，第一张图片为 %3×%4</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.other_zoom</name>
+    <message>
+        <source>with a focal length of %1 instead of %2 they fit to %3: has the zoom or the lens changed?</source>
+        <translation>焦距为 %1 而非 %2 时吻合到 %3：变焦或镜头是否改变？</translation>
     </message>
 </context>
 <context>
@@ -5364,6 +5434,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>calibration.quarter_turn</name>
+    <message>
+        <source>turned by a quarter they fit to %1: was the image shown turned?</source>
+        <translation>旋转 90 度后吻合到 %1：图像是否被旋转显示？</translation>
+    </message>
+</context>
+<context>
     <name>calibration.rational</name>
     <message>
         <source>rational</source>
@@ -5434,6 +5511,20 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>calibration.rings_mirrored</name>
+    <message>
+        <source>%1 rings and dots fit the layout, mirrored</source>
+        <translation>%1 个圆环和圆点镜像后符合布局</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.same_as_other_camera</name>
+    <message>
+        <source>Camera &apos;%1&apos; sees the markers at the same pixels (to %2): check that the views are not swapped.</source>
+        <translation>摄像机“%1”在相同像素处（相差 %2）看到标记：请检查视图是否颠倒。</translation>
+    </message>
+</context>
+<context>
     <name>calibration.same_attitude</name>
     <message>
         <source>all %1 images show the board at nearly the same tilt, too little to determine the focal length</source>
@@ -5452,6 +5543,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>aim them at a common part of the floor</source>
         <translation>请让它们看到部分相同的地面</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.seen_by_other_camera</name>
+    <message>
+        <source>camera &apos;%1&apos; sees the markers there, to %2: are the views swapped?</source>
+        <translation>摄像机“%1”在该处看到标记，相差 %2：视图是否颠倒？</translation>
     </message>
 </context>
 <context>
@@ -5609,6 +5707,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>calibration.tags_mirrored</name>
+    <message>
+        <source>%1 tags were found, mirrored</source>
+        <translation>找到 %1 个镜像的标签</translation>
+    </message>
+</context>
+<context>
     <name>calibration.take_ten</name>
     <message>
         <source>take ten or more, the board tilted differently in each</source>
@@ -5756,6 +5861,20 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>calibration.u_outside</name>
+    <message>
+        <source>u = %1 of marker %2 is outside the image of %3</source>
+        <translation>标记 %2 的 u = %1 在 %3 图像之外</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.u_v_swapped</name>
+    <message>
+        <source>with u and v swapped they fit to %1: are these columns swapped?</source>
+        <translation>交换 u 和 v 后吻合到 %1：这两列是否颠倒了？</translation>
+    </message>
+</context>
+<context>
     <name>calibration.unit</name>
     <message>
         <source>unit &apos;%1&apos;</source>
@@ -5830,6 +5949,20 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>use images of one camera at one resolution</source>
         <translation>请使用同一相机、同一分辨率的图片</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.v_from_below</name>
+    <message>
+        <source>v = %1 - v fits to %2: is v counted from below?</source>
+        <translation>v = %1 - v 时吻合到 %2：v 是从下往上计的吗？</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.v_outside</name>
+    <message>
+        <source>v = %1 of marker %2 is outside the image of %3</source>
+        <translation>标记 %2 的 v = %1 在 %3 图像之外</translation>
     </message>
 </context>
 <context>
@@ -11130,6 +11263,14 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>Registration of the camera of view %1</source>
         <translation>视角 %1 的相机的配准</translation>
+    </message>
+    <message>
+        <source>not entered</source>
+        <translation>未输入</translation>
+    </message>
+    <message>
+        <source>%1 has no time stamps and states no frame rate. Enter the rate of its camera.</source>
+        <translation>%1 没有时间戳，也未给出帧率。请输入其相机的帧率。</translation>
     </message>
 </context>
 <context>
@@ -17644,10 +17785,10 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
-    <name>synchronisation.every_offset_fits</name>
+    <name>synchronisation.different_runs</name>
     <message>
-        <source>the robot stood still or ran straight at constant speed, so every time offset fits</source>
-        <translation>机器人静止或匀速直行，因此任何偏移都吻合</translation>
+        <source>the views&apos; tracks match at no time offset, frame rate or pause tried, so the videos may be of different runs</source>
+        <translation>在尝试的任何时间偏移、帧率或暂停下，各视图的轨迹都不吻合，视频可能来自不同的运行</translation>
     </message>
 </context>
 <context>
@@ -17693,6 +17834,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>synchronisation.motion_too_even</name>
+    <message>
+        <source>the robot turned and changed its speed too little to give the time offset</source>
+        <translation>机器人的转向和速度变化太小，无法确定时间偏移</translation>
+    </message>
+</context>
+<context>
     <name>synchronisation.neither_tells</name>
     <message>
         <source>%1, and %2</source>
@@ -17704,13 +17852,6 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>neither view shows a flash of light</source>
         <translation>两个视角都没有闪光</translation>
-    </message>
-</context>
-<context>
-    <name>synchronisation.no_offset_fits</name>
-    <message>
-        <source>the views&apos; tracks do not match at any time offset tried</source>
-        <translation>在所查看的任何偏移下各视角的轨迹都不重合</translation>
     </message>
 </context>
 <context>
@@ -17749,6 +17890,20 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>synchronisation.robot_ran_straight</name>
+    <message>
+        <source>the robot ran straight at constant speed, so every time offset fits</source>
+        <translation>机器人匀速直线行驶，因此任何时间偏移都符合</translation>
+    </message>
+</context>
+<context>
+    <name>synchronisation.robot_rested</name>
+    <message>
+        <source>the robot stood still, so every time offset fits</source>
+        <translation>机器人静止不动，因此任何时间偏移都符合</translation>
+    </message>
+</context>
+<context>
     <name>synchronisation.robots_disagree</name>
     <message>
         <source>robot %1 gives a time offset of %2, robot %3 gives %4; the second was used</source>
@@ -17770,10 +17925,17 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
-    <name>synchronisation.tracks_differ</name>
+    <name>synchronisation.short_overlap</name>
     <message>
-        <source>the views&apos; tracks do not resemble one another</source>
-        <translation>各视角的轨迹彼此不相似</translation>
+        <source>the views seem to have only %1 in common, which is too short to be sure</source>
+        <translation>各视图似乎只有 %1 是共同的，太短而无法确定</translation>
+    </message>
+</context>
+<context>
+    <name>synchronisation.views_distorted</name>
+    <message>
+        <source>the views show the same run, but with another size or direction: a camera has moved since its registration, or the videos are exchanged</source>
+        <translation>各视图显示同一次运行，但大小或方向不同：相机在配准后移动过，或视频互换了</translation>
     </message>
 </context>
 <context>
@@ -19492,13 +19654,6 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
-    <name>video.even_rate_assumed</name>
-    <message>
-        <source>an even %1 is assumed</source>
-        <translation>按均匀的 %1 处理</translation>
-    </message>
-</context>
-<context>
     <name>video.failed_before</name>
     <message>
         <source>writing failed earlier</source>
@@ -19982,6 +20137,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>workflow.analyse_it_again</name>
+    <message>
+        <source>reanalyse it</source>
+        <translation>重新分析</translation>
+    </message>
+</context>
+<context>
     <name>workflow.analysing</name>
     <message>
         <source>analysing</source>
@@ -20096,8 +20258,8 @@ Much more than expected means that a setting is wrong: the views are not synchro
 <context>
     <name>workflow.calibrate_or_give_picture</name>
     <message>
-        <source>calibrate it, import its intrinsics, or give --image or --video as well</source>
-        <translation>请标定它、导入其内参，或同时给出 --image 或 --video</translation>
+        <source>calibrate it, import its intrinsics, or give an image or a video as well</source>
+        <translation>对其标定、导入其内参，或同时提供图像或视频</translation>
     </message>
 </context>
 <context>
@@ -20388,6 +20550,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>workflow.choose_run_on_layout</name>
+    <message>
+        <source>choose a run on the same layout</source>
+        <translation>选择同一布局上的运行</translation>
+    </message>
+</context>
+<context>
     <name>workflow.choose_time</name>
     <message>
         <source>choose a time from %1 to %2</source>
@@ -20399,6 +20568,27 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>choose one with --robot</source>
         <translation>请用 --robot 选择一个</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.clock_jumped</name>
+    <message>
+        <source>at %1 the clock jumped ahead by %2; later times were corrected</source>
+        <translation>在 %1 时钟向前跳了 %2；之后的时间已校正</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.clock_restarts</name>
+    <message>
+        <source>its time stamps begin again after %1: two files were joined, or the camera&apos;s clock was reset</source>
+        <translation>其时间戳在 %1 后重新开始：两个文件被拼接，或相机时钟被重置</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.clocks_differ</name>
+    <message>
+        <source>the clocks of views &apos;%1&apos; and &apos;%2&apos; differ by %3; speeds and times are by the clock of view &apos;%1&apos;</source>
+        <translation>视图“%1”和“%2”的时钟相差 %3；速度和时间以视图“%1”的时钟为准</translation>
     </message>
 </context>
 <context>
@@ -20462,6 +20652,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>copying the project</source>
         <translation>正在复制项目</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.cut_at_restart</name>
+    <message>
+        <source>cut it there, and import each part as its own trial</source>
+        <translation>在该处剪开，并将每部分作为单独的试验导入</translation>
     </message>
 </context>
 <context>
@@ -20577,6 +20774,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>workflow.first_label_wrong</name>
+    <message>
+        <source>view &apos;%1&apos; was recorded at %2, its file says %3, so speeds and times are wrong by %4</source>
+        <translation>视图“%1”以 %2 录制，文件写的是 %3，因此速度和时间有 %4 的误差</translation>
+    </message>
+</context>
+<context>
     <name>workflow.fitting_cameras_together</name>
     <message>
         <source>fitting %1 cameras jointly</source>
@@ -20623,6 +20827,20 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>frame %1 of trial &apos;%2&apos;</source>
         <translation>试验“%2”的第 %1 帧</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.frames_doubled</name>
+    <message>
+        <source>up to %1 frames repeat for %2; later times were corrected</source>
+        <translation>到 %1 为止，帧重复了 %2；之后的时间已校正</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.frames_lost</name>
+    <message>
+        <source>after %1 the frames of %2 are missing, because the camera paused or lost them; later times were corrected</source>
+        <translation>%1 之后缺少 %2 的帧，因为相机暂停或丢失了这些帧；之后的时间已校正</translation>
     </message>
 </context>
 <context>
@@ -20696,6 +20914,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>workflow.give_picture_of_size</name>
+    <message>
+        <source>give an image of that size, or calibrate the camera at the size it records</source>
+        <translation>提供该尺寸的图像，或按摄像机的录制尺寸进行标定</translation>
+    </message>
+</context>
+<context>
     <name>workflow.give_picture_of_that_size</name>
     <message>
         <source>give an image of that size</source>
@@ -20705,8 +20930,8 @@ Much more than expected means that a setting is wrong: the views are not synchro
 <context>
     <name>workflow.give_pixels_or_picture</name>
     <message>
-        <source>give --pixels pixels.csv, --image image.png or --video clip.mp4</source>
-        <translation>请给出 --pixels pixels.csv、--image picture.png 或 --video clip.mp4</translation>
+        <source>give the markers&apos; pixels, or an image or a video of the floor</source>
+        <translation>提供标记的像素，或地面的图像或视频</translation>
     </message>
 </context>
 <context>
@@ -20805,6 +21030,20 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>saving the images</source>
         <translation>正在保存图片</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.label_wrong</name>
+    <message>
+        <source>view &apos;%1&apos; was recorded at %2, its file says %3</source>
+        <translation>视图“%1”以 %2 录制，文件写的是 %3</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.labels_wrong</name>
+    <message>
+        <source>view &apos;%1&apos; was recorded at %2 (its file says %3), or view &apos;%4&apos; at %5 (its file says %6); speeds and times are by the file of view &apos;%4&apos;</source>
+        <translation>视图“%1”以 %2 录制（文件写的是 %3），或者视图“%4”以 %5 录制（文件写的是 %6）；速度和时间以视图“%4”的文件为准</translation>
     </message>
 </context>
 <context>
@@ -21228,6 +21467,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>workflow.no_times_in_file</name>
+    <message>
+        <source>it has no time stamps and states no frame rate</source>
+        <translation>它没有时间戳，也未给出帧率</translation>
+    </message>
+</context>
+<context>
     <name>workflow.no_track_given</name>
     <message>
         <source>no track was given</source>
@@ -21515,6 +21761,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>workflow.picture_of_other_size</name>
+    <message>
+        <source>%1 is %2, but the lens was calibrated at %3</source>
+        <translation>%1 为 %2，而镜头是在 %3 下标定的</translation>
+    </message>
+</context>
+<context>
     <name>workflow.picture_size_not_known</name>
     <message>
         <source>the size of its images is not known</source>
@@ -21599,6 +21852,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>workflow.rate_of_header</name>
+    <message>
+        <source>its header states an even %1</source>
+        <translation>其文件头给出恒定的 %1</translation>
+    </message>
+</context>
+<context>
     <name>workflow.record</name>
     <message>
         <source>record %1</source>
@@ -21666,6 +21926,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>register camera %1 again</source>
         <translation>重新配准相机 %1</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.register_camera_anew</name>
+    <message>
+        <source>register the camera again</source>
+        <translation>重新配准摄像机</translation>
     </message>
 </context>
 <context>
@@ -21757,6 +22024,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>registration %1</source>
         <translation>配准 %1</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.registration_in_older_axes</name>
+    <message>
+        <source>it has other axes: those of its layout were changed since</source>
+        <translation>坐标轴不同：其布局的坐标轴此后已更改</translation>
     </message>
 </context>
 <context>
@@ -21867,8 +22141,15 @@ Much more than expected means that a setting is wrong: the views are not synchro
 <context>
     <name>workflow.run_calibrate</name>
     <message>
-        <source>run odograph calibrate, or odograph intrinsics import</source>
-        <translation>请标定它，或导入其内参</translation>
+        <source>calibrate its lens, or import its intrinsics</source>
+        <translation>标定其镜头，或导入其内参</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.run_in_older_axes</name>
+    <message>
+        <source>it has other axes: those of layout &apos;%1&apos; were changed after it was analysed</source>
+        <translation>坐标轴不同：分析之后布局“%1”的坐标轴已更改</translation>
     </message>
 </context>
 <context>
@@ -21883,6 +22164,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>run odograph track without --again first</source>
         <translation>请先不带 --again 进行跟踪</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.runs_in_other_axes</name>
+    <message>
+        <source>it has other axes (layout &apos;%1&apos;) than trial &apos;%2&apos; (layout &apos;%3&apos;)</source>
+        <translation>其坐标轴（布局“%1”）与试验“%2”（布局“%3”）不同</translation>
     </message>
 </context>
 <context>
@@ -21939,6 +22227,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>Spikes: %1 instead of %2.</source>
         <translation>异常点：%1 个，原为 %2 个。</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.stamps_too_dense</name>
+    <message>
+        <source>its time stamps mean %1, which no camera takes</source>
+        <translation>其时间戳意味着 %1，没有相机能做到</translation>
     </message>
 </context>
 <context>
@@ -22009,6 +22304,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>its times start at %1</source>
         <translation>其时间从 %1 起算</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.times_of_view</name>
+    <message>
+        <source>time stamps of view &apos;%1&apos;</source>
+        <translation>视图“%1”的时间戳</translation>
     </message>
 </context>
 <context>
