@@ -4099,9 +4099,9 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
 </context>
 <context>
-    <name>calibration.doubtful</name>
+    <name>calibration.uncertain</name>
     <message>
-        <source>Doubtful: %1.</source>
+        <source>Uncertain: %1.</source>
         <translation>Zweifelhaft: %1.</translation>
     </message>
 </context>

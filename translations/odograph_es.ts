@@ -4099,9 +4099,9 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     </message>
 </context>
 <context>
-    <name>calibration.doubtful</name>
+    <name>calibration.uncertain</name>
     <message>
-        <source>Doubtful: %1.</source>
+        <source>Uncertain: %1.</source>
         <translation>Dudoso: %1.</translation>
     </message>
 </context>

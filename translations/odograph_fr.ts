@@ -4099,9 +4099,9 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
 </context>
 <context>
-    <name>calibration.doubtful</name>
+    <name>calibration.uncertain</name>
     <message>
-        <source>Doubtful: %1.</source>
+        <source>Uncertain: %1.</source>
         <translation>Douteux : %1.</translation>
     </message>
 </context>

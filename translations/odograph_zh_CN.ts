@@ -4090,9 +4090,9 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
-    <name>calibration.doubtful</name>
+    <name>calibration.uncertain</name>
     <message>
-        <source>Doubtful: %1.</source>
+        <source>Uncertain: %1.</source>
         <translation>存疑：%1。</translation>
     </message>
 </context>

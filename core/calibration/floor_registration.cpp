@@ -412,7 +412,7 @@ Message verdictOf(const FloorRegistration &registration, const TriedMarkers &tri
             millimetres(worst->errorM), millimetres(sigmaM));
     const bool mirrored = mayBeMirrored(tried, pose);
     return joined({mirrored
-                       ? doubtfulVerdict(std::move(fit))
+                       ? uncertainVerdict(std::move(fit))
                        : registrationVerdict(std::max(registration.rmsM, sigmaM), layoutM, std::move(fit)),
                    mirrored ? mirrorWords() : Message(), otherCameraWords(tried), std::move(hardly),
                    lensWords(pose, intrinsicsKnown), unitWords(registration, layoutM)},

@@ -58,7 +58,7 @@ struct RegistrationContext
 /// no plane, markers that fit five times better without a usual mistake where that is no chance (a pixel), a
 /// floor known worse than 3 % of the layout's extent, and a camera lower than 5 cm or higher than 100 m (a
 /// wrong unit). The advice names the usual mistakes that explain the misfit (internal/registration_causes.h).
-/// The verdict is "Doubtful" where the floor may be mirrored.
+/// The verdict is "Uncertain" where the floor may be mirrored.
 ///
 /// With intrinsicsKnown = false the focal length is estimated from the homography as well where it is
 /// determined to 10 %; elsewhere the one given stays. Use the registration's intrinsics with its pose.

@@ -320,7 +320,7 @@ private Q_SLOTS:
         Draws draws(77);
         for (int i = 0; i < 60; ++i) {
             const auto registration = draws.setUp(all[static_cast<std::size_t>(i % 3)], 0.5).registered();
-            QVERIFY2(!says(saidOf(registration), "Doubtful"), saidOf(registration).c_str());
+            QVERIFY2(!says(saidOf(registration), "Uncertain"), saidOf(registration).c_str());
         }
     }
     void aMirroredFloorIsNeverGood()
@@ -335,12 +335,12 @@ private Q_SLOTS:
             if (!registration) // the centre of the lens is too far from the image's
                 continue;
             ++doubted;
-            QVERIFY2(says(saidOf(registration), "Doubtful: 4 markers fit"), saidOf(registration).c_str());
+            QVERIFY2(says(saidOf(registration), "Uncertain: 4 markers fit"), saidOf(registration).c_str());
             QVERIFY2(says(saidOf(registration), "The camera would be upside down; if it is not, v is counted "
                                                 "from below, and the labels are mirrored."),
                      saidOf(registration).c_str());
             wrong.context.isSeenInImage = true; // then v is what it is
-            QVERIFY(!says(saidOf(wrong.registered()), "Doubtful"));
+            QVERIFY(!says(saidOf(wrong.registered()), "Uncertain"));
         }
         QVERIFY(doubted >= 6);
     }

@@ -27,9 +27,9 @@ Message usableVerdict(Message clauses)
     return ODO_TEXT("calibration.usable", "Usable: %1.")(std::move(clauses));
 }
 
-Message doubtfulVerdict(Message clauses)
+Message uncertainVerdict(Message clauses)
 {
-    return ODO_TEXT("calibration.doubtful", "Doubtful: %1.")(std::move(clauses));
+    return ODO_TEXT("calibration.uncertain", "Uncertain: %1.")(std::move(clauses));
 }
 
 Message registrationVerdict(double worseM, double extentM, Message clauses)

@@ -14,7 +14,7 @@ Message sentence(Message clauses);
 /// The first sentence of a verdict, of clauses without a full stop: "Good: 4 markers fit ...".
 Message goodVerdict(Message clauses);
 Message usableVerdict(Message clauses);
-Message doubtfulVerdict(Message clauses);
+Message uncertainVerdict(Message clauses);
 /// How a registration is judged by the larger of its misfit and its σ, both in metres, against the extent of
 /// its points.
 Message registrationVerdict(double worseM, double extentM, Message clauses);

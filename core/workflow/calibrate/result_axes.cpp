@@ -48,7 +48,7 @@ AxesTransform inverse(const AxesTransform &axes)
 
 bool hasSamePixels(const RegistrationRecord &one, const RegistrationRecord &other)
 {
-    return one.camera == other.camera && one.intrinsics == other.intrinsics &&
+    return !one.pixels.empty() && one.camera == other.camera && one.intrinsics == other.intrinsics &&
            std::ranges::equal(one.pixels, other.pixels, [](const MarkerPixel &a, const MarkerPixel &b) {
                return a.label == b.label && a.pixel == b.pixel;
            });
@@ -74,34 +74,47 @@ std::optional<AxesTransform> axesBetween(const RegistrationRecord &older, const 
 class AxesHistory
 {
 public:
+    /// The present axes alone.
     static Result<AxesHistory> of(Project &project, RecordId layout)
     {
         AxesHistory history;
         history.m_layout = ODO_TRY(project.layouts().get(layout)).layout;
+        history.m_axes.push_back({identity(), std::numeric_limits<RecordId>::max()});
+        return history;
+    }
+
+    /// Adds those before them.
+    Result<void> findAll(Project &project, RecordId layout)
+    {
         const auto cameras = ODO_TRY(project.cameras().all());
         for (const CameraRecord &camera : cameras) {
             auto all = ODO_TRY(project.cameras().allRegistrations(camera.id));
             std::erase_if(all, [&](const RegistrationRecord &each) { return each.layout != layout; });
-            std::ranges::move(all, std::back_inserter(history.m_registrations));
+            std::ranges::move(all, std::back_inserter(m_registrations));
         }
-        history.m_presentFrom.push_back(identity());
-        // From the present axes back to those before them, until none is new.
-        for (std::size_t i = 0; i < history.m_presentFrom.size(); ++i)
-            ODO_TRY(history.findBefore(project, history.m_presentFrom[i]));
-        return history;
+        // A camera was registered in each of them.
+        for (std::size_t i = 0; i < m_axes.size() && i < m_registrations.size(); ++i)
+            ODO_TRY(findBefore(project, m_axes[i]));
+        return {};
+    }
+
+    /// Whether it is in the present axes, as most are.
+    Result<bool> holdsExactly(Project &project, const RegistrationRecord &registration) const
+    {
+        return ODO_TRY(misfitM(project, registration, identity())) < exactM;
     }
 
     Result<std::optional<AxesTransform>> presentFrom(Project &project,
                                                      const RegistrationRecord &registration) const
     {
-        for (const AxesTransform &presentFrom : m_presentFrom) {
+        for (const auto &[presentFrom, before] : m_axes) {
             if (ODO_TRY(misfitM(project, registration, presentFrom)) < exactM)
                 return std::optional(presentFrom);
         }
         // Registered together with others, it does not fit as exactly.
         const AxesTransform *best = nullptr;
         double leastM = nearShare * extentM();
-        for (const AxesTransform &presentFrom : m_presentFrom) {
+        for (const auto &[presentFrom, before] : m_axes) {
             const double misfit = ODO_TRY(misfitM(project, registration, presentFrom));
             if (misfit < leastM) {
                 leastM = misfit;
@@ -112,6 +125,12 @@ public:
     }
 
 private:
+    struct Axes
+    {
+        AxesTransform presentFrom;
+        RecordId before = 0; ///< the registration with which they ended
+    };
+
     double extentM() const
     {
         std::vector<Vector2d> points;
@@ -142,18 +161,21 @@ private:
     }
 
     /// Adds the axes from which registrations were carried into these.
-    Result<void> findBefore(Project &project, AxesTransform presentFrom)
+    Result<void> findBefore(Project &project, Axes axes)
     {
         for (const RegistrationRecord &newer : m_registrations) {
+            if (newer.id >= axes.before)
+                continue;
             for (const RegistrationRecord &older : m_registrations) {
                 const auto between =
                     older.id < newer.id ? axesBetween(older, newer) : std::optional<AxesTransform>();
                 if (!between || isIdentity(*between))
                     continue;
-                const AxesTransform before = chained(presentFrom, *between);
-                if (isKnown(before) || ODO_TRY(misfitM(project, newer, presentFrom)) > nearShare * extentM())
+                const AxesTransform before = chained(axes.presentFrom, *between);
+                if (isKnown(before) ||
+                    ODO_TRY(misfitM(project, newer, axes.presentFrom)) > nearShare * extentM())
                     continue;
-                m_presentFrom.push_back(before);
+                m_axes.push_back({before, newer.id});
             }
         }
         return {};
@@ -161,16 +183,16 @@ private:
 
     bool isKnown(const AxesTransform &axes) const
     {
-        return std::ranges::any_of(m_presentFrom, [&](const AxesTransform &known) {
+        return std::ranges::any_of(m_axes, [&](const Axes &known) {
             return std::ranges::all_of(m_layout.markers, [&](const Marker &marker) {
-                return (axes * marker.pointInWorld - known * marker.pointInWorld).norm() < exactM;
+                return (axes * marker.pointInWorld - known.presentFrom * marker.pointInWorld).norm() < exactM;
             });
         });
     }
 
     MarkerLayout m_layout; ///< in the present axes
     std::vector<RegistrationRecord> m_registrations;
-    std::vector<AxesTransform> m_presentFrom; ///< of each set of axes, the present one first
+    std::vector<Axes> m_axes; ///< the present ones first
 };
 
 /// The registration of the first view that has one.
@@ -255,7 +277,10 @@ Profile transformed(Profile profile, const AxesTransform &newFromOld)
 
 Result<std::optional<AxesTransform>> presentAxesOf(Project &project, const RegistrationRecord &registration)
 {
-    const auto history = ODO_TRY(AxesHistory::of(project, registration.layout));
+    auto history = ODO_TRY(AxesHistory::of(project, registration.layout));
+    if (ODO_TRY(history.holdsExactly(project, registration)))
+        return identity();
+    ODO_TRY(history.findAll(project, registration.layout));
     return history.presentFrom(project, registration);
 }
 
