@@ -22,10 +22,7 @@ double medianStepS(const std::vector<TimedPosition> &track)
     std::vector<double> steps;
     for (std::size_t i = 1; i < track.size(); ++i)
         steps.push_back(track[i].timeS - track[i - 1].timeS);
-    if (steps.empty())
-        return 0;
-    std::nth_element(steps.begin(), steps.begin() + std::ptrdiff_t(steps.size() / 2), steps.end());
-    return steps[steps.size() / 2];
+    return steps.empty() ? 0 : upperMedian(std::move(steps));
 }
 
 std::vector<TimedPosition> thinned(const std::vector<TimedPosition> &track)

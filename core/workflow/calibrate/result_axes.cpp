@@ -101,21 +101,22 @@ public:
     /// Whether it is in the present axes, as most are.
     Result<bool> holdsExactly(Project &project, const RegistrationRecord &registration) const
     {
-        return ODO_TRY(misfitM(project, registration, identity())) < exactM;
+        return misfitM(ODO_TRY(floorViewOf(project, registration)), registration, identity()) < exactM;
     }
 
     Result<std::optional<AxesTransform>> presentFrom(Project &project,
                                                      const RegistrationRecord &registration) const
     {
+        const FloorView view = ODO_TRY(floorViewOf(project, registration));
         for (const auto &[presentFrom, before] : m_axes) {
-            if (ODO_TRY(misfitM(project, registration, presentFrom)) < exactM)
+            if (misfitM(view, registration, presentFrom) < exactM)
                 return std::optional(presentFrom);
         }
         // Registered together with others, it does not fit as exactly.
         const AxesTransform *best = nullptr;
         double leastM = nearShare * extentM();
         for (const auto &[presentFrom, before] : m_axes) {
-            const double misfit = ODO_TRY(misfitM(project, registration, presentFrom));
+            const double misfit = misfitM(view, registration, presentFrom);
             if (misfit < leastM) {
                 leastM = misfit;
                 best = &presentFrom;
@@ -140,10 +141,9 @@ private:
     }
 
     /// How far the errors that its markers would have in these axes are from those that were stored.
-    Result<double> misfitM(Project &project, const RegistrationRecord &registration,
-                           const AxesTransform &presentFrom) const
+    double misfitM(const FloorView &view, const RegistrationRecord &registration,
+                   const AxesTransform &presentFrom) const
     {
-        const auto view = ODO_TRY(floorViewOf(project, registration));
         const AxesTransform thenFromPresent = inverse(presentFrom);
         double misfit = 0;
         for (const MarkerError &error : registration.registration.markers) {
@@ -172,10 +172,11 @@ private:
                 if (!between || isIdentity(*between))
                     continue;
                 const AxesTransform before = chained(axes.presentFrom, *between);
-                if (isKnown(before) ||
-                    ODO_TRY(misfitM(project, newer, axes.presentFrom)) > nearShare * extentM())
+                if (isKnown(before))
                     continue;
-                m_axes.push_back({before, newer.id});
+                const FloorView view = ODO_TRY(floorViewOf(project, newer));
+                if (misfitM(view, newer, axes.presentFrom) <= nearShare * extentM())
+                    m_axes.push_back({before, newer.id});
             }
         }
         return {};
