@@ -4099,13 +4099,6 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
 </context>
 <context>
-    <name>calibration.uncertain</name>
-    <message>
-        <source>Uncertain: %1.</source>
-        <translation>Zweifelhaft: %1.</translation>
-    </message>
-</context>
-<context>
     <name>calibration.edges_wide</name>
     <message>
         <source>its edges are %1 pixels wide</source>
@@ -5884,6 +5877,13 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
 </context>
 <context>
+    <name>calibration.uncertain</name>
+    <message>
+        <source>Uncertain: %1.</source>
+        <translation>Zweifelhaft: %1.</translation>
+    </message>
+</context>
+<context>
     <name>calibration.unit</name>
     <message>
         <source>unit &apos;%1&apos;</source>
@@ -6167,7 +6167,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <name>capture.cameras_are_listed</name>
     <message>
         <source>odograph cameras lists them</source>
-        <translation>odograph cameras führt sie auf</translation>
+        <translation>„Kameras…“ unter Aufnahme zeigt sie</translation>
     </message>
 </context>
 <context>
@@ -6237,7 +6237,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <name>capture.choose_listed</name>
     <message>
         <source>choose a camera that odograph cameras lists</source>
-        <translation>wählen Sie eine von denen, die odograph cameras nennt</translation>
+        <translation>wählen Sie eine Kamera, die „Kameras…“ unter Aufnahme zeigt</translation>
     </message>
 </context>
 <context>
@@ -6951,7 +6951,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <name>capture.plug_in_or_choose</name>
     <message>
         <source>plug it in, or choose a camera that odograph cameras lists</source>
-        <translation>schließen Sie sie an, oder wählen Sie eine von denen, die odograph cameras nennt</translation>
+        <translation>schließen Sie sie an, oder wählen Sie eine von denen, die „Kameras…“ unter Aufnahme zeigt</translation>
     </message>
 </context>
 <context>
@@ -7070,7 +7070,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <name>capture.serial_advice</name>
     <message>
         <source>check its power and cable; odograph cameras lists those that answer</source>
-        <translation>prüfen Sie Strom und Kabel; odograph cameras nennt die, die antworten</translation>
+        <translation>prüfen Sie Strom und Kabel; „Kameras…“ unter Aufnahme zeigt die, die antworten</translation>
     </message>
 </context>
 <context>
@@ -8638,7 +8638,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <name>exchange.write_task_as_shown</name>
     <message>
         <source>write the task as odograph task list --json shows one</source>
-        <translation>schreiben Sie die Aufgabe so, wie odograph task list --json eine zeigt</translation>
+        <translation>legen Sie die Aufgabe im Messplatz an, oder schreiben Sie die Datei, wie es das Handbuch zeigt</translation>
     </message>
 </context>
 <context>
@@ -8974,7 +8974,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <name>files.replace_by_force</name>
     <message>
         <source>choose another name, or replace it with --force</source>
-        <translation>wählen Sie einen anderen Namen, oder ersetzen Sie sie mit --force</translation>
+        <translation>wählen Sie einen anderen Namen, oder löschen Sie zuerst die Datei</translation>
     </message>
 </context>
 <context>
@@ -15678,7 +15678,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <name>project.adopt_or_remove</name>
     <message>
         <source>make a trial of it with odograph check P.odo --adopt, or remove it with --remove-strays; the window offers both under &apos;Find stray files…&apos;</source>
-        <translation>machen Sie mit odograph check P.odo --adopt einen Versuch daraus, oder entfernen Sie sie mit --remove-strays; das Fenster bietet beides unter „Herrenlose Dateien suchen…“</translation>
+        <translation>machen Sie unter „Herrenlose Dateien suchen…“ einen Versuch daraus, oder entfernen Sie sie dort</translation>
     </message>
 </context>
 <context>
@@ -15888,7 +15888,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <name>project.choose_its_own</name>
     <message>
         <source>choose one of its own (odograph revisions P.odo CAMERA --use), or restore the project from a backup copy</source>
-        <translation>wählen Sie eine ihrer eigenen (odograph revisions P.odo CAMERA --use), oder stellen Sie das Projekt aus einer Sicherungskopie wieder her</translation>
+        <translation>wählen Sie eine ihrer eigenen („Ältere Kalibrierungen…“), oder stellen Sie das Projekt aus einer Sicherungskopie wieder her</translation>
     </message>
 </context>
 <context>
@@ -15937,7 +15937,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <name>project.complete_recording</name>
     <message>
         <source>to complete it, open the project for writing: odograph record P.odo --recover</source>
-        <translation>öffnen Sie das Projekt zum Schreiben, dabei wird sie abgeschlossen: odograph record P.odo --recover</translation>
+        <translation>öffnen Sie das Projekt zum Schreiben, dabei wird sie abgeschlossen</translation>
     </message>
 </context>
 <context>
@@ -16154,7 +16154,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <name>project.find_or_put_back</name>
     <message>
         <source>take it from there with odograph check P.odo --find FOLDER or Find lost videos… in the window, or move it back to its folder</source>
-        <translation>holen Sie sie mit odograph check P.odo --find FOLDER oder „Verlorene Videos suchen…“ im Fenster von dort, oder legen Sie sie an ihren Platz zurück</translation>
+        <translation>holen Sie sie mit „Verlorene Videos suchen…“ von dort, oder legen Sie sie an ihren Platz zurück</translation>
     </message>
 </context>
 <context>
@@ -17008,7 +17008,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <name>project.open_again</name>
     <message>
         <source>open it again; if you were recording, find stray files (odograph check --adopt)</source>
-        <translation>öffnen Sie es erneut; wenn Sie gerade aufgenommen haben, suchen Sie nach herrenlosen Dateien (odograph check --adopt)</translation>
+        <translation>öffnen Sie es erneut; wenn Sie gerade aufgenommen haben, sehen Sie unter „Herrenlose Dateien suchen…“ nach</translation>
     </message>
 </context>
 <context>
@@ -17162,7 +17162,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <name>project.put_back_or_find</name>
     <message>
         <source>move the file back to its folder, or find it by its content with odograph check P.odo --find FOLDER or Find lost videos… in the window</source>
-        <translation>legen Sie die Datei an ihren Platz zurück, oder suchen Sie sie anhand ihres Inhalts mit odograph check P.odo --find FOLDER oder „Verlorene Videos suchen…“ im Fenster</translation>
+        <translation>legen Sie die Datei an ihren Platz zurück, oder suchen Sie sie anhand ihres Inhalts mit „Verlorene Videos suchen…“</translation>
     </message>
 </context>
 <context>
@@ -20148,10 +20148,10 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
 </context>
 <context>
-    <name>workflow.add_one_with</name>
+    <name>workflow.add_robot</name>
     <message>
-        <source>add one with</source>
-        <translation>fügen Sie einen hinzu mit</translation>
+        <source>add one with: odograph robot add PROJECT NAME --colour #rrggbb</source>
+        <translation>fügen Sie im Messplatz einen hinzu</translation>
     </message>
 </context>
 <context>
@@ -20166,13 +20166,6 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>address &apos;%1&apos; of live positions</source>
         <translation>Adresse &apos;%1&apos; der Live-Orte</translation>
-    </message>
-</context>
-<context>
-    <name>workflow.analyse_anew_with</name>
-    <message>
-        <source>reanalyse them with</source>
-        <translation>werten Sie sie neu aus mit</translation>
     </message>
 </context>
 <context>
@@ -20473,7 +20466,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <name>workflow.check_or_analyse_again</name>
     <message>
         <source>run odograph check, or reanalyse the trial</source>
-        <translation>führen Sie odograph check aus, oder werten Sie den Versuch noch einmal aus</translation>
+        <translation>prüfen Sie das Projekt, oder werten Sie den Versuch noch einmal aus</translation>
     </message>
 </context>
 <context>
@@ -20487,7 +20480,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <name>workflow.check_rate</name>
     <message>
         <source>views are matched by time: check --rate if one is in slow motion</source>
-        <translation>die Sichten werden über die Zeit verbunden; prüfen Sie --rate, falls eine in Zeitlupe ist</translation>
+        <translation>die Sichten werden über die Zeit verbunden; prüfen Sie die wahre Bildrate, falls eine in Zeitlupe ist</translation>
     </message>
 </context>
 <context>
@@ -20606,7 +20599,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <name>workflow.choose_with_robot</name>
     <message>
         <source>choose one with --robot</source>
-        <translation>wählen Sie einen mit --robot</translation>
+        <translation>wählen Sie einen davon</translation>
     </message>
 </context>
 <context>
@@ -20914,7 +20907,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <name>workflow.give_cameras</name>
     <message>
         <source>give one or more, like --camera A=sim:A</source>
-        <translation>geben Sie eine oder mehr an, etwa --camera A=sim:A</translation>
+        <translation>wählen Sie unter „Kameras…“ eine oder mehrere</translation>
     </message>
 </context>
 <context>
@@ -20942,7 +20935,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <name>workflow.give_offset_for_each</name>
     <message>
         <source>give one offset for each view but the first, like --sync 0.1,0.2, or use --sync auto</source>
-        <translation>geben Sie für jede Sicht außer der ersten einen Versatz an, etwa --sync 0.1,0.2, oder nehmen Sie --sync auto</translation>
+        <translation>geben Sie für jede Sicht außer der ersten einen Versatz an, oder wählen Sie „Aus der Bewegung oder einem Blitz“</translation>
     </message>
 </context>
 <context>
@@ -20998,14 +20991,14 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <name>workflow.give_tracks</name>
     <message>
         <source>give one or more, like --track R=run.csv</source>
-        <translation>geben Sie eine oder mehr an, etwa --track R=run.csv</translation>
+        <translation>wählen Sie eine oder mehrere</translation>
     </message>
 </context>
 <context>
     <name>workflow.give_views</name>
     <message>
         <source>give one view or more, like --video A=a.mp4</source>
-        <translation>geben Sie eine oder mehr Sichten an, etwa --video A=a.mp4</translation>
+        <translation>wählen Sie eine Sicht oder mehrere</translation>
     </message>
 </context>
 <context>
@@ -21898,6 +21891,13 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
 </context>
 <context>
+    <name>workflow.reanalyse_tracks</name>
+    <message>
+        <source>reanalyse them with: odograph track PROJECT TRIAL --again</source>
+        <translation>werten Sie sie neu aus</translation>
+    </message>
+</context>
+<context>
     <name>workflow.record</name>
     <message>
         <source>record %1</source>
@@ -22020,7 +22020,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <name>workflow.register_or_do_not_send</name>
     <message>
         <source>run odograph register for one of them, or leave --ssl-vision out</source>
-        <translation>messen Sie eine davon ein, oder lassen Sie --ssl-vision weg</translation>
+        <translation>messen Sie eine davon ein, oder senden Sie keine Positionen</translation>
     </message>
 </context>
 <context>
@@ -22202,7 +22202,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <name>workflow.run_track_without_again</name>
     <message>
         <source>run odograph track without --again first</source>
-        <translation>verfolgen Sie zuerst ohne --again</translation>
+        <translation>verfolgen Sie zuerst die Videos des Versuchs</translation>
     </message>
 </context>
 <context>
@@ -22223,7 +22223,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <name>workflow.see_flags_by_hand</name>
     <message>
         <source>see the flags by_hand in odograph export</source>
-        <translation>siehe die Kennzeichen by_hand in odograph export</translation>
+        <translation>die Auswertung zeigt, welche Werte von Hand bestimmt sind</translation>
     </message>
 </context>
 <context>
@@ -22384,14 +22384,14 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <name>workflow.track_or_choose_with_robot</name>
     <message>
         <source>track it, or choose another with --robot</source>
-        <translation>verfolgen Sie ihn, oder wählen Sie mit --robot einen anderen</translation>
+        <translation>verfolgen Sie ihn, oder wählen Sie einen anderen</translation>
     </message>
 </context>
 <context>
     <name>workflow.track_those_seen</name>
     <message>
         <source>track only the robots that are in view (--robot)</source>
-        <translation>messen Sie nur die Roboter, die in den Bildern sind (--robot)</translation>
+        <translation>messen Sie nur die Roboter, die in den Bildern sind</translation>
     </message>
 </context>
 <context>

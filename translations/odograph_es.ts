@@ -4099,13 +4099,6 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     </message>
 </context>
 <context>
-    <name>calibration.uncertain</name>
-    <message>
-        <source>Uncertain: %1.</source>
-        <translation>Dudoso: %1.</translation>
-    </message>
-</context>
-<context>
     <name>calibration.edges_wide</name>
     <message>
         <source>its edges are %1 pixels wide</source>
@@ -5884,6 +5877,13 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     </message>
 </context>
 <context>
+    <name>calibration.uncertain</name>
+    <message>
+        <source>Uncertain: %1.</source>
+        <translation>Dudoso: %1.</translation>
+    </message>
+</context>
+<context>
     <name>calibration.unit</name>
     <message>
         <source>unit &apos;%1&apos;</source>
@@ -6167,7 +6167,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <name>capture.cameras_are_listed</name>
     <message>
         <source>odograph cameras lists them</source>
-        <translation>odograph cameras las enumera</translation>
+        <translation>Cámaras… en Grabar las muestra</translation>
     </message>
 </context>
 <context>
@@ -6237,7 +6237,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <name>capture.choose_listed</name>
     <message>
         <source>choose a camera that odograph cameras lists</source>
-        <translation>elija una de las que muestra odograph cameras</translation>
+        <translation>elija una cámara de las que muestra Cámaras… en Grabar</translation>
     </message>
 </context>
 <context>
@@ -6951,7 +6951,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <name>capture.plug_in_or_choose</name>
     <message>
         <source>plug it in, or choose a camera that odograph cameras lists</source>
-        <translation>conéctela, o elija una de las que muestra odograph cameras</translation>
+        <translation>conéctela, o elija una de las que muestra Cámaras… en Grabar</translation>
     </message>
 </context>
 <context>
@@ -7070,7 +7070,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <name>capture.serial_advice</name>
     <message>
         <source>check its power and cable; odograph cameras lists those that answer</source>
-        <translation>compruebe su alimentación y su cable; odograph cameras muestra las que responden</translation>
+        <translation>compruebe su alimentación y su cable; Cámaras… en Grabar muestra las que responden</translation>
     </message>
 </context>
 <context>
@@ -8638,7 +8638,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <name>exchange.write_task_as_shown</name>
     <message>
         <source>write the task as odograph task list --json shows one</source>
-        <translation>escriba la tarea como la muestra odograph task list --json</translation>
+        <translation>cree la tarea en Banco, o escriba el archivo como lo muestra el manual</translation>
     </message>
 </context>
 <context>
@@ -8974,7 +8974,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <name>files.replace_by_force</name>
     <message>
         <source>choose another name, or replace it with --force</source>
-        <translation>elija otro nombre, o sustitúyalo con --force</translation>
+        <translation>elija otro nombre, o elimine antes el archivo</translation>
     </message>
 </context>
 <context>
@@ -15678,7 +15678,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <name>project.adopt_or_remove</name>
     <message>
         <source>make a trial of it with odograph check P.odo --adopt, or remove it with --remove-strays; the window offers both under &apos;Find stray files…&apos;</source>
-        <translation>conviértalo en un ensayo con odograph check P.odo --adopt, o elimínelo con --remove-strays; la ventana ofrece ambas cosas en «Buscar archivos sueltos…»</translation>
+        <translation>conviértalo en un ensayo o elimínelo en Buscar archivos sueltos…</translation>
     </message>
 </context>
 <context>
@@ -15888,7 +15888,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <name>project.choose_its_own</name>
     <message>
         <source>choose one of its own (odograph revisions P.odo CAMERA --use), or restore the project from a backup copy</source>
-        <translation>elija una propia (odograph revisions P.odo CAMERA --use), o restaure el proyecto desde una copia de seguridad</translation>
+        <translation>elija una propia (Calibraciones anteriores…), o restaure el proyecto desde una copia de seguridad</translation>
     </message>
 </context>
 <context>
@@ -15937,7 +15937,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <name>project.complete_recording</name>
     <message>
         <source>to complete it, open the project for writing: odograph record P.odo --recover</source>
-        <translation>abra el proyecto para escritura, lo que lo completa: odograph record P.odo --recover</translation>
+        <translation>abra el proyecto para escritura, lo que lo completa</translation>
     </message>
 </context>
 <context>
@@ -16154,7 +16154,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <name>project.find_or_put_back</name>
     <message>
         <source>take it from there with odograph check P.odo --find FOLDER or Find lost videos… in the window, or move it back to its folder</source>
-        <translation>recupérela de ahí con odograph check P.odo --find FOLDER o con Buscar videos perdidos… en la ventana, o devuélvala a su lugar</translation>
+        <translation>recupérela de ahí con Buscar videos perdidos…, o devuélvala a su lugar</translation>
     </message>
 </context>
 <context>
@@ -17008,7 +17008,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <name>project.open_again</name>
     <message>
         <source>open it again; if you were recording, find stray files (odograph check --adopt)</source>
-        <translation>ábralo de nuevo; si estaba grabando, busque archivos sueltos (odograph check --adopt)</translation>
+        <translation>ábralo de nuevo; si estaba grabando, mire en Buscar archivos sueltos…</translation>
     </message>
 </context>
 <context>
@@ -17162,7 +17162,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <name>project.put_back_or_find</name>
     <message>
         <source>move the file back to its folder, or find it by its content with odograph check P.odo --find FOLDER or Find lost videos… in the window</source>
-        <translation>devuelva el archivo a su lugar, o búsquelo por su contenido con odograph check P.odo --find FOLDER o con Buscar videos perdidos… en la ventana</translation>
+        <translation>devuelva el archivo a su lugar, o búsquelo por su contenido con Buscar videos perdidos…</translation>
     </message>
 </context>
 <context>
@@ -20148,10 +20148,10 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     </message>
 </context>
 <context>
-    <name>workflow.add_one_with</name>
+    <name>workflow.add_robot</name>
     <message>
-        <source>add one with</source>
-        <translation>añada uno con</translation>
+        <source>add one with: odograph robot add PROJECT NAME --colour #rrggbb</source>
+        <translation>añada uno en Banco</translation>
     </message>
 </context>
 <context>
@@ -20166,13 +20166,6 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <message>
         <source>address &apos;%1&apos; of live positions</source>
         <translation>dirección &apos;%1&apos; de posiciones en vivo</translation>
-    </message>
-</context>
-<context>
-    <name>workflow.analyse_anew_with</name>
-    <message>
-        <source>reanalyse them with</source>
-        <translation>analícelas de nuevo con</translation>
     </message>
 </context>
 <context>
@@ -20473,7 +20466,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <name>workflow.check_or_analyse_again</name>
     <message>
         <source>run odograph check, or reanalyse the trial</source>
-        <translation>ejecute odograph check o analice de nuevo el ensayo</translation>
+        <translation>compruebe el proyecto, o analice de nuevo el ensayo</translation>
     </message>
 </context>
 <context>
@@ -20487,7 +20480,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <name>workflow.check_rate</name>
     <message>
         <source>views are matched by time: check --rate if one is in slow motion</source>
-        <translation>las vistas se unen por el tiempo; compruebe --rate si una está en cámara lenta</translation>
+        <translation>las vistas se unen por el tiempo; compruebe la frecuencia real si una está en cámara lenta</translation>
     </message>
 </context>
 <context>
@@ -20606,7 +20599,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <name>workflow.choose_with_robot</name>
     <message>
         <source>choose one with --robot</source>
-        <translation>elija uno con --robot</translation>
+        <translation>elija uno de ellos</translation>
     </message>
 </context>
 <context>
@@ -20914,7 +20907,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <name>workflow.give_cameras</name>
     <message>
         <source>give one or more, like --camera A=sim:A</source>
-        <translation>dé una o más, como --camera A=sim:A</translation>
+        <translation>elija una o más en Cámaras…</translation>
     </message>
 </context>
 <context>
@@ -20942,7 +20935,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <name>workflow.give_offset_for_each</name>
     <message>
         <source>give one offset for each view but the first, like --sync 0.1,0.2, or use --sync auto</source>
-        <translation>dé un desfase por cada vista salvo la primera, como --sync 0.1,0.2, o use --sync auto</translation>
+        <translation>dé un desfase por cada vista salvo la primera, o elija Por el movimiento o un destello</translation>
     </message>
 </context>
 <context>
@@ -20998,14 +20991,14 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <name>workflow.give_tracks</name>
     <message>
         <source>give one or more, like --track R=run.csv</source>
-        <translation>dé una o más, como --track R=run.csv</translation>
+        <translation>elija una o más</translation>
     </message>
 </context>
 <context>
     <name>workflow.give_views</name>
     <message>
         <source>give one view or more, like --video A=a.mp4</source>
-        <translation>dé una vista o más, como --video A=a.mp4</translation>
+        <translation>elija una vista o más</translation>
     </message>
 </context>
 <context>
@@ -21898,6 +21891,13 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     </message>
 </context>
 <context>
+    <name>workflow.reanalyse_tracks</name>
+    <message>
+        <source>reanalyse them with: odograph track PROJECT TRIAL --again</source>
+        <translation>analícelas de nuevo</translation>
+    </message>
+</context>
+<context>
     <name>workflow.record</name>
     <message>
         <source>record %1</source>
@@ -22020,7 +22020,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <name>workflow.register_or_do_not_send</name>
     <message>
         <source>run odograph register for one of them, or leave --ssl-vision out</source>
-        <translation>registre una de ellas, u omita --ssl-vision</translation>
+        <translation>registre una de ellas, o no envíe posiciones</translation>
     </message>
 </context>
 <context>
@@ -22202,7 +22202,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <name>workflow.run_track_without_again</name>
     <message>
         <source>run odograph track without --again first</source>
-        <translation>rastree antes sin --again</translation>
+        <translation>rastree antes los videos del ensayo</translation>
     </message>
 </context>
 <context>
@@ -22223,7 +22223,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <name>workflow.see_flags_by_hand</name>
     <message>
         <source>see the flags by_hand in odograph export</source>
-        <translation>vea las marcas by_hand en odograph export</translation>
+        <translation>la revisión marca las muestras corregidas a mano</translation>
     </message>
 </context>
 <context>
@@ -22384,14 +22384,14 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <name>workflow.track_or_choose_with_robot</name>
     <message>
         <source>track it, or choose another with --robot</source>
-        <translation>rastréelo, o elija otro con --robot</translation>
+        <translation>rastréelo, o elija otro</translation>
     </message>
 </context>
 <context>
     <name>workflow.track_those_seen</name>
     <message>
         <source>track only the robots that are in view (--robot)</source>
-        <translation>siga solo los robots que están en las imágenes (--robot)</translation>
+        <translation>siga solo los robots que están en las imágenes</translation>
     </message>
 </context>
 <context>

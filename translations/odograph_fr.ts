@@ -4099,13 +4099,6 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
 </context>
 <context>
-    <name>calibration.uncertain</name>
-    <message>
-        <source>Uncertain: %1.</source>
-        <translation>Douteux : %1.</translation>
-    </message>
-</context>
-<context>
     <name>calibration.edges_wide</name>
     <message>
         <source>its edges are %1 pixels wide</source>
@@ -5884,6 +5877,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
 </context>
 <context>
+    <name>calibration.uncertain</name>
+    <message>
+        <source>Uncertain: %1.</source>
+        <translation>Douteux : %1.</translation>
+    </message>
+</context>
+<context>
     <name>calibration.unit</name>
     <message>
         <source>unit &apos;%1&apos;</source>
@@ -6167,7 +6167,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <name>capture.cameras_are_listed</name>
     <message>
         <source>odograph cameras lists them</source>
-        <translation>odograph cameras en donne la liste</translation>
+        <translation>«&#xa0;Caméras…&#xa0;» dans Filmer les liste</translation>
     </message>
 </context>
 <context>
@@ -6237,7 +6237,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <name>capture.choose_listed</name>
     <message>
         <source>choose a camera that odograph cameras lists</source>
-        <translation>choisissez-en une de celles que liste odograph cameras</translation>
+        <translation>choisissez une caméra que liste «&#xa0;Caméras…&#xa0;» dans Filmer</translation>
     </message>
 </context>
 <context>
@@ -6951,7 +6951,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <name>capture.plug_in_or_choose</name>
     <message>
         <source>plug it in, or choose a camera that odograph cameras lists</source>
-        <translation>branchez-la, ou choisissez-en une de celles que liste odograph cameras</translation>
+        <translation>branchez-la, ou choisissez-en une de celles que liste «&#xa0;Caméras…&#xa0;» dans Filmer</translation>
     </message>
 </context>
 <context>
@@ -7070,7 +7070,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <name>capture.serial_advice</name>
     <message>
         <source>check its power and cable; odograph cameras lists those that answer</source>
-        <translation>vérifiez son alimentation et son câble&#xa0;; odograph cameras liste celles qui répondent</translation>
+        <translation>vérifiez son alimentation et son câble&#xa0;; «&#xa0;Caméras…&#xa0;» dans Filmer liste celles qui répondent</translation>
     </message>
 </context>
 <context>
@@ -8638,7 +8638,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <name>exchange.write_task_as_shown</name>
     <message>
         <source>write the task as odograph task list --json shows one</source>
-        <translation>écrivez l’épreuve comme odograph task list --json en montre une</translation>
+        <translation>créez l’épreuve dans Banc, ou écrivez le fichier comme le montre le manuel</translation>
     </message>
 </context>
 <context>
@@ -8974,7 +8974,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <name>files.replace_by_force</name>
     <message>
         <source>choose another name, or replace it with --force</source>
-        <translation>choisissez un autre nom, ou remplacez-le avec --force</translation>
+        <translation>choisissez un autre nom, ou supprimez d’abord le fichier</translation>
     </message>
 </context>
 <context>
@@ -15678,7 +15678,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <name>project.adopt_or_remove</name>
     <message>
         <source>make a trial of it with odograph check P.odo --adopt, or remove it with --remove-strays; the window offers both under &apos;Find stray files…&apos;</source>
-        <translation>faites-en un essai avec odograph check P.odo --adopt, ou supprimez-le avec --remove-strays&#xa0;; la fenêtre offre les deux sous «&#xa0;Retrouver les fichiers orphelins…&#xa0;»</translation>
+        <translation>faites-en un essai ou supprimez-le sous «&#xa0;Retrouver les fichiers orphelins…&#xa0;»</translation>
     </message>
 </context>
 <context>
@@ -15888,7 +15888,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <name>project.choose_its_own</name>
     <message>
         <source>choose one of its own (odograph revisions P.odo CAMERA --use), or restore the project from a backup copy</source>
-        <translation>choisissez une de ses propres révisions (odograph revisions P.odo CAMERA --use), ou restaurez le projet d’une copie de sauvegarde</translation>
+        <translation>choisissez une de ses propres révisions («&#xa0;Étalonnages antérieurs…&#xa0;»), ou restaurez le projet d’une copie de sauvegarde</translation>
     </message>
 </context>
 <context>
@@ -15937,7 +15937,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <name>project.complete_recording</name>
     <message>
         <source>to complete it, open the project for writing: odograph record P.odo --recover</source>
-        <translation>ouvrez le projet en écriture, ce qui complète l’enregistrement&#xa0;: odograph record P.odo --recover</translation>
+        <translation>ouvrez le projet en écriture, ce qui complète l’enregistrement</translation>
     </message>
 </context>
 <context>
@@ -16154,7 +16154,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <name>project.find_or_put_back</name>
     <message>
         <source>take it from there with odograph check P.odo --find FOLDER or Find lost videos… in the window, or move it back to its folder</source>
-        <translation>reprenez-le de là avec odograph check P.odo --find FOLDER ou «&#xa0;Retrouver les vidéos perdues…&#xa0;» dans la fenêtre, ou remettez-le à sa place</translation>
+        <translation>reprenez-le de là avec «&#xa0;Retrouver les vidéos perdues…&#xa0;», ou remettez-le à sa place</translation>
     </message>
 </context>
 <context>
@@ -17008,7 +17008,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <name>project.open_again</name>
     <message>
         <source>open it again; if you were recording, find stray files (odograph check --adopt)</source>
-        <translation>ouvrez-le à nouveau ; si vous étiez en train d’enregistrer, cherchez les fichiers orphelins (odograph check --adopt)</translation>
+        <translation>ouvrez-le à nouveau&#xa0;; si vous étiez en train d’enregistrer, regardez sous «&#xa0;Retrouver les fichiers orphelins…&#xa0;»</translation>
     </message>
 </context>
 <context>
@@ -17162,7 +17162,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <name>project.put_back_or_find</name>
     <message>
         <source>move the file back to its folder, or find it by its content with odograph check P.odo --find FOLDER or Find lost videos… in the window</source>
-        <translation>remettez le fichier à sa place, ou retrouvez-le d’après son contenu avec odograph check P.odo --find FOLDER ou «&#xa0;Retrouver les vidéos perdues…&#xa0;» dans la fenêtre</translation>
+        <translation>remettez le fichier à sa place, ou retrouvez-le d’après son contenu avec «&#xa0;Retrouver les vidéos perdues…&#xa0;»</translation>
     </message>
 </context>
 <context>
@@ -20148,10 +20148,10 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
 </context>
 <context>
-    <name>workflow.add_one_with</name>
+    <name>workflow.add_robot</name>
     <message>
-        <source>add one with</source>
-        <translation>ajoutez-en un avec</translation>
+        <source>add one with: odograph robot add PROJECT NAME --colour #rrggbb</source>
+        <translation>ajoutez-en un dans Banc</translation>
     </message>
 </context>
 <context>
@@ -20166,13 +20166,6 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>address &apos;%1&apos; of live positions</source>
         <translation>adresse &apos;%1&apos; des positions en direct</translation>
-    </message>
-</context>
-<context>
-    <name>workflow.analyse_anew_with</name>
-    <message>
-        <source>reanalyse them with</source>
-        <translation>analysez-les à nouveau avec</translation>
     </message>
 </context>
 <context>
@@ -20473,7 +20466,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <name>workflow.check_or_analyse_again</name>
     <message>
         <source>run odograph check, or reanalyse the trial</source>
-        <translation>lancez odograph check, ou analysez de nouveau l’essai</translation>
+        <translation>vérifiez le projet, ou analysez de nouveau l’essai</translation>
     </message>
 </context>
 <context>
@@ -20487,7 +20480,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <name>workflow.check_rate</name>
     <message>
         <source>views are matched by time: check --rate if one is in slow motion</source>
-        <translation>les vues sont réunies par le temps&#xa0;; vérifiez --rate si l’une est au ralenti</translation>
+        <translation>les vues sont réunies par le temps&#xa0;; vérifiez la cadence réelle si l’une est au ralenti</translation>
     </message>
 </context>
 <context>
@@ -20606,7 +20599,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <name>workflow.choose_with_robot</name>
     <message>
         <source>choose one with --robot</source>
-        <translation>choisissez-en un avec --robot</translation>
+        <translation>choisissez-en un</translation>
     </message>
 </context>
 <context>
@@ -20914,7 +20907,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <name>workflow.give_cameras</name>
     <message>
         <source>give one or more, like --camera A=sim:A</source>
-        <translation>donnez-en une ou plus, comme --camera A=sim:A</translation>
+        <translation>choisissez-en une ou plusieurs sous «&#xa0;Caméras…&#xa0;»</translation>
     </message>
 </context>
 <context>
@@ -20942,7 +20935,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <name>workflow.give_offset_for_each</name>
     <message>
         <source>give one offset for each view but the first, like --sync 0.1,0.2, or use --sync auto</source>
-        <translation>donnez un décalage par vue sauf la première, comme --sync 0.1,0.2, ou utilisez --sync auto</translation>
+        <translation>donnez un décalage par vue sauf la première, ou choisissez «&#xa0;D’après le mouvement ou un éclair&#xa0;»</translation>
     </message>
 </context>
 <context>
@@ -20998,14 +20991,14 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <name>workflow.give_tracks</name>
     <message>
         <source>give one or more, like --track R=run.csv</source>
-        <translation>donnez-en une ou plus, comme --track R=run.csv</translation>
+        <translation>choisissez-en une ou plusieurs</translation>
     </message>
 </context>
 <context>
     <name>workflow.give_views</name>
     <message>
         <source>give one view or more, like --video A=a.mp4</source>
-        <translation>donnez une vue ou plus, comme --video A=a.mp4</translation>
+        <translation>choisissez une vue ou plusieurs</translation>
     </message>
 </context>
 <context>
@@ -21898,6 +21891,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
 </context>
 <context>
+    <name>workflow.reanalyse_tracks</name>
+    <message>
+        <source>reanalyse them with: odograph track PROJECT TRIAL --again</source>
+        <translation>analysez-les à nouveau</translation>
+    </message>
+</context>
+<context>
     <name>workflow.record</name>
     <message>
         <source>record %1</source>
@@ -22020,7 +22020,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <name>workflow.register_or_do_not_send</name>
     <message>
         <source>run odograph register for one of them, or leave --ssl-vision out</source>
-        <translation>localisez-en une, ou omettez --ssl-vision</translation>
+        <translation>localisez-en une, ou n’envoyez pas de positions</translation>
     </message>
 </context>
 <context>
@@ -22202,7 +22202,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <name>workflow.run_track_without_again</name>
     <message>
         <source>run odograph track without --again first</source>
-        <translation>faites d’abord le suivi sans --again</translation>
+        <translation>faites d’abord le suivi des vidéos de l’essai</translation>
     </message>
 </context>
 <context>
@@ -22223,7 +22223,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <name>workflow.see_flags_by_hand</name>
     <message>
         <source>see the flags by_hand in odograph export</source>
-        <translation>voyez les marques by_hand dans odograph export</translation>
+        <translation>l’examen marque les échantillons corrigés à la main</translation>
     </message>
 </context>
 <context>
@@ -22384,14 +22384,14 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <name>workflow.track_or_choose_with_robot</name>
     <message>
         <source>track it, or choose another with --robot</source>
-        <translation>suivez-le, ou choisissez-en un autre avec --robot</translation>
+        <translation>suivez-le, ou choisissez-en un autre</translation>
     </message>
 </context>
 <context>
     <name>workflow.track_those_seen</name>
     <message>
         <source>track only the robots that are in view (--robot)</source>
-        <translation>ne suivez que les robots qui sont dans les images (--robot)</translation>
+        <translation>ne suivez que les robots qui sont dans les images</translation>
     </message>
 </context>
 <context>

@@ -4090,13 +4090,6 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
-    <name>calibration.uncertain</name>
-    <message>
-        <source>Uncertain: %1.</source>
-        <translation>의심스러움: %1.</translation>
-    </message>
-</context>
-<context>
     <name>calibration.edges_wide</name>
     <message>
         <source>its edges are %1 pixels wide</source>
@@ -5875,6 +5868,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>calibration.uncertain</name>
+    <message>
+        <source>Uncertain: %1.</source>
+        <translation>의심스러움: %1.</translation>
+    </message>
+</context>
+<context>
     <name>calibration.unit</name>
     <message>
         <source>unit &apos;%1&apos;</source>
@@ -6158,7 +6158,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <name>capture.cameras_are_listed</name>
     <message>
         <source>odograph cameras lists them</source>
-        <translation>odograph cameras로 목록을 볼 수 있습니다</translation>
+        <translation>녹화의 카메라…가 그것들을 보여 줍니다</translation>
     </message>
 </context>
 <context>
@@ -6228,7 +6228,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <name>capture.choose_listed</name>
     <message>
         <source>choose a camera that odograph cameras lists</source>
-        <translation>odograph cameras가 보여 주는 것 중에서 고르십시오</translation>
+        <translation>녹화의 카메라…가 보여 주는 카메라를 고르십시오</translation>
     </message>
 </context>
 <context>
@@ -6942,7 +6942,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <name>capture.plug_in_or_choose</name>
     <message>
         <source>plug it in, or choose a camera that odograph cameras lists</source>
-        <translation>연결하거나 odograph cameras가 보여 주는 것 중에서 고르십시오</translation>
+        <translation>연결하거나 녹화의 카메라…가 보여 주는 것 중에서 고르십시오</translation>
     </message>
 </context>
 <context>
@@ -7061,7 +7061,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <name>capture.serial_advice</name>
     <message>
         <source>check its power and cable; odograph cameras lists those that answer</source>
-        <translation>전원과 케이블을 확인하십시오. odograph cameras가 응답하는 것을 보여 줍니다</translation>
+        <translation>전원과 케이블을 확인하십시오. 녹화의 카메라…가 응답하는 것을 보여 줍니다</translation>
     </message>
 </context>
 <context>
@@ -8629,7 +8629,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <name>exchange.write_task_as_shown</name>
     <message>
         <source>write the task as odograph task list --json shows one</source>
-        <translation>odograph task list --json이 보이는 대로 과제를 쓰십시오</translation>
+        <translation>테스트베드에서 과제를 만들거나 설명서에 나온 대로 파일을 쓰십시오</translation>
     </message>
 </context>
 <context>
@@ -8965,7 +8965,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <name>files.replace_by_force</name>
     <message>
         <source>choose another name, or replace it with --force</source>
-        <translation>다른 이름을 고르거나 --force로 바꾸십시오</translation>
+        <translation>다른 이름을 고르거나 먼저 파일을 지우십시오</translation>
     </message>
 </context>
 <context>
@@ -15639,7 +15639,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <name>project.adopt_or_remove</name>
     <message>
         <source>make a trial of it with odograph check P.odo --adopt, or remove it with --remove-strays; the window offers both under &apos;Find stray files…&apos;</source>
-        <translation>odograph check P.odo --adopt로 시행으로 추가하거나 --remove-strays로 제거하십시오. 창에서는 소속 없는 파일 찾기…에서 둘 다 할 수 있습니다</translation>
+        <translation>소속 없는 파일 찾기…에서 시행으로 추가하거나 제거하십시오</translation>
     </message>
 </context>
 <context>
@@ -15849,7 +15849,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <name>project.choose_its_own</name>
     <message>
         <source>choose one of its own (odograph revisions P.odo CAMERA --use), or restore the project from a backup copy</source>
-        <translation>이 카메라의 것을 고르거나(odograph revisions P.odo CAMERA --use) 백업 사본에서 프로젝트를 복원하십시오</translation>
+        <translation>이 카메라의 것을 고르거나(이전 보정…) 백업 사본에서 프로젝트를 복원하십시오</translation>
     </message>
 </context>
 <context>
@@ -15898,7 +15898,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <name>project.complete_recording</name>
     <message>
         <source>to complete it, open the project for writing: odograph record P.odo --recover</source>
-        <translation>프로젝트를 쓰기용으로 열면 녹화가 마무리됩니다: odograph record P.odo --recover</translation>
+        <translation>프로젝트를 쓰기용으로 열면 녹화가 마무리됩니다</translation>
     </message>
 </context>
 <context>
@@ -16115,7 +16115,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <name>project.find_or_put_back</name>
     <message>
         <source>take it from there with odograph check P.odo --find FOLDER or Find lost videos… in the window, or move it back to its folder</source>
-        <translation>odograph check P.odo --find FOLDER나 창의 잃은 동영상 찾기…로 거기서 가져오거나 제자리에 되돌려 놓으십시오</translation>
+        <translation>잃은 동영상 찾기…로 거기서 가져오거나 제자리에 되돌려 놓으십시오</translation>
     </message>
 </context>
 <context>
@@ -16969,7 +16969,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <name>project.open_again</name>
     <message>
         <source>open it again; if you were recording, find stray files (odograph check --adopt)</source>
-        <translation>다시 여십시오. 녹화 중이었다면 소속 없는 파일을 찾아 보십시오 (odograph check --adopt)</translation>
+        <translation>다시 여십시오. 녹화 중이었다면 소속 없는 파일 찾기…를 보십시오</translation>
     </message>
 </context>
 <context>
@@ -17123,7 +17123,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <name>project.put_back_or_find</name>
     <message>
         <source>move the file back to its folder, or find it by its content with odograph check P.odo --find FOLDER or Find lost videos… in the window</source>
-        <translation>파일을 제자리에 돌려놓거나 odograph check P.odo --find FOLDER나 창의 잃은 동영상 찾기…를 써서 내용으로 찾으십시오</translation>
+        <translation>파일을 제자리에 돌려놓거나 잃은 동영상 찾기…를 써서 내용으로 찾으십시오</translation>
     </message>
 </context>
 <context>
@@ -20109,10 +20109,10 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
-    <name>workflow.add_one_with</name>
+    <name>workflow.add_robot</name>
     <message>
-        <source>add one with</source>
-        <translation>다음으로 추가하십시오</translation>
+        <source>add one with: odograph robot add PROJECT NAME --colour #rrggbb</source>
+        <translation>테스트베드에서 추가하십시오</translation>
     </message>
 </context>
 <context>
@@ -20127,13 +20127,6 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>address &apos;%1&apos; of live positions</source>
         <translation>실시간 위치의 주소 &apos;%1&apos;</translation>
-    </message>
-</context>
-<context>
-    <name>workflow.analyse_anew_with</name>
-    <message>
-        <source>reanalyse them with</source>
-        <translation>다음으로 다시 분석하십시오</translation>
     </message>
 </context>
 <context>
@@ -20434,7 +20427,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <name>workflow.check_or_analyse_again</name>
     <message>
         <source>run odograph check, or reanalyse the trial</source>
-        <translation>odograph check를 실행하거나 시행을 다시 분석하십시오</translation>
+        <translation>프로젝트를 점검하거나 시행을 다시 분석하십시오</translation>
     </message>
 </context>
 <context>
@@ -20448,7 +20441,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <name>workflow.check_rate</name>
     <message>
         <source>views are matched by time: check --rate if one is in slow motion</source>
-        <translation>뷰는 시간으로 결합됩니다. 슬로 모션이면 --rate를 확인하십시오</translation>
+        <translation>뷰는 시간으로 결합됩니다. 슬로 모션이면 실제 프레임 속도를 확인하십시오</translation>
     </message>
 </context>
 <context>
@@ -20567,7 +20560,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <name>workflow.choose_with_robot</name>
     <message>
         <source>choose one with --robot</source>
-        <translation>--robot으로 하나를 고르십시오</translation>
+        <translation>그중 하나를 고르십시오</translation>
     </message>
 </context>
 <context>
@@ -20875,7 +20868,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <name>workflow.give_cameras</name>
     <message>
         <source>give one or more, like --camera A=sim:A</source>
-        <translation>--camera A=sim:A처럼 하나 이상 주십시오</translation>
+        <translation>카메라…에서 하나 이상을 고르십시오</translation>
     </message>
 </context>
 <context>
@@ -20903,7 +20896,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <name>workflow.give_offset_for_each</name>
     <message>
         <source>give one offset for each view but the first, like --sync 0.1,0.2, or use --sync auto</source>
-        <translation>--sync 0.1,0.2처럼 첫 뷰를 뺀 각 뷰의 오프셋을 주거나 --sync auto를 쓰십시오</translation>
+        <translation>첫 뷰를 뺀 각 뷰의 오프셋을 주거나 ‘움직임이나 번쩍임에서’를 고르십시오</translation>
     </message>
 </context>
 <context>
@@ -20959,14 +20952,14 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <name>workflow.give_tracks</name>
     <message>
         <source>give one or more, like --track R=run.csv</source>
-        <translation>--track R=run.csv처럼 하나 이상 주십시오</translation>
+        <translation>하나 이상을 고르십시오</translation>
     </message>
 </context>
 <context>
     <name>workflow.give_views</name>
     <message>
         <source>give one view or more, like --video A=a.mp4</source>
-        <translation>--video A=a.mp4처럼 뷰를 하나 이상 주십시오</translation>
+        <translation>뷰를 하나 이상 고르십시오</translation>
     </message>
 </context>
 <context>
@@ -21859,6 +21852,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>workflow.reanalyse_tracks</name>
+    <message>
+        <source>reanalyse them with: odograph track PROJECT TRIAL --again</source>
+        <translation>다시 분석하십시오</translation>
+    </message>
+</context>
+<context>
     <name>workflow.record</name>
     <message>
         <source>record %1</source>
@@ -21981,7 +21981,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <name>workflow.register_or_do_not_send</name>
     <message>
         <source>run odograph register for one of them, or leave --ssl-vision out</source>
-        <translation>그중 하나를 정합하거나 --ssl-vision을 빼십시오</translation>
+        <translation>그중 하나를 정합하거나 위치를 보내지 마십시오</translation>
     </message>
 </context>
 <context>
@@ -22163,7 +22163,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <name>workflow.run_track_without_again</name>
     <message>
         <source>run odograph track without --again first</source>
-        <translation>먼저 --again 없이 추적하십시오</translation>
+        <translation>먼저 시행의 동영상을 추적하십시오</translation>
     </message>
 </context>
 <context>
@@ -22184,7 +22184,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <name>workflow.see_flags_by_hand</name>
     <message>
         <source>see the flags by_hand in odograph export</source>
-        <translation>odograph export의 by_hand 표시를 보십시오</translation>
+        <translation>검토에는 수동으로 정한 표본이 표시되어 있습니다</translation>
     </message>
 </context>
 <context>
@@ -22345,14 +22345,14 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <name>workflow.track_or_choose_with_robot</name>
     <message>
         <source>track it, or choose another with --robot</source>
-        <translation>추적하거나 --robot으로 다른 것을 고르십시오</translation>
+        <translation>추적하거나 다른 것을 고르십시오</translation>
     </message>
 </context>
 <context>
     <name>workflow.track_those_seen</name>
     <message>
         <source>track only the robots that are in view (--robot)</source>
-        <translation>영상에 있는 로봇만 추적하십시오 (--robot)</translation>
+        <translation>영상에 있는 로봇만 추적하십시오</translation>
     </message>
 </context>
 <context>

@@ -4090,13 +4090,6 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
-    <name>calibration.uncertain</name>
-    <message>
-        <source>Uncertain: %1.</source>
-        <translation>存疑：%1。</translation>
-    </message>
-</context>
-<context>
     <name>calibration.edges_wide</name>
     <message>
         <source>its edges are %1 pixels wide</source>
@@ -5875,6 +5868,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>calibration.uncertain</name>
+    <message>
+        <source>Uncertain: %1.</source>
+        <translation>存疑：%1。</translation>
+    </message>
+</context>
+<context>
     <name>calibration.unit</name>
     <message>
         <source>unit &apos;%1&apos;</source>
@@ -6158,7 +6158,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <name>capture.cameras_are_listed</name>
     <message>
         <source>odograph cameras lists them</source>
-        <translation>odograph cameras 会列出它们</translation>
+        <translation>“录制”中的“相机…”会列出它们</translation>
     </message>
 </context>
 <context>
@@ -6228,7 +6228,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <name>capture.choose_listed</name>
     <message>
         <source>choose a camera that odograph cameras lists</source>
-        <translation>请选择 odograph cameras 列出的相机</translation>
+        <translation>请选择“录制”中“相机…”列出的相机</translation>
     </message>
 </context>
 <context>
@@ -6942,7 +6942,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <name>capture.plug_in_or_choose</name>
     <message>
         <source>plug it in, or choose a camera that odograph cameras lists</source>
-        <translation>请接上它，或选择 odograph cameras 列出的相机</translation>
+        <translation>请接上它，或选择“录制”中“相机…”列出的相机</translation>
     </message>
 </context>
 <context>
@@ -7061,7 +7061,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <name>capture.serial_advice</name>
     <message>
         <source>check its power and cable; odograph cameras lists those that answer</source>
-        <translation>请检查其电源和电缆；odograph cameras 会列出有响应的相机</translation>
+        <translation>请检查其电源和电缆；“录制”中的“相机…”会列出有响应的相机</translation>
     </message>
 </context>
 <context>
@@ -8629,7 +8629,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <name>exchange.write_task_as_shown</name>
     <message>
         <source>write the task as odograph task list --json shows one</source>
-        <translation>请按 odograph task list --json 所示的格式书写任务</translation>
+        <translation>请在“试验场”中创建任务，或按手册所示编写文件</translation>
     </message>
 </context>
 <context>
@@ -8965,7 +8965,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <name>files.replace_by_force</name>
     <message>
         <source>choose another name, or replace it with --force</source>
-        <translation>请换个名称，或用 --force 替换</translation>
+        <translation>请换个名称，或先删除该文件</translation>
     </message>
 </context>
 <context>
@@ -15639,7 +15639,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <name>project.adopt_or_remove</name>
     <message>
         <source>make a trial of it with odograph check P.odo --adopt, or remove it with --remove-strays; the window offers both under &apos;Find stray files…&apos;</source>
-        <translation>请用 odograph check P.odo --adopt 将其收为一次试验，或用 --remove-strays 移除；窗口中的“查找无归属的文件…”也提供这两种操作</translation>
+        <translation>请在“查找无归属的文件…”中将其收为一次试验或移除</translation>
     </message>
 </context>
 <context>
@@ -15849,7 +15849,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <name>project.choose_its_own</name>
     <message>
         <source>choose one of its own (odograph revisions P.odo CAMERA --use), or restore the project from a backup copy</source>
-        <translation>请选择它自己的一个版本（odograph revisions P.odo CAMERA --use），或从备份恢复项目</translation>
+        <translation>请选择它自己的一个版本（“以前的标定…”），或从备份恢复项目</translation>
     </message>
 </context>
 <context>
@@ -15898,7 +15898,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <name>project.complete_recording</name>
     <message>
         <source>to complete it, open the project for writing: odograph record P.odo --recover</source>
-        <translation>请以可写方式打开项目，录像即会补全：odograph record P.odo --recover</translation>
+        <translation>请以可写方式打开项目，录像即会补全</translation>
     </message>
 </context>
 <context>
@@ -16115,7 +16115,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <name>project.find_or_put_back</name>
     <message>
         <source>take it from there with odograph check P.odo --find FOLDER or Find lost videos… in the window, or move it back to its folder</source>
-        <translation>请用 odograph check P.odo --find FOLDER 或窗口中的“查找丢失的视频…”从那里取用，或将其放回原处</translation>
+        <translation>请用“查找丢失的视频…”从那里取用，或将其放回原处</translation>
     </message>
 </context>
 <context>
@@ -16969,7 +16969,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <name>project.open_again</name>
     <message>
         <source>open it again; if you were recording, find stray files (odograph check --adopt)</source>
-        <translation>请重新打开；如果当时正在录制，请查找无归属的文件（odograph check --adopt）</translation>
+        <translation>请重新打开；如果当时正在录制，请看“查找无归属的文件…”</translation>
     </message>
 </context>
 <context>
@@ -17123,7 +17123,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <name>project.put_back_or_find</name>
     <message>
         <source>move the file back to its folder, or find it by its content with odograph check P.odo --find FOLDER or Find lost videos… in the window</source>
-        <translation>请将文件放回原处，或用 odograph check P.odo --find FOLDER 或窗口中的“查找丢失的视频…”按内容查找</translation>
+        <translation>请将文件放回原处，或用“查找丢失的视频…”按内容查找</translation>
     </message>
 </context>
 <context>
@@ -20109,10 +20109,10 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
-    <name>workflow.add_one_with</name>
+    <name>workflow.add_robot</name>
     <message>
-        <source>add one with</source>
-        <translation>请用以下命令添加一个</translation>
+        <source>add one with: odograph robot add PROJECT NAME --colour #rrggbb</source>
+        <translation>请在“试验场”中添加一个</translation>
     </message>
 </context>
 <context>
@@ -20127,13 +20127,6 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>address &apos;%1&apos; of live positions</source>
         <translation>实时位置的地址“%1”</translation>
-    </message>
-</context>
-<context>
-    <name>workflow.analyse_anew_with</name>
-    <message>
-        <source>reanalyse them with</source>
-        <translation>请用以下命令重新分析</translation>
     </message>
 </context>
 <context>
@@ -20434,7 +20427,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <name>workflow.check_or_analyse_again</name>
     <message>
         <source>run odograph check, or reanalyse the trial</source>
-        <translation>请运行 odograph check，或重新分析该试验</translation>
+        <translation>请检查项目，或重新分析该试验</translation>
     </message>
 </context>
 <context>
@@ -20448,7 +20441,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <name>workflow.check_rate</name>
     <message>
         <source>views are matched by time: check --rate if one is in slow motion</source>
-        <translation>视角按时间结合；若其一为慢动作，请检查 --rate</translation>
+        <translation>视角按时间结合；若其一为慢动作，请检查相机实际帧率</translation>
     </message>
 </context>
 <context>
@@ -20567,7 +20560,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <name>workflow.choose_with_robot</name>
     <message>
         <source>choose one with --robot</source>
-        <translation>请用 --robot 选择一个</translation>
+        <translation>请选择其中一个</translation>
     </message>
 </context>
 <context>
@@ -20875,7 +20868,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <name>workflow.give_cameras</name>
     <message>
         <source>give one or more, like --camera A=sim:A</source>
-        <translation>请给出一个或多个，如 --camera A=sim:A</translation>
+        <translation>请在“相机…”中选择一台或多台</translation>
     </message>
 </context>
 <context>
@@ -20903,7 +20896,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <name>workflow.give_offset_for_each</name>
     <message>
         <source>give one offset for each view but the first, like --sync 0.1,0.2, or use --sync auto</source>
-        <translation>请为除第一个外的每个视角给出一个偏移，如 --sync 0.1,0.2，或使用 --sync auto</translation>
+        <translation>请为除第一个外的每个视角给出一个偏移，或选择“由运动或闪光得出”</translation>
     </message>
 </context>
 <context>
@@ -20959,14 +20952,14 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <name>workflow.give_tracks</name>
     <message>
         <source>give one or more, like --track R=run.csv</source>
-        <translation>请给出一个或多个，如 --track R=run.csv</translation>
+        <translation>请选择一条或多条</translation>
     </message>
 </context>
 <context>
     <name>workflow.give_views</name>
     <message>
         <source>give one view or more, like --video A=a.mp4</source>
-        <translation>请给出一个或多个视角，如 --video A=a.mp4</translation>
+        <translation>请选择一个或多个视角</translation>
     </message>
 </context>
 <context>
@@ -21859,6 +21852,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>workflow.reanalyse_tracks</name>
+    <message>
+        <source>reanalyse them with: odograph track PROJECT TRIAL --again</source>
+        <translation>请重新分析</translation>
+    </message>
+</context>
+<context>
     <name>workflow.record</name>
     <message>
         <source>record %1</source>
@@ -21981,7 +21981,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <name>workflow.register_or_do_not_send</name>
     <message>
         <source>run odograph register for one of them, or leave --ssl-vision out</source>
-        <translation>请配准其中一台，或去掉 --ssl-vision</translation>
+        <translation>请配准其中一台，或不发送位置</translation>
     </message>
 </context>
 <context>
@@ -22163,7 +22163,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <name>workflow.run_track_without_again</name>
     <message>
         <source>run odograph track without --again first</source>
-        <translation>请先不带 --again 进行跟踪</translation>
+        <translation>请先跟踪该试验的视频</translation>
     </message>
 </context>
 <context>
@@ -22184,7 +22184,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <name>workflow.see_flags_by_hand</name>
     <message>
         <source>see the flags by_hand in odograph export</source>
-        <translation>请查看 odograph export 中的 by_hand 标记</translation>
+        <translation>“查看”中标出了手动指定的采样</translation>
     </message>
 </context>
 <context>
@@ -22345,14 +22345,14 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <name>workflow.track_or_choose_with_robot</name>
     <message>
         <source>track it, or choose another with --robot</source>
-        <translation>请跟踪它，或用 --robot 选择另一个</translation>
+        <translation>请跟踪它，或选择另一个</translation>
     </message>
 </context>
 <context>
     <name>workflow.track_those_seen</name>
     <message>
         <source>track only the robots that are in view (--robot)</source>
-        <translation>请只跟踪画面中的机器人 (--robot)</translation>
+        <translation>请只跟踪画面中的机器人</translation>
     </message>
 </context>
 <context>

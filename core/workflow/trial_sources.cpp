@@ -115,10 +115,9 @@ Result<std::vector<RobotRecord>> robotsToTrack(Project &project, const TrialReco
         return robots;
     auto all = project.robots().all();
     if (all && all->empty())
-        return fail(ErrorCode::NotFound, trialSubject(trial.name), noRobotToTrack(),
-                    joined({ODO_TEXT("workflow.add_one_with", "add one with"),
-                            nameAlone(std::string("odograph robot add PROJECT NAME --colour #rrggbb"))},
-                           Join::Colon));
+        return fail(
+            ErrorCode::NotFound, trialSubject(trial.name), noRobotToTrack(),
+            ODO_TEXT("workflow.add_robot", "add one with: odograph robot add PROJECT NAME --colour #rrggbb"));
     return all;
 }
 

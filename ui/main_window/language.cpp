@@ -92,6 +92,10 @@ void installLanguage(QCoreApplication &application, const QString &code)
              QLibraryInfo::path(QLibraryInfo::TranslationsPath));
     const bool isThere = addWords(application, QStringLiteral("odograph_") + installed,
                                   QStringLiteral(":/odograph/translations"));
+    // Where core's English names the command line. The other languages have only the windows' words.
+    if (installed == english)
+        addWords(application, QStringLiteral("odograph_en_windows"),
+                 QStringLiteral(":/odograph/translations"));
     Q_ASSERT(isThere); // compiled in
     Q_UNUSED(isThere)
 }

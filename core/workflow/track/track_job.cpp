@@ -207,9 +207,8 @@ Result<void> TrackJob::Impl::takeImported(Project &project)
         return fail(ErrorCode::InvalidInput, trialSubject(trialName),
                     ODO_TEXT("workflow.tracks_were_imported",
                              "its tracks were imported, so it has no video to track"),
-                    joined({ODO_TEXT("workflow.analyse_anew_with", "reanalyse them with"),
-                            nameAlone(std::string("odograph track PROJECT TRIAL --again"))},
-                           Join::Colon));
+                    ODO_TEXT("workflow.reanalyse_tracks",
+                             "reanalyse them with: odograph track PROJECT TRIAL --again"));
     for (const RobotRecord &robot : robots) {
         auto its = ODO_TRY(project.trials().currentImportedTrack(trial.id, robot.id));
         if (!its)

@@ -65,6 +65,13 @@ QList<Known> knownMessages()
     return known;
 }
 
+/// What is typed there is of no use in a window.
+bool namesCommandLine(const QString &words)
+{
+    static const QRegularExpression typed(QStringLiteral("(^|[\\s(])(--[a-z]|odograph [a-z])"));
+    return typed.match(words).hasMatch();
+}
+
 } // namespace
 
 class TestShownMessage : public QObject
@@ -145,7 +152,7 @@ private Q_SLOTS:
         QFETCH(QString, code);
         installLanguage(*qApp, code);
         static const QRegularExpression placeholder(QStringLiteral("%[1-9]"));
-        qsizetype asInEnglish = 0;
+        qsizetype asInEnglish = 0, forTyping = 0;
         const QList<Known> known = knownMessages();
         for (const Known &each : known) {
             const MessageText text{each.code.constData(), each.english.constData()};
@@ -154,14 +161,16 @@ private Q_SLOTS:
                 message.arguments.emplace_back("<" + std::to_string(i) + ">");
             const QString shown = shownWords(message);
             QVERIFY2(!shown.isEmpty() && !shown.contains(placeholder), text.code);
+            QVERIFY2(!namesCommandLine(shown), text.code);
             for (int i = 1; i <= 9; ++i)
                 QVERIFY2(shown.contains(QStringLiteral("<%1>").arg(i)) ==
                              each.english.contains("%" + QByteArray::number(i)),
                          text.code);
             asInEnglish += shown.toStdString() == message.english();
+            forTyping += namesCommandLine(QString::fromUtf8(each.english));
         }
         if (code == QStringLiteral("en"))
-            QCOMPARE(asInEnglish, known.size());
+            QCOMPARE(asInEnglish, known.size() - forTyping);
         else // those of placeholders and signs alone, and a few words that are the same
             QVERIFY2(asInEnglish < known.size() / 20, qPrintable(QString::number(asInEnglish)));
         installLanguage(*qApp, QStringLiteral("en"));
