@@ -4,6 +4,7 @@
 #include "core/project/project.h"
 #include "core/project/repositories.h"
 #include "core/trajectory/analyser.h"
+#include "core/workflow/calibrate/result_axes.h"
 #include "core/workflow/trial_sources.h"
 
 #include <algorithm>
@@ -48,6 +49,13 @@ Result<std::optional<RegistrationRecord>> registrationOf(Project &project, std::
     return project.cameras().currentRegistration(camera);
 }
 
+/// Untouched where the axes were not changed.
+FloorRegistration inAxes(const FloorRegistration &registration, const AxesTransform &newFromOld)
+{
+    return newFromOld.turnRad == 0 && newFromOld.shiftM.isZero(0) ? registration
+                                                                  : transformed(registration, newFromOld);
+}
+
 Result<void> loadViews(Project &project, const std::vector<AnalysisRecord> &analyses, TrialScene &scene)
 {
     auto recordings = ODO_TRY(project.trials().recordings(scene.trial.id));
@@ -59,8 +67,9 @@ Result<void> loadViews(Project &project, const std::vector<AnalysisRecord> &anal
         view.clockRate = recording.clockRate;
         auto registration = ODO_TRY(registrationOf(project, scene.views.size(), recording.camera, analyses));
         if (registration) {
-            auto floorView = ODO_TRY(floorViewOf(project, *registration));
-            view.floorView = std::move(floorView);
+            if (const auto axes = ODO_TRY(presentAxesOf(project, *registration)); axes && axes->scale == 1)
+                registration->registration = inAxes(registration->registration, *axes);
+            view.floorView = ODO_TRY(floorViewOf(project, *registration));
             view.registration = registration->registration;
             if (!scene.layout) {
                 auto layout = ODO_TRY(project.layouts().get(registration->layout));
@@ -247,6 +256,8 @@ Result<TrialScenePtr> loadTrialScene(Project &project, const std::string &trialN
     for (const SceneView &view : scene->views)
         recordings.push_back(&view.recording);
     scene->verdict = ODO_TRY(verdictOn(project, scene->trial, recordings, analyses));
+    for (AnalysisRecord &analysis : analyses)
+        ODO_TRY(bringToPresentAxes(project, scene->trial, analysis));
     for (const RecordId id : robotsOf(scene->trial, analyses)) {
         scene->robots.push_back(ODO_TRY(loadRobot(project, *scene, id, analyses)));
     }

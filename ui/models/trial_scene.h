@@ -91,7 +91,8 @@ struct TrialScene
 using TrialScenePtr = std::shared_ptr<const TrialScene>;
 
 /// Reads a trial on the project's thread. The registrations are those of the analysis, or else those in
-/// force. Errors: NotFound with the names there are; those of the repositories.
+/// force; both are in the present axes of their layout (bringToPresentAxes). Errors: NotFound with the names
+/// there are; those of the repositories.
 Result<TrialScenePtr> loadTrialScene(Project &project, const std::string &trialName);
 
 } // namespace odo
