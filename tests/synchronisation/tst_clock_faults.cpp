@@ -17,6 +17,13 @@ unsigned drawsOfEach()
     return given > 0 ? unsigned(given) : 2;
 }
 
+/// Another number draws others.
+unsigned firstSeed()
+{
+    const int given = qEnvironmentVariableIntValue("ODOGRAPH_FIRST_SEED");
+    return given > 0 ? unsigned(given) : 1;
+}
+
 } // namespace
 
 /// Wrong time stamps of one view or both: found from the motion, or refused, but never wrong in silence.
@@ -62,7 +69,9 @@ void TestClockFaults::areFoundOrDoubted()
     QFETCH(double, drift);
     QFETCH(bool, isFoundAlways);
     unsigned found = 0;
-    for (unsigned seed = 1; seed <= drawsOfEach(); ++seed) {
+    double sigmaS = 0;
+    QStringList wrong;
+    for (unsigned seed = firstSeed(); seed < firstSeed() + drawsOfEach(); ++seed) {
         FaultSettings settings;
         settings.fault = ClockFault(fault);
         settings.drift = drift;
@@ -73,39 +82,52 @@ void TestClockFaults::areFoundOrDoubted()
             continue;
         }
         ++found;
+        sigmaS += answer->sigmaS;
         const double errorS = relationErrorS(clips, *answer);
+        const std::size_t steps = answer->first.steps.size() + answer->second.steps.size();
         // a millisecond is less than any σ of such runs, and harmless
-        QVERIFY2(errorS < std::max(3 * answer->sigmaS, 0.001),
-                 qPrintable(QStringLiteral("seed %1: %2 ms off, σ %3 ms")
-                                .arg(seed)
-                                .arg(1e3 * errorS)
-                                .arg(1e3 * answer->sigmaS)));
-        // a σ of a second would hold anything
-        QVERIFY2(answer->sigmaS < 0.1, qPrintable(QString::number(answer->sigmaS)));
-        if (settings.fault == ClockFault::Label)
-            QVERIFY2(std::abs(answer->rate - 0.2) < 0.003, qPrintable(QString::number(answer->rate)));
-        if (settings.fault == ClockFault::None)
-            QVERIFY(answer->first.steps.empty() && answer->second.steps.empty() && answer->sigmaS < 0.004);
+        const bool isHeld = errorS < std::max(3 * answer->sigmaS, 0.001);
+        const bool isLabelRight = settings.fault != ClockFault::Label ||
+                                  std::abs(answer->rate - 0.2) < 0.001 + 3 * answer->rateSigma;
+        const bool isQuiet = settings.fault != ClockFault::None || (steps == 0 && answer->sigmaS < 0.02);
+        if (!isHeld || !isLabelRight || !isQuiet)
+            wrong << QStringLiteral("seed %1: %2 ms off, σ %3 ms, rate %4 ±%5, %6 steps")
+                         .arg(seed)
+                         .arg(1e3 * errorS)
+                         .arg(1e3 * answer->sigmaS)
+                         .arg(answer->rate)
+                         .arg(answer->rateSigma)
+                         .arg(steps);
     }
+    qInfo("%u of %u found, mean σ %.1f ms", found, drawsOfEach(), 1e3 * sigmaS / std::max(found, 1U));
+    QVERIFY2(wrong.isEmpty(), qPrintable(wrong.join(u'\n')));
+    QVERIFY2(sigmaS < 0.1 * found, "a σ of a second would hold anything");
     QVERIFY2(found == drawsOfEach() || !isFoundAlways, qPrintable(QString::number(found)));
     QVERIFY2(3 * found >= 2 * drawsOfEach(), qPrintable(QString::number(found)));
 }
 
+/// To the frame: one that is put on the wrong side of a pause of a second is half a metre off.
 void TestClockFaults::theMomentOfAPauseIsFound()
 {
-    FaultSettings settings;
-    FaultyClips clips = drawClips(settings, 5);
-    // the second camera pauses for a second: 30 frames are not there, and the stamps go on
-    clips.second.erase(clips.second.begin() + 120, clips.second.begin() + 150);
-    for (std::size_t i = 0; i < clips.second.size(); ++i)
-        clips.second[i].timeS = double(i) / 30;
-    const auto answer = estimateClipOffset(clips.first, clips.second, {0, 10});
-    QVERIFY2(answer, answer ? "" : answer.error().message().c_str());
-    QCOMPARE(answer->second.steps.size(), std::size_t(1));
-    QVERIFY(answer->first.steps.empty());
-    const ClockStep &step = answer->second.steps.front();
-    QVERIFY2(std::abs(step.afterS - 119.5 / 30) < 0.1, qPrintable(QString::number(step.afterS)));
-    QVERIFY2(std::abs(step.lengthS - 1) < 3 * step.sigmaS + 0.001, qPrintable(QString::number(step.lengthS)));
+    for (const unsigned seed : {5U, 6U, 7U, 8U}) {
+        FaultyClips clips = drawClips({}, seed);
+        const bool isLostAfterwards = seed % 2 == 0; // as trackers lose a robot that leaps
+        // the second camera pauses for a second: 30 frames are not there, and the stamps go on
+        clips.second.erase(clips.second.begin() + 120, clips.second.begin() + 150);
+        for (std::size_t i = 0; i < clips.second.size(); ++i)
+            clips.second[i].timeS = double(i) / 30;
+        if (isLostAfterwards)
+            clips.second.erase(clips.second.begin() + 120, clips.second.begin() + 129);
+        const auto answer = estimateClipOffset(clips.first, clips.second, {0, 10});
+        QVERIFY2(answer, answer ? "" : answer.error().message().c_str());
+        QCOMPARE(answer->second.steps.size(), std::size_t(1));
+        QVERIFY(answer->first.steps.empty());
+        const ClockStep &step = answer->second.steps.front();
+        qInfo("after %.3f s, %.4f ± %.4f s", step.afterS, step.lengthS, step.sigmaS);
+        QVERIFY2(std::abs(step.afterS - 119.5 / 30) < 0.6 / 30, qPrintable(QString::number(step.afterS)));
+        QVERIFY2(std::abs(step.lengthS - 1) < 3 * step.sigmaS + 0.001,
+                 qPrintable(QString::number(step.lengthS)));
+    }
 }
 
 void TestClockFaults::aStillRobotIsCalledStill()

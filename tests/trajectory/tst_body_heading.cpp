@@ -3,6 +3,7 @@
 
 #include "core/analysis/metrics.h"
 #include "core/analysis/quantity_curve.h"
+#include "core/trajectory/solid_choice.h"
 #include "tests/support/registered_test.h"
 #include "tests/trajectory/driven_course.h"
 #include "tests/trajectory/filmed_solid.h"
@@ -144,6 +145,21 @@ private Q_SLOTS:
             QVERIFY(!heading || !heading->isOfBody);
         const Metric *turn = metricOf(profile, "max_turn_rate");
         QVERIFY(turn && std::abs(turn->value - 2) < 2 * *turn->sigma && *turn->sigma < 0.3);
+    }
+
+    /// No frame of the first view could be read, as of a video that is damaged throughout.
+    void aFirstViewWithoutFramesHasNoHeadings()
+    {
+        std::mt19937 random(11);
+        const DrivenCourse course = spinsAndReverses();
+        std::vector<ViewTrack> views{
+            filmSolid("A", cameraA(), boxOf(0.24, 0.15), course.course(), 0.2, random),
+            filmSolid("B", cameraB(), boxOf(0.24, 0.15), course.course(), 0.2, random)};
+        views.front().observations.clear();
+        QVERIFY(explainedShare(views, {}) > 0.9); // of what the second view saw
+        const auto profile = analyse(views, {}, {});
+        QVERIFY(!profile);
+        QCOMPARE(profile.error().why.english(), std::string("view A has no frame"));
     }
 
     void spinsAndReversesAreFollowed_data()

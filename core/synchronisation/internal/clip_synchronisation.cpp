@@ -20,7 +20,7 @@ constexpr double nearlyAsLikely = 12, alike = 3, tempered = 3; ///< by the logar
 constexpr double farOffFrames = 3;
 constexpr std::size_t manySteps = 3; ///< among which one may be hidden
 constexpr double manyStepsFactor = 2;
-constexpr double explainedTimes = 3,
+constexpr double likelyTimes = 1.5, explainedTimes = 3,
                  explainedM = 0.005; ///< in a coordinate: less is no sign of another relation
 constexpr double nearLagS = 2;
 
@@ -58,7 +58,35 @@ double apartS(const SteppedClocks &a, const SteppedClocks &b, const std::vector<
     for (std::size_t i = 0; i < second.size(); i += 5)
         all.push_back(std::abs(stampedByFirst(a, second[i].timeS) - stampedByFirst(b, second[i].timeS)));
     std::sort(all.begin(), all.end());
-    return all.empty() ? 0 : all[all.size() * 9 / 10];
+    return all.empty() ? 0 : all[all.size() * 19 / 20];
+}
+
+/// How far a constant lag is from those relations that are nearly as likely as the likeliest.
+double farthestS(const Fit &fit, const std::vector<ClockHypothesis> &hypotheses,
+                 const std::vector<TimedPosition> &second)
+{
+    SteppedClocks constant;
+    constant.clock = fit.clock;
+    double farthest = 0;
+    for (const ClockHypothesis &one : hypotheses)
+        if (hypotheses.front().likelihood - one.likelihood < nearlyAsLikely)
+            farthest = std::max(farthest, apartS(constant, one.clocks, second));
+    return farthest;
+}
+
+/// In a coordinate: what two tracks are apart by that say the same.
+double toleratedM(const std::vector<TimedPosition> &first, const std::vector<TimedPosition> &second,
+                  double times)
+{
+    return std::max(explainedM, times * std::hypot(whiteNoiseM(first), whiteNoiseM(second)));
+}
+
+/// The error of the lag that would leave what a fit does not explain, by the robot's mean speed.
+double unexplainedS(const Fit &fit, double mostM)
+{
+    const double speedSquared = fit.agreement.information(0, 0) / double(std::max<std::size_t>(fit.pairs, 1)),
+                 leftM2 = fit.agreement.variance - 2 * mostM * mostM;
+    return leftM2 > 0 && speedSquared > 0 ? std::sqrt(leftM2 / speedSquared) : 0;
 }
 
 std::vector<TimedPosition> atPace(std::vector<TimedPosition> track, double rate)
@@ -113,6 +141,7 @@ std::optional<ClipOffset> offsetOf(const std::vector<ClockHypothesis> &hypothese
     for (const ClockRepair *repair : {&best.first, &best.second})
         for (const ClockStep &step : repair->steps)
             variance += step.sigmaS * step.sigmaS;
+    variance += std::pow(unexplainedS(lag.fit, toleratedM(first, second, likelyTimes)), 2);
     offset.sigmaS = std::sqrt(variance) * (best.steps() >= manySteps ? manyStepsFactor : 1);
     return offset;
 }
@@ -144,30 +173,29 @@ Result<ClipOffset> estimateClipOffset(const std::vector<TimedPosition> &firstTra
     const ConstantLag constant = findConstantLag(first, second, range);
     if (constant.failure == NoLag::Repeats)
         return undeterminedOffset(unsynchronisedCause(first, second, constant, range));
+    std::vector<ClockHypothesis> near; // the constant lag
     const bool isFound = constant.failure == NoLag::None && !constant.isRateBeyond;
     if (isFound && std::abs(constant.offset.rate) < comparedRate) {
-        const auto hypotheses = hypothesesAbout(first, second, lagsOf(range, first, second), constant.fit);
-        const auto ofChoice = varianceOfChoice(hypotheses, second, medianStepS(first));
-        const double mostM =
-            std::max(explainedM, explainedTimes * std::hypot(whiteNoiseM(first), whiteNoiseM(second)));
+        near = hypothesesAbout(first, second, lagsOf(range, first, second), constant.fit);
+        const auto ofChoice = varianceOfChoice(near, second, medianStepS(first));
+        const double mostM = toleratedM(first, second, explainedTimes);
         const bool isExplained = constant.fit.agreement.variance < 2 * mostM * mostM;
-        if (ofChoice && isExplained && hypotheses.front().clocks.steps() == 0) {
+        if (ofChoice && isExplained && near.front().clocks.steps() == 0) {
             ClipOffset offset = constant.offset;
-            offset.sigmaS = std::hypot(offset.sigmaS, std::sqrt(*ofChoice));
+            offset.sigmaS = std::hypot(offset.sigmaS, std::sqrt(*ofChoice),
+                                       unexplainedS(constant.fit, toleratedM(first, second, likelyTimes)));
             const double spanS = first.back().timeS - first.front().timeS;
             offset.sigmaS = std::hypot(offset.sigmaS, constant.rateLeft * spanS / 2);
             return offset;
         }
     }
-    const auto hypotheses = clockHypotheses(first, second, lagsOf(range, first, second));
+    const auto hypotheses = clockHypotheses(first, second, lagsOf(range, first, second), std::move(near));
     if (auto offset = offsetOf(hypotheses, first, second))
         return *offset;
-    if (isFound) { // no other relation explains the tracks; what is likelier than it makes it doubtful
+    if (isFound) { // no other relation explains the tracks; those as likely make it doubtful
         ClipOffset offset = constant.offset;
-        SteppedClocks clocks;
-        clocks.clock = constant.fit.clock;
-        if (!hypotheses.empty())
-            offset.sigmaS = std::hypot(offset.sigmaS, apartS(clocks, hypotheses.front().clocks, second));
+        offset.sigmaS = std::hypot(offset.sigmaS, farthestS(constant.fit, hypotheses, second),
+                                   unexplainedS(constant.fit, toleratedM(first, second, likelyTimes)));
         return offset;
     }
     return undeterminedOffset(unsynchronisedCause(first, second, constant, range));

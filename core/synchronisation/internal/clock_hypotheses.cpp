@@ -12,6 +12,7 @@ namespace odo {
 namespace {
 
 constexpr std::size_t mostRates = 61, mostSettled = 6;
+constexpr double rateApartFrames = 1.5; ///< over the whole time
 
 /// Rates from −2 to 2 %, no further apart than the tracks can tell, then those of wrong labels.
 std::vector<double> ratesToTry(double spanS, double frameS)
@@ -51,6 +52,33 @@ void rank(std::vector<ClockHypothesis> &all, double frameS)
               [](const auto &a, const auto &b) { return a.likelihood > b.likelihood; });
 }
 
+/// The best courses of rates that are apart, and that of equal rates, which most clocks have.
+std::vector<LagCourse> settled(std::vector<LagCourse> courses, double apart)
+{
+    std::sort(courses.begin(), courses.end(),
+              [](const LagCourse &a, const LagCourse &b) { return a.cost < b.cost; });
+    std::vector<LagCourse> kept;
+    for (LagCourse &course : courses) {
+        const bool isNew = std::ranges::none_of(
+            kept, [&](const LagCourse &one) { return std::abs(one.rate - course.rate) < apart; });
+        if (course.rate == 0 || (isNew && kept.size() < mostSettled))
+            kept.push_back(std::move(course));
+    }
+    return kept;
+}
+
+/// A course with its steps, and the others that are tried with it; none of less than `enough` pairs.
+void addRelations(const std::vector<TimedPosition> &first, const std::vector<TimedPosition> &second,
+                  const LagCourse &course, bool withRate, std::size_t enough,
+                  std::vector<ClockHypothesis> &all)
+{
+    auto clocks = steppedClocks(first, second, course, withRate);
+    if (!clocks || clocks->pairs < enough)
+        return;
+    for (SteppedClocks &one : withBetterSteps(first, second, std::move(*clocks), course.noiseM, withRate))
+        all.push_back({std::move(one)});
+}
+
 } // namespace
 
 std::vector<ClockHypothesis> hypothesesAbout(const std::vector<TimedPosition> &first,
@@ -59,26 +87,25 @@ std::vector<ClockHypothesis> hypothesesAbout(const std::vector<TimedPosition> &f
 {
     const double frameS = std::max(medianStepS(first), 1e-3);
     LagCourse course = LagSearch(first, second, range).courseAt(fit.clock.rate);
-    std::vector<ClockHypothesis> both;
+    std::vector<ClockHypothesis> all;
     const LagPiece whole{first.front().timeS, first.back().timeS, fit.clock.offsetS};
     for (const std::vector<LagPiece> &pieces : {std::vector{whole}, course.pieces}) {
         course.pieces = pieces;
-        if (auto clocks = steppedClocks(first, second, course, fit.clock.rate != 0))
-            both.push_back(
-                {withBetterSteps(first, second, std::move(*clocks), course.noiseM, fit.clock.rate != 0)});
+        addRelations(first, second, course, fit.clock.rate != 0, 0, all);
     }
     ClockHypothesis constant;
     constant.clocks.clock = fit.clock;
     constant.clocks.variance = fit.agreement.variance;
     constant.clocks.correlatedS = fit.agreement.correlatedS;
     constant.clocks.pairs = fit.pairs;
-    both.push_back(constant);
-    rank(both, frameS);
-    return both;
+    all.push_back(constant);
+    rank(all, frameS);
+    return all;
 }
 
 std::vector<ClockHypothesis> clockHypotheses(const std::vector<TimedPosition> &first,
-                                             const std::vector<TimedPosition> &second, const LagRange &range)
+                                             const std::vector<TimedPosition> &second, const LagRange &range,
+                                             std::vector<ClockHypothesis> known)
 {
     const double frameS = std::max(medianStepS(first), 1e-3),
                  spanS = first.back().timeS - first.front().timeS;
@@ -93,19 +120,13 @@ std::vector<ClockHypothesis> clockHypotheses(const std::vector<TimedPosition> &f
     }
     for (LagCourse &course : courses)
         course = search.courseAt(course.rate, noiseM);
-    std::sort(courses.begin(), courses.end(),
-              [](const LagCourse &a, const LagCourse &b) { return a.cost < b.cost; });
-    courses.resize(std::min(courses.size(), mostSettled));
-
-    std::vector<ClockHypothesis> found;
+    courses = settled(std::move(courses), rateApartFrames * frameS / spanS);
+    std::vector<ClockHypothesis> found = std::move(known);
     for (const LagCourse &course : courses) {
         for (const bool withRate : {true, false}) {
             if (!withRate && course.rate != 0)
                 continue;
-            auto clocks = steppedClocks(first, second, course, withRate);
-            if (!clocks || clocks->pairs < enough)
-                continue;
-            found.push_back({withBetterSteps(first, second, std::move(*clocks), course.noiseM, withRate)});
+            addRelations(first, second, course, withRate, enough, found);
         }
     }
     rank(found, frameS);

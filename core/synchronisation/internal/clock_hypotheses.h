@@ -20,8 +20,9 @@ std::vector<ClockHypothesis> hypothesesAbout(const std::vector<TimedPosition> &f
                                              const Fit &fit);
 
 /// The relations that explain two tracks, the likeliest first: at any rate of ±2 % or one that a wrong label
-/// makes, each with the steps that the tracks need at it. Pure; long.
+/// makes, each with the steps that the tracks need at it; and those known already. Pure; long.
 std::vector<ClockHypothesis> clockHypotheses(const std::vector<TimedPosition> &first,
-                                             const std::vector<TimedPosition> &second, const LagRange &range);
+                                             const std::vector<TimedPosition> &second, const LagRange &range,
+                                             std::vector<ClockHypothesis> known);
 
 } // namespace odo

@@ -4,6 +4,7 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace odo {
 
@@ -68,6 +69,20 @@ ClipOffset offsetFrom(const Fit &fit, double frameS)
     return result;
 }
 
+/// What may be left of a rate that is fitted so, where 0 is taken: by Bayes' rule, from a mixture of clocks
+/// as most are (29.97 frames/s stated as 30 among them) and of all that are searched.
+double rateLeftOf(double rate, double sigma)
+{
+    constexpr double usual = 0.001, oddsOfAny = 0.5;
+    const double both = std::hypot(usual, sigma), part = usual * usual / (both * both),
+                 density =
+                     std::exp(-rate * rate / (2 * both * both)) / (std::sqrt(2 * std::numbers::pi) * both),
+                 odds = oddsOfAny / (2 * largestClockRate) / density, share = 1 / (1 + 1 / odds);
+    const double ofAny = rate * rate + sigma * sigma,
+                 ofUsual = part * part * rate * rate + part * sigma * sigma;
+    return std::sqrt(share * ofAny + (1 - share) * ofUsual);
+}
+
 /// Takes the rate as well, if the motion determines it.
 void takeRate(ConstantLag &found, const Fit &fit, double frameS)
 {
@@ -76,8 +91,7 @@ void takeRate(ConstantLag &found, const Fit &fit, double frameS)
         return;
     const Eigen::Matrix2d covariance = independentVariance(fit.agreement.variance, frameS) * given.inverse();
     found.offset.rateSigma = std::sqrt(covariance(1, 1));
-    if (std::abs(fit.clock.rate) > 2 * found.offset.rateSigma)
-        found.rateLeft = std::abs(fit.clock.rate);
+    found.rateLeft = rateLeftOf(fit.clock.rate, found.offset.rateSigma);
     if (std::abs(fit.clock.rate) <= 3 * found.offset.rateSigma ||
         fit.agreement.variance >= found.fit.agreement.variance)
         return;

@@ -18,7 +18,7 @@ struct ConstantLag
     ClipOffset offset;   ///< where there is no failure
     Fit fit;             ///< of the offset; with the rate where it is taken
     double rivalS = 0;   ///< that fits as well, where the motion repeats itself
-    double rateLeft = 0; ///< that may be there, but is not significant
+    double rateLeft = 0; ///< σ about 0 of one that is not significant, but may be there
     /// the tracks agree better at a rate that no clock has
     bool isRateBeyond = false;
 };

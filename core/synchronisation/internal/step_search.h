@@ -41,9 +41,10 @@ std::optional<SteppedClocks> steppedClocks(const std::vector<TimedPosition> &fir
                                            const std::vector<TimedPosition> &second, const LagCourse &course,
                                            bool withRate);
 
-/// Adds steps where what remains shows them, one by one, and takes off those that explain too little. Pure.
-SteppedClocks withBetterSteps(const std::vector<TimedPosition> &first,
-                              const std::vector<TimedPosition> &second, SteppedClocks clocks, double noiseM,
-                              bool withRate);
+/// Adds steps where what remains shows them, one by one, and takes off those that explain too little. The
+/// best relation comes first, then the others that were tried. Pure.
+std::vector<SteppedClocks> withBetterSteps(const std::vector<TimedPosition> &first,
+                                           const std::vector<TimedPosition> &second, SteppedClocks clocks,
+                                           double noiseM, bool withRate);
 
 } // namespace odo

@@ -195,6 +195,8 @@ headingsOfBody(const std::vector<ViewTrack> &views, const std::vector<std::vecto
                const TrackedBody &body)
 {
     std::vector<std::optional<MeasuredHeading>> headings(views.front().observations.size());
+    if (headings.empty()) // a first video of which no frame could be read
+        return headings;
     DirectedNodes nodes(views, sightings, body.axes);
     AxisMotion motion = motionOf(nodes.all());
     const double ahead =
