@@ -17824,6 +17824,13 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
 </context>
 <context>
+    <name>synchronisation.clocks_ambiguous</name>
+    <message>
+        <source>several time offsets, pauses or missing frames explain the views&apos; tracks about equally well</source>
+        <translation>mehrere Zeitversätze, Pausen oder fehlende Bilder erklären die Bahnen der Sichten etwa gleich gut</translation>
+    </message>
+</context>
+<context>
     <name>synchronisation.different_runs</name>
     <message>
         <source>the views&apos; tracks match at no time offset, frame rate or pause tried, so the videos may be of different runs</source>

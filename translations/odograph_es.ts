@@ -15678,7 +15678,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <name>project.adopt_or_remove</name>
     <message>
         <source>make a trial of it with odograph check P.odo --adopt, or remove it with --remove-strays; the window offers both under &apos;Find stray files…&apos;</source>
-        <translation>conviértalo en un ensayo o elimínelo en Buscar archivos sueltos…</translation>
+        <translation>conviértalo en un ensayo o elimínelo en «Buscar archivos sueltos…»</translation>
     </message>
 </context>
 <context>
@@ -17821,6 +17821,13 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <message>
         <source>rendering %1</source>
         <translation>generación de %1</translation>
+    </message>
+</context>
+<context>
+    <name>synchronisation.clocks_ambiguous</name>
+    <message>
+        <source>several time offsets, pauses or missing frames explain the views&apos; tracks about equally well</source>
+        <translation>varios desfases, pausas o fotogramas perdidos explican casi igual de bien las trayectorias de las vistas</translation>
     </message>
 </context>
 <context>

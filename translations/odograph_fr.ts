@@ -17824,6 +17824,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
 </context>
 <context>
+    <name>synchronisation.clocks_ambiguous</name>
+    <message>
+        <source>several time offsets, pauses or missing frames explain the views&apos; tracks about equally well</source>
+        <translation>plusieurs décalages, pauses ou images manquantes expliquent à peu près aussi bien les trajectoires des vues</translation>
+    </message>
+</context>
+<context>
     <name>synchronisation.different_runs</name>
     <message>
         <source>the views&apos; tracks match at no time offset, frame rate or pause tried, so the videos may be of different runs</source>

@@ -17785,6 +17785,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>synchronisation.clocks_ambiguous</name>
+    <message>
+        <source>several time offsets, pauses or missing frames explain the views&apos; tracks about equally well</source>
+        <translation>여러 시간 오프셋, 일시 정지 또는 누락된 프레임이 뷰의 궤적을 거의 똑같이 잘 설명합니다</translation>
+    </message>
+</context>
+<context>
     <name>synchronisation.different_runs</name>
     <message>
         <source>the views&apos; tracks match at no time offset, frame rate or pause tried, so the videos may be of different runs</source>

@@ -17785,6 +17785,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>synchronisation.clocks_ambiguous</name>
+    <message>
+        <source>several time offsets, pauses or missing frames explain the views&apos; tracks about equally well</source>
+        <translation>多种时间偏移、暂停或缺帧都能差不多同样好地解释各视角的轨迹</translation>
+    </message>
+</context>
+<context>
     <name>synchronisation.different_runs</name>
     <message>
         <source>the views&apos; tracks match at no time offset, frame rate or pause tried, so the videos may be of different runs</source>

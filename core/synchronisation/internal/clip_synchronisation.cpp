@@ -115,7 +115,8 @@ std::optional<double> varianceOfChoice(const std::vector<ClockHypothesis> &hypot
     return variance;
 }
 
-/// The relation that explains the tracks best among all that are tried; nullopt: none does.
+/// The relation that explains the tracks best among all that are tried; nullopt: none does, or it leaves
+/// the lag open.
 std::optional<ClipOffset> offsetOf(const std::vector<ClockHypothesis> &hypotheses,
                                    const std::vector<TimedPosition> &first,
                                    const std::vector<TimedPosition> &second)
@@ -143,7 +144,7 @@ std::optional<ClipOffset> offsetOf(const std::vector<ClockHypothesis> &hypothese
             variance += step.sigmaS * step.sigmaS;
     variance += std::pow(unexplainedS(lag.fit, toleratedM(first, second, likelyTimes)), 2);
     offset.sigmaS = std::sqrt(variance) * (best.steps() >= manySteps ? manyStepsFactor : 1);
-    return offset;
+    return offset.sigmaS < farOffFrames * frameS ? std::optional(offset) : std::nullopt;
 }
 
 } // namespace
@@ -196,7 +197,11 @@ Result<ClipOffset> estimateClipOffset(const std::vector<TimedPosition> &firstTra
         ClipOffset offset = constant.offset;
         offset.sigmaS = std::hypot(offset.sigmaS, farthestS(constant.fit, hypotheses, second),
                                    unexplainedS(constant.fit, toleratedM(first, second, likelyTimes)));
-        return offset;
+        if (offset.sigmaS < farOffFrames * medianStepS(first))
+            return offset;
+        return undeterminedOffset(ODO_TEXT("synchronisation.clocks_ambiguous",
+                                           "several time offsets, pauses or missing frames "
+                                           "explain the views' tracks about equally well"));
     }
     return undeterminedOffset(unsynchronisedCause(first, second, constant, range));
 }

@@ -49,7 +49,8 @@ struct OffsetRange
 ///
 /// Where one offset and rate do not explain the tracks, frames that one view lost or doubled, pauses, jumps
 /// of a clock, rates up to ±2 % and those of wrong labels (half to twice the frame rate) are searched
-/// together. If another relation explains the tracks nearly as well, σ covers it, or it is refused. Pure; any
+/// together. If another relation explains the tracks nearly as well, σ covers it, or, from three frames
+/// on, it is refused. Pure; any
 /// thread. Undetermined, with the cause that was found by a test of it: too few or too short common
 /// positions, no or uniform motion, periodic motion with two equal answers, tracks of different form, nothing
 /// in common.
