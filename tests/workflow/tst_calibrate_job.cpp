@@ -381,7 +381,7 @@ private:
         }
         case 15: {
             std::vector<BoardView> mixed = views(8);
-            for (BoardView &view : views(8, camera(760), 12))
+            for (BoardView &view : views(8, camera(760), 20))
                 mixed.push_back(view);
             return calibrationOf(mixed);
         }
