@@ -3826,6 +3826,13 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
 </context>
 <context>
+    <name>calibration.cameras_of_one_image</name>
+    <message>
+        <source>%1 and %2 have the same pixels and count as one camera.</source>
+        <translation>%1 und %2 haben dieselben Pixel und zählen als eine Kamera.</translation>
+    </message>
+</context>
+<context>
     <name>calibration.cameras_undetermined</name>
     <message>
         <source>the markers do not determine the camera positions</source>
@@ -4460,6 +4467,20 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>mirrored left to right they fit to %1: is the image mirrored?</source>
         <translation>seitenverkehrt passen sie auf %1: Ist das Bild gespiegelt?</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.image_repeats</name>
+    <message>
+        <source>1 of %1 images shows the board in the same position as another one, and each position counts once</source>
+        <translation>1 von %1 Bildern zeigt die Tafel an derselben Stelle wie ein anderes, und jede Stelle zählt einmal</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.images_repeat</name>
+    <message>
+        <source>%1 of %2 images show the board in the same position as another one, and each position counts once</source>
+        <translation>%1 von %2 Bildern zeigen die Tafel an derselben Stelle wie ein anderes, und jede Stelle zählt einmal</translation>
     </message>
 </context>
 <context>

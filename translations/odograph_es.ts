@@ -3826,6 +3826,13 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     </message>
 </context>
 <context>
+    <name>calibration.cameras_of_one_image</name>
+    <message>
+        <source>%1 and %2 have the same pixels and count as one camera.</source>
+        <translation>%1 y %2 tienen los mismos píxeles y cuentan como una sola cámara.</translation>
+    </message>
+</context>
+<context>
     <name>calibration.cameras_undetermined</name>
     <message>
         <source>the markers do not determine the camera positions</source>
@@ -4460,6 +4467,20 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <message>
         <source>mirrored left to right they fit to %1: is the image mirrored?</source>
         <translation>reflejados de izquierda a derecha encajan con %1: ¿está reflejada la imagen?</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.image_repeats</name>
+    <message>
+        <source>1 of %1 images shows the board in the same position as another one, and each position counts once</source>
+        <translation>1 de %1 imágenes muestra el tablero en la misma posición que otra, y cada posición cuenta una vez</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.images_repeat</name>
+    <message>
+        <source>%1 of %2 images show the board in the same position as another one, and each position counts once</source>
+        <translation>%1 de %2 imágenes muestran el tablero en la misma posición que otra, y cada posición cuenta una vez</translation>
     </message>
 </context>
 <context>

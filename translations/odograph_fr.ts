@@ -3826,6 +3826,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
 </context>
 <context>
+    <name>calibration.cameras_of_one_image</name>
+    <message>
+        <source>%1 and %2 have the same pixels and count as one camera.</source>
+        <translation>%1 et %2 ont les mêmes pixels et comptent comme une seule caméra.</translation>
+    </message>
+</context>
+<context>
     <name>calibration.cameras_undetermined</name>
     <message>
         <source>the markers do not determine the camera positions</source>
@@ -4460,6 +4467,20 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>mirrored left to right they fit to %1: is the image mirrored?</source>
         <translation>inversés de gauche à droite ils conviennent à %1 près : l’image est-elle en miroir ?</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.image_repeats</name>
+    <message>
+        <source>1 of %1 images shows the board in the same position as another one, and each position counts once</source>
+        <translation>1 photo sur %1 montre la mire dans la même position qu’une autre, et chaque position compte une fois</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.images_repeat</name>
+    <message>
+        <source>%1 of %2 images show the board in the same position as another one, and each position counts once</source>
+        <translation>%1 photos sur %2 montrent la mire dans la même position qu’une autre, et chaque position compte une fois</translation>
     </message>
 </context>
 <context>

@@ -3817,6 +3817,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>calibration.cameras_of_one_image</name>
+    <message>
+        <source>%1 and %2 have the same pixels and count as one camera.</source>
+        <translation>%1와(과) %2은(는) 픽셀이 같아 하나의 카메라로 계산됩니다.</translation>
+    </message>
+</context>
+<context>
     <name>calibration.cameras_undetermined</name>
     <message>
         <source>the markers do not determine the camera positions</source>
@@ -4451,6 +4458,20 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>mirrored left to right they fit to %1: is the image mirrored?</source>
         <translation>좌우로 뒤집으면 %1까지 맞습니다. 이미지가 좌우로 뒤집혔습니까?</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.image_repeats</name>
+    <message>
+        <source>1 of %1 images shows the board in the same position as another one, and each position counts once</source>
+        <translation>사진 %1장 중 1장은 보드가 다른 사진과 같은 위치에 있으며, 각 위치는 한 번만 계산됩니다</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.images_repeat</name>
+    <message>
+        <source>%1 of %2 images show the board in the same position as another one, and each position counts once</source>
+        <translation>사진 %2장 중 %1장은 보드가 다른 사진과 같은 위치에 있으며, 각 위치는 한 번만 계산됩니다</translation>
     </message>
 </context>
 <context>

@@ -3817,6 +3817,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>calibration.cameras_of_one_image</name>
+    <message>
+        <source>%1 and %2 have the same pixels and count as one camera.</source>
+        <translation>%1 和 %2 的像素相同，按一台相机计算。</translation>
+    </message>
+</context>
+<context>
     <name>calibration.cameras_undetermined</name>
     <message>
         <source>the markers do not determine the camera positions</source>
@@ -4451,6 +4458,20 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>mirrored left to right they fit to %1: is the image mirrored?</source>
         <translation>左右镜像后吻合到 %1：图像是否被镜像？</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.image_repeats</name>
+    <message>
+        <source>1 of %1 images shows the board in the same position as another one, and each position counts once</source>
+        <translation>%1 张图片中有 1 张的标定板姿态与另一张相同，每个姿态只计一次</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.images_repeat</name>
+    <message>
+        <source>%1 of %2 images show the board in the same position as another one, and each position counts once</source>
+        <translation>%2 张图片中有 %1 张的标定板姿态与另一张相同，每个姿态只计一次</translation>
     </message>
 </context>
 <context>

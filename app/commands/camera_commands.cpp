@@ -130,12 +130,18 @@ QJsonObject calibrationJson(const CalibrateJob &job)
         rejected.append(QJsonObject{{QStringLiteral("file"), QString::fromStdString(image.file)},
                                     {QStringLiteral("reason"), english(image.reason)}});
     QJsonObject perImage;
-    for (const CalibrationImage &image : calibration.images)
+    QJsonArray repeated;
+    for (const CalibrationImage &image : calibration.images) {
+        if (!image.repeats.isEmpty())
+            repeated.append(QJsonObject{{QStringLiteral("file"), QString::fromStdString(image.view.source)},
+                                        {QStringLiteral("reason"), english(image.repeats)}});
         perImage.insert(QString::fromStdString(image.view.source), image.rmsPx);
+    }
     QJsonObject answer{{QStringLiteral("camera"), QString::fromStdString(job.settings().camera)},
                        {QStringLiteral("rms_px"), calibration.rmsPx},
                        {QStringLiteral("images_used"), qint64(calibration.imagesUsed())},
                        {QStringLiteral("images_rejected"), rejected},
+                       {QStringLiteral("images_repeated"), repeated},
                        {QStringLiteral("intrinsics"), intrinsicsJson(calibration.intrinsics)},
                        {QStringLiteral("per_image_rms_px"), perImage},
                        {QStringLiteral("crossvalidation_px"), calibration.crossValidationPx},
@@ -179,7 +185,7 @@ Result<void> runCalibrate(const QStringList &arguments, const CancelToken &cance
                     .arg(english(job.calibration().verdict))
                     .arg(job.calibration().rmsPx, 0, 'f', 3)
                     .arg(counted(job.calibration().imagesUsed(), QStringLiteral("image")))
-                    .arg(job.calibration().rejected.size()));
+                    .arg(job.calibration().rejected.size() + job.calibration().imagesRepeated()));
     return {};
 }
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/calibration/board_placement.h"
 
-#include "core/calibration/internal/wording.h"
 #include "core/geometry/camera_model.h"
 #include "core/geometry/homography.h"
 
@@ -21,7 +20,7 @@ using Eigen::Matrix2d;
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-constexpr double fullSlopeDegrees = 45;
+constexpr double fullSlopeDegrees = BoardPlacement::fullSlopeDegrees;
 constexpr double degreesPerRadian = 180 / EIGEN_PI;
 
 double areaOf(const std::array<Vector2d, 4> &outline)
@@ -64,14 +63,16 @@ Vector2d slopeAt(const Eigen::Matrix3d &pixelFromBoard, const Vector2d &middle)
     return angle * (axis.dot(depthByPixel) < 0 ? Vector2d(-axis) : axis);
 }
 
-} // namespace
-
-double BoardPlacement::angleDegrees() const
+/// A board's extent and its map to the image.
+struct MappedBoard
 {
-    return fullSlopeDegrees * skew();
-}
+    Vector2d least, most;
+    Homography pixelFromBoard;
 
-std::optional<BoardPlacement> placementOf(const BoardView &view, int widthPx, int heightPx)
+    Vector2d middle() const { return 0.5 * (least + most); }
+};
+
+std::optional<MappedBoard> mapped(const BoardView &view)
 {
     std::vector<PointPair> pairs;
     Vector2d least = Vector2d::Constant(HUGE_VAL), most = -least;
@@ -81,23 +82,42 @@ std::optional<BoardPlacement> placementOf(const BoardView &view, int widthPx, in
         most = most.cwiseMax(view.pointsOnBoard[i]);
     }
     const auto pixelFromBoard = Homography::estimate(pairs);
-    if (!pixelFromBoard)
+    return pixelFromBoard ? std::optional(MappedBoard{least, most, *pixelFromBoard}) : std::nullopt;
+}
+
+} // namespace
+
+double BoardPlacement::angleDegrees() const
+{
+    return fullSlopeDegrees * skew();
+}
+
+std::optional<Eigen::Vector2d> slopeOf(const BoardView &view)
+{
+    const auto board = mapped(view);
+    return board ? std::optional(slopeAt(board->pixelFromBoard.matrix(), board->middle())) : std::nullopt;
+}
+
+std::optional<BoardPlacement> placementOf(const BoardView &view, int widthPx, int heightPx)
+{
+    const auto board = mapped(view);
+    if (!board)
         return std::nullopt;
+    const Vector2d &least = board->least, &most = board->most;
     BoardPlacement placement;
     const Vector2d corners[] = {least, {most.x(), least.y()}, most, {least.x(), most.y()}};
     for (std::size_t i = 0; i < 4; ++i) {
-        const auto pixel = pixelFromBoard->map(corners[i]);
+        const auto pixel = board->pixelFromBoard.map(corners[i]);
         if (!pixel)
             return std::nullopt;
         placement.outline[i] = *pixel;
     }
-    const Vector2d middle = 0.5 * (least + most);
-    const auto centre = pixelFromBoard->map(middle);
+    const auto centre = board->pixelFromBoard.map(board->middle());
     const double area = areaOf(placement.outline), room = static_cast<double>(widthPx) * heightPx;
     placement.size = std::sqrt(std::min(1.0, area / room));
     placement.position = {along(centre->x(), std::sqrt(area), widthPx),
                           along(centre->y(), std::sqrt(area), heightPx)};
-    placement.slope = slopeAt(pixelFromBoard->matrix(), middle);
+    placement.slope = slopeAt(board->pixelFromBoard.matrix(), board->middle());
     return placement;
 }
 
@@ -299,184 +319,6 @@ BoardHint hintTowards(const WantedPose &wanted, const BoardPlacement &now)
     if (std::abs(largest->amount) < 2 * closeEnough)
         return BoardHint::HoldStill;
     return largest->amount < 0 ? largest->less : largest->more;
-}
-
-namespace {
-
-constexpr double mostObliqueDegrees = 65;
-constexpr double leastSize = 0.1;
-constexpr double leastNews = 0.2; // as ROS's camera_calibration asks of a new image
-constexpr Nanoseconds stillFor = std::chrono::milliseconds(500);
-constexpr double stillPart = 0.004; // of the image's width
-constexpr double sharpOfSpacing = 0.25;
-
-Error refusal(const std::string &source, Message why, Message advice)
-{
-    return {ErrorCode::Undetermined, nameAlone(source), std::move(why), std::move(advice)};
-}
-
-Error refusedAsKnown(const std::string &source, Message standsAsBefore)
-{
-    return refusal(source, std::move(standsAsBefore),
-                   ODO_TEXT("calibration.move_board", "move it elsewhere, turn it or tilt it"));
-}
-
-std::optional<Error> faultOf(const CollectedImage &image)
-{
-    const std::string &source = image.view.source;
-    if (image.placement.angleDegrees() > mostObliqueDegrees)
-        return refusal(
-            source,
-            ODO_TEXT("calibration.board_too_oblique", "the board is tilted too far, by %1 degrees")(
-                quantity(image.placement.angleDegrees(), 0)),
-            ODO_TEXT("calibration.tilt_less", "tilt it by 30 to 45 degrees"));
-    if (image.placement.size < leastSize)
-        return refusal(source,
-                       joined({ODO_TEXT("calibration.board_too_small", "the board is too small"),
-                               ODO_TEXT("calibration.board_fills", "it fills %1 of the image")(
-                                   quantity(100 * image.placement.size * image.placement.size, 0, "%"))},
-                              Join::Colon),
-                       ODO_TEXT("calibration.hold_board_closer", "hold it closer to the camera"));
-    return std::nullopt;
-}
-
-/// Mean distance of neighbouring corners, by the outline.
-double spacingPx(const CollectedImage &image)
-{
-    const auto &outline = image.placement.outline;
-    const double around = (outline[1] - outline[0]).norm() + (outline[2] - outline[1]).norm() +
-                          (outline[3] - outline[2]).norm() + (outline[0] - outline[3]).norm();
-    return around / (2 * std::max(1, image.view.columns + image.view.rows - 2));
-}
-
-} // namespace
-
-ImageVerdict BoardCollector::examine(const Frame &frame, const std::string &source)
-{
-    ImageVerdict answer;
-    if (m_widthPx == 0) {
-        m_widthPx = frame.format.width;
-        m_heightPx = frame.format.height;
-    }
-    if (frame.format.width != m_widthPx || frame.format.height != m_heightPx) {
-        answer.refusal =
-            refusal(source, otherSizeThanFirst(frame.format, m_widthPx, m_heightPx),
-                    ODO_TEXT("calibration.use_one_resolution", "use images of one camera at one resolution"));
-        return answer;
-    }
-    auto view = findBoard(frame, m_spec, source);
-    if (!view) {
-        answer.refusal = view.error();
-        return answer;
-    }
-    const auto placement = placementOf(*view, m_widthPx, m_heightPx);
-    if (!placement) {
-        answer.refusal =
-            refusal(source, ODO_TEXT("calibration.board_not_flat", "the corners do not match a flat board"),
-                    ODO_TEXT("calibration.glue_board_flat", "glue the board onto something stiff and flat"));
-        return answer;
-    }
-    answer.image = CollectedImage{std::move(*view), *placement};
-    answer.refusal = faultOf(*answer.image);
-    return answer;
-}
-
-void BoardCollector::keep(const CollectedImage &image)
-{
-    m_spec.pattern = image.view.pattern;
-    m_spec.columns = image.view.columns;
-    m_spec.rows = image.view.rows;
-    m_images.push_back(image);
-}
-
-ImageVerdict BoardCollector::offer(const Frame &frame, const std::string &source)
-{
-    ImageVerdict answer = examine(frame, source);
-    if (!answer.image || answer.refusal)
-        return answer;
-    for (const CollectedImage &there : m_images) {
-        if (distanceOf(there.placement, answer.image->placement) >= leastNews)
-            continue;
-        answer.refusal =
-            refusedAsKnown(source, ODO_TEXT("calibration.board_stands_as_in",
-                                            "the board is in the same position as in %1")(there.view.source));
-        return answer;
-    }
-    keep(*answer.image);
-    answer.kept = true;
-    return answer;
-}
-
-bool BoardCollector::isStill(const CollectedImage &image, Nanoseconds time)
-{
-    const std::vector<Eigen::Vector2d> &corners = image.view.pixels;
-    double moved = corners.size() == m_stillCorners.size() ? 0 : HUGE_VAL;
-    for (std::size_t i = 0; i < corners.size() && moved < HUGE_VAL; ++i)
-        moved = std::max(moved, (corners[i] - m_stillCorners[i]).norm());
-    if (moved > stillPart * m_widthPx) {
-        m_stillCorners = corners;
-        m_stillSince = time;
-    }
-    return time - m_stillSince >= stillFor;
-}
-
-ImageVerdict BoardCollector::watch(const Frame &frame, const std::string &source)
-{
-    ImageVerdict answer = examine(frame, source);
-    if (!answer.image || answer.refusal)
-        return answer;
-    const bool still = isStill(*answer.image, frame.time);
-    for (const CollectedImage &there : m_images) {
-        if (distanceOf(there.placement, answer.image->placement) < leastNews) {
-            answer.refusal =
-                refusedAsKnown(source, ODO_TEXT("calibration.board_stands_as_before",
-                                                "the board is in the same position as in an earlier image"));
-            return answer;
-        }
-    }
-    if (!still)
-        return answer;
-    if (answer.image->view.edgeWidthPx > sharpOfSpacing * spacingPx(*answer.image)) {
-        answer.refusal =
-            refusal(source,
-                    joined({ODO_TEXT("calibration.board_not_sharp", "the board is not sharp"),
-                            edgesAreWide(answer.image->view.edgeWidthPx)},
-                           Join::Colon),
-                    ODO_TEXT("calibration.focus_or_light", "focus the camera, or give more light"));
-        return answer;
-    }
-    keep(*answer.image);
-    answer.kept = true;
-    return answer;
-}
-
-std::vector<BoardView> BoardCollector::views() const
-{
-    std::vector<BoardView> views;
-    for (const CollectedImage &image : m_images)
-        views.push_back(image.view);
-    return views;
-}
-
-CollectedImage BoardCollector::remove(std::size_t index)
-{
-    CollectedImage image = std::move(m_images.at(index));
-    m_images.erase(m_images.begin() + static_cast<std::ptrdiff_t>(index));
-    return image;
-}
-
-void BoardCollector::insert(std::size_t index, CollectedImage image)
-{
-    const std::size_t at = std::min(index, m_images.size());
-    m_images.insert(m_images.begin() + static_cast<std::ptrdiff_t>(at), std::move(image));
-}
-
-BoardCoverage BoardCollector::coverage() const
-{
-    std::vector<BoardPlacement> placements;
-    for (const CollectedImage &image : m_images)
-        placements.push_back(image.placement);
-    return coverageOf(views(), placements, m_widthPx, m_heightPx);
 }
 
 } // namespace odo

@@ -1,17 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/calibration/intrinsic_calibration.h"
 
-#include "core/base/percentile.h"
-#include "core/base/units.h"
-#include "core/calibration/board_placement.h"
 #include "core/calibration/internal/calibration_checks.h"
 #include "core/calibration/internal/lens_choice.h"
 #include "core/calibration/internal/plane_pose.h"
 #include "core/calibration/internal/wording.h"
+#include "core/calibration/repeated_views.h"
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 
 namespace odo {
 
@@ -65,10 +62,10 @@ tl::unexpected<Error> noLensFits(Message advice)
                              std::move(advice));
 }
 
-/// Starts of the models for the same views; views are dropped that have no pose under any model, and models
-/// under which more views have none than under another.
-std::vector<LensStart> startsFor(std::vector<BoardView> &views, int widthPx, int heightPx,
-                                 std::optional<LensModel> model, std::vector<RejectedImage> &rejected)
+/// Starts of the models for the same views. dropped: the views that have no pose under any model, ascending,
+/// which the starts lack; models under which more views have none than under another are left out.
+std::vector<LensStart> startsFor(const std::vector<BoardView> &views, int widthPx, int heightPx,
+                                 std::optional<LensModel> model, std::vector<std::size_t> &dropped)
 {
     std::vector<LensModel> models{LensModel::Standard, LensModel::Fisheye, LensModel::Rational};
     if (model)
@@ -92,22 +89,64 @@ std::vector<LensStart> startsFor(std::vector<BoardView> &views, int widthPx, int
             fewest = std::min(fewest, withoutPose[i].size());
     }
     std::vector<LensStart> kept;
-    std::vector<std::size_t> dropped;
     for (std::size_t i = 0; i < models.size(); ++i) {
         if (!starts[i] || withoutPose[i].size() > fewest || (!kept.empty() && withoutPose[i] != dropped))
             continue;
         dropped = withoutPose[i];
         kept.push_back(std::move(*starts[i]));
     }
-    for (auto index = dropped.rbegin(); index != dropped.rend(); ++index) {
-        rejected.push_back(
-            {views[*index].source,
-             joined({ODO_TEXT("calibration.corners_not_flat", "its corners do not match a flat board"),
-                     ODO_TEXT("calibration.glue_board", "glue the board onto something stiff")},
-                    Join::Colon)});
-        views.erase(views.begin() + static_cast<std::ptrdiff_t>(*index));
-    }
     return kept;
+}
+
+/// What a calibration is solved from.
+struct Evidence
+{
+    std::vector<BoardView> views; ///< those that count, one a position of the board
+    std::vector<LensStart> starts;
+};
+
+std::vector<BoardView> viewsThatCount(const std::vector<BoardView> &views, const BoardPositions &positions)
+{
+    std::vector<BoardView> counting;
+    for (std::size_t index : positions.counting)
+        counting.push_back(views[index]);
+    return counting;
+}
+
+/// Empty of a view that counts.
+Message repeatOf(const std::vector<BoardView> &views, const BoardPositions &positions, std::size_t index)
+{
+    const std::size_t shownBy = positions.shownBy[index];
+    return shownBy == index ? Message() : sameBoardPosition(views[shownBy].source);
+}
+
+/// Fills in the calibration's images and what it rejects.
+Evidence evidenceFrom(const std::vector<BoardView> &views, int widthPx, int heightPx,
+                      std::optional<LensModel> model, IntrinsicCalibration &calibration)
+{
+    const std::vector<BoardView> usable = usableViews(views, calibration.rejected);
+    const BoardPositions positions = positionsIn(usable);
+    Evidence evidence{viewsThatCount(usable, positions), {}};
+    std::vector<std::size_t> dropped;
+    if (evidence.views.size() >= leastViews)
+        evidence.starts = startsFor(evidence.views, widthPx, heightPx, model, dropped);
+    for (std::size_t i = 0; i < usable.size(); ++i) {
+        const bool isDropped = std::ranges::any_of(
+            dropped, [&](std::size_t index) { return positions.counting[index] == positions.shownBy[i]; });
+        Message repeats = repeatOf(usable, positions, i);
+        const bool counts = repeats.isEmpty();
+        if (isDropped)
+            calibration.rejected.push_back(
+                {usable[i].source,
+                 joined({ODO_TEXT("calibration.corners_not_flat", "its corners do not match a flat board"),
+                         ODO_TEXT("calibration.glue_board", "glue the board onto something stiff")},
+                        Join::Colon)});
+        else
+            calibration.images.push_back({usable[i], counts, std::move(repeats), 0, {}, {}, {}});
+    }
+    for (auto index = dropped.rbegin(); index != dropped.rend(); ++index)
+        evidence.views.erase(evidence.views.begin() + static_cast<std::ptrdiff_t>(*index));
+    return evidence;
 }
 
 /// Fills in the residuals of an image under a lens and a pose, and its RMS over the corners that count.
@@ -195,11 +234,93 @@ Result<void> finish(IntrinsicCalibration &calibration, const std::vector<BoardVi
     return {};
 }
 
+/// From the corners to the outcome.
+Result<void> solve(IntrinsicCalibration &calibration, const std::vector<BoardView> &views, int widthPx,
+                   int heightPx, std::optional<LensModel> model, const JobControl &control)
+{
+    const Evidence evidence = evidenceFrom(views, widthPx, heightPx, model, calibration);
+    const std::vector<BoardView> &used = evidence.views;
+    if (used.size() < leastViews || evidence.starts.empty())
+        return tooFew(used.size());
+    control.report(0.1,
+                   ODO_TEXT("calibration.fitting_lens", "fitting the lens model to %1 images")(used.size()));
+    auto choice = chooseLens(used, evidence.starts, control);
+    if (control.isCancelled())
+        return cancelled(cannotBeCalibrated());
+    if (!choice)
+        return noLensFits(ODO_TEXT("calibration.check_one_camera",
+                                   "check that all are of one camera, at one zoom and focus"));
+    calibration.modelTrials = std::move(choice->trials);
+    calibration.modelReason =
+        model || used.size() >= leastViewsForHalves
+            ? std::move(choice->reason)
+            : ODO_TEXT("calibration.too_few_to_compare", "too few images to compare it with other models");
+    return finish(calibration, used, std::move(choice->fit), choice->outliers, control);
+}
+
+/// The same from chosen images of the calibration, from its own intrinsics on.
+Result<void> solveAgain(IntrinsicCalibration &calibration, const std::vector<std::size_t> &images,
+                        const JobControl &control)
+{
+    const auto camera = ODO_TRY(CameraModel::create(calibration.intrinsics));
+    std::vector<BoardView> chosen, used;
+    std::vector<CalibrationImage *> chosenImages;
+    for (std::size_t i = 0; i < calibration.images.size(); ++i) {
+        CalibrationImage &image = calibration.images[i];
+        image.used = false;
+        image.repeats = {};
+        if (std::ranges::find(images, i) == images.end())
+            continue;
+        chosen.push_back(image.view);
+        chosenImages.push_back(&image);
+    }
+    const BoardPositions positions = positionsIn(chosen);
+    LensStart start{calibration.intrinsics, {}};
+    for (std::size_t i = 0; i < chosen.size(); ++i) {
+        chosenImages[i]->repeats = repeatOf(chosen, positions, i);
+        const auto pose = chosenImages[i]->repeats.isEmpty() ? poseOf(chosen[i], camera) : std::nullopt;
+        chosenImages[i]->used = pose.has_value();
+        if (!pose)
+            continue;
+        used.push_back(chosen[i]);
+        start.cameraFromBoard.push_back(*pose);
+    }
+    if (used.size() < leastViews)
+        return tooFew(used.size());
+    auto fit = fitLens(used, start, {}, control);
+    if (control.isCancelled())
+        return cancelled(cannotBeCalibrated());
+    if (!fit)
+        return noLensFits(ODO_TEXT("calibration.choose_others", "choose others"));
+    const CornerMarks outliers = outlyingCorners(used, *fit, control);
+    return finish(calibration, used, std::move(*fit), outliers, control);
+}
+
+/// A refusal says how many images count for nothing.
+Result<IntrinsicCalibration> outcomeOf(const Result<void> &solved, IntrinsicCalibration calibration)
+{
+    if (solved)
+        return calibration;
+    Error error = solved.error();
+    const std::size_t repeats = calibration.imagesRepeated();
+    if (error.code == ErrorCode::Undetermined && repeats > 0)
+        error.why =
+            joined({std::move(error.why), repeatedImages(repeats, repeats + calibration.imagesUsed())},
+                   Join::Semicolon);
+    return tl::unexpected(std::move(error));
+}
+
 } // namespace
 
 std::size_t IntrinsicCalibration::imagesUsed() const
 {
     return static_cast<std::size_t>(std::ranges::count_if(images, &CalibrationImage::used));
+}
+
+std::size_t IntrinsicCalibration::imagesRepeated() const
+{
+    return static_cast<std::size_t>(std::ranges::count_if(
+        images, [](const CalibrationImage &image) { return !image.repeats.isEmpty(); }));
 }
 
 std::size_t IntrinsicCalibration::cornersLeftOut() const
@@ -219,29 +340,8 @@ Result<IntrinsicCalibration> calibrateIntrinsics(const std::vector<BoardView> &v
                     ODO_TEXT("calibration.picture_without_size", "the image has no size"),
                     ODO_TEXT("calibration.use_camera_pictures", "use images from the camera"));
     IntrinsicCalibration calibration;
-    std::vector<BoardView> used = usableViews(views, calibration.rejected);
-    if (used.size() < leastViews)
-        return tooFew(used.size());
-    const auto starts = startsFor(used, widthPx, heightPx, model, calibration.rejected);
-    if (used.size() < leastViews || starts.empty())
-        return tooFew(used.size());
-    control.report(0.1,
-                   ODO_TEXT("calibration.fitting_lens", "fitting the lens model to %1 images")(used.size()));
-    auto choice = chooseLens(used, starts, control);
-    if (control.isCancelled())
-        return cancelled(cannotBeCalibrated());
-    if (!choice)
-        return noLensFits(ODO_TEXT("calibration.check_one_camera",
-                                   "check that all are of one camera, at one zoom and focus"));
-    for (const BoardView &view : used)
-        calibration.images.push_back({view, true, 0, {}, {}, {}});
-    calibration.modelTrials = std::move(choice->trials);
-    calibration.modelReason =
-        model || used.size() >= leastViewsForHalves
-            ? std::move(choice->reason)
-            : ODO_TEXT("calibration.too_few_to_compare", "too few images to compare it with other models");
-    ODO_TRY(finish(calibration, used, std::move(choice->fit), choice->outliers, control));
-    return calibration;
+    const auto solved = solve(calibration, views, widthPx, heightPx, model, control);
+    return outcomeOf(solved, std::move(calibration));
 }
 
 Result<IntrinsicCalibration> recalibrate(const IntrinsicCalibration &reference,
@@ -250,29 +350,8 @@ Result<IntrinsicCalibration> recalibrate(const IntrinsicCalibration &reference,
     IntrinsicCalibration calibration = reference;
     calibration.crossValidationPx = 0;
     calibration.halvesApart.reset();
-    const auto camera = ODO_TRY(CameraModel::create(reference.intrinsics));
-    std::vector<BoardView> used;
-    LensStart start{reference.intrinsics, {}};
-    for (std::size_t i = 0; i < calibration.images.size(); ++i) {
-        CalibrationImage &image = calibration.images[i];
-        const auto pose =
-            std::ranges::find(images, i) == images.end() ? std::nullopt : poseOf(image.view, camera);
-        image.used = pose.has_value();
-        if (!pose)
-            continue;
-        used.push_back(image.view);
-        start.cameraFromBoard.push_back(*pose);
-    }
-    if (used.size() < leastViews)
-        return tooFew(used.size());
-    auto fit = fitLens(used, start, {}, control);
-    if (control.isCancelled())
-        return cancelled(cannotBeCalibrated());
-    if (!fit)
-        return noLensFits(ODO_TEXT("calibration.choose_others", "choose others"));
-    const CornerMarks outliers = outlyingCorners(used, *fit, control);
-    ODO_TRY(finish(calibration, used, std::move(*fit), outliers, control));
-    return calibration;
+    const auto solved = solveAgain(calibration, images, control);
+    return outcomeOf(solved, std::move(calibration));
 }
 
 std::vector<std::size_t> imagesWithin(const IntrinsicCalibration &calibration, double mostRmsPx)
@@ -283,233 +362,6 @@ std::vector<std::size_t> imagesWithin(const IntrinsicCalibration &calibration, d
             within.push_back(i);
     }
     return within;
-}
-
-namespace {
-
-constexpr std::size_t fewViews = 10;
-constexpr double goodM = 0.005, usableM = 0.015; // at worst on the floor, σ
-constexpr double goodFocal = 0.005, usableFocal = 0.015, goodPx = 1, usablePx = 2;
-constexpr double leastCoverage = 0.5; // of the image
-constexpr double outlying = 3;        // times the median of the images' RMS
-
-MessageArgument roundMillimetres(double metres)
-{
-    const double mm = toMillimetres(metres);
-    return quantity(mm, mm < 10 ? 1 : 0, "mm");
-}
-
-std::vector<const CalibrationImage *> usedImages(const IntrinsicCalibration &calibration)
-{
-    std::vector<const CalibrationImage *> used;
-    for (const CalibrationImage &image : calibration.images) {
-        if (image.used)
-            used.push_back(&image);
-    }
-    return used;
-}
-
-double coveredPart(const IntrinsicCalibration &calibration)
-{
-    std::vector<BoardView> views;
-    for (const CalibrationImage *image : usedImages(calibration))
-        views.push_back(image->view);
-    return coverageOf(views, {}, calibration.intrinsics.widthPx, calibration.intrinsics.heightPx)
-        .coveredPart();
-}
-
-Message graded(const IntrinsicCalibration &calibration, double focalSigma, double covered, Message clauses)
-{
-    const double worstM = calibration.onFloor ? calibration.onFloor->worstM : 1;
-    const bool trusted = calibration.disagreeingPart <= mostOutliers;
-    if (worstM < goodM && focalSigma < goodFocal && calibration.rmsPx < goodPx && trusted &&
-        calibration.imagesUsed() >= fewViews && covered >= leastCoverage)
-        return goodVerdict(std::move(clauses));
-    if (worstM < usableM && focalSigma < usableFocal && calibration.rmsPx < usablePx)
-        return usableVerdict(std::move(clauses));
-    return ODO_TEXT("calibration.poor", "Poor: %1.")(std::move(clauses));
-}
-
-Message floorClause(const IntrinsicCalibration &calibration)
-{
-    if (!calibration.onFloor)
-        return ODO_TEXT("calibration.no_millimetres",
-                        "no value in millimetres: this calibration holds for only part of the image");
-    const FloorExpectation &floor = *calibration.onFloor;
-    return ODO_TEXT("calibration.lens_on_floor",
-                    "±%1 in the middle and at most ±%2 (%3) on %4, from the lens calibration alone")(
-        roundMillimetres(floor.middleM), roundMillimetres(floor.worstM), floor.worstWhere,
-        typicalTestbedWords());
-}
-
-/// How the images fit, and how their halves do.
-Message fitClauses(const IntrinsicCalibration &calibration, double focalSigma)
-{
-    const std::size_t images = calibration.imagesUsed();
-    const MessageArgument rms = quantity(calibration.rmsPx, 2, "px"),
-                          focal = quantity(calibration.intrinsics.fxPx, 1, "px"),
-                          sigma = percentOf(focalSigma);
-    if (!(calibration.crossValidationPx > 0) && calibration.halvesApart)
-        return ODO_TEXT("calibration.pictures_fit_halves_apart",
-                        "%1 images fit to %2, focal length %3 ± %4, halves at most %5 apart on that floor")(
-            images, rms, focal, sigma, roundMillimetres(calibration.halvesApart->worstM));
-    Message fit = ODO_TEXT("calibration.pictures_fit",
-                           "%1 images fit to %2, focal length %3 ± %4")(images, rms, focal, sigma);
-    if (!(calibration.crossValidationPx > 0))
-        return fit;
-    const MessageArgument predicted = quantity(calibration.crossValidationPx, 2, "px");
-    Message halves =
-        calibration.halvesApart
-            ? ODO_TEXT("calibration.halves_foretell_apart",
-                       "each half of the images predicts the other to %1, at most %2 apart on that floor")(
-                  predicted, roundMillimetres(calibration.halvesApart->worstM))
-            : ODO_TEXT("calibration.halves_foretell",
-                       "each half of the images predicts the other to %1")(predicted);
-    return joined({std::move(fit), std::move(halves)}, Join::Semicolon);
-}
-
-/// The images with the highest counts.
-struct Where
-{
-    MessageArgument images; ///< "left02.jpg (6) and left09.jpg (3)", those with most of it first
-    bool isAll;             ///< no other image has any
-};
-
-Where whereOf(const IntrinsicCalibration &calibration,
-              const std::function<std::size_t(const CalibrationImage &)> &counted)
-{
-    constexpr std::size_t mostNamed = 3;
-    std::vector<const CalibrationImage *> with = usedImages(calibration);
-    std::erase_if(with, [&](const CalibrationImage *image) { return counted(*image) == 0; });
-    std::ranges::stable_sort(with, std::ranges::greater{},
-                             [&](const CalibrationImage *image) { return counted(*image); });
-    std::vector<Message> names;
-    for (const CalibrationImage *image : with) {
-        if (names.size() < mostNamed)
-            names.push_back(
-                ODO_TEXT("calibration.picture_with_corners", "%1 (%2)")(image->view.source, counted(*image)));
-    }
-    return {listed(std::move(names)), with.size() <= mostNamed};
-}
-
-Message disagreeingWords(const IntrinsicCalibration &calibration)
-{
-    const Where where =
-        whereOf(calibration, [](const CalibrationImage &image) { return image.outliers.size(); });
-    const MessageText &disagree =
-        where.isAll ? ODO_TEXT("calibration.disagree_in", "%1 of the corners disagree, in %2")
-                    : ODO_TEXT("calibration.disagree_most_in", "%1 of the corners disagree, most in %2");
-    return joined(
-        {disagree(quantity(100 * calibration.disagreeingPart, 0, "%"), where.images),
-         joined(
-             {ODO_TEXT("calibration.were_kept", "they were kept"),
-              ODO_TEXT("calibration.look_at_pictures",
-                       "check these images and leave out those that are blurred, bent or of another board.")},
-             Join::Semicolon)},
-        Join::Colon);
-}
-
-Message leftOutWords(const IntrinsicCalibration &calibration)
-{
-    const std::size_t count = calibration.cornersLeftOut();
-    if (count == 0)
-        return {};
-    const Where where =
-        whereOf(calibration, [](const CalibrationImage &image) { return image.leftOut.size(); });
-    if (count == 1)
-        return ODO_TEXT("calibration.corner_left_out", "1 outlier corner was left out, in %1.")(where.images);
-    const MessageText &words =
-        where.isAll ? ODO_TEXT("calibration.corners_left_out_in", "%1 outlier corners were left out, in %2.")
-                    : ODO_TEXT("calibration.corners_left_out_most_in",
-                               "%1 outlier corners were left out, most in %2.");
-    return words(count, where.images);
-}
-
-/// About neighbouring outlier corners.
-Message keptWords(const IntrinsicCalibration &calibration)
-{
-    const auto kept = [](const CalibrationImage &image) {
-        return image.outliers.size() - image.leftOut.size();
-    };
-    std::size_t count = 0;
-    for (const CalibrationImage &image : calibration.images)
-        count += kept(image);
-    if (count == 0)
-        return {};
-    const Where where = whereOf(calibration, kept);
-    const MessageText &words =
-        where.isAll
-            ? ODO_TEXT("calibration.corners_kept_in", "%1 neighbouring outlier corners were kept, in %2")
-            : ODO_TEXT("calibration.corners_kept_most_in",
-                       "%1 neighbouring outlier corners were kept, most in %2");
-    return joined({words(count, where.images),
-                   ODO_TEXT("calibration.leave_out_pictures",
-                            "leave out these images if the board is bent, cut or covered there.")},
-                  Join::Colon);
-}
-
-Message outlierWords(const IntrinsicCalibration &calibration)
-{
-    if (calibration.disagreeingPart <= 0)
-        return {};
-    if (calibration.disagreeingPart > mostOutliers)
-        return disagreeingWords(calibration);
-    return joined({leftOutWords(calibration), keptWords(calibration)}, Join::Space);
-}
-
-/// The image whose misfit is an outlier, if there is one.
-Message outlierImage(const IntrinsicCalibration &calibration)
-{
-    std::vector<double> rms;
-    const CalibrationImage *worst = nullptr;
-    for (const CalibrationImage *image : usedImages(calibration)) {
-        rms.push_back(image->rmsPx);
-        if (worst == nullptr || image->rmsPx > worst->rmsPx)
-            worst = image;
-    }
-    if (worst == nullptr || worst->rmsPx <= outlying * upperMedian(rms))
-        return {};
-    return joined({ODO_TEXT("calibration.look_at", "Check %1")(worst->view.source),
-                   ODO_TEXT("calibration.picture_stands_out",
-                            "its %1 is an outlier.")(quantity(worst->rmsPx, 2, "px"))},
-                  Join::Colon);
-}
-
-Message lensWords(const IntrinsicCalibration &calibration)
-{
-    const LensModel model = calibration.intrinsics.model;
-    const MessageText &name =
-        model == LensModel::Standard   ? ODO_TEXT("calibration.standard_lens", "Standard lens")
-        : model == LensModel::Rational ? ODO_TEXT("calibration.rational_lens", "Rational lens")
-                                       : ODO_TEXT("calibration.fisheye_lens", "Fisheye lens");
-    return sentence(joined({name, calibration.modelReason}, Join::Colon));
-}
-
-Message coverageWords(double covered)
-{
-    if (covered >= leastCoverage)
-        return {};
-    return joined({ODO_TEXT("calibration.picture_covered",
-                            "The board covered only %1 of the image")(quantity(100 * covered, 0, "%")),
-                   ODO_TEXT("calibration.show_near_edges", "show the board near its edges too.")},
-                  Join::Colon);
-}
-
-} // namespace
-
-Message calibrationVerdict(const IntrinsicCalibration &calibration, double focalSigma)
-{
-    const double covered = coveredPart(calibration);
-    Message more;
-    if (calibration.imagesUsed() < fewViews)
-        more = ODO_TEXT("calibration.more_pictures",
-                        "More images (%1 or more) would make it more certain.")(fewViews);
-    return joined(
-        {graded(calibration, focalSigma, covered,
-                joined({floorClause(calibration), fitClauses(calibration, focalSigma)}, Join::Semicolon)),
-         lensWords(calibration), outlierWords(calibration), std::move(more), coverageWords(covered),
-         outlierImage(calibration)},
-        Join::Space);
 }
 
 } // namespace odo

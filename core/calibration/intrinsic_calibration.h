@@ -23,6 +23,9 @@ struct CalibrationImage
 {
     BoardView view;   ///< its corners as seen, all of them
     bool used = true; ///< false: left out; its values then come from the intrinsics of the others
+    /// A clause, where it was left out because it shows the board in the same position as one that is used
+    /// (positionsIn). Not stored.
+    Message repeats;
     double rmsPx = 0; ///< of its corners that count: sqrt(mean of squared distances)
     /// One a corner: seen minus predicted, pixels. An arrow from the predicted position to the seen one.
     std::vector<Eigen::Vector2d> residualsPx;
@@ -60,6 +63,7 @@ struct IntrinsicCalibration
     Message verdict; ///< the grade, millimetres on the floor, then pixels, then what to do
 
     std::size_t imagesUsed() const;
+    std::size_t imagesRepeated() const;
     std::size_t cornersLeftOut() const;
 };
 
@@ -77,6 +81,9 @@ constexpr double mostOutliers = 0.03;
 /// (Cauchy's loss) are left out when they are at most mostOutliers of all; more are kept. So are three or
 /// more side by side that are moved the same way, since that says something of the image or the board. The
 /// verdict says how many, where, and what was done.
+///
+/// Of images that show the board in the same position one counts (positionsIn), for the fit, its uncertainty,
+/// the halves and all else; the verdict and a refusal say how many others there are.
 ///
 /// Refuses, with the reason: fewer than three views, all of one attitude, all frontal, all in one part of the
 /// image, two focal lengths, halves that contradict each other, and a quarter of the corners or more that
@@ -97,5 +104,8 @@ std::vector<std::size_t> imagesWithin(const IntrinsicCalibration &calibration, d
 /// The sentences of IntrinsicCalibration::verdict from all else in it. focalSigma: of the focal length over
 /// itself.
 Message calibrationVerdict(const IntrinsicCalibration &calibration, double focalSigma);
+
+/// "33 of 36 images show the board in the same position as another one, and each position counts once".
+Message repeatedImages(std::size_t repeats, std::size_t images);
 
 } // namespace odo

@@ -469,6 +469,36 @@ private:
     std::size_t m_markers = 0; ///< the first points are those of the layout
 };
 
+/// Whether one image registered two cameras: all markers that both see have the same pixels, nearer than one
+/// marks them again.
+bool isSameImage(const JointCamera &one, const JointCamera &other)
+{
+    std::size_t common = 0;
+    for (const MarkerPixel &pixel : one.pixels) {
+        const auto there = std::ranges::find(other.pixels, pixel.label, &MarkerPixel::label);
+        if (there == other.pixels.end())
+            continue;
+        if ((pixel.pixel - there->pixel).norm() > usualMarkSigmaPx)
+            return false;
+        ++common;
+    }
+    return common >= leastPixels && one.name != other.name &&
+           one.camera.intrinsics().fxPx == other.camera.intrinsics().fxPx;
+}
+
+/// Of each camera the first one whose image it was registered by.
+std::vector<std::size_t> originalsOf(const std::vector<JointCamera> &cameras)
+{
+    std::vector<std::size_t> originals;
+    for (const JointCamera &camera : cameras) {
+        const auto same = std::ranges::find_if(cameras, [&](const JointCamera &other) {
+            return &other == &camera || isSameImage(camera, other);
+        });
+        originals.push_back(static_cast<std::size_t>(same - cameras.begin()));
+    }
+    return originals;
+}
+
 } // namespace
 
 Result<JointRegistration> registerJointly(const MarkerLayout &layout, const std::vector<JointCamera> &cameras,
@@ -478,7 +508,33 @@ Result<JointRegistration> registerJointly(const MarkerLayout &layout, const std:
         return refuseJoint(
             ODO_TEXT("calibration.tape_sigma_not_positive", "the σ of the tape measure is not above 0"),
             ODO_TEXT("calibration.give_tape_sigma", "give about 2 mm"), ErrorCode::InvalidInput);
-    return Joining(layout, cameras, tapeSigmaM).join();
+    const std::vector<std::size_t> originals = originalsOf(cameras);
+    std::vector<JointCamera> counting;
+    std::vector<std::size_t> at; // of each camera that counts, and of those of its image
+    for (std::size_t i = 0; i < cameras.size(); ++i) {
+        at.push_back(originals[i] == i ? counting.size() : at[originals[i]]);
+        if (originals[i] == i)
+            counting.push_back(cameras[i]);
+    }
+    auto joint = Joining(layout, counting, tapeSigmaM).join();
+    if (!joint || counting.size() == cameras.size())
+        return joint;
+    const std::vector<FloorRegistration> registrations = std::move(joint->registrations);
+    joint->registrations.clear();
+    for (std::size_t i = 0; i < cameras.size(); ++i) {
+        joint->registrations.push_back(registrations[at[i]]);
+        if (originals[i] == i)
+            continue;
+        const Message same = ODO_TEXT("calibration.cameras_of_one_image",
+                                      "%1 and %2 have the same pixels and count as one camera.")(
+            Named::camera(cameras[originals[i]].name), Named::camera(cameras[i].name));
+        joint->verdict = joined({std::move(joint->verdict), same}, Join::Space);
+        joint->registrations[i].verdict =
+            joined({std::move(joint->registrations[i].verdict), same}, Join::Space);
+        joint->registrations[originals[i]].verdict =
+            joined({std::move(joint->registrations[originals[i]].verdict), same}, Join::Space);
+    }
+    return joint;
 }
 
 } // namespace odo

@@ -50,6 +50,10 @@ struct JointRegistration
 /// leaving out one camera's pixel of it by 24, the one that lowers it most goes and is named. poseCovariance
 /// is the marginal one of each camera; the cameras' errors are correlated through the common markers.
 ///
+/// Cameras that were registered by one image (all common markers within 0.3 px of each other, the same lens)
+/// count as one: that image's errors are the same for all of them. They share the outcome, and the verdict
+/// names them.
+///
 /// Refuses: fewer than two cameras, two of one name, cameras that have no marker or point in common, a camera
 /// with fewer than three pixels that count, and what the fit does not determine. Pure; any thread.
 Result<JointRegistration> registerJointly(const MarkerLayout &layout, const std::vector<JointCamera> &cameras,

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Gathering pictures of a board: where it stands, what is missing, what does not count.
-#include "core/calibration/board_placement.h"
+#include "core/calibration/board_collector.h"
 #include "core/simulation/renderer.h"
 #include "tests/support/registered_test.h"
 
@@ -195,6 +195,16 @@ private Q_SLOTS:
         QVERIFY(!still.refusal);
         QVERIFY(refusedWith(collector.watch(rendered(posed({0.01, 0, 0.45}, 0, 0), 1400), "1400"),
                             "the same position as in an earlier image"));
+    }
+
+    void aSmallBoardHeldStillIsKeptOnce()
+    {
+        BoardCollector collector({});
+        SimulatedBoard board;
+        board.cameraFromBoard = posed({0, 0, 1.3}, 0, 0);
+        for (unsigned seed = 1; seed <= 40; ++seed) // noise lets it seem to tilt
+            collector.offer(renderBoard(camera, board, 8, seed), "a.png");
+        QCOMPARE(collector.images().size(), std::size_t(1));
     }
 
     void aPictureCanBeTakenOutAndPutBack()

@@ -102,6 +102,31 @@ private Q_SLOTS:
         QVERIFY(std::abs(std::sqrt(together / stated) - 1) < 0.2);
         QVERIFY(caveats <= draws / 40);
     }
+    void anImageRegisteredTwiceCountsOnce()
+    {
+        std::mt19937 random(9);
+        Draw drawn = draw(2, random);
+        const auto two = registerJointly(drawn.measured, drawn.cameras, tapeM);
+        drawn.cameras.insert(drawn.cameras.begin() + 1, drawn.cameras[0]);
+        drawn.cameras[1].name = "A again";
+        drawn.cameras[1].pixels[2].pixel += Vector2d(0.1, 0.05);
+        const auto three = registerJointly(drawn.measured, drawn.cameras, tapeM);
+        QVERIFY2(two && three, three ? "" : three.error().message().c_str());
+        QCOMPARE(three->registrations.size(), std::size_t(3));
+        for (std::size_t camera : {0u, 1u, 2u}) {
+            const FloorRegistration &expected = two->registrations[camera == 2 ? 1 : 0];
+            QCOMPARE(three->registrations[camera].poseCovariance, expected.poseCovariance);
+            QCOMPARE(three->registrations[camera].worldFromCamera.translation,
+                     expected.worldFromCamera.translation);
+        }
+        const std::string words = "A and A again have the same pixels and count as one camera.";
+        QVERIFY(contains(three->verdict.english(), words));
+        QVERIFY(contains(three->registrations[1].verdict.english(), words));
+        QCOMPARE(three->registrations[2].verdict, two->registrations[1].verdict);
+        drawn.cameras.pop_back();
+        const auto one = registerJointly(drawn.measured, drawn.cameras, tapeM);
+        QVERIFY(!one && contains(one.error().message(), "1 registered camera, two are needed"));
+    }
     void aMarkerMeasuredWronglyIsNamed()
     {
         std::mt19937 random(8);

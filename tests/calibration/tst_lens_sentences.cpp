@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What is wrong with pictures of a board, one by one and together: each kind in words of its own. Those of
 // the floor's markers are in tst_floor_sentences.
-#include "core/calibration/board_placement.h"
+#include "core/calibration/board_collector.h"
 #include "core/calibration/intrinsic_calibration.h"
 #include "core/simulation/renderer.h"
 #include "tests/calibration/seen_boards.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // From pictures to a stored calibration: what is kept, what is refused, and in which words.
-#include "core/calibration/board_placement.h"
+#include "core/calibration/board_collector.h"
 #include "core/project/project.h"
 #include "core/project/repositories.h"
 #include "core/simulation/renderer.h"
@@ -65,10 +65,10 @@ Frame blurred(const Frame &frame, int reach)
     return FrameBuffer::toFrame(buffer, 0, Nanoseconds(0));
 }
 
-std::vector<BoardView> views(int count, const CameraModel &through = camera())
+std::vector<BoardView> views(int count, const CameraModel &through = camera(), unsigned seed = 11)
 {
     std::vector<BoardView> seen;
-    for (const RigidTransform &pose : heldBoardPoses(through, SimulatedBoard(), count, 11)) {
+    for (const RigidTransform &pose : heldBoardPoses(through, SimulatedBoard(), count, seed)) {
         seen.push_back({"picture" + std::to_string(seen.size()), 9, 6, {}, {}});
         for (int i = 0; i < 54; ++i) {
             const Eigen::Vector2d point(0.025 * (i % 9), 0.025 * (i / 9));
@@ -218,6 +218,39 @@ private Q_SLOTS:
             std::string(
                 "the calibration image 'board 1.png' of camera 'Cam/1' has changed since it was created"));
     }
+    void imagesOfOnePositionCountOnce()
+    {
+        const auto files = images(5);
+        CalibrateJob alone({"A", files, {}, std::nullopt});
+        QVERIFY(runToEnd(alone, *m_project, {}).has_value());
+        auto repeated = files;
+        for (const RigidTransform &pose : poses(5)) {
+            SimulatedBoard board;
+            board.cameraFromBoard = pose;
+            repeated.push_back(path(QStringLiteral("again %1.png").arg(repeated.size())));
+            QVERIFY(writeImage(renderBoard(camera(), board, 1, 77), repeated.back())); // with other noise
+        }
+        CalibrateJob job({"B", repeated, {}, std::nullopt});
+        const auto done = runToEnd(job, *m_project, {});
+        QVERIFY2(done.has_value(), done ? "" : done.error().message().c_str());
+        QCOMPARE(job.calibration().imagesUsed(), std::size_t(5));
+        QCOMPARE(job.calibration().intrinsics.covariance, alone.calibration().intrinsics.covariance);
+        const IntrinsicsRecord record =
+            **m_project->cameras().currentIntrinsics(m_project->cameras().find("B")->id);
+        QCOMPARE(record.origin.english(), std::string("calibrated from 5 images"));
+        QVERIFY(record.calibration.verdict.english().find(
+                    "5 of 10 images show the board in the same position as another one") !=
+                std::string::npos);
+        QCOMPARE(record.calibration.images.size(), std::size_t(10));
+        QCOMPARE(record.calibration.imagesUsed(), std::size_t(5));
+        for (std::size_t i = 0; i < 10; ++i) {
+            QCOMPARE(record.calibration.images[i].used, i < 5);
+            QCOMPARE(record.files[i].path.empty(), i >= 5); // its corners tell enough
+        }
+        QVERIFY(m_project->check(true)->empty());
+        std::vector<std::size_t> all{0, 1, 2, 3, 4, 5, 6, 7, 8, 9};
+        QCOMPARE(recalibrate(record.calibration, all, {})->imagesRepeated(), std::size_t(5));
+    }
     void whatFailsLeavesNothing()
     {
         const auto files = images(8);
@@ -348,7 +381,7 @@ private:
         }
         case 15: {
             std::vector<BoardView> mixed = views(8);
-            for (BoardView &view : views(8, camera(760)))
+            for (BoardView &view : views(8, camera(760), 20))
                 mixed.push_back(view);
             return calibrationOf(mixed);
         }

@@ -47,6 +47,11 @@ Message edgesAreWide(double widthPx)
     return ODO_TEXT("calibration.edges_wide", "its edges are %1 pixels wide")(quantity(widthPx, 0));
 }
 
+Message sameBoardPosition(const std::string &source)
+{
+    return ODO_TEXT("calibration.board_stands_as_in", "the board is in the same position as in %1")(source);
+}
+
 Message pointsUndetermined()
 {
     return ODO_TEXT("calibration.points_undetermined", "the points do not determine the camera position");

@@ -20,10 +20,11 @@ Message uncertainVerdict(Message clauses);
 Message registrationVerdict(double worseM, double extentM, Message clauses);
 
 // What several checks say.
-Message edgesAreWide(double widthPx); ///< of a board that is not sharp
-Message pointsUndetermined();         ///< they do not determine the camera position
-Message hardlyChecked(Message four);  ///< a sentence of the clause that four check one another little
-Message calibrateToRely();            ///< a sentence, without a lens calibration
+Message edgesAreWide(double widthPx);                 ///< of a board that is not sharp
+Message sameBoardPosition(const std::string &source); ///< of an image, as in the one of this source
+Message pointsUndetermined();                         ///< they do not determine the camera position
+Message hardlyChecked(Message four); ///< a sentence of the clause that four check one another little
+Message calibrateToRely();           ///< a sentence, without a lens calibration
 
 // What several of them advise.
 Message useCameraImage();

@@ -3,6 +3,7 @@
 
 #include "core/base/error.h"
 #include "core/calibration/intrinsic_calibration.h"
+#include "core/calibration/repeated_views.h"
 #include "core/files/protected_files.h"
 #include "core/project/project.h"
 #include "core/project/records.h"
@@ -72,9 +73,9 @@ Result<IntrinsicsRecord> CalibrationStorage::commit(Project &project)
 
 namespace {
 
-// A hand-held board moves little between neighbouring frames: they would only repeat one pose.
+// A hand-held board moves little between neighbouring frames: they would only repeat one position.
 constexpr int boardVideoStep = 15;
-constexpr std::size_t enoughVideoViews = 60;
+constexpr std::size_t enoughVideoPositions = 60;
 
 } // namespace
 
@@ -130,7 +131,8 @@ Result<void> CalibrateJob::searchFile(const std::filesystem::path &file, const J
         file, boardVideoStep,
         [&](const Frame &frame, const std::string &name) {
             searchImage(frame, name);
-            return !control.isCancelled() && m_views.size() < enoughVideoViews + m_settings.files.size();
+            return !control.isCancelled() &&
+                   m_positions.size() < enoughVideoPositions + m_settings.files.size();
         },
         control.cancel);
     if (control.isCancelled())
@@ -161,7 +163,12 @@ void CalibrateJob::searchImage(const Frame &frame, const std::string &name)
     m_settings.board.pattern = view->pattern;
     m_settings.board.columns = view->columns;
     m_settings.board.rows = view->rows;
+    const bool isNew = std::ranges::none_of(
+        m_positions, [&](std::size_t before) { return repeatsPosition(*view, m_views[before]); });
     m_views.push_back(std::move(*view));
+    if (!isNew)
+        return;
+    m_positions.push_back(m_views.size() - 1);
     if (auto png = greyPng(frame))
         m_images.push_back({name, std::move(*png)});
 }

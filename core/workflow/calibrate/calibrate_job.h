@@ -47,7 +47,9 @@ struct CalibrateSettings
     std::optional<LensModel> model; ///< nullopt: the one that predicts best
 };
 
-/// Finds the board in images, computes a camera's intrinsics and stores them as its newest ones.
+/// Finds the board in images, computes a camera's intrinsics and stores them as its newest ones. Of a video
+/// it takes two frames a second at 30 frames/s, until the board was in sixty positions. An image that shows
+/// the board in the same position as one before is not kept, only its corners.
 class CalibrateJob : public Job
 {
 public:
@@ -57,7 +59,6 @@ public:
     Result<void> commit(Project &project) override;
 
     const CalibrateSettings &settings() const { return m_settings; }
-    int imagesUsed() const { return static_cast<int>(m_views.size()); }
     const IntrinsicCalibration &calibration() const { return m_calibration; } ///< after run
 
 private:
@@ -66,7 +67,8 @@ private:
 
     CalibrateSettings m_settings;
     std::vector<BoardView> m_views;
-    std::vector<BoardImage> m_images; ///< of the views
+    std::vector<std::size_t> m_positions; ///< views that repeat none before them
+    std::vector<BoardImage> m_images;     ///< of those
     std::vector<RejectedImage> m_rejected;
     int m_widthPx = 0, m_heightPx = 0;
     IntrinsicCalibration m_calibration;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/calibration/board_placement.h"
+#include "core/calibration/board_collector.h"
 
 #include <QImage>
 #include <QObject>

@@ -340,6 +340,8 @@ void CalibrationResultPage::showImage(int index)
     if (const CalibrationImage *outcome = outcomeOf(index)) {
         content.counts = outcome->used;
         content.residuals = outcome->residualsPx;
+        if (!outcome->repeats.isEmpty())
+            content.label = tr("%1: %2").arg(image.name, shownWords(outcome->repeats));
     }
     m_canvas->setContent(std::move(content));
 }
