@@ -6,6 +6,7 @@
 #include "core/project/repositories.h"
 #include "core/tracking/colour_tracker.h"
 #include "core/trajectory/imported_track.h"
+#include "core/workflow/track/frame_steps.h"
 #include "core/workflow/track/settled_views.h"
 #include "core/workflow/track/stored_verdicts.h"
 #include "core/workflow/track/track_warnings.h"
@@ -125,6 +126,8 @@ struct TrackJob::Impl
     std::vector<TrackedView> stored;           ///< with `again`
     std::vector<std::vector<Sample>> imported; ///< with `again` of imported tracks, one a robot
     std::vector<ObservationSeries> observations;
+    std::vector<std::vector<FrameStep>> notedSteps; ///< of each view, by an earlier tracking
+    std::vector<RecordingRecord> retimed;           ///< recordings whose frame times were corrected
     std::vector<StoredRobot> others; ///< of the trial, which are not tracked now
     /// of each robot; with `again` those of its newest analysis
     std::vector<std::vector<AmbiguousName>> ambiguities;
@@ -132,6 +135,7 @@ struct TrackJob::Impl
 
     Result<void> readOptions(Project &project);
     Result<void> takeImported(Project &project);
+    Result<void> readNotedSteps(Project &project);
     Result<void> analyseAll(std::vector<TrackedView> &tracked);
     Result<TaskAnalysis> analyseOne(std::vector<TrackedView> &tracked, std::size_t robot) const;
     void findOcclusionsIn(const std::vector<TrackedView> &tracked);
@@ -169,7 +173,7 @@ Result<void> TrackJob::prepare(Project &project)
     auto others = ODO_TRY(otherRobots(project, d.trial.id, d.views, d.robots));
     d.others = std::move(others);
     if (!d.settings.again)
-        return {};
+        return d.readNotedSteps(project);
     auto stored = ODO_TRY(storedObservations(project, d.trialName, d.views, d.robots));
     d.stored = std::move(stored);
     return {};
@@ -197,6 +201,22 @@ Result<void> TrackJob::Impl::readOptions(Project &project)
                                                       : project.trials().overrides(trial.id, robot.id));
         its.overrides = std::move(overrides);
         options.push_back(std::move(its));
+    }
+    return {};
+}
+
+/// Of the first of the robots that was tracked before.
+Result<void> TrackJob::Impl::readNotedSteps(Project &project)
+{
+    for (const RegisteredView &view : views) {
+        notedSteps.emplace_back();
+        for (const RobotRecord &robot : robots) {
+            const auto series = ODO_TRY(project.trials().currentObservations(view.recording.id, robot.id));
+            if (!series)
+                continue;
+            notedSteps.back() = odo::notedSteps(*series);
+            break;
+        }
     }
     return {};
 }
@@ -234,7 +254,11 @@ Result<void> TrackJob::run(const JobControl &control)
         return tl::unexpected(tracked.error());
     if (!d.settings.again)
         d.ambiguities = ambiguousNamesOf(tracked->ambiguities, d.robots);
+    if (!d.settings.again)
+        d.retimed = correctFrameTimes(d.views, d.robots, tracked->views, d.notedSteps);
     d.outcome.warnings = stepWarnings(d.trialName, d.views);
+    for (Message &warning : frameStepWarnings(d.trialName, d.views, tracked->views))
+        d.outcome.warnings.push_back(std::move(warning));
     for (Message &warning : damageWarnings(d.trialName, d.views, tracked->views))
         d.outcome.warnings.push_back(std::move(warning));
     for (Message &warning : moveWarnings(d.trialName, d.views, tracked->views))
@@ -365,6 +389,7 @@ Result<void> TrackJob::commit(Project &project)
                 return fail(ErrorCode::InvalidInput, trialSubject(d.trial.name),
                             ODO_TEXT("workflow.task_was_changed", "its task changed during the analysis"),
                             ODO_TEXT("workflow.measure_it_again", "repeat the analysis"));
+            ODO_TRY(project.trials().setFrameTimes(d.retimed));
             for (const ObservationSeries &series : d.observations)
                 ODO_TRY(project.trials().addObservations(series));
             if (!d.settings.pointers.empty())

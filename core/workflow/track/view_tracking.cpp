@@ -393,6 +393,13 @@ AnalysisRecord newAnalysis(const TrialRecord &trial, const RobotRecord &robot,
     return analysis;
 }
 
+void stampAsRecorded(std::vector<Observation> &observations, const std::vector<Nanoseconds> &frameTimes)
+{
+    for (Observation &seen : observations)
+        if (const auto frame = static_cast<std::size_t>(seen.frame); frame < frameTimes.size())
+            seen.time = frameTimes[frame];
+}
+
 Result<std::vector<TrackedView>> storedObservations(Project &project, const std::string &trialName,
                                                     const std::vector<RegisteredView> &views,
                                                     const std::vector<RobotRecord> &robots)
@@ -404,6 +411,8 @@ Result<std::vector<TrackedView>> storedObservations(Project &project, const std:
             const RecordId recording = views[v].recording.id;
             auto series = ODO_TRY(project.trials().currentObservations(recording, robot.id));
             known |= series.has_value();
+            if (series)
+                stampAsRecorded(series->observations, views[v].recording.frameTimes);
             stored[v].series.push_back(series ? std::move(*series)
                                               : ObservationSeries{recording, robot.id, {}, {}});
             stored[v].frames = std::max(

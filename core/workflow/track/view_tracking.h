@@ -69,6 +69,10 @@ RobotShape shapeOf(const RobotRecord &robot);
 AnalysisRecord newAnalysis(const TrialRecord &trial, const RobotRecord &robot,
                            const std::vector<RegisteredView> &views, AnalysisOptions options);
 
+/// Gives observations the times of their frames as they are now: they may have been corrected since
+/// (correctFrameTimes).
+void stampAsRecorded(std::vector<Observation> &observations, const std::vector<Nanoseconds> &frameTimes);
+
 /// What trackViews once gave and the project has kept: the newest observations of each robot in each view,
 /// none where a view was never tracked. NotFound for a robot that no view was tracked for. Project's thread.
 Result<std::vector<TrackedView>> storedObservations(Project &project, const std::string &trialName,
