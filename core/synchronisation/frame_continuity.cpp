@@ -2,7 +2,9 @@
 #include "core/synchronisation/frame_continuity.h"
 
 #include "core/base/percentile.h"
+#include "core/synchronisation/internal/clean_track.h"
 #include "core/synchronisation/internal/leap_fit.h"
+#include "core/video/frame_times.h"
 
 #include <algorithm>
 #include <cmath>
@@ -14,94 +16,31 @@ namespace odo {
 
 namespace {
 
-constexpr double leastSightScore = 0.5;  // of an observation
-constexpr std::size_t besideInterval = 9; // positions that are fitted on each side
-constexpr std::int64_t mostUnseen = 6;   // frames without a position in the interval
-constexpr std::int64_t mostMissing = 15; // frames; over more no cubic follows a robot
-// of a robot that repeats itself
-constexpr double stillPx = 0.06, stillShare = 0.06, leastStepPx = 0.8;
-constexpr std::size_t mostStill = 6;
+constexpr double leastSightScore = 0.5;    // of an observation
+constexpr std::size_t besideInterval = 12; // positions that are fitted on each side, within
+constexpr double besideS = 0.4;
+constexpr std::int64_t mostUnseen = 6;                     // frames without a position in the interval
+constexpr double mostMissing = 15, longestMissingS = 0.55; // frames; over more no cubic follows a robot
 // of a leap, in σ, and against how uneven the motion is anyway
 constexpr double leastApart = 6, leastBeyond = 6, leastSharpness = 2;
-constexpr double clearlyApart = 12, clearSharpness = 5, leastLeapM = 0.03; // where nothing explains it
-constexpr double leastMotion = 4; // σ in a usual interval, of a robot that shows time
+constexpr double clearlyApart = 12, clearSharpness = 5, leastLeapM = 0.05,
+                 leastSteps = 1.5; // where nothing explains it
+constexpr double leastMotion = 4;  // σ in a usual interval, of a robot that shows time
 constexpr double mostMisfit = 4, leastGain = 40, robotsApartSigmas = 4;
-constexpr double wholeFrame = 0.15, sharpFrame = 0.25; // of an interval: off a whole number, and the σ
+constexpr double wholeFrame = 0.15, sharpFrame = 0.18; // of an interval: off a whole number, and the σ
+constexpr double mostOffWhole = 0.4;
+constexpr double sharpShare = 0.07; // likewise, of a long delay
+constexpr double cubicShare = 0.02; // of a delay: σ of how far a cubic follows a robot that long
 constexpr double areaTolerance = 0.06, areaShare = 0.5;
 // of a robot that might stop and start from one frame to the next
 constexpr double hardestMps2 = 8, steadyShare = 0.25;
-
-/// White noise of a coordinate, from third differences, which no robot's motion reaches.
-double whiteNoisePx(const FrameTrack &track)
-{
-    constexpr double leastPx = 0.02, sigmaOfThird = 4.472, halfNormal = 0.6745; // √(1 + 9 + 9 + 1)
-    std::vector<double> thirds;
-    for (std::size_t i = 3; i < track.size(); ++i) {
-        if (track[i].frame - track[i - 3].frame != 3)
-            continue;
-        const Eigen::Vector2d third =
-            track[i].px - 3 * track[i - 1].px + 3 * track[i - 2].px - track[i - 3].px;
-        thirds.push_back(std::abs(third.x()));
-        thirds.push_back(std::abs(third.y()));
-    }
-    return thirds.empty() ? leastPx
-                          : std::max(leastPx, median(std::move(thirds)) / (halfNormal * sigmaOfThird));
-}
-
-/// How many positions from index on repeat the one before it, or lie where it does, while the robot moves
-/// before and after.
-std::size_t stillAt(const FrameTrack &track, std::size_t index)
-{
-    std::size_t repeats = 0;
-    while (index + repeats < track.size() && track[index + repeats].isRepeat)
-        ++repeats;
-    if (repeats > 0 || index < 2)
-        return repeats;
-    const Eigen::Vector2d in = track[index - 1].px - track[index - 2].px;
-    for (std::size_t count = 1; count <= mostStill && index + count + 1 < track.size(); ++count) {
-        const std::size_t last = index + count - 1;
-        if (track[last + 2].frame - track[index - 2].frame != std::int64_t(count) + 3)
-            return 0;
-        const Eigen::Vector2d out = track[last + 2].px - track[last + 1].px, usual = (in + out) / 2;
-        const double mostPx = std::max(stillPx, stillShare * usual.norm());
-        if ((track[last].px - track[index - 1].px).norm() > mostPx)
-            return 0;
-        if ((track[last + 1].px - track[index - 1].px).norm() > mostPx)
-            return usual.norm() >= leastStepPx && (in - out).norm() <= usual.norm() ? count : 0;
-    }
-    return 0;
-}
-
-/// One robot's track, without positions that repeat the one before, and its noise.
-struct CleanTrack
-{
-    FrameTrack positions;
-    std::vector<std::int64_t> repeats; ///< frames that were left out, in order
-    double noisePx = 0;
-};
-
-CleanTrack cleaned(const FrameTrack &track)
-{
-    CleanTrack clean;
-    clean.noisePx = whiteNoisePx(track);
-    for (std::size_t i = 0; i < track.size(); ++i) {
-        if (std::size_t still = stillAt(track, i); still > 0) {
-            for (; still > 1; --still)
-                clean.repeats.push_back(track[i++].frame);
-            clean.repeats.push_back(track[i].frame);
-        } else {
-            clean.positions.push_back(track[i]);
-        }
-    }
-    return clean;
-}
 
 /// What one robot says of the interval before a frame.
 struct RobotWord
 {
     LeapTest test;
     std::optional<DelayFit> delay;
-    std::int64_t repeats = 0; ///< frames in it
+    std::int64_t repeats = 0, unseen = 0; ///< frames in it that repeat one, or show nothing
     double metresPerPx = 0;
     bool isSameArea = true; ///< as before, by as smooth a course
 
@@ -114,8 +53,9 @@ struct RobotWord
     bool leapsClearly() const
     {
         const double beyond = test.excessPx.norm();
-        return test.apart > clearlyApart && beyond > clearSharpness * test.irregularPx &&
-               beyond > clearlyApart * test.noisePx && beyond * metresPerPx > leastLeapM;
+        return unseen == 0 && test.apart > clearlyApart && beyond > clearSharpness * test.irregularPx &&
+               beyond > clearlyApart * test.noisePx && beyond > leastSteps * test.fastestPx &&
+               beyond * metresPerPx > leastLeapM;
     }
     bool moves() const { return test.stepPx > leastMotion * test.noisePx; }
 };
@@ -127,10 +67,7 @@ public:
     {
         for (const FrameTrack &track : tracks)
             m_tracks.push_back(cleaned(track));
-        std::vector<double> steps;
-        for (std::size_t i = 1; i < frameTimes.size(); ++i)
-            steps.push_back(toSeconds(frameTimes[i] - frameTimes[i - 1]));
-        m_usualS = steps.empty() ? 0 : upperMedian(std::move(steps));
+        m_usualS = toSeconds(spacingOf(frameTimes).usual);
     }
 
     std::vector<FrameStep> search()
@@ -171,8 +108,10 @@ private:
                 const auto around = aroundInterval(track, i);
                 if (!around)
                     continue;
-                const Eigen::Vector2d in = (all[i - 1].px - all[i - 2].px) / double(all[i - 1].frame - all[i - 2].frame),
-                                      out = (all[i + 1].px - all[i].px) / double(all[i + 1].frame - all[i].frame);
+                const Eigen::Vector2d in = (all[i - 1].px - all[i - 2].px) /
+                                           double(all[i - 1].frame - all[i - 2].frame),
+                                      out = (all[i + 1].px - all[i].px) /
+                                            double(all[i + 1].frame - all[i].frame);
                 const double frameCount = double(all[i].frame - all[i - 1].frame);
                 const Eigen::Vector2d beyond = all[i].px - all[i - 1].px - frameCount * (in + out) / 2;
                 const double ofBlow = frameCount * (in - out).norm() / 2;
@@ -187,12 +126,13 @@ private:
     static std::optional<AroundInterval> aroundInterval(const CleanTrack &track, std::size_t index)
     {
         const FrameTrack &all = track.positions;
-        if (all[index].frame - all[index - 1].frame > 1 + mostUnseen)
+        if (all[index].frame - all[index - 1].frame - track.repeatsBefore(index) > 1 + mostUnseen)
             return std::nullopt;
         AroundInterval around;
         around.noisePx = track.noisePx;
         const auto isNear = [&](std::size_t i, std::size_t of) {
-            return std::abs(all[i].frame - all[of].frame) <= std::int64_t(besideInterval) + 2;
+            return std::abs(all[i].frame - all[of].frame) <= std::int64_t(fewestBeside) ||
+                   std::abs(all[i].timeS - all[of].timeS) < besideS;
         };
         for (std::size_t i = index; i-- > 0 && around.before.size() < besideInterval && isNear(i, index - 1);)
             around.before.insert(around.before.begin(), {all[i].timeS, all[i].px});
@@ -216,21 +156,22 @@ private:
             return std::nullopt;
         RobotWord word;
         word.test = leapTest(*around, m_usualS);
-        word.repeats = std::ranges::count_if(track.repeats, [&](std::int64_t repeat) {
-            return repeat > all[index - 1].frame && repeat < all[index].frame;
-        });
+        word.repeats = track.repeatsBefore(index);
+        word.unseen = all[index].frame - all[index - 1].frame - 1 - word.repeats;
         word.metresPerPx = all[index].metresPerPx;
         const double intervalS = all[index].timeS - all[index - 1].timeS;
         if (word.moves())
             word.delay = fitDelay(*around, word.test.noisePx, 0.1 * m_usualS - intervalS,
-                                  double(mostMissing + 1) * m_usualS, m_usualS / 3);
+                                  std::min((mostMissing + 1) * m_usualS, longestMissingS), m_usualS / 3);
         word.isSameArea = isSameArea(all, index, word.delay ? word.delay->delayS : 0);
         return word;
     }
 
     bool isSameArea(const FrameTrack &all, std::size_t index, double delayS) const
     {
-        const auto logOf = [&](std::size_t i) { return std::log(std::max(1.0, all[i].areaPx)); };
+        const auto logOf = [&](std::size_t i) { // as if seen from one distance
+            return std::log(std::max(1e-9, all[i].areaPx * all[i].metresPerPx * all[i].metresPerPx));
+        };
         const auto usual = [&](std::size_t from) {
             std::vector<double> areas;
             for (std::size_t i = from; i < from + fewestBeside; ++i)
@@ -243,7 +184,9 @@ private:
         const double slope = (std::abs(logOf(index - 1) - logOf(first)) +
                               std::abs(logOf(index + fewestBeside - 1) - logOf(index))) /
                              std::max(1e-6, aroundS - (all[index].timeS - all[index - 1].timeS));
-        return std::abs(change) < areaTolerance + (1 + areaShare) * slope * (aroundS + delayS);
+        const double ofScale = 2 * std::abs(std::log(all[index].metresPerPx / all[index - 1].metresPerPx));
+        return std::abs(change) <
+               areaTolerance + areaShare * ofScale + (1 + areaShare) * slope * (aroundS + delayS);
     }
 
     std::optional<FrameStep> stepBefore(std::int64_t frame, double &clearness) const
@@ -275,10 +218,11 @@ private:
         }
         if (!(weights > 0) || gain < leastGain)
             return std::nullopt;
-        const double delayS = sum / weights, sigmaS = 1 / std::sqrt(weights);
+        const double delayS = sum / weights, sigmaS = std::hypot(1 / std::sqrt(weights), cubicShare * delayS);
         const auto frames = std::int64_t(std::lround(delayS / m_usualS));
-        if (frames == 0 || sigmaS > sharpFrame * m_usualS ||
-            std::abs(delayS - double(frames) * m_usualS) > std::max(3 * sigmaS, wholeFrame * m_usualS))
+        if (frames == 0 || sigmaS > std::max(sharpFrame * m_usualS, sharpShare * delayS) ||
+            std::abs(delayS - double(frames) * m_usualS) >
+                std::clamp(3 * sigmaS, wholeFrame * m_usualS, mostOffWhole * m_usualS))
             return std::nullopt;
         for (const RobotWord &word : words) {
             if (word.moves() && !agrees(word, double(frames) * m_usualS))
@@ -302,7 +246,8 @@ private:
     {
         return word.delay && word.delay->misfit <= mostMisfit &&
                std::abs(word.delay->delayS - delayS) <
-                   robotsApartSigmas * std::hypot(word.delay->sigmaS, wholeFrame * m_usualS / 2);
+                   robotsApartSigmas *
+                       std::hypot(word.delay->sigmaS, wholeFrame * m_usualS / 2, cubicShare * delayS);
     }
 
     /// Whether frames were doubled and not the robot stopped for as long.
@@ -352,8 +297,8 @@ FrameTrack frameTrack(const FloorView &view, double heightM, const std::vector<O
 {
     FrameTrack track;
     for (const Observation &seen : observations) {
-        if (!seen.found || seen.isDamaged || seen.touchesBorder ||
-            seen.score < leastSightScore || !seen.ellipse.centrePx.allFinite())
+        if (!seen.found || seen.isDamaged || seen.touchesBorder || seen.score < leastSightScore ||
+            !seen.ellipse.centrePx.allFinite())
             continue;
         const auto here = view.floorFromPixel(seen.ellipse.centrePx, heightM / 2),
                    beside = view.floorFromPixel(seen.ellipse.centrePx + Eigen::Vector2d(1, 0), heightM / 2);

@@ -35,11 +35,12 @@ struct FrameStep
     enum class Kind {
         Lost,    ///< frames are missing, and the stamps go on as if they were not
         Doubled, ///< frames repeat the one before, and later stamps are late
-        Leap     ///< the robot is somewhere else in the next frame; why is not known
+        Leap,    ///< the robot is somewhere else in the next frame; why is not known
+        Repeated ///< all along one frame in so many repeats the one before (FrameConversion)
     };
     Kind kind = Kind::Leap;
     std::int64_t frame = 0;  ///< the first frame after it
-    std::int64_t frames = 0; ///< missing or doubled; 0 of a leap
+    std::int64_t frames = 0; ///< missing or doubled, or in how many one repeats; 0 of a leap
     double leapM = 0;        ///< how far the robots got beyond what the time stamps explain
     ClockStep step;          ///< that corrects the stamps; of length 0 of a leap
 };

@@ -119,8 +119,8 @@ LeapTest leapTest(const AroundInterval &around, double usualS)
     const auto varianceOf = [](const Curve &curve) {
         return curve.squaredSum / double(2 * std::max<Eigen::Index>(1, curve.freedom));
     };
-    test.noisePx = std::sqrt(
-        std::max({around.noisePx * around.noisePx, varianceOf(left), varianceOf(right)}));
+    test.noisePx =
+        std::sqrt(std::max({around.noisePx * around.noisePx, varianceOf(left), varianceOf(right)}));
     test.apart = HUGE_VAL;
     for (int i = 0; i <= momentsTried; ++i) {
         const double atS = fromS + (toS - fromS) * i / momentsTried;
@@ -128,10 +128,11 @@ LeapTest leapTest(const AroundInterval &around, double usualS)
         test.apart = std::min(test.apart, (right.at(atS) - left.at(atS)).norm() / sigma);
     }
     const Eigen::Vector2d in = left.velocityAt(fromS), out = right.velocityAt(toS);
-    test.excessPx = beyondSegment(behind.front().px - before.back().px, in * (toS - fromS),
-                                  out * (toS - fromS));
+    test.excessPx =
+        beyondSegment(behind.front().px - before.back().px, in * (toS - fromS), out * (toS - fromS));
     test.irregularPx = std::max(irregularity(before, usualS), irregularity(behind, usualS));
     test.stepPx = ((in + out) / 2).norm() * usualS;
+    test.fastestPx = std::max(in.norm(), out.norm()) * usualS;
     return test;
 }
 

@@ -25,12 +25,13 @@ inline constexpr std::size_t fewestBeside = 4;
 /// Whether a robot gets over an interval as it moves before and after.
 struct LeapTest
 {
-    /// in σ: how far the parabolas before and after stay apart at every moment of the interval. A blow changes
-    /// the velocity at some moment, at which they meet.
+    /// in σ: how far the parabolas before and after stay apart at every moment of the interval. A blow
+    /// changes the velocity at some moment, at which they meet.
     double apart = 0;
     Eigen::Vector2d excessPx = Eigen::Vector2d::Zero(); ///< beyond what any of both velocities explains
     double irregularPx = 0; ///< the largest change from one step to the next on either side
     double stepPx = 0;      ///< of the mean velocity, in a usual interval
+    double fastestPx = 0;   ///< of the larger velocity, likewise
     double noisePx = 0;     ///< with what the parabolas leave
 };
 LeapTest leapTest(const AroundInterval &around, double usualS);
@@ -43,8 +44,8 @@ struct DelayFit
     double gain = 0;   ///< by how much the delay lowers the squared sum, in variances of the noise
 };
 
-/// Least squares of one cubic through both sides, the second one delayed by leastS to mostS: Gauss–Newton from
-/// the best of a grid. noisePx: as of LeapTest. nullopt: the best is at an end.
+/// Least squares of one cubic through both sides, the second one delayed by leastS to mostS: Gauss–Newton
+/// from the best of a grid. noisePx: as of LeapTest. nullopt: the best is at an end.
 std::optional<DelayFit> fitDelay(const AroundInterval &around, double noisePx, double leastS, double mostS,
                                  double stepS);
 

@@ -12,15 +12,19 @@ namespace odo {
 
 /// Tests the frames of each registered view by the motion of its robots (findFrameSteps), and corrects the
 /// times of the recordings and of all observations where frames are missing or doubled. Doubled frames are
-/// marked as such. What was found is noted in the series (notedSteps), after what was noted of the same view
-/// before: those times are corrected already. noted: of each view. Gives the recordings whose times changed.
+/// marked as such. What was found is noted in the series (notedSteps), with what the import or an earlier
+/// tracking had corrected: there the recording's times are other than the file's. Gives the recordings whose
+/// times changed.
 std::vector<RecordingRecord> correctFrameTimes(std::vector<RegisteredView> &views,
                                                const std::vector<RobotRecord> &robots,
-                                               std::vector<TrackedView> &tracked,
-                                               const std::vector<std::vector<FrameStep>> &noted);
+                                               std::vector<TrackedView> &tracked);
 
 /// What a stored series says of its view's frames; the steps without their times (ClockStep).
 std::vector<FrameStep> notedSteps(const ObservationSeries &series);
+
+/// The times of the frames before which a series notes a leap.
+std::vector<Nanoseconds> leapTimes(const ObservationSeries &series,
+                                   const std::vector<Nanoseconds> &frameTimes);
 
 /// Whole sentences on the steps of one view. view: with the times as corrected.
 std::vector<Message> stepSentences(const std::string &trialName, const RecordingRecord &view,

@@ -126,16 +126,14 @@ struct TrackJob::Impl
     std::vector<TrackedView> stored;           ///< with `again`
     std::vector<std::vector<Sample>> imported; ///< with `again` of imported tracks, one a robot
     std::vector<ObservationSeries> observations;
-    std::vector<std::vector<FrameStep>> notedSteps; ///< of each view, by an earlier tracking
-    std::vector<RecordingRecord> retimed;           ///< recordings whose frame times were corrected
-    std::vector<StoredRobot> others; ///< of the trial, which are not tracked now
+    std::vector<RecordingRecord> retimed; ///< recordings whose frame times were corrected
+    std::vector<StoredRobot> others;      ///< of the trial, which are not tracked now
     /// of each robot; with `again` those of its newest analysis
     std::vector<std::vector<AmbiguousName>> ambiguities;
     TrackOutcome outcome;
 
     Result<void> readOptions(Project &project);
     Result<void> takeImported(Project &project);
-    Result<void> readNotedSteps(Project &project);
     Result<void> analyseAll(std::vector<TrackedView> &tracked);
     Result<TaskAnalysis> analyseOne(std::vector<TrackedView> &tracked, std::size_t robot) const;
     void findOcclusionsIn(const std::vector<TrackedView> &tracked);
@@ -173,7 +171,7 @@ Result<void> TrackJob::prepare(Project &project)
     auto others = ODO_TRY(otherRobots(project, d.trial.id, d.views, d.robots));
     d.others = std::move(others);
     if (!d.settings.again)
-        return d.readNotedSteps(project);
+        return {};
     auto stored = ODO_TRY(storedObservations(project, d.trialName, d.views, d.robots));
     d.stored = std::move(stored);
     return {};
@@ -201,22 +199,6 @@ Result<void> TrackJob::Impl::readOptions(Project &project)
                                                       : project.trials().overrides(trial.id, robot.id));
         its.overrides = std::move(overrides);
         options.push_back(std::move(its));
-    }
-    return {};
-}
-
-/// Of the first of the robots that was tracked before.
-Result<void> TrackJob::Impl::readNotedSteps(Project &project)
-{
-    for (const RegisteredView &view : views) {
-        notedSteps.emplace_back();
-        for (const RobotRecord &robot : robots) {
-            const auto series = ODO_TRY(project.trials().currentObservations(view.recording.id, robot.id));
-            if (!series)
-                continue;
-            notedSteps.back() = odo::notedSteps(*series);
-            break;
-        }
     }
     return {};
 }
@@ -255,7 +237,7 @@ Result<void> TrackJob::run(const JobControl &control)
     if (!d.settings.again)
         d.ambiguities = ambiguousNamesOf(tracked->ambiguities, d.robots);
     if (!d.settings.again)
-        d.retimed = correctFrameTimes(d.views, d.robots, tracked->views, d.notedSteps);
+        d.retimed = correctFrameTimes(d.views, d.robots, tracked->views);
     d.outcome.warnings = stepWarnings(d.trialName, d.views);
     for (Message &warning : frameStepWarnings(d.trialName, d.views, tracked->views))
         d.outcome.warnings.push_back(std::move(warning));

@@ -13,6 +13,7 @@
 #include "core/video/frame_stream.h"
 #include "core/workflow/shared_words.h"
 #include "core/workflow/track/frame_damage.h"
+#include "core/workflow/track/frame_steps.h"
 #include "core/workflow/track/track_warnings.h"
 #include "core/workflow/trial_sources.h"
 
@@ -153,6 +154,7 @@ Result<TrackedView> trackView(const RegisteredView &view, const std::vector<Robo
     FrameStream stream(std::move(reader), byRegion ? 0 : framesAhead);
 
     TrackedView tracked;
+    tracked.fileTimes = stream.info().frameTimes;
     tracked.background = std::move(background);
     LightMeter lightMeter;
     CameraWatch watch;
@@ -351,7 +353,8 @@ std::vector<ViewTrack> takeViewTracks(const std::vector<RegisteredView> &views,
         std::vector<Observation> observations = std::move(tracked[v].series[robot].observations);
         insertDamaged(observations, recording.frameTimes);
         tracks.push_back({recording.cameraName, views[v].floorView, fromSeconds(recording.startOffsetS),
-                          std::move(observations), recording.clockRate, recording.startOffsetSigmaS});
+                          std::move(observations), recording.clockRate, recording.startOffsetSigmaS,
+                          leapTimes(tracked[v].series[robot], recording.frameTimes)});
     }
     return tracks;
 }
