@@ -19,7 +19,8 @@ namespace {
 constexpr double leastSightScore = 0.5;    // of an observation
 constexpr std::size_t besideInterval = 12; // positions that are fitted on each side, within
 constexpr double besideS = 0.4;
-constexpr std::int64_t mostUnseen = 6;                     // frames without a position in the interval
+constexpr std::int64_t mostUnseenOfLeap = 1; // frames: in more a board may have hidden the robot
+constexpr std::int64_t mostUnseen = 6;       // frames without a position in the interval
 constexpr double mostMissing = 15, longestMissingS = 0.55; // frames; over more no cubic follows a robot
 // of a leap, in σ, and against how uneven the motion is anyway
 constexpr double leastApart = 6, leastBeyond = 6, leastSharpness = 2;
@@ -31,6 +32,9 @@ constexpr double wholeFrame = 0.15, sharpFrame = 0.18; // of an interval: off a 
 constexpr double mostOffWhole = 0.4;
 constexpr double sharpShare = 0.07; // likewise, of a long delay
 constexpr double cubicShare = 0.02; // of a delay: σ of how far a cubic follows a robot that long
+// of frozen frames: how far one lies from another, and the leap against the way at the speed before and after
+constexpr double frozenPx = 0.3, leastFrozenWay = 0.3, mostFrozenWay = 1.3;
+constexpr std::int64_t fewestFrozen = 3;
 constexpr double areaTolerance = 0.06, areaShare = 0.5;
 // of a robot that might stop and start from one frame to the next
 constexpr double hardestMps2 = 8, steadyShare = 0.25;
@@ -41,6 +45,7 @@ struct RobotWord
     LeapTest test;
     std::optional<DelayFit> delay;
     std::int64_t repeats = 0, unseen = 0; ///< frames in it that repeat one, or show nothing
+    std::int64_t frozen = 0;              ///< frames before it that repeat one, while the robot went on
     double metresPerPx = 0;
     bool isSameArea = true; ///< as before, by as smooth a course
 
@@ -53,9 +58,9 @@ struct RobotWord
     bool leapsClearly() const
     {
         const double beyond = test.excessPx.norm();
-        return unseen == 0 && test.apart > clearlyApart && beyond > clearSharpness * test.irregularPx &&
-               beyond > clearlyApart * test.noisePx && beyond > leastSteps * test.fastestPx &&
-               beyond * metresPerPx > leastLeapM;
+        return unseen <= mostUnseenOfLeap && test.apart > clearlyApart &&
+               beyond > clearSharpness * test.irregularPx && beyond > clearlyApart * test.noisePx &&
+               beyond > leastSteps * test.fastestPx && beyond * metresPerPx > leastLeapM;
     }
     bool moves() const { return test.stepPx > leastMotion * test.noisePx; }
 };
@@ -163,8 +168,34 @@ private:
         if (word.moves())
             word.delay = fitDelay(*around, word.test.noisePx, 0.1 * m_usualS - intervalS,
                                   std::min((mostMissing + 1) * m_usualS, longestMissingS), m_usualS / 3);
+        if (word.leapsClearly())
+            word.frozen = frozenBefore(all, index);
         word.isSameArea = isSameArea(all, index, word.delay ? word.delay->delayS : 0);
         return word;
+    }
+
+    /// How many frames before a leap show the robot where the one before them does, if it moved up to there
+    /// and leaps about as far as it would have got meanwhile.
+    std::int64_t frozenBefore(const FrameTrack &all, std::size_t index) const
+    {
+        std::size_t first = index - 1; // that is shown again
+        while (first > 0 && (all[first - 1].px - all[index - 1].px).norm() < frozenPx)
+            --first;
+        const std::int64_t frames = all[index].frame - all[first].frame - 1;
+        if (first < fewestBeside || index + fewestBeside > all.size() || frames < fewestFrozen)
+            return 0;
+        const auto speedOf = [&](std::size_t from) {
+            const std::size_t to = from + fewestBeside - 1;
+            return (all[to].px - all[from].px).norm() / (all[to].timeS - all[from].timeS);
+        };
+        const double before = speedOf(first + 1 - fewestBeside), behind = speedOf(index),
+                     leapPx = (all[index].px - all[first].px).norm(),
+                     lengthS = all[index].timeS - all[first].timeS;
+        const bool moved = before * m_usualS > frozenPx && behind * m_usualS > frozenPx;
+        return moved && leapPx < mostFrozenWay * std::max(before, behind) * lengthS &&
+                       leapPx > leastFrozenWay * std::min(before, behind) * lengthS
+                   ? frames
+                   : 0;
     }
 
     bool isSameArea(const FrameTrack &all, std::size_t index, double delayS) const
@@ -270,6 +301,11 @@ private:
         FrameStep step;
         step.frame = frame;
         fillLeap(words, step);
+        for (const RobotWord &word : words)
+            if (word.leapsClearly() && word.frozen > step.frames) {
+                step.kind = FrameStep::Kind::Frozen;
+                step.frames = word.frozen;
+            }
         return step;
     }
 
@@ -325,7 +361,7 @@ ClockRepair repairOf(const std::vector<FrameStep> &steps)
 {
     ClockRepair repair;
     for (const FrameStep &step : steps)
-        if (step.kind != FrameStep::Kind::Leap)
+        if (step.step.lengthS != 0)
             repair.steps.push_back(step.step);
     return repair;
 }

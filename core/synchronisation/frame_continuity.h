@@ -36,13 +36,14 @@ struct FrameStep
         Lost,    ///< frames are missing, and the stamps go on as if they were not
         Doubled, ///< frames repeat the one before, and later stamps are late
         Leap,    ///< the robot is somewhere else in the next frame; why is not known
+        Frozen,  ///< frames repeat the one before, and then the robot is where it would have got meanwhile
         Repeated ///< all along one frame in so many repeats the one before (FrameConversion)
     };
     Kind kind = Kind::Leap;
     std::int64_t frame = 0;  ///< the first frame after it
-    std::int64_t frames = 0; ///< missing or doubled, or in how many one repeats; 0 of a leap
+    std::int64_t frames = 0; ///< missing, doubled or frozen, or in how many one repeats; 0 of a leap
     double leapM = 0;        ///< how far the robots got beyond what the time stamps explain
-    ClockStep step;          ///< that corrects the stamps; of length 0 of a leap
+    ClockStep step;          ///< that corrects the stamps; of length 0 of others
 };
 
 /// Tests each interval between two frames of one view by how the robots move: over lost frames all of them
@@ -55,7 +56,7 @@ struct FrameStep
 std::vector<FrameStep> findFrameSteps(const std::vector<FrameTrack> &tracks,
                                       const std::vector<Nanoseconds> &frameTimes);
 
-/// What corrects the stamps: of all but leaps.
+/// What corrects the stamps: of lost and doubled frames.
 ClockRepair repairOf(const std::vector<FrameStep> &steps);
 
 } // namespace odo

@@ -14,7 +14,18 @@
 namespace odo::test {
 
 /// What becomes of the frames of one view, all stamped evenly; or what the robot does that looks like it.
-enum class FrameFault { None, Lost, Doubled, Frozen, Pause, Converted, StopAndGo, Struck, Hidden };
+enum class FrameFault {
+    None,
+    Lost,
+    Doubled,
+    Frozen,
+    Pause,
+    LongFrozen,
+    Converted,
+    StopAndGo,
+    Struck,
+    Hidden
+};
 
 /// A view's observations of a robot, with the truth.
 struct FaultyView
@@ -136,7 +147,8 @@ private:
                 repeats[i] = 2;
             return repeats;
         }
-        const int places = m_fault == FrameFault::Pause ? 1 : 1 + int(3 * unit());
+        const bool isLong = m_fault == FrameFault::Pause || m_fault == FrameFault::LongFrozen;
+        const int places = isLong ? 1 : 1 + int(3 * unit());
         for (int place = 0; place < places; ++place) {
             // one in each third, so that none spoils another
             const auto at = std::size_t((0.1 + (place + 0.8 * unit()) * 0.8 / places) * double(count));
@@ -146,6 +158,11 @@ private:
                 std::fill_n(repeats.begin() + std::ptrdiff_t(at), int((0.6 + 1.4 * unit()) * m_view.rate), 0);
             if (m_fault == FrameFault::Doubled)
                 repeats[at] = 2 + int(4 * unit());
+            if (m_fault == FrameFault::LongFrozen && place == 0) {
+                const int frozen = int((0.3 + 0.9 * unit()) * m_view.rate);
+                repeats[at] = 1 + frozen;
+                std::fill_n(repeats.begin() + std::ptrdiff_t(at) + 1, frozen, 0);
+            }
             if (m_fault == FrameFault::Frozen) { // and the frames after it are not shown
                 const int frozen = 1 + int(4 * unit());
                 repeats[at] = 1 + frozen;

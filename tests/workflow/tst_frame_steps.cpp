@@ -152,6 +152,10 @@ private Q_SLOTS:
                 "view 'A' in trial 'run': after 3.30 s the robot is suddenly 250 mm away: frames are "
                 "missing for an unknown time, or another object was tracked; nothing was measured across "
                 "it"});
+        QCOMPARE(
+            said({stepOf(FrameStep::Kind::Frozen, 4, 34)}),
+            std::vector<std::string>{"view 'A' in trial 'run': after 2.90 s 4 frames show the same image "
+                                     "while the robot went on; they were not measured"});
         std::vector<FrameStep> many;
         for (int i = 1; i < 9; ++i)
             many.push_back(stepOf(FrameStep::Kind::Lost, 1, 10 * i));

@@ -19,7 +19,7 @@ namespace {
 
 // behind the tracker's version in a series
 constexpr const char *lostWords = "; lost ", *doubledWords = "; doubled ", *leapWords = "; leap ",
-                     *repeatedWords = "; repeated ";
+                     *repeatedWords = "; repeated ", *frozenWords = "; frozen ";
 constexpr std::size_t mostNoted = 30; ///< of a view; more say nothing else
 constexpr std::size_t mostSaid = 3;   ///< one by one
 constexpr double leastOfFrame = 0.6;  ///< that times are corrected by
@@ -33,6 +33,8 @@ const char *wordsOf(FrameStep::Kind kind)
         return doubledWords;
     case FrameStep::Kind::Repeated:
         return repeatedWords;
+    case FrameStep::Kind::Frozen:
+        return frozenWords;
     case FrameStep::Kind::Leap:
         break;
     }
@@ -54,8 +56,8 @@ void note(const std::vector<FrameStep> &steps, std::string &algorithm)
 bool isDoubledIn(const std::vector<FrameStep> &steps, std::int64_t frame)
 {
     return std::ranges::any_of(steps, [frame](const FrameStep &step) {
-        return step.kind == FrameStep::Kind::Doubled && frame < step.frame &&
-               frame >= step.frame - step.frames;
+        return (step.kind == FrameStep::Kind::Doubled || step.kind == FrameStep::Kind::Frozen) &&
+               frame < step.frame && frame >= step.frame - step.frames;
     });
 }
 
@@ -119,15 +121,13 @@ bool correctSteps(RegisteredView &view, const std::vector<RobotRecord> &robots, 
 {
     const auto found = findFrameSteps(tracksIn(view, robots, tracked), view.recording.frameTimes);
     std::ranges::copy_if(found, std::back_inserter(steps),
-                         [](const FrameStep &step) { return step.kind == FrameStep::Kind::Leap; });
+                         [](const FrameStep &step) { return step.step.lengthS == 0; });
     const ClockRepair repair = repairOf(found);
-    if (repair.steps.empty())
-        return false;
     std::vector<Nanoseconds> times = view.recording.frameTimes;
     for (Nanoseconds &time : times)
         time = fromSeconds(repair.timeS(toSeconds(time)));
     retime(view, tracked, std::move(times), [&](std::int64_t frame) { return isDoubledIn(found, frame); });
-    return true;
+    return !repair.steps.empty();
 }
 
 /// Where a recording's times go on otherwise than the file's stamps, by most of a frame or more. A camera's
@@ -183,7 +183,7 @@ std::vector<FrameStep> notedSteps(const ObservationSeries &series)
 {
     std::vector<FrameStep> steps;
     using enum FrameStep::Kind;
-    for (const auto kind : {Repeated, Lost, Doubled, Leap}) {
+    for (const auto kind : {Repeated, Lost, Doubled, Frozen, Leap}) {
         const char *words = wordsOf(kind);
         for (std::size_t at = series.algorithm.find(words); at != std::string::npos;
              at = series.algorithm.find(words, at + 1)) {
@@ -240,6 +240,10 @@ Message stepWords(const FrameStep &step, MessageArgument at)
         return ODO_TEXT("workflow.video_converted",
                         "one frame in %1 repeats the one before, because the video was converted to a higher "
                         "frame rate; its frames were given the times at which they were taken")(step.frames);
+    case FrameStep::Kind::Frozen:
+        return ODO_TEXT("workflow.frames_frozen",
+                        "after %1 %2 frames show the same image while the robot went on; they were not "
+                        "measured")(std::move(at), step.frames);
     case FrameStep::Kind::Leap:
         break;
     }
@@ -256,7 +260,10 @@ std::vector<Message> stepSentences(const std::string &trialName, const Recording
 {
     const auto at = [&](const FrameStep &step) {
         const auto before = std::size_t(std::max<std::int64_t>(
-            0, step.frame - 1 - (step.kind == FrameStep::Kind::Doubled ? step.frames : 0)));
+            0,
+            step.frame - 1 -
+                (step.kind == FrameStep::Kind::Doubled || step.kind == FrameStep::Kind::Frozen ? step.frames
+                                                                                               : 0)));
         const bool isKnown = before < view.frameTimes.size();
         return quantity(isKnown ? toSeconds(clockOf(view).commonTime(view.frameTimes[before])) : 0, 2, "s");
     };
