@@ -28,16 +28,17 @@ constexpr double clearlyApart = 12, clearSharpness = 5, leastLeapM = 0.05,
                  leastSteps = 1.5; // where nothing explains it
 constexpr double leastMotion = 4;  // σ in a usual interval, of a robot that shows time
 constexpr double mostMisfit = 4, leastGain = 40, robotsApartSigmas = 4;
-constexpr double wholeFrame = 0.15, sharpFrame = 0.18; // of an interval: off a whole number, and the σ
+constexpr double wholeFrame = 0.15, sharpFrame = 0.25; // of an interval: off a whole number, and the σ
 constexpr double mostOffWhole = 0.4;
-constexpr double sharpShare = 0.07; // likewise, of a long delay
+constexpr double slowNoise = 1.5;   // factor on the σ of white noise, for errors that change slowly
+constexpr double sharpShare = 0.1;  // likewise, of a long delay
 constexpr double cubicShare = 0.02; // of a delay: σ of how far a cubic follows a robot that long
 // of frozen frames: how far one lies from another, and the leap against the way at the speed before and after
 constexpr double frozenPx = 0.3, leastFrozenWay = 0.3, mostFrozenWay = 1.3;
 constexpr std::int64_t fewestFrozen = 3;
 constexpr double areaTolerance = 0.06, areaShare = 0.5;
 // of a robot that might stop and start from one frame to the next
-constexpr double hardestMps2 = 8, steadyShare = 0.25;
+constexpr double hardestMps2 = 8, steadyShare = 0.25, mostSteadyShare = 0.4, steadyNoise = 6;
 
 /// What one robot says of the interval before a frame.
 struct RobotWord
@@ -249,7 +250,8 @@ private:
         }
         if (!(weights > 0) || gain < leastGain)
             return std::nullopt;
-        const double delayS = sum / weights, sigmaS = std::hypot(1 / std::sqrt(weights), cubicShare * delayS);
+        const double delayS = sum / weights,
+                     sigmaS = std::hypot(slowNoise / std::sqrt(weights), cubicShare * delayS);
         const auto frames = std::int64_t(std::lround(delayS / m_usualS));
         if (frames == 0 || sigmaS > std::max(sharpFrame * m_usualS, sharpShare * delayS) ||
             std::abs(delayS - double(frames) * m_usualS) >
@@ -286,7 +288,9 @@ private:
     {
         const double changeMps2 = word.test.stepPx * word.metresPerPx / (m_usualS * m_usualS);
         return word.repeats == -frames && changeMps2 > hardestMps2 &&
-               word.test.irregularPx < steadyShare * word.test.stepPx;
+               word.test.irregularPx < std::clamp(steadyNoise * word.test.noisePx,
+                                                  steadyShare * word.test.stepPx,
+                                                  mostSteadyShare * word.test.stepPx);
     }
 
     /// A leap that nothing explains, of all robots that move or of one that is alone.
