@@ -20640,8 +20640,8 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
 <context>
     <name>workflow.clock_restarts</name>
     <message>
-        <source>its time stamps begin again after %1: two files were joined, or the camera&apos;s clock was reset</source>
-        <translation>ihre Zeitstempel beginnen nach %1 von vorn: Zwei Dateien wurden verbunden, oder die Uhr der Kamera wurde zurückgesetzt</translation>
+        <source>its time stamps begin again or stand still after %1: two files were joined, or the camera&apos;s clock was reset</source>
+        <translation>ihre Zeitstempel beginnen nach %1 von vorn oder bleiben stehen: Zwei Dateien wurden verbunden, oder die Uhr der Kamera wurde zurückgesetzt</translation>
     </message>
 </context>
 <context>
@@ -20834,6 +20834,13 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
 </context>
 <context>
+    <name>workflow.film_progressive</name>
+    <message>
+        <source>choose a progressive mode of the camera (p, not i)</source>
+        <translation>wählen Sie einen progressiven Modus der Kamera (p statt i)</translation>
+    </message>
+</context>
+<context>
     <name>workflow.first_label_wrong</name>
     <message>
         <source>view &apos;%1&apos; was recorded at %2, its file says %3, so speeds and times are wrong by %4</source>
@@ -20897,6 +20904,20 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
 </context>
 <context>
+    <name>workflow.frames_doubled_unseen</name>
+    <message>
+        <source>after %1 %2 frames repeat the one before, and its time stamps count them as time; later times were corrected</source>
+        <translation>nach %1 wiederholen %2 Bilder das vorige, und die Zeitstempel zählen sie als Zeit; spätere Zeiten wurden berichtigt</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.frames_frozen</name>
+    <message>
+        <source>after %1 %2 frames show the same image while the robot went on; they were not measured</source>
+        <translation>nach %1 zeigen %2 Bilder dasselbe, während der Roboter weiterfuhr; sie wurden nicht ausgewertet</translation>
+    </message>
+</context>
+<context>
     <name>workflow.frames_lost</name>
     <message>
         <source>after %1 the frames of %2 are missing, because the camera paused or lost them; later times were corrected</source>
@@ -20908,6 +20929,13 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>%1 without a frame, where %2 is usual; frames are missing, or its time stamps jump</source>
         <translation>%1 ohne Bild, üblich sind %2; es fehlen Bilder, oder die Zeitstempel springen</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.frames_missing_unseen</name>
+    <message>
+        <source>after %1 %2 frames are missing that its time stamps do not show: the robot moves too far; later times were corrected</source>
+        <translation>nach %1 fehlen %2 Bilder, ohne dass die Zeitstempel es zeigen: Der Roboter kommt zu weit; spätere Zeiten wurden berichtigt</translation>
     </message>
 </context>
 <context>
@@ -21076,6 +21104,13 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>interface &apos;%1&apos; of live positions</source>
         <translation>Schnittstelle &apos;%1&apos; der laufenden Orte</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.interlaced</name>
+    <message>
+        <source>it is interlaced: each frame holds two fields taken one after the other, and only the first is used, so the image has half its lines and positions are less certain</source>
+        <translation>es hat Halbbilder (interlaced): Jedes Bild enthält zwei nacheinander aufgenommene Halbbilder, und nur das erste wird verwendet; das Bild hat so nur die halbe Zeilenzahl, und Positionen sind unsicherer</translation>
     </message>
 </context>
 <context>
@@ -21335,6 +21370,13 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>%1 of %2 were measured; lengths, times and maxima are at least as large as stated</source>
         <translation>%1 von %2 wurden gemessen; Längen, Zeiten und Höchstwerte sind mindestens so groß wie angegeben</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.more_frame_steps</name>
+    <message>
+        <source>up to %1 its frames are wrong at %2 more moments in the same way</source>
+        <translation>bis %1 sind ihre Bilder an %2 weiteren Stellen ebenso falsch</translation>
     </message>
 </context>
 <context>
@@ -21685,6 +21727,20 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>one of them tracks another object, or has moved since its registration</source>
         <translation>eine von ihnen folgt etwas anderem oder steht nicht dort, wo sie eingemessen wurde</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.one_frame_doubled</name>
+    <message>
+        <source>after %1 a frame repeats the one before, and its time stamps count it as time; later times were corrected</source>
+        <translation>nach %1 wiederholt ein Bild das vorige, und die Zeitstempel zählen es als Zeit; spätere Zeiten wurden berichtigt</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.one_frame_missing</name>
+    <message>
+        <source>after %1 a frame is missing that its time stamps do not show: the robot moves too far; later times were corrected</source>
+        <translation>nach %1 fehlt ein Bild, ohne dass die Zeitstempel es zeigen: Der Roboter kommt zu weit; spätere Zeiten wurden berichtigt</translation>
     </message>
 </context>
 <context>
@@ -22185,6 +22241,13 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
 </context>
 <context>
+    <name>workflow.robot_leaps</name>
+    <message>
+        <source>after %1 the robot is suddenly %2 away: frames are missing for an unknown time, or another object was tracked; nothing was measured across it</source>
+        <translation>nach %1 ist der Roboter plötzlich %2 entfernt: Es fehlen Bilder für unbekannte Zeit, oder ein anderes Objekt wurde verfolgt; darüber hinweg wurde nichts gemessen</translation>
+    </message>
+</context>
+<context>
     <name>workflow.robot_not_tracked</name>
     <message>
         <source>robot &apos;%1&apos; was not tracked in it, only %2</source>
@@ -22546,6 +22609,13 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>video &apos;%1&apos;</source>
         <translation>Video &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.video_converted</name>
+    <message>
+        <source>one frame in %1 repeats the one before, because the video was converted to a higher frame rate; its frames were given the times at which they were taken</source>
+        <translation>eines von %1 Bildern wiederholt das vorige, weil das Video in eine höhere Bildrate umgewandelt wurde; die Bilder erhielten die Zeiten, zu denen sie aufgenommen wurden</translation>
     </message>
 </context>
 <context>

@@ -20640,8 +20640,8 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
 <context>
     <name>workflow.clock_restarts</name>
     <message>
-        <source>its time stamps begin again after %1: two files were joined, or the camera&apos;s clock was reset</source>
-        <translation>sus marcas de tiempo empiezan de nuevo tras %1: se unieron dos archivos o se reinició el reloj de la cámara</translation>
+        <source>its time stamps begin again or stand still after %1: two files were joined, or the camera&apos;s clock was reset</source>
+        <translation>sus marcas de tiempo empiezan de nuevo o se detienen tras %1: se unieron dos archivos o se reinició el reloj de la cámara</translation>
     </message>
 </context>
 <context>
@@ -20834,6 +20834,13 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     </message>
 </context>
 <context>
+    <name>workflow.film_progressive</name>
+    <message>
+        <source>choose a progressive mode of the camera (p, not i)</source>
+        <translation>elija un modo progresivo de la cámara (p, no i)</translation>
+    </message>
+</context>
+<context>
     <name>workflow.first_label_wrong</name>
     <message>
         <source>view &apos;%1&apos; was recorded at %2, its file says %3, so speeds and times are wrong by %4</source>
@@ -20897,6 +20904,20 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     </message>
 </context>
 <context>
+    <name>workflow.frames_doubled_unseen</name>
+    <message>
+        <source>after %1 %2 frames repeat the one before, and its time stamps count them as time; later times were corrected</source>
+        <translation>después de %1 %2 fotogramas repiten el anterior y sus marcas de tiempo los cuentan como tiempo; los tiempos posteriores se corrigieron</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.frames_frozen</name>
+    <message>
+        <source>after %1 %2 frames show the same image while the robot went on; they were not measured</source>
+        <translation>después de %1, %2 fotogramas muestran la misma imagen mientras el robot seguía; no se midieron</translation>
+    </message>
+</context>
+<context>
     <name>workflow.frames_lost</name>
     <message>
         <source>after %1 the frames of %2 are missing, because the camera paused or lost them; later times were corrected</source>
@@ -20908,6 +20929,13 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <message>
         <source>%1 without a frame, where %2 is usual; frames are missing, or its time stamps jump</source>
         <translation>%1 sin fotograma, cuando lo habitual es %2; faltan fotogramas o saltan sus marcas de tiempo</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.frames_missing_unseen</name>
+    <message>
+        <source>after %1 %2 frames are missing that its time stamps do not show: the robot moves too far; later times were corrected</source>
+        <translation>después de %1 faltan %2 fotogramas que sus marcas de tiempo no muestran: el robot avanza demasiado; los tiempos posteriores se corrigieron</translation>
     </message>
 </context>
 <context>
@@ -21076,6 +21104,13 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <message>
         <source>interface &apos;%1&apos; of live positions</source>
         <translation>interfaz &apos;%1&apos; de las posiciones en vivo</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.interlaced</name>
+    <message>
+        <source>it is interlaced: each frame holds two fields taken one after the other, and only the first is used, so the image has half its lines and positions are less certain</source>
+        <translation>es entrelazado: cada fotograma contiene dos campos tomados uno tras otro y solo se usa el primero, por lo que la imagen tiene la mitad de líneas y las posiciones son menos seguras</translation>
     </message>
 </context>
 <context>
@@ -21335,6 +21370,13 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <message>
         <source>%1 of %2 were measured; lengths, times and maxima are at least as large as stated</source>
         <translation>se midieron %1 de %2; longitudes, tiempos y máximos son al menos los indicados</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.more_frame_steps</name>
+    <message>
+        <source>up to %1 its frames are wrong at %2 more moments in the same way</source>
+        <translation>hasta %1 sus fotogramas son incorrectos en %2 momentos más de la misma manera</translation>
     </message>
 </context>
 <context>
@@ -21685,6 +21727,20 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <message>
         <source>one of them tracks another object, or has moved since its registration</source>
         <translation>una de ellas sigue otra cosa, o no está donde se registró</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.one_frame_doubled</name>
+    <message>
+        <source>after %1 a frame repeats the one before, and its time stamps count it as time; later times were corrected</source>
+        <translation>después de %1 un fotograma repite el anterior y sus marcas de tiempo lo cuentan como tiempo; los tiempos posteriores se corrigieron</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.one_frame_missing</name>
+    <message>
+        <source>after %1 a frame is missing that its time stamps do not show: the robot moves too far; later times were corrected</source>
+        <translation>después de %1 falta un fotograma que sus marcas de tiempo no muestran: el robot avanza demasiado; los tiempos posteriores se corrigieron</translation>
     </message>
 </context>
 <context>
@@ -22185,6 +22241,13 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     </message>
 </context>
 <context>
+    <name>workflow.robot_leaps</name>
+    <message>
+        <source>after %1 the robot is suddenly %2 away: frames are missing for an unknown time, or another object was tracked; nothing was measured across it</source>
+        <translation>después de %1 el robot está de pronto a %2: faltan fotogramas durante un tiempo desconocido o se siguió otro objeto; a través de ese punto no se midió nada</translation>
+    </message>
+</context>
+<context>
     <name>workflow.robot_not_tracked</name>
     <message>
         <source>robot &apos;%1&apos; was not tracked in it, only %2</source>
@@ -22546,6 +22609,13 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <message>
         <source>video &apos;%1&apos;</source>
         <translation>video &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.video_converted</name>
+    <message>
+        <source>one frame in %1 repeats the one before, because the video was converted to a higher frame rate; its frames were given the times at which they were taken</source>
+        <translation>uno de cada %1 fotogramas repite el anterior, porque el vídeo se convirtió a una frecuencia de fotogramas mayor; sus fotogramas recibieron los tiempos en que se tomaron</translation>
     </message>
 </context>
 <context>

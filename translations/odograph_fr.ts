@@ -20640,8 +20640,8 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>workflow.clock_restarts</name>
     <message>
-        <source>its time stamps begin again after %1: two files were joined, or the camera&apos;s clock was reset</source>
-        <translation>ses horodatages recommencent après %1 : deux fichiers ont été réunis, ou l&apos;horloge de la caméra a été remise à zéro</translation>
+        <source>its time stamps begin again or stand still after %1: two files were joined, or the camera&apos;s clock was reset</source>
+        <translation>ses horodatages recommencent ou s&apos;arrêtent après %1 : deux fichiers ont été réunis, ou l&apos;horloge de la caméra a été remise à zéro</translation>
     </message>
 </context>
 <context>
@@ -20834,6 +20834,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
 </context>
 <context>
+    <name>workflow.film_progressive</name>
+    <message>
+        <source>choose a progressive mode of the camera (p, not i)</source>
+        <translation>choisissez un mode progressif de la caméra (p et non i)</translation>
+    </message>
+</context>
+<context>
     <name>workflow.first_label_wrong</name>
     <message>
         <source>view &apos;%1&apos; was recorded at %2, its file says %3, so speeds and times are wrong by %4</source>
@@ -20897,6 +20904,20 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
 </context>
 <context>
+    <name>workflow.frames_doubled_unseen</name>
+    <message>
+        <source>after %1 %2 frames repeat the one before, and its time stamps count them as time; later times were corrected</source>
+        <translation>après %1, %2 images répètent la précédente, et ses horodatages les comptent comme du temps ; les temps suivants ont été corrigés</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.frames_frozen</name>
+    <message>
+        <source>after %1 %2 frames show the same image while the robot went on; they were not measured</source>
+        <translation>après %1, %2 images montrent la même vue alors que le robot avançait ; elles n&apos;ont pas été mesurées</translation>
+    </message>
+</context>
+<context>
     <name>workflow.frames_lost</name>
     <message>
         <source>after %1 the frames of %2 are missing, because the camera paused or lost them; later times were corrected</source>
@@ -20908,6 +20929,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>%1 without a frame, where %2 is usual; frames are missing, or its time stamps jump</source>
         <translation>%1 sans image, au lieu de %2 d&apos;habitude ; des images manquent, ou les horodatages sautent</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.frames_missing_unseen</name>
+    <message>
+        <source>after %1 %2 frames are missing that its time stamps do not show: the robot moves too far; later times were corrected</source>
+        <translation>après %1, %2 images manquent sans que ses horodatages le montrent : le robot avance trop loin ; les temps suivants ont été corrigés</translation>
     </message>
 </context>
 <context>
@@ -21076,6 +21104,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>interface &apos;%1&apos; of live positions</source>
         <translation>interface &apos;%1&apos; des positions en direct</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.interlaced</name>
+    <message>
+        <source>it is interlaced: each frame holds two fields taken one after the other, and only the first is used, so the image has half its lines and positions are less certain</source>
+        <translation>elle est entrelacée : chaque image contient deux trames prises l&apos;une après l&apos;autre, et seule la première est utilisée ; l&apos;image n&apos;a donc que la moitié de ses lignes et les positions sont moins sûres</translation>
     </message>
 </context>
 <context>
@@ -21335,6 +21370,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>%1 of %2 were measured; lengths, times and maxima are at least as large as stated</source>
         <translation>%1 sur %2 ont été mesurés ; longueurs, durées et maxima valent au moins ce qui est indiqué</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.more_frame_steps</name>
+    <message>
+        <source>up to %1 its frames are wrong at %2 more moments in the same way</source>
+        <translation>jusqu&apos;à %1, ses images sont fausses de la même façon à %2 autres moments</translation>
     </message>
 </context>
 <context>
@@ -21685,6 +21727,20 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>one of them tracks another object, or has moved since its registration</source>
         <translation>l’une d’elles suit autre chose, ou n’est plus là où elle a été localisée</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.one_frame_doubled</name>
+    <message>
+        <source>after %1 a frame repeats the one before, and its time stamps count it as time; later times were corrected</source>
+        <translation>après %1, une image répète la précédente, et ses horodatages la comptent comme du temps ; les temps suivants ont été corrigés</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.one_frame_missing</name>
+    <message>
+        <source>after %1 a frame is missing that its time stamps do not show: the robot moves too far; later times were corrected</source>
+        <translation>après %1, une image manque sans que ses horodatages le montrent : le robot avance trop loin ; les temps suivants ont été corrigés</translation>
     </message>
 </context>
 <context>
@@ -22185,6 +22241,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
 </context>
 <context>
+    <name>workflow.robot_leaps</name>
+    <message>
+        <source>after %1 the robot is suddenly %2 away: frames are missing for an unknown time, or another object was tracked; nothing was measured across it</source>
+        <translation>après %1, le robot est soudain à %2 : des images manquent pendant une durée inconnue, ou un autre objet a été suivi ; rien n&apos;a été mesuré à travers ce saut</translation>
+    </message>
+</context>
+<context>
     <name>workflow.robot_not_tracked</name>
     <message>
         <source>robot &apos;%1&apos; was not tracked in it, only %2</source>
@@ -22546,6 +22609,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>video &apos;%1&apos;</source>
         <translation>vidéo &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.video_converted</name>
+    <message>
+        <source>one frame in %1 repeats the one before, because the video was converted to a higher frame rate; its frames were given the times at which they were taken</source>
+        <translation>une image sur %1 répète la précédente, car la vidéo a été convertie à une fréquence d&apos;images plus élevée ; ses images ont reçu les temps auxquels elles ont été prises</translation>
     </message>
 </context>
 <context>

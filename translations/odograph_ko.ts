@@ -20601,8 +20601,8 @@ Much more than expected means that a setting is wrong: the views are not synchro
 <context>
     <name>workflow.clock_restarts</name>
     <message>
-        <source>its time stamps begin again after %1: two files were joined, or the camera&apos;s clock was reset</source>
-        <translation>타임스탬프가 %1 후에 다시 시작됩니다. 두 파일을 이어 붙였거나 카메라 시계가 초기화되었습니다</translation>
+        <source>its time stamps begin again or stand still after %1: two files were joined, or the camera&apos;s clock was reset</source>
+        <translation>타임스탬프가 %1 후에 다시 시작되거나 멈춥니다. 두 파일을 이어 붙였거나 카메라 시계가 초기화되었습니다</translation>
     </message>
 </context>
 <context>
@@ -20795,6 +20795,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>workflow.film_progressive</name>
+    <message>
+        <source>choose a progressive mode of the camera (p, not i)</source>
+        <translation>카메라의 순차 주사 모드(i가 아닌 p)를 선택하십시오</translation>
+    </message>
+</context>
+<context>
     <name>workflow.first_label_wrong</name>
     <message>
         <source>view &apos;%1&apos; was recorded at %2, its file says %3, so speeds and times are wrong by %4</source>
@@ -20858,6 +20865,20 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>workflow.frames_doubled_unseen</name>
+    <message>
+        <source>after %1 %2 frames repeat the one before, and its time stamps count them as time; later times were corrected</source>
+        <translation>%1 이후 프레임 %2개가 앞 프레임을 반복하며, 타임스탬프는 이를 시간으로 셉니다. 이후의 시간은 보정되었습니다</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.frames_frozen</name>
+    <message>
+        <source>after %1 %2 frames show the same image while the robot went on; they were not measured</source>
+        <translation>%1 이후 로봇이 계속 이동하는 동안 프레임 %2개가 같은 이미지를 보입니다. 측정하지 않았습니다</translation>
+    </message>
+</context>
+<context>
     <name>workflow.frames_lost</name>
     <message>
         <source>after %1 the frames of %2 are missing, because the camera paused or lost them; later times were corrected</source>
@@ -20869,6 +20890,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>%1 without a frame, where %2 is usual; frames are missing, or its time stamps jump</source>
         <translation>평소 %2인 간격이 %1입니다. 프레임이 빠졌거나 타임스탬프가 건너뜁니다</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.frames_missing_unseen</name>
+    <message>
+        <source>after %1 %2 frames are missing that its time stamps do not show: the robot moves too far; later times were corrected</source>
+        <translation>%1 이후 타임스탬프에 나타나지 않는 프레임 %2개가 빠졌습니다. 로봇이 너무 멀리 이동합니다. 이후의 시간은 보정되었습니다</translation>
     </message>
 </context>
 <context>
@@ -21037,6 +21065,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>interface &apos;%1&apos; of live positions</source>
         <translation>실시간 위치의 인터페이스 &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.interlaced</name>
+    <message>
+        <source>it is interlaced: each frame holds two fields taken one after the other, and only the first is used, so the image has half its lines and positions are less certain</source>
+        <translation>비월 주사 영상입니다. 각 프레임에는 차례로 찍힌 두 필드가 있으며 첫 번째만 사용하므로, 이미지의 줄 수가 절반이고 위치가 덜 확실합니다</translation>
     </message>
 </context>
 <context>
@@ -21296,6 +21331,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>%1 of %2 were measured; lengths, times and maxima are at least as large as stated</source>
         <translation>%2 중 %1가 측정되었습니다. 길이, 시간, 최댓값은 표시된 값 이상입니다</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.more_frame_steps</name>
+    <message>
+        <source>up to %1 its frames are wrong at %2 more moments in the same way</source>
+        <translation>%1까지 %2개의 다른 시점에서도 프레임이 같은 방식으로 잘못되었습니다</translation>
     </message>
 </context>
 <context>
@@ -21646,6 +21688,20 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>one of them tracks another object, or has moved since its registration</source>
         <translation>그중 하나가 다른 것을 따라가거나 등록된 자리에 있지 않습니다</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.one_frame_doubled</name>
+    <message>
+        <source>after %1 a frame repeats the one before, and its time stamps count it as time; later times were corrected</source>
+        <translation>%1 이후 프레임 1개가 앞 프레임을 반복하며, 타임스탬프는 이를 시간으로 셉니다. 이후의 시간은 보정되었습니다</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.one_frame_missing</name>
+    <message>
+        <source>after %1 a frame is missing that its time stamps do not show: the robot moves too far; later times were corrected</source>
+        <translation>%1 이후 타임스탬프에 나타나지 않는 프레임 1개가 빠졌습니다. 로봇이 너무 멀리 이동합니다. 이후의 시간은 보정되었습니다</translation>
     </message>
 </context>
 <context>
@@ -22146,6 +22202,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>workflow.robot_leaps</name>
+    <message>
+        <source>after %1 the robot is suddenly %2 away: frames are missing for an unknown time, or another object was tracked; nothing was measured across it</source>
+        <translation>%1 이후 로봇이 갑자기 %2 떨어진 곳에 있습니다. 알 수 없는 시간 동안 프레임이 빠졌거나 다른 물체가 추적되었습니다. 그 사이는 측정하지 않았습니다</translation>
+    </message>
+</context>
+<context>
     <name>workflow.robot_not_tracked</name>
     <message>
         <source>robot &apos;%1&apos; was not tracked in it, only %2</source>
@@ -22507,6 +22570,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>video &apos;%1&apos;</source>
         <translation>동영상 &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.video_converted</name>
+    <message>
+        <source>one frame in %1 repeats the one before, because the video was converted to a higher frame rate; its frames were given the times at which they were taken</source>
+        <translation>비디오가 더 높은 프레임률로 변환되어 프레임 %1개 중 1개가 앞 프레임을 반복합니다. 프레임에는 촬영된 시간이 주어졌습니다</translation>
     </message>
 </context>
 <context>

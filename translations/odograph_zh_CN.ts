@@ -20601,8 +20601,8 @@ Much more than expected means that a setting is wrong: the views are not synchro
 <context>
     <name>workflow.clock_restarts</name>
     <message>
-        <source>its time stamps begin again after %1: two files were joined, or the camera&apos;s clock was reset</source>
-        <translation>其时间戳在 %1 后重新开始：两个文件被拼接，或相机时钟被重置</translation>
+        <source>its time stamps begin again or stand still after %1: two files were joined, or the camera&apos;s clock was reset</source>
+        <translation>其时间戳在 %1 后重新开始或停滞：两个文件被拼接，或相机时钟被重置</translation>
     </message>
 </context>
 <context>
@@ -20795,6 +20795,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>workflow.film_progressive</name>
+    <message>
+        <source>choose a progressive mode of the camera (p, not i)</source>
+        <translation>选择相机的逐行模式（p，而非 i）</translation>
+    </message>
+</context>
+<context>
     <name>workflow.first_label_wrong</name>
     <message>
         <source>view &apos;%1&apos; was recorded at %2, its file says %3, so speeds and times are wrong by %4</source>
@@ -20858,6 +20865,20 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>workflow.frames_doubled_unseen</name>
+    <message>
+        <source>after %1 %2 frames repeat the one before, and its time stamps count them as time; later times were corrected</source>
+        <translation>%1 之后有 %2 帧重复前一帧，而其时间戳将它们计为时间；之后的时间已校正</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.frames_frozen</name>
+    <message>
+        <source>after %1 %2 frames show the same image while the robot went on; they were not measured</source>
+        <translation>%1 之后有 %2 帧显示同一图像，而机器人仍在移动；这些帧未被测量</translation>
+    </message>
+</context>
+<context>
     <name>workflow.frames_lost</name>
     <message>
         <source>after %1 the frames of %2 are missing, because the camera paused or lost them; later times were corrected</source>
@@ -20869,6 +20890,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>%1 without a frame, where %2 is usual; frames are missing, or its time stamps jump</source>
         <translation>有 %1 没有帧，通常为 %2；帧缺失，或时间戳跳变</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.frames_missing_unseen</name>
+    <message>
+        <source>after %1 %2 frames are missing that its time stamps do not show: the robot moves too far; later times were corrected</source>
+        <translation>%1 之后缺少 %2 帧，而其时间戳没有显示：机器人移动得过远；之后的时间已校正</translation>
     </message>
 </context>
 <context>
@@ -21037,6 +21065,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>interface &apos;%1&apos; of live positions</source>
         <translation>实时位置的网络接口“%1”</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.interlaced</name>
+    <message>
+        <source>it is interlaced: each frame holds two fields taken one after the other, and only the first is used, so the image has half its lines and positions are less certain</source>
+        <translation>它是隔行扫描的：每帧包含先后拍摄的两个场，只使用第一个，因此图像只有一半的行，位置的不确定度更大</translation>
     </message>
 </context>
 <context>
@@ -21296,6 +21331,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>%1 of %2 were measured; lengths, times and maxima are at least as large as stated</source>
         <translation>%2 中测量了 %1；长度、时间和最大值至少为所示的值</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.more_frame_steps</name>
+    <message>
+        <source>up to %1 its frames are wrong at %2 more moments in the same way</source>
+        <translation>到 %1 为止，其帧在另外 %2 处有同样的错误</translation>
     </message>
 </context>
 <context>
@@ -21646,6 +21688,20 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>one of them tracks another object, or has moved since its registration</source>
         <translation>其中一个视角跟踪了别的东西，或者相机不在配准时的位置</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.one_frame_doubled</name>
+    <message>
+        <source>after %1 a frame repeats the one before, and its time stamps count it as time; later times were corrected</source>
+        <translation>%1 之后有一帧重复前一帧，而其时间戳将其计为时间；之后的时间已校正</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.one_frame_missing</name>
+    <message>
+        <source>after %1 a frame is missing that its time stamps do not show: the robot moves too far; later times were corrected</source>
+        <translation>%1 之后缺少一帧，而其时间戳没有显示：机器人移动得过远；之后的时间已校正</translation>
     </message>
 </context>
 <context>
@@ -22146,6 +22202,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>workflow.robot_leaps</name>
+    <message>
+        <source>after %1 the robot is suddenly %2 away: frames are missing for an unknown time, or another object was tracked; nothing was measured across it</source>
+        <translation>%1 之后机器人突然在 %2 之外：缺少未知时长的帧，或跟踪了另一个物体；其间没有测量</translation>
+    </message>
+</context>
+<context>
     <name>workflow.robot_not_tracked</name>
     <message>
         <source>robot &apos;%1&apos; was not tracked in it, only %2</source>
@@ -22507,6 +22570,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>video &apos;%1&apos;</source>
         <translation>视频“%1”</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.video_converted</name>
+    <message>
+        <source>one frame in %1 repeats the one before, because the video was converted to a higher frame rate; its frames were given the times at which they were taken</source>
+        <translation>每 %1 帧中有一帧重复前一帧，因为视频被转换为更高的帧率；其各帧已改用拍摄时的时间</translation>
     </message>
 </context>
 <context>

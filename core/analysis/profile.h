@@ -78,6 +78,9 @@ struct Sample
     std::optional<double> viewDisagreementM; ///< largest distance between two views' positions
     SampleFlags flags = 0;
     std::optional<MeasuredHeading> heading = {}; ///< of the body, where it was measured
+    /// Since the sample before, an unknown time passed: the motion begins again here. Not stored; what
+    /// follows from it is.
+    bool isAfterBreak = false;
 };
 
 /// Whether the smoother uses a sample: it has a position, and that is not rejected.

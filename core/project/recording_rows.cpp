@@ -54,6 +54,13 @@ Result<void> addFrameTimes(ProjectConnection &connection, RecordId id, const std
     return {};
 }
 
+Result<void> replaceFrameTimes(ProjectConnection &connection, const RecordingRecord &recording)
+{
+    Statement remove(connection, QStringLiteral("DELETE FROM frame_time_chunk WHERE recording_id=?"));
+    ODO_TRY(remove.bind(recording.id).run());
+    return addFrameTimes(connection, recording.id, recording.frameTimes);
+}
+
 Result<void> readFrameTimes(const ProjectConnection &connection, RecordingRecord &into)
 {
     Statement select(
@@ -156,9 +163,7 @@ Result<void> updateRecording(ProjectConnection &connection, const RecordingRecor
         .bind(recording.clockRate)
         .bind(recording.syncMethod);
     ODO_TRY(update.bind(recording.startOffsetSigmaS).bind(recording.id).run());
-    Statement remove(connection, QStringLiteral("DELETE FROM frame_time_chunk WHERE recording_id=?"));
-    ODO_TRY(remove.bind(recording.id).run());
-    return addFrameTimes(connection, recording.id, recording.frameTimes);
+    return replaceFrameTimes(connection, recording);
 }
 
 Result<std::vector<RecordingRecord>> recordingsOf(const ProjectConnection &connection, RecordId trial)
@@ -373,6 +378,18 @@ Result<std::vector<RecordingRecord>> TrialRepository::unhashed() const
 Result<void> TrialRepository::setHash(RecordId recording, const std::string &sha256)
 {
     return setRecordingHash(m_connection, recording, sha256);
+}
+
+Result<void> TrialRepository::setFrameTimes(const std::vector<RecordingRecord> &recordings)
+{
+    return transact(m_connection, [&]() -> Result<void> {
+        for (const RecordingRecord &recording : recordings) {
+            ODO_TRY(replaceFrameTimes(m_connection, recording));
+            if (recording.position == 0 && !recording.frameTimes.empty())
+                ODO_TRY(setDuration(recording.trial, toSeconds(recording.frameTimes.back())));
+        }
+        return {};
+    });
 }
 
 Result<void> TrialRepository::removeUnfinished(RecordId trial)

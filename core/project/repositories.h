@@ -174,6 +174,8 @@ public:
     /// out.
     Result<std::vector<RecordingRecord>> unhashed() const;
     Result<void> setHash(RecordId recording, const std::string &sha256);
+    /// Corrects the frame times of finished recordings, and with those of a first view the trial's duration.
+    Result<void> setFrameTimes(const std::vector<RecordingRecord> &recordings);
     /// Removes an unfinished trial: of one that was abandoned, or of which no frame was recorded.
     Result<void> removeUnfinished(RecordId trial);
     Result<std::vector<TrialRecord>> all() const; ///< newest first

@@ -42,7 +42,7 @@ namespace {
 /// change, the newest analysis of each robot, how the views are synchronised, and the latest check of the
 /// position of a camera that was used.
 const QString basisColumn = QStringLiteral(
-    "('1|' || COALESCE((SELECT group_concat(newest.id || robot.name) FROM "
+    "('2|' || COALESCE((SELECT group_concat(newest.id || robot.name) FROM "
     "(SELECT MAX(id) AS id, robot_id FROM analysis WHERE trial_id=trial.id GROUP BY robot_id) AS newest "
     "JOIN robot ON robot.id=newest.robot_id), '') || '|' || "
     "COALESCE((SELECT group_concat(sync_method || start_offset_s || '±' || start_offset_sigma_s || '*' || "

@@ -81,6 +81,20 @@ double meanDisagreement(const std::vector<Sample> &samples)
     return count > 0 ? sum / count : 0;
 }
 
+void markBreaks(const std::vector<ViewTrack> &views, std::vector<Sample> &samples)
+{
+    for (const ViewTrack &view : views) {
+        for (const Nanoseconds own : view.breaks) {
+            const auto sample =
+                std::ranges::find_if(samples, [time = clockOf(view).commonTime(own)](const Sample &one) {
+                    return one.time >= time;
+                });
+            if (sample != samples.end())
+                sample->isAfterBreak = true;
+        }
+    }
+}
+
 } // namespace
 
 Result<Smoother> parseSmoother(std::string_view name)
@@ -117,6 +131,7 @@ Result<Profile> analyse(const std::vector<ViewTrack> &views, const RobotShape &s
     ODO_TRY(checkViews(views));
     auto robot = ODO_TRY(measureRobot(views, shape, options));
     ODO_TRY(checkAgreement(robot.track.samples));
+    markBreaks(views, robot.track.samples);
     auto profile = ODO_TRY(profileOfTrack(std::move(robot.track), options, robot.noise));
     profile.heightM = robot.heightM;
     profile.heightEstimated = robot.heightEstimated;

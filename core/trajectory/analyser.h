@@ -38,6 +38,8 @@ struct ViewTrack
     /// by how much its clock runs faster than the first view's (core/trajectory/analyser.h)
     double clockRate = 0;
     double startOffsetSigmaS = 0; ///< 0: not measured
+    /// own times of the frames before which an unknown time passed: no motion is measured across
+    std::vector<Nanoseconds> breaks = {};
 };
 
 struct RobotShape

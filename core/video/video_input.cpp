@@ -332,6 +332,35 @@ std::optional<std::int64_t> restartOf(const std::vector<std::int64_t> &decodeTim
     return std::nullopt;
 }
 
+/// The last stamp before they stand still: several that follow each other hardly go on. Where a clock begins
+/// again, editors and muxers write such stamps until it has caught up.
+std::optional<std::int64_t> standstillOf(const std::vector<std::int64_t> &decodeTimes)
+{
+    constexpr int several = 5;
+    constexpr std::int64_t hardly = 20; // part of a usual step
+    std::vector<std::int64_t> steps;
+    for (std::size_t i = 1; i < decodeTimes.size(); ++i)
+        steps.push_back(av_sat_sub64(decodeTimes[i], decodeTimes[i - 1]));
+    if (steps.empty())
+        return std::nullopt;
+    std::vector<std::int64_t> sorted = steps;
+    const auto usual = sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() * 3 / 4);
+    std::ranges::nth_element(sorted, usual);
+    int still = 0;
+    for (std::size_t i = 0; i < steps.size(); ++i) {
+        still = steps[i] >= 0 && steps[i] <= *usual / hardly && *usual > 0 ? still + 1 : 0;
+        if (still == several)
+            return decodeTimes[i + 1 - several];
+    }
+    return std::nullopt;
+}
+
+std::optional<std::int64_t> clockEndOf(const std::vector<std::int64_t> &decodeTimes)
+{
+    const auto restart = restartOf(decodeTimes);
+    return restart ? restart : standstillOf(decodeTimes);
+}
+
 void warnIfCutShort(PacketIndex &index, const VideoInput &input, const Walk &walk)
 {
     const AVFormatContext &container = input.container();
@@ -401,7 +430,7 @@ Result<PacketIndex> indexPackets(VideoInput &input)
         timeByStamps(index, input.stream());
     if (input.isBareStream())
         timeByRate(index, input.statedRate());
-    else if (const auto restart = restartOf(walk.decodeTimes))
+    else if (const auto restart = clockEndOf(walk.decodeTimes))
         index.restartsAt = timeBetween(walk.decodeTimes.front(), *restart, input.stream().time_base);
     if (index.times.back().count() > longestVideoNs)
         return fail(ErrorCode::InvalidInput, cannotOpenVideo(input.file()),

@@ -93,7 +93,8 @@ struct PacketIndex
     /// start.
     bool counted = false;
     TimeSource timeSource = TimeSource::Stamps;
-    /// How long after the first frame its clock starts again: what follows is stamped as if it came before.
+    /// How long after the first frame its clock starts again, or stands still: what follows is stamped as if
+    /// it came before, or at once.
     std::optional<Nanoseconds> restartsAt;
     /// empty, or such as "ends early at 12.40 s: …"
     Message warning;

@@ -4,6 +4,7 @@
 #include "core/base/shortage.h"
 #include "core/video/frame_times.h"
 #include "core/video/internal/libav.h"
+#include "core/video/internal/one_field.h"
 #include "core/video/internal/stream_format.h"
 #include "core/video/jpeg.h"
 #include "core/video/video_input.h"
@@ -50,6 +51,8 @@ VideoInfo describe(const VideoInput &input, const PacketIndex &index, const Fram
     info.timeSource = index.timeSource;
     info.restartsAt = index.restartsAt;
     info.warning = index.warning;
+    const AVFieldOrder fields = input.stream().codecpar->field_order;
+    info.isInterlaced = fields != AV_FIELD_UNKNOWN && fields != AV_FIELD_PROGRESSIVE;
     const FrameSpacing spacing = spacingOf(index.times);
     info.variableRate = spacing.isVariable;
     if (spacing.usual.count() > 0)
@@ -258,6 +261,10 @@ std::optional<Frame> VideoReader::Impl::frameFrom(libav::FramePtr avFrame, std::
 {
     if (frameNumber < 0 || frameNumber >= static_cast<std::int64_t>(index.frames.size()) ||
         !isSound(*avFrame) || !fits(*avFrame, info.format, pixelFormat))
+        return std::nullopt;
+    if (isInterlaced(*avFrame))
+        avFrame = firstFieldOf(std::move(avFrame));
+    if (!avFrame)
         return std::nullopt;
     Frame frame = frameOf(std::move(avFrame), info.format);
     frame.index = frameNumber;

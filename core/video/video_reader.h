@@ -25,12 +25,17 @@ struct VideoInfo
     Nanoseconds duration{0};    ///< last frame time − first frame time + typical interval
     TimeSource timeSource = TimeSource::Stamps; ///< of the times and all that follows from them
     /// How long after the first frame the file's clock starts again, as where two files were joined: the
-    /// frames that follow are stamped as if they came before, and all of them are sorted by their stamps.
+    /// frames that follow are stamped as if they came before, and all of them are sorted by their stamps. Or
+    /// the stamps stand still there, as editors write them then.
     std::optional<Nanoseconds> restartsAt;
+    /// Each frame holds two fields, taken one after the other: of such frames the reader gives the first
+    /// field, at half the vertical resolution.
+    bool isInterlaced = false;
     Message warning; ///< empty, or such as "ends early at 12.40 s: …" of a truncated file
 };
 
-/// Decodes one local video file to planes, exactly as coded, frame-accurately; MJPEG by libjpeg-turbo, all
+/// Decodes one local video file to planes, exactly as coded (but for interlaced
+/// frames), frame-accurately; MJPEG by libjpeg-turbo, all
 /// else by libavcodec. Only ordinary container formats and the file protocol are allowed, so that a playlist
 /// dressed up as a video cannot open another file. Not thread-safe: one thread at a time uses a reader. See
 /// FrameStream for reading ahead on its own thread.

@@ -43,6 +43,16 @@ void fill(AVFrame &image, int number)
     }
 }
 
+void makeInterlaced(AVFrame &image)
+{
+    image.interlaced_frame = 1;
+    image.top_field_first = 1;
+    for (int plane = 0; plane < 4 && image.data[plane]; ++plane)
+        for (int y = 1; y < (plane > 0 ? image.height / 2 : image.height); y += 2)
+            for (int x = 0; x < image.linesize[plane]; ++x)
+                image.data[plane][static_cast<std::ptrdiff_t>(y) * image.linesize[plane] + x] += 50;
+}
+
 /// AVI's muxer wants start codes and does not ask for them itself, as others do.
 libav::FilterPtr annexBFilter(const AVCodecParameters &parameters, bool needed)
 {
@@ -99,7 +109,7 @@ bool remux(const std::filesystem::path &from, const std::filesystem::path &to)
 }
 
 bool writeRaw(const std::filesystem::path &to, const std::string &encoderName, const std::string &pixelFormat,
-              int frames, std::int64_t interval, int width, int ticksPerSecond)
+              int frames, std::int64_t interval, int width, int ticksPerSecond, bool isInterlaced)
 {
     Output out(to);
     const AVCodec *codec = avcodec_find_encoder_by_name(encoderName.c_str());
@@ -111,6 +121,10 @@ bool writeRaw(const std::filesystem::path &to, const std::string &encoderName, c
     encoder->time_base = {1, ticksPerSecond};
     encoder->framerate = {ticksPerSecond, 1};
     encoder->pix_fmt = av_get_pix_fmt(pixelFormat.c_str());
+    if (isInterlaced) {
+        encoder->flags |= AV_CODEC_FLAG_INTERLACED_DCT | AV_CODEC_FLAG_INTERLACED_ME;
+        encoder->field_order = AV_FIELD_TT;
+    }
     if (avcodec_open2(encoder.get(), codec, nullptr) < 0)
         return false;
     AVStream *stream = avformat_new_stream(out.container, nullptr);
@@ -126,6 +140,8 @@ bool writeRaw(const std::filesystem::path &to, const std::string &encoderName, c
         image->pts = i * interval;
         good = av_frame_get_buffer(image.get(), 0) >= 0;
         fill(*image, i);
+        if (isInterlaced)
+            makeInterlaced(*image);
         good = good && encodeTo(out, *encoder, image.get());
     }
     return good && encodeTo(out, *encoder, nullptr) && av_write_trailer(out.container) >= 0;

@@ -12,8 +12,10 @@ bool remux(const std::filesystem::path &from, const std::filesystem::path &to);
 
 /// Writes `frames` pictures of 4:3 in a pixel format of libav's ("nv12", "gray", "yuv420p10le", ...) with
 /// one of its encoders. Of every picture i, each byte of plane p is 40 + 20 p + i; in semi-planar chroma, odd
-/// bytes are 100 more. interval: between two pictures, in ticks, of which a second has 25.
+/// bytes are 100 more. interval: between two pictures, in ticks, of which a second has 25. isInterlaced: the
+/// top field first; each byte of the bottom field is 50 more.
 bool writeRaw(const std::filesystem::path &to, const std::string &encoder, const std::string &pixelFormat,
-              int frames, std::int64_t interval = 1, int width = 64, int ticksPerSecond = 25);
+              int frames, std::int64_t interval = 1, int width = 64, int ticksPerSecond = 25,
+              bool isInterlaced = false);
 
 } // namespace odo::test

@@ -28,6 +28,7 @@ private Q_SLOTS:
     void timesBeyondAnyVideoAreRefused();
     void pixelFormats_data();
     void pixelFormats();
+    void ofInterlacedFramesTheFirstFieldIsTaken();
     void coloursWithoutANameCountAsNotStated();
     void refusedPixelFormats_data();
     void refusedPixelFormats();
@@ -192,6 +193,23 @@ void TestForeignFiles::pixelFormats()
         QCOMPARE(int(frame.v.at(x, y)), values[2]);
     }
     QCOMPARE(int((*reader)->frameAt(2).value().y.at(63, 47)), 42);
+}
+
+void TestForeignFiles::ofInterlacedFramesTheFirstFieldIsTaken()
+{
+    for (const char *format : {"yuv420p", "gray"}) {
+        QVERIFY(writeRaw(path("fields.mkv"), "ffv1", format, 3, 1, 64, 25, true));
+        const auto reader = VideoReader::open(path("fields.mkv"));
+        QVERIFY2(reader.has_value(), reader ? "" : reader.error().message().c_str());
+        QVERIFY((*reader)->info().isInterlaced);
+        const Frame frame = (*reader)->frameAt(1).value();
+        for (int y = 0; y < 48; ++y) // without a trace of the other
+            QCOMPARE(int(frame.y.at(5, y)), 41);
+        for (int y = 0; y < 24; ++y)
+            QCOMPARE(int(frame.u.at(5, y)), format[0] == 'y' ? 61 : 128);
+    }
+    QVERIFY(writeRaw(path("whole.mkv"), "ffv1", "yuv420p", 3));
+    QVERIFY(!(*VideoReader::open(path("whole.mkv")))->info().isInterlaced);
 }
 
 void TestForeignFiles::coloursWithoutANameCountAsNotStated()

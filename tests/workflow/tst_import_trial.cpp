@@ -10,6 +10,7 @@
 #include <QTemporaryDir>
 #include <QTest>
 #include <cmath>
+#include <fstream>
 
 using namespace odo;
 using namespace odo::test;
@@ -74,6 +75,52 @@ private Q_SLOTS:
         QCOMPARE(stored.framesPerSecond, 50.0);
         QCOMPARE(stored.frameTimes.size(), std::size_t(30));
         QCOMPARE(stored.frameTimes.back(), Nanoseconds(29 * 20'000'000LL));
+    }
+
+    /// Two recordings in one file, as from a camera that was switched off meanwhile.
+    void aClockThatBeginsAgainIsRefused()
+    {
+        QVERIFY(imported("part", evenTimes(60, 30)).empty());
+        QVERIFY(remux(path("part.mkv"), path("single.ts")));
+        std::ofstream joined(path("joined.ts"), std::ios::binary);
+        for (int part = 0; part < 2; ++part)
+            joined << std::ifstream(path("single.ts"), std::ios::binary).rdbuf();
+        joined.close();
+        QVERIFY(importFile("single", ".ts").empty());
+        const auto error = importFile("joined", ".ts").front();
+        QVERIFY2(
+            error.starts_with("video 'joined.ts': its time stamps begin again or stand still after 1.97 s: "
+                              "two files were joined, or the camera's clock was reset; cut it there, and "
+                              "import each part as its own trial"),
+            error.c_str());
+        QVERIFY(!m_project->trials().find("joined"));
+    }
+
+    /// What editors make of such a file: its clock waits until it would go on.
+    void aClockThatStandsStillIsRefused()
+    {
+        std::vector<Nanoseconds> times = evenTimes(60, 30);
+        for (std::size_t i = 40; i < times.size(); ++i)
+            times[i] = times[39] + std::chrono::milliseconds(i - 39);
+        const std::string error = imported("waiting", times).front();
+        QVERIFY2(
+            error.starts_with("video 'waiting.mkv': its time stamps begin again or stand still after 1.30 s"),
+            error.c_str());
+        for (std::size_t i = 43; i < times.size(); ++i) // a few may be damaged
+            times[i] = times[42] + std::chrono::milliseconds(33 * (i - 42));
+        QVERIFY(imported("damaged", times).size() < 2);
+        QVERIFY(m_project->trials().find("damaged"));
+    }
+
+    void interlacedFramesAreTold()
+    {
+        QVERIFY(writeRaw(path("fields.mkv"), "ffv1", "yuv420p", 30, 1, 320, 25, true));
+        const auto warnings = importFile("fields");
+        QCOMPARE(warnings, std::vector<std::string>{
+                               "video 'fields.mkv': it is interlaced: each frame holds two fields taken one "
+                               "after the other, and only the first is used, so the image has half its lines "
+                               "and positions are less certain; choose a progressive mode of the camera (p, "
+                               "not i)"});
     }
 
     void aRateThatNoCameraHasIsRefused()

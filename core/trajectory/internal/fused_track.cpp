@@ -316,7 +316,9 @@ std::vector<TrackSegment> cutIntoSegments(const std::vector<Sample> &samples, Na
     };
     std::vector<bool> taken(samples.size());
     std::vector<std::pair<std::size_t, std::size_t>> stretches; // indices of the first and the last taken
+    bool isBroken = false;
     for (std::size_t i = 0; i < samples.size(); ++i) {
+        isBroken = isBroken || samples[i].isAfterBreak;
         if (!used(samples[i]))
             continue;
         const bool first = stretches.empty();
@@ -324,7 +326,7 @@ std::vector<TrackSegment> cutIntoSegments(const std::vector<Sample> &samples, Na
             first ? Nanoseconds(0) : samples[i].time - samples[stretches.back().second].time;
         if (!first && since <= Nanoseconds(0))
             continue;
-        if (first || since > longestGap)
+        if (first || since > longestGap || std::exchange(isBroken, false))
             stretches.emplace_back(i, i);
         stretches.back().second = i;
         taken[i] = true;

@@ -108,9 +108,9 @@ struct TrackSegment
     std::size_t measured = 0;     ///< nodes that carry a measurement
 };
 
-/// Cuts the samples where nothing is used for longer than longestGap. A sample is used when it has a position
-/// and `isUsed` says so (by default: when its flags do not reject it). Used samples whose time does not come
-/// after the last used one's are left out.
+/// Cuts the samples where nothing is used for longer than longestGap, and at breaks. A sample is used when it
+/// has a position and `isUsed` says so (by default: when its flags do not reject it). Used samples whose time
+/// does not come after the last used one's are left out.
 std::vector<TrackSegment> cutIntoSegments(const std::vector<Sample> &samples, Nanoseconds longestGap,
                                           const std::function<bool(const Sample &)> &isUsed = {});
 

@@ -65,7 +65,8 @@ Result<Profile> profileOfTrack(FusedTrack track, const AnalysisOptions &options,
     const std::vector<RunInstant> instants = validInstants(track.samples, profile.points);
     profile.metrics = measureRun(instants);
     measureGaps(instants, profile);
-    const bool isUnseen = isMovingUnseen(track.samples, instants);
+    const bool isUnseen =
+        isMovingUnseen(track.samples, instants) || std::ranges::any_of(track.samples, &Sample::isAfterBreak);
     if (options.task) {
         TaskMetrics metrics = measureTask(*options.task, track.samples, profile.points);
         profile.passages = std::move(metrics.passages);

@@ -17,6 +17,7 @@
 #include "core/workflow/import/teams.h"
 #include "core/workflow/media_copy.h"
 #include "core/workflow/shared_words.h"
+#include "core/workflow/track/frame_steps.h"
 #include "core/workflow/track/settled_views.h"
 #include "core/workflow/track/track_warnings.h"
 #include "core/workflow/trial_sources.h"
@@ -68,6 +69,7 @@ Message whyNoTracks(const RegisteredView &view, const std::vector<RobotRecord> &
 struct FoundClocks
 {
     std::vector<Result<FoundOffset>> views; ///< for each but the first, against the first as repaired
+    std::vector<Message> frameSteps;        ///< whole sentences on frames that were missing or doubled
     std::optional<ClockRepair> first;       ///< of the first view's stamps
 };
 
@@ -96,24 +98,30 @@ FoundClocks clocksFrom(std::vector<ClipEvidence> evidence)
 /// Reads all views once, tracks the robots where two views or more are registered and measures the light, and
 /// finds for each view but the first its time offset to the first (findClipOffset): Undetermined, with the
 /// reason, if neither motion nor a flash gives it. Touches no project. Errors: a video that cannot be read;
-/// cancelled.
-Result<FoundClocks> findClipOffsets(const std::vector<RegisteredView> &views,
+/// cancelled. Before that the frame times of each view by itself are corrected (correctFrameTimes).
+Result<FoundClocks> findClipOffsets(const std::string &trial, std::vector<RegisteredView> &views,
                                     const std::vector<RobotRecord> &robots, const JobControl &control)
 {
     const auto registered =
         std::count_if(views.begin(), views.end(), [](const RegisteredView &view) { return view.floorView; });
     const bool canTrack = views.front().floorView && registered > 1 && !robots.empty();
-    const auto tracked = ODO_TRY(
+    auto tracked = ODO_TRY(
         trackViews(views, canTrack ? robots : std::vector<RobotRecord>{}, control, WithLight::Measured));
     std::vector<std::vector<MotionTrack>> tracks(views.size());
-    if (canTrack)
+    std::vector<Message> frameSteps;
+    if (canTrack) {
+        correctFrameTimes(views, robots, tracked);
+        frameSteps = frameStepWarnings(trial, views, tracked);
         tracks = tracksOf(views, robots, tracked);
+    }
     std::vector<ClipEvidence> evidence;
     for (std::size_t v = 0; v < views.size(); ++v)
         evidence.push_back(
             {std::move(tracks[v]), whyNoTracks(views[v], robots), lightCourseOf(tracked[v].light)});
 
-    return clocksFrom(std::move(evidence));
+    FoundClocks found = clocksFrom(std::move(evidence));
+    found.frameSteps = std::move(frameSteps);
+    return found;
 }
 
 namespace {
@@ -217,8 +225,8 @@ Result<void> checkTimes(const std::filesystem::path &file, const VideoInfo &info
         return fail(
             ErrorCode::Undetermined, what,
             ODO_TEXT("workflow.clock_restarts",
-                     "its time stamps begin again after %1: two files were joined, or the camera's "
-                     "clock was reset")(quantity(toSeconds(*info.restartsAt), 2, "s")),
+                     "its time stamps begin again or stand still after %1: two files were joined, or the "
+                     "camera's clock was reset")(quantity(toSeconds(*info.restartsAt), 2, "s")),
             ODO_TEXT("workflow.cut_at_restart", "cut it there, and import each part as its own trial"));
     if (isRateGiven)
         return {};
@@ -238,6 +246,13 @@ Result<void> checkTimes(const std::filesystem::path &file, const VideoInfo &info
 std::vector<Message> timeRemarks(const VideoInfo &info, bool isRateGiven)
 {
     std::vector<Message> remarks{info.warning, unevenRateWords(info.frameTimes)};
+    if (info.isInterlaced)
+        remarks.push_back(joined(
+            {ODO_TEXT("workflow.interlaced",
+                      "it is interlaced: each frame holds two fields taken one after the other, and only the "
+                      "first is used, so the image has half its lines and positions are less certain"),
+             ODO_TEXT("workflow.film_progressive", "choose a progressive mode of the camera (p, not i)")},
+            Join::Semicolon));
     if (info.timeSource == TimeSource::Rate && !isRateGiven)
         remarks.push_back(joined({ODO_TEXT("video.no_time_stamps", "the file has no time stamps"),
                                   ODO_TEXT("workflow.rate_of_header", "its header states an even %1")(
@@ -342,7 +357,12 @@ Result<void> ImportTrialJob::findOffsets(const std::vector<std::size_t> &toFind,
     std::vector<RegisteredView> views{m_views.front()};
     for (const std::size_t view : toFind)
         views.push_back(m_views[view]);
-    auto [found, firstRepair] = ODO_TRY(findClipOffsets(views, m_robots, control));
+    auto [found, frameSteps, firstRepair] =
+        ODO_TRY(findClipOffsets(m_settings.trial, views, m_robots, control));
+    std::ranges::move(frameSteps, std::back_inserter(m_warnings));
+    m_recordings.front().frameTimes = views.front().recording.frameTimes;
+    for (std::size_t i = 0; i < toFind.size(); ++i)
+        m_recordings[toFind[i]].frameTimes = views[i + 1].recording.frameTimes;
     if (firstRepair)
         repairTimes(m_recordings.front(), *firstRepair);
     for (std::size_t i = 0; i < toFind.size(); ++i) {

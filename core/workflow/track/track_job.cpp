@@ -6,6 +6,7 @@
 #include "core/project/repositories.h"
 #include "core/tracking/colour_tracker.h"
 #include "core/trajectory/imported_track.h"
+#include "core/workflow/track/frame_steps.h"
 #include "core/workflow/track/settled_views.h"
 #include "core/workflow/track/stored_verdicts.h"
 #include "core/workflow/track/track_warnings.h"
@@ -125,7 +126,8 @@ struct TrackJob::Impl
     std::vector<TrackedView> stored;           ///< with `again`
     std::vector<std::vector<Sample>> imported; ///< with `again` of imported tracks, one a robot
     std::vector<ObservationSeries> observations;
-    std::vector<StoredRobot> others; ///< of the trial, which are not tracked now
+    std::vector<RecordingRecord> retimed; ///< recordings whose frame times were corrected
+    std::vector<StoredRobot> others;      ///< of the trial, which are not tracked now
     /// of each robot; with `again` those of its newest analysis
     std::vector<std::vector<AmbiguousName>> ambiguities;
     TrackOutcome outcome;
@@ -233,7 +235,11 @@ Result<void> TrackJob::run(const JobControl &control)
         return tl::unexpected(tracked.error());
     if (!d.settings.again)
         d.ambiguities = ambiguousNamesOf(tracked->ambiguities, d.robots);
+    if (!d.settings.again)
+        d.retimed = correctFrameTimes(d.views, d.robots, tracked->views);
     d.outcome.warnings = stepWarnings(d.trialName, d.views);
+    for (Message &warning : frameStepWarnings(d.trialName, d.views, tracked->views))
+        d.outcome.warnings.push_back(std::move(warning));
     for (Message &warning : damageWarnings(d.trialName, d.views, tracked->views))
         d.outcome.warnings.push_back(std::move(warning));
     for (Message &warning : moveWarnings(d.trialName, d.views, tracked->views))
@@ -364,6 +370,7 @@ Result<void> TrackJob::commit(Project &project)
                 return fail(ErrorCode::InvalidInput, trialSubject(d.trial.name),
                             ODO_TEXT("workflow.task_was_changed", "its task changed during the analysis"),
                             ODO_TEXT("workflow.measure_it_again", "repeat the analysis"));
+            ODO_TRY(project.trials().setFrameTimes(d.retimed));
             for (const ObservationSeries &series : d.observations)
                 ODO_TRY(project.trials().addObservations(series));
             if (!d.settings.pointers.empty())

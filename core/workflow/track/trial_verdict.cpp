@@ -7,6 +7,7 @@
 #include "core/project/repositories.h"
 #include "core/trajectory/view_disagreement.h"
 #include "core/workflow/track/frame_damage.h"
+#include "core/workflow/track/frame_steps.h"
 #include "core/workflow/track/track_warnings.h"
 #include "core/workflow/track/view_tracking.h"
 #include "core/workflow/trial_sources.h"
@@ -206,7 +207,8 @@ void checkRegistration(const RegistrationRecord &registration, const std::string
                                          "if it moved before this trial, register it again and reanalyse")));
 }
 
-/// What the tracking of a view found: damaged frames, and that its camera was moved meanwhile.
+/// What the tracking of a view found: damaged, missing and doubled frames, and that its camera was moved
+/// meanwhile.
 Result<void> checkTracking(Project &project, const AnalysisRecord &analysis, const RecordingRecord &view,
                            const std::string &trial, Checks &checks)
 {
@@ -214,6 +216,8 @@ Result<void> checkTracking(Project &project, const AnalysisRecord &analysis, con
     if (!series)
         return {};
     checkDecoding(*series, view, trial, checks);
+    for (Message &sentence : stepSentences(trial, view, notedSteps(*series)))
+        checks.add(framesRegular, CheckLevel::Doubtful, std::move(sentence));
     if (const auto move = storedMove(*series))
         checks.add(cameraStill, CheckLevel::Doubtful, movedSentence(trial, view, *move));
     return {};

@@ -13,6 +13,7 @@
 #include "core/video/frame_stream.h"
 #include "core/workflow/shared_words.h"
 #include "core/workflow/track/frame_damage.h"
+#include "core/workflow/track/frame_steps.h"
 #include "core/workflow/track/track_warnings.h"
 #include "core/workflow/trial_sources.h"
 
@@ -153,6 +154,7 @@ Result<TrackedView> trackView(const RegisteredView &view, const std::vector<Robo
     FrameStream stream(std::move(reader), byRegion ? 0 : framesAhead);
 
     TrackedView tracked;
+    tracked.fileTimes = stream.info().frameTimes;
     tracked.background = std::move(background);
     LightMeter lightMeter;
     CameraWatch watch;
@@ -351,7 +353,8 @@ std::vector<ViewTrack> takeViewTracks(const std::vector<RegisteredView> &views,
         std::vector<Observation> observations = std::move(tracked[v].series[robot].observations);
         insertDamaged(observations, recording.frameTimes);
         tracks.push_back({recording.cameraName, views[v].floorView, fromSeconds(recording.startOffsetS),
-                          std::move(observations), recording.clockRate, recording.startOffsetSigmaS});
+                          std::move(observations), recording.clockRate, recording.startOffsetSigmaS,
+                          leapTimes(tracked[v].series[robot], recording.frameTimes)});
     }
     return tracks;
 }
@@ -393,6 +396,13 @@ AnalysisRecord newAnalysis(const TrialRecord &trial, const RobotRecord &robot,
     return analysis;
 }
 
+void stampAsRecorded(std::vector<Observation> &observations, const std::vector<Nanoseconds> &frameTimes)
+{
+    for (Observation &seen : observations)
+        if (const auto frame = static_cast<std::size_t>(seen.frame); frame < frameTimes.size())
+            seen.time = frameTimes[frame];
+}
+
 Result<std::vector<TrackedView>> storedObservations(Project &project, const std::string &trialName,
                                                     const std::vector<RegisteredView> &views,
                                                     const std::vector<RobotRecord> &robots)
@@ -404,6 +414,8 @@ Result<std::vector<TrackedView>> storedObservations(Project &project, const std:
             const RecordId recording = views[v].recording.id;
             auto series = ODO_TRY(project.trials().currentObservations(recording, robot.id));
             known |= series.has_value();
+            if (series)
+                stampAsRecorded(series->observations, views[v].recording.frameTimes);
             stored[v].series.push_back(series ? std::move(*series)
                                               : ObservationSeries{recording, robot.id, {}, {}});
             stored[v].frames = std::max(

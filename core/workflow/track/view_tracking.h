@@ -21,6 +21,7 @@ struct TrackedView
     /// (settleNames).
     std::vector<std::vector<Observation>> others;
     std::int64_t frames = 0;
+    std::vector<Nanoseconds> fileTimes; ///< of all frames, by the file's own stamps; empty of stored series
     Nanoseconds decodeCpuTime{0};
     /// Of each robot: the part of the first frame with its given colour. Empty where nothing was decoded.
     std::vector<double> sharesAlike;
@@ -68,6 +69,10 @@ RobotShape shapeOf(const RobotRecord &robot);
 /// An analysis with its provenance filled in and its profile still empty.
 AnalysisRecord newAnalysis(const TrialRecord &trial, const RobotRecord &robot,
                            const std::vector<RegisteredView> &views, AnalysisOptions options);
+
+/// Gives observations the times of their frames as they are now: they may have been corrected since
+/// (correctFrameTimes).
+void stampAsRecorded(std::vector<Observation> &observations, const std::vector<Nanoseconds> &frameTimes);
 
 /// What trackViews once gave and the project has kept: the newest observations of each robot in each view,
 /// none where a view was never tracked. NotFound for a robot that no view was tracked for. Project's thread.
