@@ -6258,7 +6258,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <name>capture.choose_listed</name>
     <message>
         <source>choose a camera that odograph cameras lists</source>
-        <translation>elija una cámara de las que muestra Cámaras… en Grabar</translation>
+        <translation>elija una cámara de las que muestra «Cámaras…» en Grabar</translation>
     </message>
 </context>
 <context>
@@ -6972,7 +6972,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <name>capture.plug_in_or_choose</name>
     <message>
         <source>plug it in, or choose a camera that odograph cameras lists</source>
-        <translation>conéctela, o elija una de las que muestra Cámaras… en Grabar</translation>
+        <translation>conéctela, o elija una de las que muestra «Cámaras…» en Grabar</translation>
     </message>
 </context>
 <context>
@@ -16175,7 +16175,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <name>project.find_or_put_back</name>
     <message>
         <source>take it from there with odograph check P.odo --find FOLDER or Find lost videos… in the window, or move it back to its folder</source>
-        <translation>recupérela de ahí con Buscar videos perdidos…, o devuélvala a su lugar</translation>
+        <translation>recupérela de ahí con «Buscar videos perdidos…», o devuélvala a su lugar</translation>
     </message>
 </context>
 <context>
@@ -17029,7 +17029,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <name>project.open_again</name>
     <message>
         <source>open it again; if you were recording, find stray files (odograph check --adopt)</source>
-        <translation>ábralo de nuevo; si estaba grabando, mire en Buscar archivos sueltos…</translation>
+        <translation>ábralo de nuevo; si estaba grabando, mire en «Buscar archivos sueltos…»</translation>
     </message>
 </context>
 <context>
@@ -17183,7 +17183,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <name>project.put_back_or_find</name>
     <message>
         <source>move the file back to its folder, or find it by its content with odograph check P.odo --find FOLDER or Find lost videos… in the window</source>
-        <translation>devuelva el archivo a su lugar, o búsquelo por su contenido con Buscar videos perdidos…</translation>
+        <translation>devuelva el archivo a su lugar, o búsquelo por su contenido con «Buscar videos perdidos…»</translation>
     </message>
 </context>
 <context>
@@ -20963,7 +20963,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <name>workflow.give_cameras</name>
     <message>
         <source>give one or more, like --camera A=sim:A</source>
-        <translation>elija una o más en Cámaras…</translation>
+        <translation>elija una o más en «Cámaras…»</translation>
     </message>
 </context>
 <context>
@@ -20991,7 +20991,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <name>workflow.give_offset_for_each</name>
     <message>
         <source>give one offset for each view but the first, like --sync 0.1,0.2, or use --sync auto</source>
-        <translation>dé un desfase por cada vista salvo la primera, o elija Por el movimiento o un destello</translation>
+        <translation>dé un desfase por cada vista salvo la primera, o elija «Por el movimiento o un destello»</translation>
     </message>
 </context>
 <context>
