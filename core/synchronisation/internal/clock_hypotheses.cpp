@@ -67,16 +67,23 @@ std::vector<LagCourse> settled(std::vector<LagCourse> courses, double apart)
     return kept;
 }
 
-/// A course with its steps, and the others that are tried with it; none of less than `enough` pairs.
-void addRelations(const std::vector<TimedPosition> &first, const std::vector<TimedPosition> &second,
-                  const LagCourse &course, bool withRate, std::size_t enough,
-                  std::vector<ClockHypothesis> &all)
+/// Relations that bring fewer moments together explain little of the tracks.
+std::size_t enoughPairs(const std::vector<TimedPosition> &first, const std::vector<TimedPosition> &second)
 {
+    return std::max(fewestPairs, std::min(first.size(), second.size()) / 2);
+}
+
+/// A course with its steps, and the others that are tried with it.
+void addRelations(const std::vector<TimedPosition> &first, const std::vector<TimedPosition> &second,
+                  const LagCourse &course, bool withRate, std::vector<ClockHypothesis> &all)
+{
+    const std::size_t enough = enoughPairs(first, second);
     auto clocks = steppedClocks(first, second, course, withRate);
     if (!clocks || clocks->pairs < enough)
         return;
     for (SteppedClocks &one : withBetterSteps(first, second, std::move(*clocks), course.noiseM, withRate))
-        all.push_back({std::move(one)});
+        if (one.pairs >= enough)
+            all.push_back({std::move(one)});
 }
 
 } // namespace
@@ -91,7 +98,7 @@ std::vector<ClockHypothesis> hypothesesAbout(const std::vector<TimedPosition> &f
     const LagPiece whole{first.front().timeS, first.back().timeS, fit.clock.offsetS};
     for (const std::vector<LagPiece> &pieces : {std::vector{whole}, course.pieces}) {
         course.pieces = pieces;
-        addRelations(first, second, course, fit.clock.rate != 0, 0, all);
+        addRelations(first, second, course, fit.clock.rate != 0, all);
     }
     ClockHypothesis constant;
     constant.clocks.clock = fit.clock;
@@ -109,7 +116,6 @@ std::vector<ClockHypothesis> clockHypotheses(const std::vector<TimedPosition> &f
 {
     const double frameS = std::max(medianStepS(first), 1e-3),
                  spanS = first.back().timeS - first.front().timeS;
-    const std::size_t enough = std::max(fewestPairs, std::min(first.size(), second.size()) / 2);
     const LagSearch search(first, second, range);
     std::vector<LagCourse> courses;
     double noiseM = HUGE_VAL;
@@ -126,7 +132,7 @@ std::vector<ClockHypothesis> clockHypotheses(const std::vector<TimedPosition> &f
         for (const bool withRate : {true, false}) {
             if (!withRate && course.rate != 0)
                 continue;
-            addRelations(first, second, course, withRate, enough, found);
+            addRelations(first, second, course, withRate, found);
         }
     }
     rank(found, frameS);
