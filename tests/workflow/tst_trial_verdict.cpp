@@ -104,6 +104,28 @@ private Q_SLOTS:
         QVERIFY(example.check("frames_regular").level == CheckLevel::Doubtful);
     }
 
+    /// What tracking noted of a moment is said, and not that time is missing there once more.
+    void missingFramesAreSaidOnce()
+    {
+        Example example;
+        RecordingRecord &view = example.recordings.front();
+        const std::size_t middle = view.frameTimes.size() / 2;
+        for (std::size_t i = middle; i < view.frameTimes.size(); ++i)
+            view.frameTimes[i] += std::chrono::seconds(1);
+        auto series =
+            example.project->trials().currentObservations(view.id, example.analyses.front().robot).value();
+        QVERIFY(series);
+        series->algorithm += "; lost 30 before " + std::to_string(middle) + " (0.500 m)";
+        QVERIFY(example.project->trials().addObservations(*series));
+        const TrialVerdict verdict = example.verdict();
+        std::vector<std::string> said;
+        for (const TrialCheck &check : verdict.checks)
+            if (check.code == "frames_regular")
+                said.push_back(check.text.english());
+        QCOMPARE(said.size(), std::size_t(1));
+        QVERIFY2(said.front().find("30 frames are missing") != std::string::npos, said.front().c_str());
+    }
+
     /// There is no sample for a frame that could not be decoded.
     /// A tracked view has an observation for each frame but the damaged ones; those of any view count.
     void damagedFrames()

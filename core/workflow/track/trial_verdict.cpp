@@ -144,14 +144,19 @@ void checkAnalysis(const AnalysisRecord &analysis, const std::string &trial, Che
             joined({robot, ambiguousNamesText(analysis.ambiguousNames, analysis.robotName)}, Join::Colon));
 }
 
-void checkFrames(const RecordingRecord &view, const std::string &trial, Checks &checks)
+/// noted: what tracking found; it says more of the interval before its frame.
+void checkFrames(const RecordingRecord &view, const std::vector<FrameStep> &noted, const std::string &trial,
+                 Checks &checks)
 {
-    std::vector<double> steps;
+    std::vector<double> intervals;
     for (std::size_t i = 1; i < view.frameTimes.size(); ++i)
-        steps.push_back(toSeconds(view.frameTimes[i] - view.frameTimes[i - 1]));
-    if (steps.empty())
+        intervals.push_back(toSeconds(view.frameTimes[i] - view.frameTimes[i - 1]));
+    if (intervals.empty())
         return;
-    const double longest = *std::ranges::max_element(steps), usual = upperMedian(std::move(steps));
+    for (const FrameStep &step : noted)
+        if (step.frame > 0 && step.frame <= std::ssize(intervals))
+            intervals[std::size_t(step.frame - 1)] = 0;
+    const double longest = *std::ranges::max_element(intervals), usual = upperMedian(std::move(intervals));
     if (longest > std::max(longFrameS, longFrame * usual))
         checks.add(framesRegular, CheckLevel::Doubtful,
                    joined({viewInTrialSubject(view.cameraName, trial),
@@ -207,16 +212,19 @@ void checkRegistration(const RegistrationRecord &registration, const std::string
                                          "if it moved before this trial, register it again and reanalyse")));
 }
 
-/// What the tracking of a view found: damaged, missing and doubled frames, and that its camera was moved
-/// meanwhile.
-Result<void> checkTracking(Project &project, const AnalysisRecord &analysis, const RecordingRecord &view,
-                           const std::string &trial, Checks &checks)
+/// A view's frames, and what its tracking found: damaged, missing and doubled ones, and that its camera was
+/// moved meanwhile.
+Result<void> checkRecording(Project &project, const AnalysisRecord &analysis, const RecordingRecord &view,
+                            bool isUsed, const std::string &trial, Checks &checks)
 {
     const auto series = ODO_TRY(project.trials().currentObservations(view.id, analysis.robot));
-    if (!series)
+    const bool isTracked = isUsed && series;
+    const std::vector<FrameStep> noted = isTracked ? notedSteps(*series) : std::vector<FrameStep>{};
+    checkFrames(view, noted, trial, checks);
+    if (!isTracked)
         return {};
     checkDecoding(*series, view, trial, checks);
-    for (Message &sentence : stepSentences(trial, view, notedSteps(*series)))
+    for (Message &sentence : stepSentences(trial, view, noted))
         checks.add(framesRegular, CheckLevel::Doubtful, std::move(sentence));
     if (const auto move = storedMove(*series))
         checks.add(cameraStill, CheckLevel::Doubtful, movedSentence(trial, view, *move));
@@ -291,14 +299,15 @@ Result<TrialVerdict> verdictOn(Project &project, const TrialRecord &trial,
         const auto known = ODO_TRY(withContradiction(project, analysis, recordings));
         checkAnalysis(known ? *known : analysis, trial.name, checks);
     }
-    for (const RecordingRecord *view : recordings)
-        checkFrames(*view, trial.name, checks);
     const std::vector<std::size_t> used = usedViews(analyses.front(), recordings.size());
+    for (std::size_t view = 0; view < recordings.size(); ++view) {
+        const bool isUsed = std::ranges::find(used, view) != used.end();
+        ODO_TRY(checkRecording(project, analyses.front(), *recordings[view], isUsed, trial.name, checks));
+    }
     for (const std::size_t view : used) {
         const auto registration =
             ODO_TRY(project.cameras().registration(analyses.front().registrations[view]));
         checkRegistration(registration, recordings[view]->cameraName, checks);
-        ODO_TRY(checkTracking(project, analyses.front(), *recordings[view], trial.name, checks));
     }
     for (std::size_t i = 0; used.size() > 1 && i < used.size(); ++i)
         checkSynchronisation(*recordings[used[i]], *recordings.front(), trial.name, checks);
