@@ -49,11 +49,11 @@ struct OffsetRange
 ///
 /// Where one offset and rate do not explain the tracks, frames that one view lost or doubled, pauses, jumps
 /// of a clock, rates up to ±2 % and those of wrong labels (half to twice the frame rate) are searched
-/// together. If another relation explains the tracks nearly as well, σ covers it, or, from three frames
-/// on, it is refused. Pure; any
+/// together. If another relation explains the tracks nearly as well, σ covers it; from a σ of three frames
+/// on the offset is refused. σ also holds what a rate that is not significant would do at the ends. Pure; any
 /// thread. Undetermined, with the cause that was found by a test of it: too few or too short common
-/// positions, no or uniform motion, periodic motion with two equal answers, tracks of different form, nothing
-/// in common.
+/// positions, no or uniform motion, periodic motion with two equal answers, relations that explain the tracks
+/// alike, tracks of different form, nothing in common.
 Result<ClipOffset> estimateClipOffset(const std::vector<TimedPosition> &firstTrack,
                                       const std::vector<TimedPosition> &secondTrack,
                                       const OffsetRange &range);
