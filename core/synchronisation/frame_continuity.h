@@ -33,11 +33,12 @@ FrameTrack frameTrack(const FloorView &view, double heightM, const std::vector<O
 struct FrameStep
 {
     enum class Kind {
-        Lost,    ///< frames are missing, and the stamps go on as if they were not
-        Doubled, ///< frames repeat the one before, and later stamps are late
-        Leap,    ///< the robot is somewhere else in the next frame; why is not known
-        Frozen,  ///< frames repeat the one before, and then the robot is where it would have got meanwhile
-        Repeated ///< all along one frame in so many repeats the one before (FrameConversion)
+        Lost,      ///< frames are missing, and the stamps go on as if they were not
+        Doubled,   ///< frames repeat the one before, and later stamps are late
+        Leap,      ///< the robot is somewhere else in the next frame; why is not known
+        Frozen,    ///< frames repeat the one before, and then the robot is where it would have got meanwhile
+        Repeated,  ///< all along one frame in so many repeats the one before (FrameConversion)
+        Interlaced ///< all along each frame holds two fields, of which the first is used
     };
     Kind kind = Kind::Leap;
     std::int64_t frame = 0;  ///< the first frame after it

@@ -115,4 +115,11 @@ Message registerItFirst()
     return ODO_TEXT("workflow.register_it_first", "register it first, with markers or via another camera");
 }
 
+Message interlacedVideo()
+{
+    return ODO_TEXT("workflow.interlaced",
+                    "it is interlaced: each frame holds two fields taken one after the other, and only the "
+                    "first is used, so the image has half its lines and positions are less certain");
+}
+
 } // namespace odo

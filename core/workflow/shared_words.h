@@ -39,5 +39,7 @@ Message chooseAnotherOne();
 Message giveAnotherFile();
 Message giveEachViewItsCamera();
 Message registerItFirst();
+/// "it is interlaced", and what comes of it: of a video.
+Message interlacedVideo();
 
 } // namespace odo

@@ -115,6 +115,17 @@ private Q_SLOTS:
         QCOMPARE(notedSteps(trial.tracked.front().series.front()).size(), std::size_t(1));
     }
 
+    void anInterlacedVideoIsSaid()
+    {
+        Trial trial(FrameFaultDrawer(FrameFault::None, 7001).draw());
+        trial.tracked.front().isInterlaced = true;
+        QVERIFY(correctFrameTimes(trial.views, trial.robots, trial.tracked).empty());
+        const auto said = frameStepWarnings("run", trial.views, trial.tracked);
+        QCOMPARE(said.size(), std::size_t(1));
+        QVERIFY2(said.front().english().starts_with("view 'A' in trial 'run': it is interlaced: each frame"),
+                 said.front().english().c_str());
+    }
+
     void soundFramesAndUnregisteredViewsAreLeftAlone()
     {
         Trial sound(FrameFaultDrawer(FrameFault::None, 7001).draw());

@@ -110,6 +110,8 @@ Result<FoundClocks> findClipOffsets(const std::string &trial, std::vector<Regist
     std::vector<std::vector<MotionTrack>> tracks(views.size());
     std::vector<Message> frameSteps;
     if (canTrack) {
+        for (TrackedView &view : tracked)
+            view.isInterlaced = false; // said already
         correctFrameTimes(views, robots, tracked);
         frameSteps = frameStepWarnings(trial, views, tracked);
         tracks = tracksOf(views, robots, tracked);
@@ -247,12 +249,10 @@ std::vector<Message> timeRemarks(const VideoInfo &info, bool isRateGiven)
 {
     std::vector<Message> remarks{info.warning, unevenRateWords(info.frameTimes)};
     if (info.isInterlaced)
-        remarks.push_back(joined(
-            {ODO_TEXT("workflow.interlaced",
-                      "it is interlaced: each frame holds two fields taken one after the other, and only the "
-                      "first is used, so the image has half its lines and positions are less certain"),
-             ODO_TEXT("workflow.film_progressive", "choose a progressive mode of the camera (p, not i)")},
-            Join::Semicolon));
+        remarks.push_back(
+            joined({interlacedVideo(), ODO_TEXT("workflow.film_progressive",
+                                                "choose a progressive mode of the camera (p, not i)")},
+                   Join::Semicolon));
     if (info.timeSource == TimeSource::Rate && !isRateGiven)
         remarks.push_back(joined({ODO_TEXT("video.no_time_stamps", "the file has no time stamps"),
                                   ODO_TEXT("workflow.rate_of_header", "its header states an even %1")(

@@ -155,6 +155,7 @@ Result<TrackedView> trackView(const RegisteredView &view, const std::vector<Robo
 
     TrackedView tracked;
     tracked.fileTimes = stream.info().frameTimes;
+    tracked.isInterlaced = stream.info().isInterlaced;
     tracked.background = std::move(background);
     LightMeter lightMeter;
     CameraWatch watch;

@@ -22,6 +22,7 @@ struct TrackedView
     std::vector<std::vector<Observation>> others;
     std::int64_t frames = 0;
     std::vector<Nanoseconds> fileTimes; ///< of all frames, by the file's own stamps; empty of stored series
+    bool isInterlaced = false;          ///< of each frame only the first field was tracked
     Nanoseconds decodeCpuTime{0};
     /// Of each robot: the part of the first frame with its given colour. Empty where nothing was decoded.
     std::vector<double> sharesAlike;
