@@ -4,6 +4,7 @@
 #include "core/calibration/intrinsic_calibration.h"
 #include "core/simulation/renderer.h"
 #include "tests/benchmark/cpu_clock.h"
+#include "tests/calibration/true_lens.h"
 
 #include <numeric>
 #include <opencv2/calib3d.hpp>
@@ -15,20 +16,6 @@ namespace {
 
 constexpr int widthPx = 1280, heightPx = 720, images = 60;
 constexpr double noisePx = 0.1;
-
-CameraModel trueCamera()
-{
-    return CameraModel::create({widthPx,
-                                heightPx,
-                                902.5,
-                                905.5,
-                                651.25,
-                                348.5,
-                                LensModel::Standard,
-                                {-0.2, 0.06, 0.0005, -0.0003, 0},
-                                {}})
-        .value();
-}
 
 std::vector<BoardView> seenBoards()
 {

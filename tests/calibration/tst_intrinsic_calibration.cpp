@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/calibration/intrinsic_calibration.h"
 #include "tests/calibration/seen_boards.h"
+#include "tests/calibration/true_lens.h"
 #include "tests/support/contains.h"
 #include "tests/support/registered_test.h"
 
@@ -16,11 +17,6 @@ using Eigen::Vector3d;
 namespace {
 
 constexpr int widthPx = 1280, heightPx = 720;
-
-Intrinsics lens(LensModel model, std::vector<double> distortion)
-{
-    return {widthPx, heightPx, 902.5, 905.5, 651.25, 348.5, model, std::move(distortion), {}};
-}
 
 } // namespace
 
@@ -42,7 +38,7 @@ private Q_SLOTS:
     {
         QFETCH(int, model);
         QFETCH(QVector<double>, distortion);
-        const Intrinsics truth = lens(LensModel(model), {distortion.begin(), distortion.end()});
+        const Intrinsics truth = trueLens(LensModel(model), {distortion.begin(), distortion.end()});
         const CameraModel camera = CameraModel::create(truth).value();
         const auto result = calibrateIntrinsics(tiltedViews(camera, 14, 0), widthPx, heightPx,
                                                 LensModel(model), JobControl());
@@ -57,7 +53,7 @@ private Q_SLOTS:
     }
     void noiseIsStatedAsItIs()
     {
-        const Intrinsics truth = lens(LensModel::Standard, {-0.2, 0.06, 0.0005, -0.0003, 0});
+        const Intrinsics truth = trueLens(LensModel::Standard, {-0.2, 0.06, 0.0005, -0.0003, 0});
         const CameraModel camera = CameraModel::create(truth).value();
         double squares = 0;
         const int draws = 20;
@@ -76,7 +72,8 @@ private Q_SLOTS:
     }
     void theVerdictSpeaksOfFiguresAndNamesTheOddPicture()
     {
-        const CameraModel camera = CameraModel::create(lens(LensModel::Standard, {-0.2, 0.06, 0, 0})).value();
+        const CameraModel camera =
+            CameraModel::create(trueLens(LensModel::Standard, {-0.2, 0.06, 0, 0})).value();
         std::vector<BoardView> views = tiltedViews(camera, 12, 0.1);
         for (std::size_t i = 0; i < views[7].pixels.size(); i += 2)
             views[7].pixels[i].x() += 1.5;
@@ -89,7 +86,7 @@ private Q_SLOTS:
     }
     void picturesThatCannotBeUsedAreTold()
     {
-        const CameraModel camera = CameraModel::create(lens(LensModel::Standard, {})).value();
+        const CameraModel camera = CameraModel::create(trueLens(LensModel::Standard, {})).value();
         std::vector<BoardView> views = tiltedViews(camera, 10, 0.1);
         views[3].pixels.resize(4);
         views[5].pixels[2].x() = std::nan("");
@@ -102,7 +99,7 @@ private Q_SLOTS:
     }
     void refusesFewerThanThreePictures()
     {
-        const CameraModel camera = CameraModel::create(lens(LensModel::Standard, {})).value();
+        const CameraModel camera = CameraModel::create(trueLens(LensModel::Standard, {})).value();
         for (int count : {0, 1, 2}) {
             const auto result = calibrateIntrinsics(tiltedViews(camera, count, 0.1), widthPx, heightPx,
                                                     LensModel::Standard, JobControl());
@@ -113,7 +110,8 @@ private Q_SLOTS:
     void refusesFrontalPictures()
     {
         // The trap: a low RMS with a focal length that is wrong by any factor.
-        const CameraModel camera = CameraModel::create(lens(LensModel::Standard, {-0.1, 0.02, 0, 0})).value();
+        const CameraModel camera =
+            CameraModel::create(trueLens(LensModel::Standard, {-0.1, 0.02, 0, 0})).value();
         for (unsigned seed = 1; seed <= 6; ++seed) {
             std::mt19937 random(seed);
             std::uniform_real_distribution<double> across(-1, 1);
@@ -133,7 +131,7 @@ private Q_SLOTS:
     }
     void refusesTheSamePoseAgainAndAgain()
     {
-        const CameraModel camera = CameraModel::create(lens(LensModel::Standard, {})).value();
+        const CameraModel camera = CameraModel::create(trueLens(LensModel::Standard, {})).value();
         std::mt19937 random(5);
         std::vector<BoardView> views;
         for (int i = 0; i < 12; ++i)
@@ -145,7 +143,7 @@ private Q_SLOTS:
     }
     void stopsWhenCancelled()
     {
-        const CameraModel camera = CameraModel::create(lens(LensModel::Standard, {})).value();
+        const CameraModel camera = CameraModel::create(trueLens(LensModel::Standard, {})).value();
         JobControl control;
         control.progress = [&](double, const Message &) { control.cancel.cancel(); };
         const auto result = calibrateIntrinsics(tiltedViews(camera, 12, 0.1), widthPx, heightPx,

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/calibration/intrinsic_calibration.h"
 #include "tests/calibration/seen_boards.h"
+#include "tests/calibration/true_lens.h"
 #include "tests/support/contains.h"
 #include "tests/support/registered_test.h"
 
@@ -19,14 +20,12 @@ constexpr int widthPx = 1280, heightPx = 720;
 
 CameraModel camera(LensModel model, std::vector<double> distortion)
 {
-    return CameraModel::create(
-               {widthPx, heightPx, 902.5, 905.5, 651.25, 348.5, model, std::move(distortion), {}})
-        .value();
+    return CameraModel::create(trueLens(model, std::move(distortion))).value();
 }
 
 CameraModel ordinary()
 {
-    return camera(LensModel::Standard, {-0.2, 0.06, 0.0005, -0.0003, 0});
+    return trueCamera();
 }
 
 Result<IntrinsicCalibration> calibrate(const std::vector<BoardView> &views,

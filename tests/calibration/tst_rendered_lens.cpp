@@ -2,30 +2,18 @@
 #include "core/calibration/board_detection.h"
 #include "core/calibration/intrinsic_calibration.h"
 #include "core/simulation/renderer.h"
+#include "tests/calibration/true_lens.h"
 #include "tests/support/registered_test.h"
 
 #include <QTest>
 #include <array>
 
 using namespace odo;
+using namespace odo::test;
 
 namespace {
 
 constexpr int widthPx = 1280, heightPx = 720;
-
-CameraModel trueCamera()
-{
-    return CameraModel::create({widthPx,
-                                heightPx,
-                                902.5,
-                                905.5,
-                                651.25,
-                                348.5,
-                                LensModel::Standard,
-                                {-0.2, 0.06, 0.0005, -0.0003, 0},
-                                {}})
-        .value();
-}
 
 int setCount()
 {

@@ -4,6 +4,7 @@
 #include "core/calibration/intrinsic_calibration.h"
 #include "core/calibration/repeated_views.h"
 #include "tests/calibration/seen_boards.h"
+#include "tests/calibration/true_lens.h"
 #include "tests/support/contains.h"
 #include "tests/support/registered_test.h"
 
@@ -20,20 +21,6 @@ namespace {
 
 constexpr int widthPx = 1280, heightPx = 720;
 
-CameraModel camera()
-{
-    return CameraModel::create({widthPx,
-                                heightPx,
-                                902.5,
-                                905.5,
-                                651.25,
-                                348.5,
-                                LensModel::Standard,
-                                {-0.2, 0.06, 0.0005, -0.0003, 0},
-                                {}})
-        .value();
-}
-
 Result<IntrinsicCalibration> calibrate(const std::vector<BoardView> &views,
                                        std::optional<LensModel> model = LensModel::Standard)
 {
@@ -44,9 +31,9 @@ Result<IntrinsicCalibration> calibrate(const std::vector<BoardView> &views,
 std::vector<BoardView> threeViews()
 {
     std::mt19937 random(3);
-    std::vector<BoardView> views{see(camera(), {-0.15, -0.05, 0.55}, 0.6, 0.2, 0, random, 0.2),
-                                 see(camera(), {0.15, 0.06, 0.6}, -0.2, -0.7, 0.4, random, 0.2),
-                                 see(camera(), {0, 0, 0.5}, -0.5, 0.5, 1.2, random, 0.2)};
+    std::vector<BoardView> views{see(trueCamera(), {-0.15, -0.05, 0.55}, 0.6, 0.2, 0, random, 0.2),
+                                 see(trueCamera(), {0.15, 0.06, 0.6}, -0.2, -0.7, 0.4, random, 0.2),
+                                 see(trueCamera(), {0, 0, 0.5}, -0.5, 0.5, 1.2, random, 0.2)};
     for (std::size_t i = 0; i < views.size(); ++i)
         views[i].source = "picture" + std::to_string(i);
     return views;
@@ -76,7 +63,7 @@ void holdStill(std::vector<BoardView> &views, unsigned seed, double noisePx, dou
         common.push_back(commonPx * any().head<2>());
     for (int frame = 0; frame < 12; ++frame) {
         const Eigen::Vector3d at = middle + handM * any(), turned = turns + handM / edgeM * any();
-        views.push_back(see(camera(), at, turned.x(), turned.y(), turned.z(), random, noisePx));
+        views.push_back(see(trueCamera(), at, turned.x(), turned.y(), turned.z(), random, noisePx));
         for (std::size_t i = 0; i < views.back().pixels.size(); ++i)
             views.back().pixels[i] += common[i];
     }
@@ -85,7 +72,7 @@ void holdStill(std::vector<BoardView> &views, unsigned seed, double noisePx, dou
 BoardView boardAt(double x, double tilt)
 {
     std::mt19937 random(1);
-    return see(camera(), {x, 0, 0.6}, tilt, 0, 0.2, random, 0);
+    return see(trueCamera(), {x, 0, 0.6}, tilt, 0, 0.2, random, 0);
 }
 
 void compareLenses(const Intrinsics &one, const Intrinsics &other)
@@ -133,7 +120,7 @@ private Q_SLOTS:
     void copiesOfManyImagesAddNothing()
     {
         QFETCH(bool, neighbours);
-        const std::vector<BoardView> views = tiltedViews(camera(), 10, 0.2, 21);
+        const std::vector<BoardView> views = tiltedViews(trueCamera(), 10, 0.2, 21);
         std::vector<BoardView> copies = times(views, 4);
         if (neighbours)
             std::ranges::stable_sort(copies, {}, &BoardView::source);
@@ -150,7 +137,7 @@ private Q_SLOTS:
     }
     void aSingleCopyIsToldAsOne()
     {
-        std::vector<BoardView> views = tiltedViews(camera(), 12, 0.2, 22);
+        std::vector<BoardView> views = tiltedViews(trueCamera(), 12, 0.2, 22);
         views.push_back(views[4]);
         const auto result = calibrate(views);
         QVERIFY(result.has_value());
@@ -161,7 +148,7 @@ private Q_SLOTS:
         std::mt19937 random(5);
         std::vector<BoardView> views;
         for (const double x : {-0.15, 0.0, 0.15})
-            views.push_back(see(camera(), {x, 0.5 * x, 0.6}, 0.5, -0.3, 0.1, random, 0.2));
+            views.push_back(see(trueCamera(), {x, 0.5 * x, 0.6}, 0.5, -0.3, 0.1, random, 0.2));
         const auto alone = calibrate(views), copied = calibrate(times(views, 12));
         QVERIFY(!alone && !copied);
         const std::string counts = "; 33 of 36 images show the board in the same position as another one, "
@@ -175,7 +162,7 @@ private Q_SLOTS:
     }
     void imagesThatCannotBeUsedTakeTheirCopiesAlong()
     {
-        std::vector<BoardView> views = tiltedViews(camera(), 10, 0.1);
+        std::vector<BoardView> views = tiltedViews(trueCamera(), 10, 0.1);
         for (Vector2d &point : views[8].pointsOnBoard)
             point.y() = 0;
         const auto result = calibrate(times(views, 2));
@@ -208,7 +195,7 @@ private Q_SLOTS:
                 holdStill(views, 100 * set + position, noisePx, commonPx, handM);
             const auto result = calibrate(views);
             QVERIFY2(result.has_value(), result ? "" : result.error().message().c_str());
-            inside += std::abs(result->intrinsics.fxPx - camera().intrinsics().fxPx) <
+            inside += std::abs(result->intrinsics.fxPx - trueCamera().intrinsics().fxPx) <
                       1.96 * std::sqrt(result->intrinsics.covariance(0, 0));
             used += result->imagesUsed();
         }
@@ -220,7 +207,7 @@ private Q_SLOTS:
     void boardsThatMovedAllCount()
     {
         for (unsigned seed = 1; seed <= 40; ++seed)
-            QCOMPARE(positionsIn(tiltedViews(camera(), 20, 0.2, seed)).repeats(), std::size_t(0));
+            QCOMPARE(positionsIn(tiltedViews(trueCamera(), 20, 0.2, seed)).repeats(), std::size_t(0));
         // 0.24 m wide, a square 0.03 m: a step of 3 % of it, of exactly a square, and a tilt by 12 degrees.
         QVERIFY(!repeatsPosition(boardAt(0, 0.4), boardAt(0.0075, 0.4)));
         QVERIFY(!repeatsPosition(boardAt(0, 0), boardAt(0.03 * std::cos(0.2), 0)));
@@ -229,7 +216,7 @@ private Q_SLOTS:
         std::vector<BoardView> turned;
         std::mt19937 random(1);
         for (int i = -4; i <= 4; ++i)
-            turned.push_back(see(camera(), {0.05, 0.02, 1}, 0, i * EIGEN_PI / 18, 0, random, 0.2));
+            turned.push_back(see(trueCamera(), {0.05, 0.02, 1}, 0, i * EIGEN_PI / 18, 0, random, 0.2));
         QCOMPARE(positionsIn(turned).repeats(), std::size_t(0));
         QVERIFY(repeatsPosition(boardAt(0, 0.4), boardAt(0.002, 0.41)));
     }
@@ -262,7 +249,7 @@ private Q_SLOTS:
     }
     void copiesChangeNothingOfAChoice()
     {
-        const std::vector<BoardView> views = tiltedViews(camera(), 12, 0.2, 23);
+        const std::vector<BoardView> views = tiltedViews(trueCamera(), 12, 0.2, 23);
         const auto alone = calibrate(views), copied = calibrate(times(views, 3));
         QVERIFY(alone && copied);
         std::vector<std::size_t> all(36), some, originals;
