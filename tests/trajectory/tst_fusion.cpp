@@ -63,6 +63,21 @@ class TestFusion : public QObject
 {
     Q_OBJECT
 private Q_SLOTS:
+    /// Once, also where nothing is used for long just there.
+    void tracksAreCutAtBreaks()
+    {
+        std::vector<Sample> samples(12);
+        for (std::size_t i = 0; i < samples.size(); ++i) {
+            samples[i].time = std::chrono::milliseconds(100 * i + (i < 8 ? 0 : 5000));
+            samples[i].position = Eigen::Vector2d(0.1 * double(i), 0);
+        }
+        samples[4].isAfterBreak = samples[8].isAfterBreak = true; // the second one behind the gap
+        const auto segments = cutIntoSegments(samples, std::chrono::seconds(1));
+        QCOMPARE(segments.size(), std::size_t(3));
+        for (const TrackSegment &segment : segments)
+            QCOMPARE(segment.nodes.size(), std::size_t(4));
+    }
+
     void twoGaussiansInClosedForm()
     {
         // x: σ 1 and 2 mm → weights 4:1; y: 2 and 1 mm → 1:4; variance 1/(1/1 + 1/4) = 0.8 mm².

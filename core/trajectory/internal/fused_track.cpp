@@ -326,7 +326,8 @@ std::vector<TrackSegment> cutIntoSegments(const std::vector<Sample> &samples, Na
             first ? Nanoseconds(0) : samples[i].time - samples[stretches.back().second].time;
         if (!first && since <= Nanoseconds(0))
             continue;
-        if (first || since > longestGap || std::exchange(isBroken, false))
+        const bool isAfterBreak = std::exchange(isBroken, false);
+        if (first || since > longestGap || isAfterBreak)
             stretches.emplace_back(i, i);
         stretches.back().second = i;
         taken[i] = true;
