@@ -15,6 +15,7 @@ namespace odo {
 namespace {
 
 constexpr std::size_t leastViews = 3;
+constexpr double significantSigmas = 3;
 constexpr double mostDisagreeing = 0.25; // of the corners: with more it is not known which of them are right
 
 /// Why a view cannot be used and what to do; empty where it can.
@@ -176,6 +177,30 @@ std::optional<RigidTransform> poseOf(const BoardView &view, const CameraModel &c
     return pose ? std::optional(pose->worldFromCamera.inverse()) : std::nullopt;
 }
 
+/// A k3 of a standard lens that may be nothing is left out: it takes part of the focal length with it.
+LensFitOptions simplestOf(const LensFit &fit)
+{
+    LensFitOptions options;
+    const Intrinsics &lens = fit.intrinsics;
+    if (lens.model == LensModel::Standard && lens.distortion.size() > sixthOrder)
+        options.holdSixthOrder =
+            std::abs(lens.distortion[sixthOrder]) <
+            significantSigmas * std::sqrt(lens.covariance(4 + sixthOrder, 4 + sixthOrder));
+    return options;
+}
+
+/// The lens with k3 = 0. It keeps the covariance with k3 unknown.
+LensFit withoutSixthOrder(const std::vector<BoardView> &views, LensFit fit, const JobControl &control)
+{
+    LensStart start{fit.intrinsics, fit.cameraFromBoard};
+    start.intrinsics.distortion[sixthOrder] = 0;
+    auto simpler = fitLens(views, start, {.holdSixthOrder = true}, control);
+    if (!simpler)
+        return fit;
+    simpler->intrinsics.covariance = std::move(fit.intrinsics.covariance);
+    return std::move(*simpler);
+}
+
 /// From the fit to all corners to the outcome: outliers, halves, checks, values, words. views: those of the
 /// images in `calibration` that are used, in their order.
 Result<void> finish(IntrinsicCalibration &calibration, const std::vector<BoardView> &views, LensFit fit,
@@ -193,7 +218,7 @@ Result<void> finish(IntrinsicCalibration &calibration, const std::vector<BoardVi
             ODO_TEXT("calibration.check_pictures", "check that all images are sharp, of one flat board and "
                                                    "of one camera at one zoom and focus"));
     const CornerMarks leftOut = calibration.disagreeingPart <= mostOutliers
-                                    ? singleCorners(views, fit, outliers)
+                                    ? misreadCorners(views, fit, outliers)
                                     : CornerMarks(views.size());
     const std::vector<BoardView> counted = withoutCorners(views, leftOut);
     if (countOf(leftOut) > 0) {
@@ -201,8 +226,11 @@ Result<void> finish(IntrinsicCalibration &calibration, const std::vector<BoardVi
         if (again)
             fit = std::move(*again);
     }
+    const LensFitOptions simplest = simplestOf(fit);
+    if (simplest.holdSixthOrder)
+        fit = withoutSixthOrder(counted, std::move(fit), control);
     control.report(0.6, ODO_TEXT("calibration.checking_halves", "checking the halves against each other"));
-    const auto halves = holdOut(counted, fit, control);
+    const auto halves = holdOut(counted, fit, simplest, control);
     if (control.isCancelled())
         return cancelled(cannotBeCalibrated());
     const auto sigma = ODO_TRY(checkDetermined(counted, fit, halves, control));

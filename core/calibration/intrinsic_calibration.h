@@ -78,9 +78,13 @@ constexpr double mostOutliers = 0.03;
 /// Standard.
 ///
 /// Corners whose residual is beyond 5 robust σ (median of the distances) of a fit that heeds them little
-/// (Cauchy's loss) are left out when they are at most mostOutliers of all; more are kept. So are three or
-/// more side by side that are moved the same way, since that says something of the image or the board. The
-/// verdict says how many, where, and what was done.
+/// (Cauchy's loss) are left out when they are at most mostOutliers of all; more are kept. Where the rest of
+/// an image lies on a flat board, an outer row or column with many of them (a narrower outer square, a cut)
+/// is left out as a whole. Where it does not, three or more side by side are kept,
+/// for they are a sign of a bent board. The verdict says how many, where, and what was done.
+///
+/// A standard lens whose k3 is within 3 σ of nothing gets k3 = 0, with the covariance of an unknown k3: the
+/// focal length would follow it.
 ///
 /// Of images that show the board in the same position one counts (positionsIn), for the fit, its uncertainty,
 /// the halves and all else; the verdict and a refusal say how many others there are.

@@ -61,8 +61,8 @@ private Q_SLOTS:
                                               {QStringLiteral("--square"), QStringLiteral("25mm")});
         const QJsonObject intrinsics = answer.value(QStringLiteral("intrinsics")).toObject();
         QCOMPARE(answer.value(QStringLiteral("images_used")).toInt(), 13);
-        QVERIFY(answer.value(QStringLiteral("rms_px")).toDouble(9) <= 0.41);
-        QVERIFY(std::abs(intrinsics.value(QStringLiteral("fx")).toDouble() - 535.916) <= 1.0);
+        QVERIFY(answer.value(QStringLiteral("rms_px")).toDouble(9) <= 0.25);
+        QVERIFY(std::abs(intrinsics.value(QStringLiteral("fx")).toDouble() - 533.52) <= 0.83);
     }
 
     void sevenPortraitBoardsAreEnoughForThreePercent_data()

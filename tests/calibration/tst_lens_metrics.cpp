@@ -199,17 +199,51 @@ private Q_SLOTS:
         QCOMPARE(result->cornersLeftOut(), std::size_t(0));
         QVERIFY(std::abs(result->disagreeingPart - 76.0 / 1080) < 0.005);
     }
-    void cornersMovedSideBySideAreKept()
+    /// As where the outer squares are narrower than the others.
+    void anOuterRowThatIsMovedIsLeftOut()
     {
         std::vector<BoardView> views = tiltedViews(ordinary(), 20, 0.2, 79);
-        for (std::size_t corner : {0u, 1u, 2u, 3u, 4u}) // a row at the board's edge that is bent
+        const auto clean = calibrate(views);
+        for (std::size_t corner : {0u, 1u, 2u, 3u, 4u})
             views[6].pixels[corner] += Vector2d(0.5, 4);
         const auto result = calibrate(views);
-        QVERIFY(result.has_value());
+        QVERIFY(clean && result);
         QCOMPARE(result->images[6].outliers, (std::vector<std::size_t>{0, 1, 2, 3, 4}));
-        QVERIFY(result->images[6].leftOut.empty());
-        QVERIFY(
-            contains(result->verdict.english(), "5 neighbouring outlier corners were kept, in picture6 (5)"));
+        QCOMPARE(result->images[6].leftOut, (std::vector<std::size_t>{0, 1, 2, 3, 4, 5, 6, 7, 8}));
+        QVERIFY(contains(result->verdict.english(), "9 outlier corners were left out, in picture6 (9)."));
+        QVERIFY(!contains(result->verdict.english(), "kept"));
+        QVERIFY2(std::abs(result->intrinsics.fxPx - clean->intrinsics.fxPx) <
+                     std::sqrt(result->intrinsics.covariance(0, 0)),
+                 qPrintable(QString::number(result->intrinsics.fxPx - clean->intrinsics.fxPx)));
+    }
+    void aBentBoardIsKeptAndTold()
+    {
+        std::vector<BoardView> views = tiltedViews(ordinary(), 40, 0.2, 79);
+        for (std::size_t corner = 0; corner < 54; ++corner)
+            views[6].pixels[corner] += Vector2d(0, 0.6 * std::pow(double(corner % 9), 2));
+        const auto result = calibrate(views);
+        QVERIFY2(result, result ? "" : result.error().message().c_str());
+        QVERIFY(!result->images[6].outliers.empty());
+        QVERIFY(result->images[6].leftOut.size() < result->images[6].outliers.size());
+        QVERIFY2(contains(result->verdict.english(), "neighbouring outlier corners were kept, in picture6"),
+                 result->verdict.english().c_str());
+    }
+    /// k3 that may be nothing takes part of the focal length with it.
+    void aSixthOrderThatIsNotSignificantIsLeftOut()
+    {
+        const auto result = calibrate(tiltedViews(ordinary(), 20, 0.2, 81));
+        QVERIFY(result.has_value());
+        QCOMPARE(result->intrinsics.model, LensModel::Standard);
+        QCOMPARE(result->intrinsics.distortion[4], 0.0);
+        QVERIFY(result->intrinsics.covariance(8, 8) > 0);
+        Intrinsics curved = ordinary().intrinsics();
+        curved.distortion[4] = -0.2;
+        const auto other =
+            calibrate(tiltedViews(*CameraModel::create(curved), 20, 0.2, 81), LensModel::Standard);
+        QVERIFY2(other, other ? "" : other.error().message().c_str());
+        QVERIFY(std::abs(other->intrinsics.distortion[4] + 0.2) <
+                3 * std::sqrt(other->intrinsics.covariance(8, 8)));
+        QVERIFY(other->intrinsics.distortion[4] != 0);
     }
     void picturesAreLeftOutByAThreshold()
     {

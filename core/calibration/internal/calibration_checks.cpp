@@ -14,7 +14,7 @@ namespace odo {
 namespace {
 
 std::optional<LensFit> fitHalf(const std::vector<BoardView> &views, const LensFit &all, std::size_t half,
-                               const JobControl &control)
+                               const LensFitOptions &options, const JobControl &control)
 {
     std::vector<BoardView> some;
     LensStart start{all.intrinsics, {}};
@@ -22,7 +22,7 @@ std::optional<LensFit> fitHalf(const std::vector<BoardView> &views, const LensFi
         some.push_back(views[i]);
         start.cameraFromBoard.push_back(all.cameraFromBoard[i]);
     }
-    return fitLens(some, start, {}, control);
+    return fitLens(some, start, options, control);
 }
 
 /// Mean of the squared distances of a view's corners under a lens, the pose adapted; infinite where there is
@@ -46,13 +46,13 @@ double HeldOut::focalDifference() const
 }
 
 std::optional<HeldOut> holdOut(const std::vector<BoardView> &views, const LensFit &all,
-                               const JobControl &control)
+                               const LensFitOptions &options, const JobControl &control)
 {
     if (views.size() < leastViewsForHalves)
         return std::nullopt;
     HeldOut heldOut;
     for (std::size_t half = 0; half < 2; ++half) {
-        auto fit = fitHalf(views, all, half, control);
+        auto fit = fitHalf(views, all, half, options, control);
         if (!fit)
             return std::nullopt;
         heldOut.lenses[half] = std::move(fit->intrinsics);

@@ -23,7 +23,7 @@ struct HeldOut
 /// all: the fit to all views, from which the halves are started. nullopt under six views, where a half led
 /// nowhere, and when cancelled.
 std::optional<HeldOut> holdOut(const std::vector<BoardView> &views, const LensFit &all,
-                               const JobControl &control);
+                               const LensFitOptions &options, const JobControl &control);
 
 /// What the errors of a calibration are about.
 Message cannotBeCalibrated();

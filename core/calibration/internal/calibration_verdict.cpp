@@ -155,7 +155,9 @@ Message leftOutWords(const IntrinsicCalibration &calibration)
 Message keptWords(const IntrinsicCalibration &calibration)
 {
     const auto kept = [](const CalibrationImage &image) {
-        return image.outliers.size() - image.leftOut.size();
+        return std::size_t(std::ranges::count_if(image.outliers, [&](std::size_t corner) {
+            return !std::ranges::binary_search(image.leftOut, corner);
+        }));
     };
     std::size_t count = 0;
     for (const CalibrationImage &image : calibration.images)

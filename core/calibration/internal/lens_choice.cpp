@@ -3,7 +3,9 @@
 
 #include "core/base/percentile.h"
 #include "core/calibration/internal/calibration_checks.h"
+#include "core/calibration/internal/plane_pose.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <iterator>
@@ -16,7 +18,8 @@ namespace {
 constexpr double cornerOutliers = 5, leastPx = 0.1;
 constexpr double medianOfRayleigh = 1.17741; // sqrt(2 ln 2): of distances whose coordinates have σ 1
 constexpr std::size_t leastTogether = 3;
-constexpr double sameWay = 0.8; // length of the mean of their directions
+constexpr double manyOfRow = 1.0 / 3;
+constexpr double restTimes = 1.5; // the usual distance, of the rest of an image with misread corners
 
 /// σ of one coordinate, from the median distance; what the fit took away by adapting is given back.
 double robustSigmaPx(const LensFit &fit)
@@ -78,14 +81,44 @@ std::vector<std::vector<std::size_t>> groupsOf(const BoardView &view, std::vecto
     return groups;
 }
 
-bool movesTogether(const std::vector<std::size_t> &group, const std::vector<Eigen::Vector2d> &residuals)
+/// RMS of the corners that are not marked, the pose fitted to them; infinite where they have none.
+double restPx(const BoardView &view, const std::vector<std::size_t> &marks, const Intrinsics &lens,
+              const RigidTransform &cameraFromBoard)
 {
-    if (group.size() < leastTogether)
-        return false;
-    Eigen::Vector2d sum = Eigen::Vector2d::Zero();
-    for (std::size_t index : group)
-        sum += residuals[index].normalized();
-    return sum.norm() > sameWay * static_cast<double>(group.size());
+    std::vector<PointPair> pairs;
+    for (std::size_t i = 0; i < view.pixels.size(); ++i)
+        if (!std::ranges::binary_search(marks, i))
+            pairs.push_back({view.pointsOnBoard[i], view.pixels[i], {}});
+    const auto camera = CameraModel::create(lens);
+    const auto pose = camera ? refinePlanePose(pairs, *camera, FocalLength::Known, cameraFromBoard.inverse())
+                             : std::nullopt;
+    return pose ? pose->rmsPx : std::numeric_limits<double>::infinity();
+}
+
+/// The marks with all corners of those outer rows and columns of which many are marked: what moves some of
+/// them, such as a narrower outer square, moves the others by less.
+std::vector<std::size_t> withOuterRows(const BoardView &view, const std::vector<std::size_t> &marks)
+{
+    Eigen::AlignedBox2d board;
+    for (const Eigen::Vector2d &point : view.pointsOnBoard)
+        board.extend(point);
+    std::vector<std::size_t> all = marks;
+    for (const Eigen::Index axis : {0, 1}) {
+        for (const double edge : {board.min()[axis], board.max()[axis]}) {
+            std::vector<std::size_t> row;
+            for (std::size_t i = 0; i < view.pointsOnBoard.size(); ++i)
+                if (std::abs(view.pointsOnBoard[i][axis] - edge) < 1e-6)
+                    row.push_back(i);
+            const auto marked = std::ranges::count_if(
+                row, [&](std::size_t i) { return std::ranges::binary_search(marks, i); });
+            if (double(marked) >= manyOfRow * double(row.size()))
+                all.insert(all.end(), row.begin(), row.end());
+        }
+    }
+    std::ranges::sort(all);
+    const auto twice = std::ranges::unique(all);
+    all.erase(twice.begin(), twice.end());
+    return all;
 }
 
 double limitOf(const LensFit &fit)
@@ -107,19 +140,27 @@ CornerMarks outlyingCorners(const std::vector<BoardView> &views, const LensFit &
     return robust ? beyond(*robust, limitOf(*robust)) : marks;
 }
 
-CornerMarks singleCorners(const std::vector<BoardView> &views, const LensFit &fit, const CornerMarks &marks)
+CornerMarks misreadCorners(const std::vector<BoardView> &views, const LensFit &fit, const CornerMarks &marks)
 {
-    CornerMarks single(marks.size());
+    CornerMarks misread(marks.size());
+    const double mostPx = restTimes * std::sqrt(2.0) * std::max(robustSigmaPx(fit), leastPx / cornerOutliers);
     for (std::size_t view = 0; view < marks.size(); ++view) {
         if (views[view].pixels.size() < marks[view].size() + leastCornersOfView)
             continue;
-        for (const auto &group : groupsOf(views[view], marks[view])) {
-            if (!movesTogether(group, fit.residualsPx[view]))
-                single[view].insert(single[view].end(), group.begin(), group.end());
+        const bool isRestFlat =
+            2 * marks[view].size() < views[view].pixels.size() &&
+            restPx(views[view], marks[view], fit.intrinsics, fit.cameraFromBoard[view]) < mostPx;
+        if (isRestFlat) {
+            misread[view] = withOuterRows(views[view], marks[view]);
+            continue;
         }
-        std::ranges::sort(single[view]);
+        for (const auto &group : groupsOf(views[view], marks[view])) {
+            if (group.size() < leastTogether)
+                misread[view].insert(misread[view].end(), group.begin(), group.end());
+        }
+        std::ranges::sort(misread[view]);
     }
-    return single;
+    return misread;
 }
 
 std::size_t countOf(const CornerMarks &marks)
@@ -252,10 +293,10 @@ std::optional<LensChoice> chooseLens(const std::vector<BoardView> &views,
                           ODO_TEXT("calibration.lens_told", "as specified")};
 
     const std::vector<BoardView> sound =
-        withoutCorners(views, singleCorners(views, candidates.front().fit, common(candidates)));
+        withoutCorners(views, misreadCorners(views, candidates.front().fit, common(candidates)));
     std::vector<ModelTrial> trials;
     for (LensCandidate &candidate : candidates) {
-        candidate.heldOut = holdOut(sound, candidate.fit, control);
+        candidate.heldOut = holdOut(sound, candidate.fit, {}, control);
         trials.push_back({candidate.model(), candidate.heldOutPx()});
     }
     if (control.isCancelled())

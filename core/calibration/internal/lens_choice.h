@@ -15,10 +15,11 @@ using CornerMarks = std::vector<std::vector<std::size_t>>;
 CornerMarks outlyingCorners(const std::vector<BoardView> &views, const LensFit &fit,
                             const JobControl &control);
 
-/// Of the marks the isolated ones. Three or more near one another (two squares) that are moved the same way
-/// are no misread corners but a sign of a bent, cut or covered board, for a person to check. So does a view
-/// that would keep fewer than six.
-CornerMarks singleCorners(const std::vector<BoardView> &views, const LensFit &fit, const CornerMarks &marks);
+/// Those corners of the marks that are misread: the isolated ones, and all of an image whose other corners
+/// lie on a flat board as well as those of other images do; there also the whole of an outer row or column
+/// with many marks. Three or more near one another (two squares) beside a rest that does not are a sign of a
+/// bent board, for a person to check. A view that would keep fewer than six keeps all.
+CornerMarks misreadCorners(const std::vector<BoardView> &views, const LensFit &fit, const CornerMarks &marks);
 
 std::size_t countOf(const CornerMarks &marks);
 

@@ -111,6 +111,8 @@ public:
         ordering->AddElementToGroup(m_lens.data(), 1);
         if (wanted.holdFocal)
             problem.SetManifold(m_lens.data(), new ceres::SubsetManifold(size, {0, 1}));
+        else if (wanted.holdSixthOrder && model == LensModel::Standard)
+            problem.SetManifold(m_lens.data(), new ceres::SubsetManifold(size, {4 + sixthOrder}));
         StopWhenCancelled stop(control);
         ceres::Solver::Options options;
         options.linear_solver_type = ceres::DENSE_SCHUR;

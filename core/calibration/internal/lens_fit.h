@@ -25,6 +25,9 @@ struct LensFit
     double rmsPx() const; ///< sqrt(mean of squared distances)
 };
 
+/// Of k3 among the coefficients of a standard lens.
+constexpr int sixthOrder = 4;
+
 /// How the intrinsics are fitted.
 struct LensFitOptions
 {
@@ -32,6 +35,7 @@ struct LensFitOptions
     /// Not 0: Cauchy's loss of this scale, which hardly heeds corners much farther off. The covariance then
     /// means nothing.
     double cauchyPx = 0;
+    bool holdSixthOrder = false; ///< k3 of a standard lens stays
 };
 
 /// A lens and poses to start from.
