@@ -171,6 +171,7 @@ Result<ClipOffset> estimateClipOffset(const std::vector<TimedPosition> &firstTra
     for (const auto *track : {&first, &second})
         if (Message uniform = uniformMotion(*track); !uniform.isEmpty())
             return undeterminedOffset(std::move(uniform));
+    const double frameS = std::max(medianStepS(first), 1e-3);
     const ConstantLag constant = findConstantLag(first, second, range);
     if (constant.failure == NoLag::Repeats)
         return undeterminedOffset(unsynchronisedCause(first, second, constant, range));
@@ -178,7 +179,7 @@ Result<ClipOffset> estimateClipOffset(const std::vector<TimedPosition> &firstTra
     const bool isFound = constant.failure == NoLag::None && !constant.isRateBeyond;
     if (isFound && std::abs(constant.offset.rate) < comparedRate) {
         near = hypothesesAbout(first, second, lagsOf(range, first, second), constant.fit);
-        const auto ofChoice = varianceOfChoice(near, second, medianStepS(first));
+        const auto ofChoice = varianceOfChoice(near, second, frameS);
         const double mostM = toleratedM(first, second, explainedTimes);
         const bool isExplained = constant.fit.agreement.variance < 2 * mostM * mostM;
         if (ofChoice && isExplained && near.front().clocks.steps() == 0) {
@@ -187,7 +188,8 @@ Result<ClipOffset> estimateClipOffset(const std::vector<TimedPosition> &firstTra
                                        unexplainedS(constant.fit, toleratedM(first, second, likelyTimes)));
             const double spanS = first.back().timeS - first.front().timeS;
             offset.sigmaS = std::hypot(offset.sigmaS, constant.rateLeft * spanS / 2);
-            return offset;
+            if (offset.sigmaS < farOffFrames * frameS)
+                return offset;
         }
     }
     const auto hypotheses = clockHypotheses(first, second, lagsOf(range, first, second), std::move(near));
@@ -197,7 +199,7 @@ Result<ClipOffset> estimateClipOffset(const std::vector<TimedPosition> &firstTra
         ClipOffset offset = constant.offset;
         offset.sigmaS = std::hypot(offset.sigmaS, farthestS(constant.fit, hypotheses, second),
                                    unexplainedS(constant.fit, toleratedM(first, second, likelyTimes)));
-        if (offset.sigmaS < farOffFrames * medianStepS(first))
+        if (offset.sigmaS < farOffFrames * frameS)
             return offset;
         return undeterminedOffset(ODO_TEXT("synchronisation.clocks_ambiguous",
                                            "several time offsets, pauses or missing frames "

@@ -43,7 +43,6 @@ Pairs pairsAt(const std::vector<TimedPosition> &first, const std::vector<TimedPo
               const ClockGuess &guess, std::size_t stride)
 {
     Pairs pairs;
-    Eigen::Vector2d mean = Eigen::Vector2d::Zero();
     for (std::size_t i = 0; i < first.size(); i += stride) {
         const double sinceStartS = first[i].timeS - guess.offsetS;
         const auto other = trackAt(second, sinceStartS * (1 + guess.rate));
@@ -54,11 +53,11 @@ Pairs pairsAt(const std::vector<TimedPosition> &first, const std::vector<TimedPo
         pairs.velocities.push_back(other->velocity);
         pairs.velocityVariances.push_back(other->velocityVariance);
         pairs.points.push_back(other->point);
-        mean += other->point;
+        pairs.middle += other->point;
     }
-    mean /= std::max(1.0, double(pairs.size()));
+    pairs.middle /= std::max(1.0, double(pairs.size()));
     for (Eigen::Vector2d &point : pairs.points) {
-        point -= mean;
+        point -= pairs.middle;
         pairs.motionVariance += point.squaredNorm() / double(pairs.size());
     }
     return pairs;
@@ -97,10 +96,12 @@ Agreement agreementOf(const Pairs &pairs, bool withRate, const std::vector<LagCh
     Eigen::Vector3d left = nuisance.solve(right.tail<3>());
     // The points lie about their mean, so that the shift does not depend on the scale.
     left.z() = std::clamp(left.z(), -largestScale, largestScale);
+    result.lie = {-left.head<2>(), pairs.middle, -left.z()};
     std::vector<Eigen::Vector2d> remaining;
     for (std::size_t i = 0; i < pairs.size(); ++i) {
         remaining.emplace_back(pairs.differences[i] + left.head<2>() + left.z() * pairs.points[i]);
-        result.variance += remaining.back().squaredNorm() / double(pairs.size());
+        result.leftM2.push_back(remaining.back().squaredNorm());
+        result.variance += result.leftM2.back() / double(pairs.size());
     }
     result.correlatedS = correlationS(remaining, pairs.sinceStartS, result.variance);
 

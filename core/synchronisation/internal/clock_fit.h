@@ -23,6 +23,7 @@ struct Pairs
     std::vector<double> sinceStartS;                              ///< of the second clip
     std::vector<Eigen::Vector2d> differences, velocities, points; ///< points about their mean
     std::vector<double> velocityVariances;
+    Eigen::Vector2d middle = Eigen::Vector2d::Zero(); ///< that mean
     double motionVariance = 0; ///< m², of the second track's positions about their mean
 
     std::size_t size() const { return differences.size(); }
@@ -43,6 +44,8 @@ struct Agreement
 {
     double variance = 0;         ///< m², of what shift and scale leave
     double predicted = 0;        ///< of what the step is to leave
+    std::vector<double> leftM2;  ///< of each pair, likewise
+    Lie lie;                     ///< the shift and scale that leave least
     double correlatedS = 0;      ///< over which what is left is alike
     Eigen::VectorXd step;        ///< Gauss–Newton step
     Eigen::MatrixXd information; ///< per m² of noise

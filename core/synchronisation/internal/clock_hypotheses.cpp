@@ -11,7 +11,8 @@ namespace odo {
 
 namespace {
 
-constexpr std::size_t mostRates = 61, mostSettled = 6;
+constexpr std::size_t mostRates = 61, mostSettled = 6, mostSharpened = 6;
+constexpr double sharpenedBehind = 25;  ///< the likeliest
 constexpr double rateApartFrames = 1.5; ///< over the whole time
 
 /// Rates from −2 to 2 %, no further apart than the tracks can tell, then those of wrong labels.
@@ -50,6 +51,20 @@ void rank(std::vector<ClockHypothesis> &all, double frameS)
                          againstUnseenS * frameS * double(most - one.clocks.pairs);
     std::sort(all.begin(), all.end(),
               [](const auto &a, const auto &b) { return a.likelihood > b.likelihood; });
+}
+
+/// Weighs relations, then those again whose steps may be better by their exact moments.
+void settle(const std::vector<TimedPosition> &first, const std::vector<TimedPosition> &second,
+            std::vector<ClockHypothesis> &all)
+{
+    const double frameS = std::max(medianStepS(first), 1e-3);
+    rank(all, frameS);
+    for (std::size_t i = 0; i < std::min(all.size(), mostSharpened); ++i) {
+        SteppedClocks &clocks = all[i].clocks;
+        if (clocks.steps() > 0 && all.front().likelihood - all[i].likelihood < sharpenedBehind)
+            clocks = withBestMoments(first, second, clocks, clocks.clock.rate != 0);
+    }
+    rank(all, frameS);
 }
 
 /// The best courses of rates that are apart, and that of equal rates, which most clocks have.
@@ -92,7 +107,6 @@ std::vector<ClockHypothesis> hypothesesAbout(const std::vector<TimedPosition> &f
                                              const std::vector<TimedPosition> &second, const LagRange &range,
                                              const Fit &fit)
 {
-    const double frameS = std::max(medianStepS(first), 1e-3);
     LagCourse course = LagSearch(first, second, range).courseAt(fit.clock.rate);
     std::vector<ClockHypothesis> all;
     const LagPiece whole{first.front().timeS, first.back().timeS, fit.clock.offsetS};
@@ -106,7 +120,7 @@ std::vector<ClockHypothesis> hypothesesAbout(const std::vector<TimedPosition> &f
     constant.clocks.correlatedS = fit.agreement.correlatedS;
     constant.clocks.pairs = fit.pairs;
     all.push_back(constant);
-    rank(all, frameS);
+    settle(first, second, all);
     return all;
 }
 
@@ -135,7 +149,7 @@ std::vector<ClockHypothesis> clockHypotheses(const std::vector<TimedPosition> &f
             addRelations(first, second, course, withRate, found);
         }
     }
-    rank(found, frameS);
+    settle(first, second, found);
     return found;
 }
 

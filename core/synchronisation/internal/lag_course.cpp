@@ -49,19 +49,6 @@ struct Grid
     double lagS(std::size_t lag) const { return double(lowest + long(lag)) * stepS; }
 };
 
-/// How the second view's positions lie on the first view's.
-struct Lie
-{
-    Eigen::Vector2d shift = Eigen::Vector2d::Zero(), middle = Eigen::Vector2d::Zero();
-    double scale = 0;
-    double noiseM = 0; ///< in a coordinate
-
-    Eigen::Vector2d apart(const PositionAndVelocity &first, const PositionAndVelocity &second) const
-    {
-        return first.point - second.point - shift - scale * (second.point - middle);
-    }
-};
-
 class Course
 {
 public:
@@ -116,14 +103,14 @@ public:
         for (int again = 0; again < positionRounds; ++again) {
             lieDown();
             if (noiseM > 0)
-                m_lie.noiseM = noiseM;
+                m_noiseM = noiseM;
             compare([&](const PositionAndVelocity &b) {
-                const Eigen::Vector2d point = b.point + m_lie.shift + m_lie.scale * (b.point - m_lie.middle);
+                const Eigen::Vector2d point = m_lie.onFirst(b.point);
                 return Target{float(point.x()), float(point.y()), 0};
             });
             walk([&](const PositionAndVelocity &a) {
                 const double lagM2 = a.velocity.squaredNorm() * m_grid.stepS * m_grid.stepS / 12,
-                             variance = 2 * m_lie.noiseM * m_lie.noiseM + lagM2;
+                             variance = 2 * m_noiseM * m_noiseM + lagM2;
                 return Target{float(a.point.x()), float(a.point.y()), float(variance)};
             });
         }
@@ -192,10 +179,16 @@ private:
         }
     }
 
+    double apartM(std::size_t moment, const PositionAndVelocity &second) const
+    {
+        return (m_first[moment]->point - m_lie.onFirst(second.point)).norm();
+    }
+
     /// Shift, scale and noise of what lies on the path, without what lies far off.
     void lieDown()
     {
         m_lie = {};
+        m_noiseM = 0;
         double farM = HUGE_VAL;
         for (int again = 0; again < 4; ++again) {
             Eigen::Vector2d first = Eigen::Vector2d::Zero(), second = Eigen::Vector2d::Zero();
@@ -205,10 +198,10 @@ private:
                 const auto &other = secondAt(i, m_lags[i]);
                 if (!m_first[i] || !other)
                     continue;
-                const double apartM = m_lie.apart(*m_first[i], *other).norm();
-                if (apartM > farM)
+                const double thereM = apartM(i, *other);
+                if (thereM > farM)
                     continue;
-                apart.push_back(apartM);
+                apart.push_back(thereM);
                 taken.push_back(i);
                 first += m_first[i]->point;
                 second += other->point;
@@ -228,10 +221,10 @@ private:
             m_lie.scale = across > 0 ? std::clamp(along / across - 1, -mostScale, mostScale) : 0;
             std::vector<double> left;
             for (const std::size_t i : taken)
-                left.push_back(m_lie.apart(*m_first[i], *secondAt(i, m_lags[i])).norm());
+                left.push_back(apartM(i, *secondAt(i, m_lags[i])));
             const double median = upperMedian(std::move(left));
             farM = 3 * std::max(median, finestM);
-            m_lie.noiseM = std::clamp(median / 1.1774, finestM, coarsestM); // of Rayleigh's distribution
+            m_noiseM = std::clamp(median / 1.1774, finestM, coarsestM); // of Rayleigh's distribution
         }
     }
 
@@ -239,7 +232,7 @@ private:
     {
         LagCourse found;
         found.rate = m_rate;
-        found.noiseM = m_lie.noiseM;
+        found.noiseM = m_noiseM;
         found.cost = m_cost;
         for (std::size_t i = 0; i < m_grid.moments; ++i) {
             if (!m_first[i] || !secondAt(i, m_lags[i]))
@@ -257,6 +250,7 @@ private:
     std::vector<std::optional<PositionAndVelocity>> m_first;
     Backwards m_second;
     Lie m_lie;
+    double m_noiseM = 0;              ///< in a coordinate
     std::vector<std::int32_t> m_from; ///< for each moment and lag, the lag before
     std::vector<std::size_t> m_lags;  ///< of the path
     double m_cost = 0;

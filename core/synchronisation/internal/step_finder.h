@@ -12,7 +12,6 @@ struct FoundStep
 {
     bool inFirst = false;
     ClockStep step;
-    double sinceStartS = 0; ///< of the repaired second clip, by the first's pace
 
     /// What the lag changes by with each second that the step is longer.
     double sign() const { return inFirst ? -1 : 1; }

@@ -2,9 +2,8 @@
 #include "core/synchronisation/internal/step_search.h"
 
 #include "core/synchronisation/internal/clip_synchronisation.h"
-#include "core/synchronisation/internal/step_finder.h"
+#include "core/synchronisation/internal/end_step.h"
 
-#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 
@@ -14,7 +13,6 @@ namespace {
 
 constexpr double leastFrames = 0.6; ///< of a step
 constexpr double shortestPieceS = 0.4;
-constexpr int mostRounds = 12;
 constexpr std::size_t mostAdded = 8, mostUnpaid = 2;
 constexpr double mostScanned = 100;
 constexpr double scanStepS = 0.1, fromEndS = 0.5;
@@ -37,68 +35,6 @@ std::vector<LagPiece> lastingPieces(const LagCourse &course, double frameS)
             pieces.push_back(piece);
     }
     return pieces;
-}
-
-SteppedClocks clocksOf(const ClockGuess &clock, const std::vector<FoundStep> &steps)
-{
-    SteppedClocks clocks;
-    clocks.clock = clock;
-    for (const FoundStep &found : steps)
-        (found.inFirst ? clocks.first : clocks.second).steps.push_back(found.step);
-    return clocks;
-}
-
-/// Gauss–Newton of offset, rate and the steps' lengths.
-SteppedClocks fitted(const std::vector<TimedPosition> &first, const std::vector<TimedPosition> &second,
-                     ClockGuess clock, std::vector<FoundStep> &steps, bool withRate)
-{
-    const double frameS = std::max(medianStepS(first), 1e-3);
-    SteppedClocks clocks;
-    double noise = independentVariance(0, frameS);
-    for (int round = 0; round < mostRounds; ++round) {
-        clocks = clocksOf(clock, steps);
-        const std::vector<TimedPosition> a = restamped(first, clocks.first),
-                                         b = restamped(second, clocks.second);
-        std::vector<LagChange> changes;
-        for (FoundStep &found : steps) {
-            const double atS = found.step.afterS + 1e-9;
-            found.sinceStartS = found.inFirst ? clocks.first.timeS(atS) - clock.offsetS
-                                              : clocks.second.timeS(atS) / (1 + clock.rate);
-            changes.push_back({found.sinceStartS - 1e-9});
-        }
-        const Pairs pairs = pairsAt(a, b, clock, 1);
-        const Agreement agreement = agreementOf(pairs, withRate, changes, noise);
-        clocks.variance = agreement.variance;
-        clocks.correlatedS = agreement.correlatedS;
-        clocks.pairs = pairs.size();
-        noise = independentVariance(agreement.variance, frameS);
-        Eigen::MatrixXd information = agreement.information;
-        if (!withRate)
-            information(1, 1) = 1e12;
-        const Eigen::MatrixXd covariance = noise * information.inverse();
-        clocks.lagSigmaS = covariance.allFinite() && covariance(0, 0) > 0 ? std::sqrt(covariance(0, 0)) : 1e9;
-        for (std::size_t k = 0; k < steps.size(); ++k) {
-            const auto at = Eigen::Index(2 + k);
-            steps[k].step.sigmaS = covariance(at, at) > 0 ? std::sqrt(covariance(at, at)) : 1e9;
-        }
-        if (round + 1 == mostRounds || (round > 1 && agreement.step.cwiseAbs().maxCoeff() < 1e-6))
-            break;
-        clock.offsetS += std::clamp(agreement.step[0], -frameS, frameS);
-        clock.rate += std::clamp(agreement.step[1], -0.002, 0.002);
-        for (std::size_t k = 0; k < steps.size(); ++k) {
-            ClockStep &step = steps[k].step;
-            const double by =
-                std::clamp(steps[k].sign() * agreement.step[Eigen::Index(2 + k)], -frameS, frameS);
-            if (step.squeezedS > 0)
-                step.squeezedS = std::max(0.0, step.squeezedS - by);
-            step.lengthS += by;
-        }
-    }
-    // with the steps' σ, which the last round gave
-    const SteppedClocks withSigmas = clocksOf(clocks.clock, steps);
-    clocks.first = withSigmas.first;
-    clocks.second = withSigmas.second;
-    return clocks;
 }
 
 /// Leaves out the steps of less than a frame, each with the piece behind it.
@@ -127,9 +63,9 @@ SteppedClocks clocksByPieces(const std::vector<TimedPosition> &first,
         std::vector<FoundStep> steps;
         for (std::size_t i = 1; i < pieces.size(); ++i)
             steps.push_back(stepBetween(first, second, pieces[i - 1], pieces[i], rate, noiseM));
-        clocks = fitted(first, second, {pieces.front().lagS, rate}, steps, withRate);
+        clocks = fittedSteps(first, second, {pieces.front().lagS, rate}, steps, withRate);
         if (withoutSmallSteps(steps, pieces, frameS))
-            clocks = fitted(first, second, clocks.clock, steps, withRate);
+            clocks = fittedSteps(first, second, clocks.clock, steps, withRate);
         rate = clocks.clock.rate;
         pieces.front().lagS = clocks.clock.offsetS;
         for (std::size_t k = 0; k < steps.size(); ++k)
@@ -177,16 +113,11 @@ FurtherStep likeliestStep(const std::vector<TimedPosition> &first, const std::ve
     return best;
 }
 
-/// The pieces of a relation with the further step that what remains shows; empty: it shows none.
-std::vector<LagPiece> withAnotherStep(const std::vector<TimedPosition> &first,
-                                      const std::vector<TimedPosition> &second, const SteppedClocks &clocks,
-                                      bool withRate)
+/// The pieces of a relation with one of them split at a moment of the first view's repaired clock; empty:
+/// none is there. behind: of its later part.
+std::vector<LagPiece> split(const std::vector<TimedPosition> &first, const SteppedClocks &clocks, double atS,
+                            std::size_t &behind)
 {
-    const double frameS = std::max(medianStepS(first), 1e-3);
-    const auto [sinceStartS, offsetS, changeS] = likeliestStep(first, second, clocks, withRate);
-    const double atS = sinceStartS + clocks.clock.offsetS; // of the first's repaired clock
-    if (std::abs(changeS) < leastFrames * frameS / 2)
-        return {};
     std::vector<LagPiece> pieces = clocks.pieces;
     pieces.back().toS = std::max(pieces.back().toS, first.back().timeS);
     const auto at = std::find_if(pieces.begin(), pieces.end(),
@@ -194,16 +125,50 @@ std::vector<LagPiece> withAnotherStep(const std::vector<TimedPosition> &first,
     if (at == pieces.end())
         return {};
     const double stampedS = atS - (clocks.first.timeS(at->toS) - at->toS);
-    LagPiece behind = *at;
-    behind.fromS = stampedS;
-    behind.lagS += changeS;
+    LagPiece later = *at;
+    later.fromS = stampedS;
     at->toS = stampedS;
-    for (auto later = at + 1; later != pieces.end(); ++later)
-        later->lagS += changeS;
-    pieces.insert(at + 1, behind);
+    behind = std::size_t(at - pieces.begin()) + 1;
+    pieces.insert(at + 1, later);
+    return pieces;
+}
+
+/// The pieces of a relation with the further step that what remains shows; empty: it shows none.
+std::vector<LagPiece> withAnotherStep(const std::vector<TimedPosition> &first,
+                                      const std::vector<TimedPosition> &second, const SteppedClocks &clocks,
+                                      bool withRate)
+{
+    const double frameS = std::max(medianStepS(first), 1e-3);
+    const auto [sinceStartS, offsetS, changeS] = likeliestStep(first, second, clocks, withRate);
+    if (std::abs(changeS) < leastFrames * frameS / 2)
+        return {};
+    std::size_t behind = 0;
+    std::vector<LagPiece> pieces = split(first, clocks, sinceStartS + clocks.clock.offsetS, behind);
+    for (std::size_t k = behind; k < pieces.size(); ++k)
+        pieces[k].lagS += changeS;
     if (!withRate) // the offset is that at the clip's start, and goes with the rate
         for (LagPiece &piece : pieces)
             piece.lagS += offsetS;
+    return pieces;
+}
+
+/// The pieces of a relation with the step that one end of the tracks shows; empty: none does.
+std::vector<LagPiece> withStepNearEnd(const std::vector<TimedPosition> &first,
+                                      const std::vector<TimedPosition> &second, const SteppedClocks &clocks,
+                                      bool withRate)
+{
+    const auto end = stepNearEnd(first, second, clocks, withRate);
+    if (!end)
+        return {};
+    std::size_t behind = 0;
+    std::vector<LagPiece> pieces = split(first, clocks, end->atS + clocks.clock.offsetS, behind);
+    if (pieces.empty())
+        return {};
+    for (std::size_t k = end->isBegin ? 0 : behind; k < (end->isBegin ? behind : pieces.size()); ++k) {
+        pieces[k].lagS += end->changeS;
+        pieces[k].fromS += end->changeS; // the second view's moments stay
+        pieces[k].toS += end->changeS;
+    }
     return pieces;
 }
 
@@ -249,8 +214,13 @@ std::vector<SteppedClocks> withBetterSteps(const std::vector<TimedPosition> &fir
     const auto made = [&](std::vector<LagPiece> pieces) {
         return clocksByPieces(first, second, std::move(pieces), clocks.clock.rate, noiseM, withRate);
     };
-    // Two steps that cancel out explain little each, so one that does not pay is followed further.
     std::vector<SteppedClocks> others;
+    if (auto pieces = withStepNearEnd(first, second, clocks, withRate); !pieces.empty()) {
+        others.push_back(made(std::move(pieces)));
+        if (isBetter(others.back(), clocks))
+            std::swap(others.back(), clocks);
+    }
+    // Two steps that cancel out explain little each, so one that does not pay is followed further.
     SteppedClocks tried = clocks;
     for (std::size_t since = 0, added = 0; added < mostAdded && since <= mostUnpaid; ++added, ++since) {
         auto pieces = withAnotherStep(first, second, tried, withRate);

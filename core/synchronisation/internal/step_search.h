@@ -1,27 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/synchronisation/internal/clock_fit.h"
 #include "core/synchronisation/internal/lag_course.h"
+#include "core/synchronisation/internal/step_fit.h"
 
 #include <optional>
 #include <vector>
 
 namespace odo {
-
-/// A relation of two clocks whose stamps may be off from some moments on.
-struct SteppedClocks
-{
-    ClockGuess clock; ///< of the repaired tracks
-    ClockRepair first, second;
-    double variance = 0;    ///< m², of what remains
-    double correlatedS = 0; ///< over which it is alike
-    double lagSigmaS = 0;   ///< of the lag where it is known worst
-    std::size_t pairs = 0;
-    std::vector<LagPiece> pieces = {}; ///< that it was made from, with their fitted lags
-
-    std::size_t steps() const { return first.steps.size() + second.steps.size(); }
-};
 
 /// The logarithm of the likelihood of a relation that leaves so much of independent moments, less what speaks
 /// against it beforehand.

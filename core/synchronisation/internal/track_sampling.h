@@ -39,6 +39,18 @@ struct PositionAndVelocity
 /// track and where it has a gap.
 std::optional<PositionAndVelocity> trackAt(const std::vector<TimedPosition> &track, double timeS);
 
+/// How the second view's positions lie on the first view's: shifted, and larger about a point.
+struct Lie
+{
+    Eigen::Vector2d shift = Eigen::Vector2d::Zero(), middle = Eigen::Vector2d::Zero();
+    double scale = 0;
+
+    Eigen::Vector2d onFirst(const Eigen::Vector2d &second) const
+    {
+        return second + shift + scale * (second - middle);
+    }
+};
+
 /// A track with its times as they are after a repair of its clock.
 std::vector<TimedPosition> restamped(std::vector<TimedPosition> track, const ClockRepair &repair);
 
