@@ -217,21 +217,6 @@ void CommandCall::warnOf(const Error &error)
     printWarning(error.message());
 }
 
-namespace {
-
-/// Protects the recordings that are not in the media folder, where nothing may be written anyway.
-Result<void> protectRecordings(Project &project, InputFiles &files)
-{
-    const auto recordings = ODO_TRY(project.trials().allRecordings());
-    const std::string media = project.mediaFolder().string() + '/';
-    for (const RecordingRecord &recording : recordings)
-        if (const auto file = project.resolve(recording); !file.string().starts_with(media))
-            files.add(file);
-    return {};
-}
-
-} // namespace
-
 QCommandLineOption forceOption()
 {
     return {option::force, QStringLiteral("Replace a file of another kind as well.")};
@@ -239,17 +224,10 @@ QCommandLineOption forceOption()
 
 QList<QCommandLineOption> outputOptions(const QString &description)
 {
-    return {{{QStringLiteral("o"), option::output}, description, QStringLiteral("FILE")}, forceOption()};
-}
-
-Result<OutputTarget> outputOf(const CommandCall &call, const std::string &file, std::optional<FileKind> kind,
-                              Project *project)
-{
-    const OutputTarget target(file,
-                              call.isSet(option::force) ? Existing::ReplaceAny : Existing::ReplaceSameKind);
-    if (project && identityOf(target.file))
-        ODO_TRY(protectRecordings(*project, call.recordings()));
-    return checkOutput(target, kind).map([&](const OutputLocation &) { return target; });
+    return {{{QStringLiteral("o"), option::output},
+             description + QStringLiteral(" - is standard output."),
+             QStringLiteral("FILE")},
+            forceOption()};
 }
 
 namespace {

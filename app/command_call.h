@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "app/commands/commands.h"
 #include "core/base/error.h"
 #include "core/base/job_control.h"
-#include "core/files/output_file.h"
 #include "core/files/protected_files.h"
 #include "core/project/project.h"
 #include "ui/report/trial_report.h"
@@ -183,14 +183,8 @@ class Project;
 
 /// "--force", of every command that writes a file.
 QCommandLineOption forceOption();
-/// "-o FILE" and "--force".
+/// "-o FILE" and "--force" (CommandOutput).
 QList<QCommandLineOption> outputOptions(const QString &description);
-
-/// Where a command is to write, checked before the work is done: WrongCall for what must never be
-/// overwritten, and for a file of another kind without --force (checkOutput). project: whose recordings must
-/// stay, wherever they are.
-Result<OutputTarget> outputOf(const CommandCall &call, const std::string &file, std::optional<FileKind> kind,
-                              Project *project);
 
 /// --language, for commands that write what people read: reports, images, videos. What a command answers
 /// stays English.
