@@ -22,6 +22,7 @@ namespace odo {
 namespace {
 
 bool isAnswered = false;
+CommandSyntax *askedSyntax = nullptr; ///< where parse() puts it instead
 
 /// Shows progress on one line of a terminal, and clears it when the last copy is gone.
 class TerminalProgress
@@ -45,11 +46,22 @@ private:
 
 } // namespace
 
+CommandSyntax syntaxOf(Subcommand command)
+{
+    CommandSyntax syntax;
+    askedSyntax = &syntax;
+    static_cast<void>(command({}, {}));
+    askedSyntax = nullptr;
+    return syntax;
+}
+
 CommandCall::CommandCall(CommandSyntax syntax, CancelToken cancel) : m_syntax(std::move(syntax))
 {
+    m_syntax.options << QCommandLineOption(QStringLiteral("json"),
+                                           QStringLiteral("Print one JSON object and nothing else."))
+                     << QCommandLineOption({QStringLiteral("h"), QStringLiteral("help")},
+                                           QStringLiteral("Show this help."));
     m_parser.addOptions(m_syntax.options);
-    m_parser.addOption({QStringLiteral("json"), QStringLiteral("Print one JSON object and nothing else.")});
-    m_parser.addOption({{QStringLiteral("h"), QStringLiteral("help")}, QStringLiteral("Show this help.")});
     m_control.cancel = std::move(cancel);
     if (isStandardErrorSeen()) {
         m_control.progress = [terminal = std::make_shared<TerminalProgress>()](
@@ -59,6 +71,10 @@ CommandCall::CommandCall(CommandSyntax syntax, CancelToken cancel) : m_syntax(st
 
 Result<bool> CommandCall::parse(const QStringList &arguments)
 {
+    if (askedSyntax) {
+        *askedSyntax = m_syntax;
+        return false;
+    }
     if (!m_parser.parse(QStringList(QStringLiteral("odograph ") + m_syntax.name) + arguments))
         return wrongCall(foreignWords(
             m_parser.errorText().chopped(m_parser.errorText().endsWith(u'.') ? 1 : 0).toStdString()));
@@ -244,9 +260,8 @@ QStringList codes()
 
 QCommandLineOption languageOption()
 {
-    return {option::language,
-            QStringLiteral("Language of the texts and numbers: %1.").arg(codes().join(QStringLiteral(", "))),
-            QStringLiteral("CODE"), QStringLiteral("en")};
+    return {option::language, QStringLiteral("Language of the texts and numbers."), codes().join(u'|'),
+            QStringLiteral("en")};
 }
 
 Result<void> applyLanguage(const CommandCall &call)
@@ -261,8 +276,7 @@ Result<void> applyLanguage(const CommandCall &call)
 
 QList<QCommandLineOption> reportOptionSyntax()
 {
-    return {{option::paper, QStringLiteral("Paper size: a4 or letter."), QStringLiteral("PAPER"),
-             QStringLiteral("a4")},
+    return {{option::paper, QStringLiteral("Paper size."), QStringLiteral("a4|letter"), QStringLiteral("a4")},
             {option::school, QStringLiteral("School name at the top of each page."), QStringLiteral("TEXT")},
             {option::logo, QStringLiteral("Image at the top of each page (PNG, JPEG, SVG)."),
              QStringLiteral("FILE")},

@@ -25,8 +25,11 @@ struct CommandSyntax
     QString name;                      ///< "robot add" is "robot"; its verb is the first positional
     QString arguments;                 ///< e.g. "P.odo TRIAL"
     int fewest = 0, most = 0;          ///< positional arguments; most < 0: any number
-    QList<QCommandLineOption> options; ///< beside --json and --help, which every command has
+    QList<QCommandLineOption> options; ///< beside --json and --help, which CommandCall adds
 };
+
+/// How a command is called, as it says itself; it does nothing else. Not while another one runs.
+CommandSyntax syntaxOf(Subcommand command);
 
 /// One call of a subcommand: its arguments read and checked, and what it needs to answer.
 /// A wrong call gives ErrorCode::WrongCall, which the program turns into exit status 2.
