@@ -210,18 +210,22 @@ QString comparisonText(const ComparedTrials &trials, const TrialComparison &comp
 }
 
 /// Nothing where none was asked for.
-Result<std::optional<CommandOutput>> writtenReport(const CommandCall &call, Project &project,
-                                                   const CompareSettings &settings)
+Result<std::optional<CommandOutput>> reportOutput(const CommandCall &call, Project &project)
 {
     if (!call.isSet(option::output))
         return std::nullopt;
+    return CommandOutput::of(call, QString::fromStdString(call.value(option::output)), FileKind::Pdf,
+                             &project)
+        .map([](CommandOutput output) { return std::optional(std::move(output)); });
+}
+
+Result<void> writeReport(const CommandCall &call, Project &project, const CompareSettings &settings,
+                         const OutputTarget &target)
+{
     const auto options = ODO_TRY(readReportOptions(call));
-    auto output = ODO_TRY(
-        CommandOutput::of(call, QString::fromStdString(call.value(option::output)), FileKind::Pdf, &project));
     ReportJob job(comparisonReport(settings, options),
-                  std::make_unique<PdfFile>(output.target(), QStringLiteral("Odograph comparison")));
-    ODO_TRY(runToEnd(job, project, call.control()));
-    return output;
+                  std::make_unique<PdfFile>(target, QStringLiteral("Odograph comparison")));
+    return runToEnd(job, project, call.control());
 }
 
 } // namespace
@@ -275,10 +279,12 @@ Result<void> runCompare(const QStringList &arguments, const CancelToken &cancel)
     double laterS = 0;
     ODO_TRY(readAlignment(call, settings, laterS));
     const auto project = ODO_TRY(call.openProject(0, Project::Access::ReadOnly));
+    const auto report = ODO_TRY(reportOutput(call, *project));
     const auto trials = ODO_TRY(readComparedTrials(*project, settings));
     settings.handTimesS = {std::max(0.0, -laterS), std::max(0.0, laterS)};
     const auto compared = ODO_TRY(compareTrials(trials, settings));
-    const auto report = ODO_TRY(writtenReport(call, *project, settings));
+    if (report)
+        ODO_TRY(writeReport(call, *project, settings, report->target()));
     QJsonObject json = comparisonJson(compared);
     QString words = comparisonText(trials, compared);
     addVerdicts(trials, json, words);

@@ -112,6 +112,24 @@ private Q_SLOTS:
             both.json().value(QStringLiteral("error")).toObject().value(QStringLiteral("code")).toString(),
             QStringLiteral("wrong_call"));
     }
+    void aSnapshotLeavesThePreferencesAlone()
+    {
+        const QString preferences = path("preferences");
+        QVERIFY(QDir().mkpath(preferences));
+        const QByteArray before = qgetenv("XDG_CONFIG_HOME");
+        qputenv("XDG_CONFIG_HOME", preferences.toUtf8());
+        const ProgramRun run = runProgram({QStringLiteral("snapshot"), m_project, QStringLiteral("Trial 1"),
+                                           QStringLiteral("-o"), path("window.png")});
+        qputenv("XDG_CONFIG_HOME", before);
+        QVERIFY2(run.exitStatus == 0, run.err.constData());
+        QVERIFY(QDir(preferences).isEmpty());
+    }
+    void aComparisonThatCannotBeWrittenIsAWrongCall()
+    {
+        const ProgramRun run = runProgram({QStringLiteral("compare"), m_project, QStringLiteral("Trial 8"),
+                                           QStringLiteral("Trial 9"), QStringLiteral("-o"), m_project});
+        QCOMPARE(run.exitStatus, 2);
+    }
     void whatFailsPrintsNothingOfIt()
     {
         const ProgramRun run = report({QStringLiteral("Trial 1"), QStringLiteral("Trial 9"),
