@@ -38,12 +38,14 @@ Result<void> protectRecordings(Project &project, InputFiles &files)
     return {};
 }
 
-/// Standard output gets all bytes of the file.
-Result<void> printFile(const QString &name)
+/// Standard output gets all bytes of the file. Its folder goes first: who reads only the beginning ends this
+/// program (SIGPIPE).
+Result<void> printFile(const QString &name, QTemporaryDir &folder)
 {
     QFile file(name);
     if (!file.open(QIODevice::ReadOnly))
         return notPrinted(file.errorString().toStdString(), freeTemporarySpace());
+    folder.remove();
     std::array<char, 1 << 16> block{};
     for (qint64 count = 0; (count = file.read(block.data(), qint64(block.size()))) != 0;) {
         if (count < 0)
@@ -86,7 +88,7 @@ Result<void> CommandOutput::finish(const CommandCall &call, const QJsonObject &j
                                    const QString &text) const
 {
     if (isPrinted())
-        return printFile(QString::fromStdString(m_target.file.string()));
+        return printFile(QString::fromStdString(m_target.file.string()), *m_folder);
     call.answer(json, text);
     return {};
 }

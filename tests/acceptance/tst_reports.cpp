@@ -112,6 +112,19 @@ private Q_SLOTS:
             both.json().value(QStringLiteral("error")).toObject().value(QStringLiteral("code")).toString(),
             QStringLiteral("wrong_call"));
     }
+    void aReaderThatStopsLeavesNothingBehind()
+    {
+        const QString temporary = path("temporary");
+        QVERIFY(QDir().mkpath(temporary));
+        const ProgramRun run = runCommand(
+            QStringLiteral("bash"),
+            {QStringLiteral("-c"),
+             QStringLiteral(
+                 "TMPDIR=\"$1\" \"$ODOGRAPH_PROGRAM\" report \"$2\" 'Trial 1' 'Trial 2' -o - | head -c 5"),
+             QStringLiteral("bash"), temporary, m_project});
+        QCOMPARE(run.out, QByteArray("%PDF-"));
+        QVERIFY(QDir(temporary).entryList({QStringLiteral("odograph*")}).isEmpty());
+    }
     void aSnapshotLeavesThePreferencesAlone()
     {
         const QString preferences = path("preferences");
