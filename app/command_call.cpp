@@ -22,6 +22,7 @@ namespace odo {
 namespace {
 
 bool isAnswered = false;
+CommandSyntax *askedSyntax = nullptr; ///< where parse() puts it instead
 
 /// Shows progress on one line of a terminal, and clears it when the last copy is gone.
 class TerminalProgress
@@ -45,11 +46,22 @@ private:
 
 } // namespace
 
+CommandSyntax syntaxOf(Subcommand command)
+{
+    CommandSyntax syntax;
+    askedSyntax = &syntax;
+    static_cast<void>(command({}, {}));
+    askedSyntax = nullptr;
+    return syntax;
+}
+
 CommandCall::CommandCall(CommandSyntax syntax, CancelToken cancel) : m_syntax(std::move(syntax))
 {
+    m_syntax.options << QCommandLineOption(QStringLiteral("json"),
+                                           QStringLiteral("Print one JSON object and nothing else."))
+                     << QCommandLineOption({QStringLiteral("h"), QStringLiteral("help")},
+                                           QStringLiteral("Show this help."));
     m_parser.addOptions(m_syntax.options);
-    m_parser.addOption({QStringLiteral("json"), QStringLiteral("Print one JSON object and nothing else.")});
-    m_parser.addOption({{QStringLiteral("h"), QStringLiteral("help")}, QStringLiteral("Show this help.")});
     m_control.cancel = std::move(cancel);
     if (isStandardErrorSeen()) {
         m_control.progress = [terminal = std::make_shared<TerminalProgress>()](
@@ -59,6 +71,10 @@ CommandCall::CommandCall(CommandSyntax syntax, CancelToken cancel) : m_syntax(st
 
 Result<bool> CommandCall::parse(const QStringList &arguments)
 {
+    if (askedSyntax) {
+        *askedSyntax = m_syntax;
+        return false;
+    }
     if (!m_parser.parse(QStringList(QStringLiteral("odograph ") + m_syntax.name) + arguments))
         return wrongCall(foreignWords(
             m_parser.errorText().chopped(m_parser.errorText().endsWith(u'.') ? 1 : 0).toStdString()));
@@ -217,21 +233,6 @@ void CommandCall::warnOf(const Error &error)
     printWarning(error.message());
 }
 
-namespace {
-
-/// Protects the recordings that are not in the media folder, where nothing may be written anyway.
-Result<void> protectRecordings(Project &project, InputFiles &files)
-{
-    const auto recordings = ODO_TRY(project.trials().allRecordings());
-    const std::string media = project.mediaFolder().string() + '/';
-    for (const RecordingRecord &recording : recordings)
-        if (const auto file = project.resolve(recording); !file.string().starts_with(media))
-            files.add(file);
-    return {};
-}
-
-} // namespace
-
 QCommandLineOption forceOption()
 {
     return {option::force, QStringLiteral("Replace a file of another kind as well.")};
@@ -239,17 +240,10 @@ QCommandLineOption forceOption()
 
 QList<QCommandLineOption> outputOptions(const QString &description)
 {
-    return {{{QStringLiteral("o"), option::output}, description, QStringLiteral("FILE")}, forceOption()};
-}
-
-Result<OutputTarget> outputOf(const CommandCall &call, const std::string &file, std::optional<FileKind> kind,
-                              Project *project)
-{
-    const OutputTarget target(file,
-                              call.isSet(option::force) ? Existing::ReplaceAny : Existing::ReplaceSameKind);
-    if (project && identityOf(target.file))
-        ODO_TRY(protectRecordings(*project, call.recordings()));
-    return checkOutput(target, kind).map([&](const OutputLocation &) { return target; });
+    return {{{QStringLiteral("o"), option::output},
+             description + QStringLiteral(" - is standard output."),
+             QStringLiteral("FILE")},
+            forceOption()};
 }
 
 namespace {
@@ -266,9 +260,8 @@ QStringList codes()
 
 QCommandLineOption languageOption()
 {
-    return {option::language,
-            QStringLiteral("Language of the texts and numbers: %1.").arg(codes().join(QStringLiteral(", "))),
-            QStringLiteral("CODE"), QStringLiteral("en")};
+    return {option::language, QStringLiteral("Language of the texts and numbers."), codes().join(u'|'),
+            QStringLiteral("en")};
 }
 
 Result<void> applyLanguage(const CommandCall &call)
@@ -283,8 +276,7 @@ Result<void> applyLanguage(const CommandCall &call)
 
 QList<QCommandLineOption> reportOptionSyntax()
 {
-    return {{option::paper, QStringLiteral("Paper size: a4 or letter."), QStringLiteral("PAPER"),
-             QStringLiteral("a4")},
+    return {{option::paper, QStringLiteral("Paper size."), QStringLiteral("a4|letter"), QStringLiteral("a4")},
             {option::school, QStringLiteral("School name at the top of each page."), QStringLiteral("TEXT")},
             {option::logo, QStringLiteral("Image at the top of each page (PNG, JPEG, SVG)."),
              QStringLiteral("FILE")},

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "app/commands/commands.h"
 #include "core/base/error.h"
 #include "core/base/job_control.h"
-#include "core/files/output_file.h"
 #include "core/files/protected_files.h"
 #include "core/project/project.h"
 #include "ui/report/trial_report.h"
@@ -25,8 +25,11 @@ struct CommandSyntax
     QString name;                      ///< "robot add" is "robot"; its verb is the first positional
     QString arguments;                 ///< e.g. "P.odo TRIAL"
     int fewest = 0, most = 0;          ///< positional arguments; most < 0: any number
-    QList<QCommandLineOption> options; ///< beside --json and --help, which every command has
+    QList<QCommandLineOption> options; ///< beside --json and --help, which CommandCall adds
 };
+
+/// How a command is called, as it says itself; it does nothing else. Not while another one runs.
+CommandSyntax syntaxOf(Subcommand command);
 
 /// One call of a subcommand: its arguments read and checked, and what it needs to answer.
 /// A wrong call gives ErrorCode::WrongCall, which the program turns into exit status 2.
@@ -183,14 +186,8 @@ class Project;
 
 /// "--force", of every command that writes a file.
 QCommandLineOption forceOption();
-/// "-o FILE" and "--force".
+/// "-o FILE" and "--force" (CommandOutput).
 QList<QCommandLineOption> outputOptions(const QString &description);
-
-/// Where a command is to write, checked before the work is done: WrongCall for what must never be
-/// overwritten, and for a file of another kind without --force (checkOutput). project: whose recordings must
-/// stay, wherever they are.
-Result<OutputTarget> outputOf(const CommandCall &call, const std::string &file, std::optional<FileKind> kind,
-                              Project *project);
 
 /// --language, for commands that write what people read: reports, images, videos. What a command answers
 /// stays English.

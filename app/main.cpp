@@ -2,6 +2,7 @@
 #include "app/answers.h"
 #include "app/command_call.h"
 #include "app/commands/commands.h"
+#include "app/completion/completion.h"
 #include "app/guarded_application.h"
 #include "app/workbench.h"
 #include "core/base/error.h"
@@ -26,45 +27,6 @@ namespace {
 
 using namespace odo;
 
-struct NamedCommand
-{
-    const char *name;
-    const char *summary;
-    Subcommand run;
-    bool needsWindow; ///< paints or opens one
-};
-
-constexpr NamedCommand commands[] = {
-    {"new", "create an empty project", runNew, false},
-    {"demo", "create a project with a simulated class and its videos", runDemo, false},
-    {"robot", "add a robot to a project", runRobot, false},
-    {"camera", "add a camera to a project", runCamera, false},
-    {"cameras", "list the cameras that can be opened now", runCameras, false},
-    {"calibrate", "compute a camera's intrinsics from images of a board", runCalibrate, false},
-    {"intrinsics", "import or export a camera's intrinsics", runIntrinsics, false},
-    {"layout", "add, show, transform and export layouts of floor markers", runLayout, false},
-    {"register", "register a camera to the floor", runRegister, false},
-    {"moved", "check whether a camera or a marker has moved since the registration", runCheckPosition, false},
-    {"revisions", "list the calibrations and registrations of a camera, choose one to use", runRevisions,
-     false},
-    {"task", "add a task with gates, path and limits; list tasks; set a trial's task", runTask, false},
-    {"trial", "accept the doubtful results of a trial, or withdraw that", runTrial, false},
-    {"import", "import the videos of a trial", runImport, false},
-    {"record", "record a trial from cameras", runRecord, false},
-    {"track", "track the robots of a trial and analyse them", runTrack, false},
-    {"reprocess", "show what reanalysing a trial with the current registrations changes", runReprocess,
-     false},
-    {"flag", "mark a sample as a spike or as valid, and reanalyse", runFlag, false},
-    {"list", "list the trials", runList, false},
-    {"show", "show a trial's metrics, spikes and provenance", runShow, false},
-    {"compare", "compare two runs: time difference, sectors, metrics", runCompare, true},
-    {"report", "write a printable report of trials or of a class", runReport, true},
-    {"export", "write a trial's samples to a file, or its annotated video", runExport, false},
-    {"snapshot", "save an image of the window", runSnapshot, true},
-    {"target", "write a board or floor markers for printing", runTarget, true},
-    {"check", "check a project and its recordings", runCheck, false},
-};
-
 /// As a desktop calls it, where nobody sees a terminal.
 constexpr const char *windowOption = "--window";
 
@@ -75,8 +37,22 @@ void printHelp()
     std::puts("odograph [PROJECT.odo]           open the workbench\n"
               "odograph --window [PROJECT.odo]  the same, but show problems with the project in the window\n"
               "odograph COMMAND ...             run without a window; odograph help COMMAND shows how\n");
-    for (const NamedCommand &command : commands)
+    for (const NamedCommand &command : allCommands())
         std::printf("  %-11s %s\n", command.name, command.summary);
+}
+
+/// Files and answers are written with a point, whatever the locale; what a person reads goes through QLocale.
+void keepNumbersPlain()
+{
+    std::setlocale(LC_NUMERIC, "C");
+}
+
+/// For the shells: silent whatever happens, and nothing is written but the answer.
+int runCompletion(int argc, char **argv)
+{
+    QCoreApplication application(argc, argv);
+    keepNumbersPlain();
+    return answerCompletion(QCoreApplication::arguments().mid(2)) ? exitDone : exitFailed;
 }
 
 bool isJsonAsked = false, isOutputClosed = false;
@@ -105,12 +81,6 @@ int report(const Result<void> &result)
     default:
         return exitFailed;
     }
-}
-
-/// Files and answers are written with a point, whatever the locale; what a person reads goes through QLocale.
-void keepNumbersPlain()
-{
-    std::setlocale(LC_NUMERIC, "C");
 }
 
 /// Standard error belongs to our one line; Qt's remarks on platform plugins are for nobody there.
@@ -199,6 +169,8 @@ int openWorkbench(int argc, char **argv)
 
 int run(int argc, char **argv)
 {
+    if (argc > 1 && std::strcmp(argv[1], completionCommand) == 0)
+        return runCompletion(argc, argv);
     shareMemoryPools();
     // where it cannot, the program does its work all the same
     watchForCrashes(stateFolder(), ODOGRAPH_VERSION);
@@ -219,7 +191,7 @@ int run(int argc, char **argv)
         std::puts("odograph " ODOGRAPH_VERSION);
         return report(printed());
     }
-    for (const NamedCommand &command : commands) {
+    for (const NamedCommand &command : allCommands()) {
         if (first == command.name)
             return runCommand(command, argc, argv);
     }

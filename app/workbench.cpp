@@ -18,6 +18,8 @@
 #include <QFileInfo>
 #include <QImage>
 #include <QImageWriter>
+#include <QSettings>
+#include <QTemporaryDir>
 #include <new>
 
 namespace odo {
@@ -48,6 +50,9 @@ Result<void> paintWorkbench(const std::filesystem::path &project, const std::str
         return fail(ErrorCode::WrongCall, what,
                     ODO_TEXT("app.picture_format_unknown", "its format is not supported"),
                     ODO_TEXT("app.end_in_png_or_jpg", "give it a name that ends in .png or .jpg"));
+    // The user's preferences must neither change the image nor be changed.
+    const QTemporaryDir preferences;
+    QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope, preferences.path());
     MainWindow window;
     ODO_TRY(window.openProject(project));
     // The window would report the problem, and be painted all the same.

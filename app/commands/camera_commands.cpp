@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/answers.h"
 #include "app/command_call.h"
+#include "app/command_output.h"
 #include "app/commands/commands.h"
 #include "core/base/units.h"
 #include "core/capture/camera_source.h"
@@ -214,11 +215,12 @@ Result<void> runIntrinsics(const QStringList &arguments, const CancelToken &canc
             ODO_TRY(importIntrinsics(*project, call.text(2), call.text(3), call.value(option::entry)));
         json.insert(QStringLiteral("intrinsics"), intrinsicsJson(record.calibration.intrinsics));
     } else {
-        const auto target = ODO_TRY(outputOf(call, call.text(3), FileKind::Yaml, project.get()));
-        ODO_TRY(exportIntrinsics(*project, call.text(2), target));
+        const auto output =
+            ODO_TRY(CommandOutput::of(call, call.positional(3), FileKind::Yaml, project.get()));
+        ODO_TRY(exportIntrinsics(*project, call.text(2), output.target()));
+        return output.finish(call, json, QStringLiteral("Wrote %1.").arg(call.positional(3)));
     }
-    call.answer(json, importing ? QStringLiteral("Camera %1 has new intrinsics.").arg(call.positional(2))
-                                : QStringLiteral("Wrote %1.").arg(call.positional(3)));
+    call.answer(json, QStringLiteral("Camera %1 has new intrinsics.").arg(call.positional(2)));
     return {};
 }
 
@@ -271,7 +273,7 @@ Result<void> runTarget(const QStringList &arguments, const CancelToken &cancel)
          1, 1,
          outputOptions(QStringLiteral("The PDF to write.")) +
              QList<QCommandLineOption>{
-                 {option::paper, QStringLiteral("Paper size: a4, letter or a3."), QStringLiteral("PAPER"),
+                 {option::paper, QStringLiteral("Paper size."), QStringLiteral("PAPER"),
                   QStringLiteral("a4")},
                  {option::board, QStringLiteral("Inner corners of a board."), QStringLiteral("CxR"),
                   QStringLiteral("9x6")},
@@ -288,12 +290,12 @@ Result<void> runTarget(const QStringList &arguments, const CancelToken &cancel)
         return call.missing(option::output);
     const auto spec = ODO_TRY(targetFrom(call));
     const QString file = QString::fromStdString(call.value(option::output));
-    const auto target = ODO_TRY(outputOf(call, call.value(option::output), FileKind::Pdf, nullptr));
-    ODO_TRY(writeTargetPdf(spec, target));
-    call.answer({{QStringLiteral("file"), file},
-                 {QStringLiteral("sheets"), isBoard(spec.kind) ? 1 : int(spec.labels.size())}},
-                QStringLiteral("Wrote %1. Print it at 100 % and check its ruler.").arg(file));
-    return {};
+    const auto output = ODO_TRY(CommandOutput::of(call, file, FileKind::Pdf, nullptr));
+    ODO_TRY(writeTargetPdf(spec, output.target()));
+    return output.finish(call,
+                         {{QStringLiteral("file"), file},
+                          {QStringLiteral("sheets"), isBoard(spec.kind) ? 1 : int(spec.labels.size())}},
+                         QStringLiteral("Wrote %1. Print it at 100 % and check its ruler.").arg(file));
 }
 
 } // namespace odo

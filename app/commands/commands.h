@@ -5,6 +5,7 @@
 #include "core/base/job_control.h"
 
 #include <QStringList>
+#include <span>
 
 namespace odo {
 
@@ -38,5 +39,16 @@ Result<void> runExport(const QStringList &arguments, const CancelToken &cancel);
 Result<void> runSnapshot(const QStringList &arguments, const CancelToken &cancel);
 Result<void> runTarget(const QStringList &arguments, const CancelToken &cancel);
 Result<void> runCheck(const QStringList &arguments, const CancelToken &cancel);
+
+struct NamedCommand
+{
+    const char *name;
+    const char *summary;
+    Subcommand run;
+    bool needsWindow; ///< paints or opens one
+};
+
+/// All of them, in the order of the help.
+std::span<const NamedCommand> allCommands();
 
 } // namespace odo

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/command_call.h"
+#include "app/command_output.h"
 #include "app/commands/commands.h"
 #include "app/workbench.h"
 #include "core/exchange/track_export.h"
@@ -13,9 +14,6 @@
 #include "ui/report/annotated_video.h"
 
 #include <algorithm>
-#include <cerrno>
-#include <cstdio>
-#include <cstring>
 
 namespace odo {
 
@@ -55,24 +53,23 @@ QList<QCommandLineOption> videoOptions()
 }
 
 /// Makes the annotated video of a trial and answers. Needs a QGuiApplication.
-Result<void> exportVideo(const CommandCall &call, const std::string &file)
+Result<void> exportVideo(const CommandCall &call, const QString &file)
 {
     auto settings = ODO_TRY(settingsOf(call));
     ODO_TRY(applyLanguage(call));
     const auto project = ODO_TRY(call.openProject(0, Project::Access::ReadOnly));
-    auto target = outputOf(call, file, std::nullopt, project.get()); // the job knows its kind
-    if (!target)
-        return tl::unexpected(target.error());
-    settings.target = std::move(*target);
+    // the job knows its kind
+    const auto output = ODO_TRY(CommandOutput::of(call, file, std::nullopt, project.get()));
+    settings.target = output.target();
     AnnotatedVideoJob job(call.text(1), settings);
     ODO_TRY(runToEnd(job, *project, call.control()));
-    const QString name = QString::fromStdString(file);
-    call.answer({{QStringLiteral("file"), name},
-                 {QStringLiteral("format"), QStringLiteral("video")},
-                 {QStringLiteral("frames"), job.frameCount()},
-                 {QStringLiteral("duration_s"), job.durationS()}},
-                QStringLiteral("Wrote %1: %2 s.").arg(name, QString::number(job.durationS(), 'f', 1)));
-    return {};
+    return output.finish(
+        call,
+        {{QStringLiteral("file"), file},
+         {QStringLiteral("format"), QStringLiteral("video")},
+         {QStringLiteral("frames"), job.frameCount()},
+         {QStringLiteral("duration_s"), job.durationS()}},
+        QStringLiteral("Wrote %1: %2 s.").arg(file, QString::number(job.durationS(), 'f', 1)));
 }
 
 namespace {
@@ -134,17 +131,6 @@ Result<WriteText> fileText(const CommandCall &call, const std::string &formatNam
     return [&analysis, style = *style](const TextSink &sink) { return writeTrackCsv(analysis, style, sink); };
 }
 
-constexpr const char *standardOutput = "-"; // in place of a file
-
-Result<void> print(std::string_view piece)
-{
-    if (std::fwrite(piece.data(), 1, piece.size(), stdout) == piece.size())
-        return {};
-    return fail(ErrorCode::Io, ODO_TEXT("app.standard_output", "standard output"),
-                cannotBeWritten(std::strerror(errno)),
-                ODO_TEXT("app.take_all_of_it", "write to a program or a file that can take all of it"));
-}
-
 } // namespace
 
 Result<void> runExport(const QStringList &arguments, const CancelToken &cancel)
@@ -155,7 +141,7 @@ Result<void> runExport(const QStringList &arguments, const CancelToken &cancel)
                         "[--csv-style analysis|international|continental] "
                         "[--speed 0.25] [--size 1920x1080] [--theme light|dark]"),
          2, 2,
-         outputOptions(QStringLiteral("The file to write; - is standard output.")) +
+         outputOptions(QStringLiteral("The file to write.")) +
              QList<QCommandLineOption>{
                  {option::robot, QStringLiteral("The robot, if the trial has several."), QStringLiteral("R")},
                  {option::format, QStringLiteral("Of the file."), QStringLiteral("FORMAT"),
@@ -172,19 +158,14 @@ Result<void> runExport(const QStringList &arguments, const CancelToken &cancel)
     const std::string formatName = call.value(option::format);
     if (std::find(formats.begin(), formats.end(), formatName) == formats.end())
         return call.wrongCall(ODO_TEXT("app.format_is", "--format is csv, tum, json, tracker or video"));
-    const bool isPrinted = call.value(option::output) == standardOutput;
-    if (isPrinted && formatName == "video")
+    const QString file = QString::fromStdString(call.value(option::output));
+    if (formatName == "video" && file == standardOutput)
         return call.wrongCall(ODO_TEXT("app.video_needs_file", "a video needs a file, not standard output"));
-    if (isPrinted && call.json())
-        return call.wrongCall(
-            ODO_TEXT("app.output_and_json", "-o - and --json would both write to standard output"));
     if (formatName == "video")
-        return exportVideo(call, call.value(option::output));
+        return exportVideo(call, file);
     const auto project = ODO_TRY(call.openProject(0, Project::Access::ReadOnly));
     // the text shows its kind
-    const auto target =
-        ODO_TRY(isPrinted ? Result<OutputTarget>()
-                          : outputOf(call, call.value(option::output), std::nullopt, project.get()));
+    const auto output = ODO_TRY(CommandOutput::of(call, file, std::nullopt, project.get()));
     const auto trial = ODO_TRY(project->trials().find(call.text(1)));
     const auto recordings = ODO_TRY(project->trials().recordings(trial.id));
     const auto analyses = ODO_TRY(project->analyses().current(trial.id));
@@ -199,26 +180,24 @@ Result<void> runExport(const QStringList &arguments, const CancelToken &cancel)
             return cancel.isCancelled() ? Result<void>(cancelled(exportSubject(trial.name))) : sink(piece);
         });
     };
-    if (isPrinted)
-        return untilCancelled(print);
-    ODO_TRY(writeOutput(target, untilCancelled));
-    const QString file = QString::fromStdString(call.value(option::output));
-    call.answer(
+    ODO_TRY(writeOutput(output.target(), untilCancelled));
+    return output.finish(
+        call,
         {{QStringLiteral("file"), file}, {QStringLiteral("format"), QString::fromStdString(formatName)}},
         QStringLiteral("Wrote %1.").arg(file));
-    return {};
 }
 
 namespace {
 
 constexpr double smallestPx = 200, largestPx = 4000;
 
-Result<OutputTarget> targetOf(const CommandCall &call)
+Result<CommandOutput> snapshotOutput(const CommandCall &call)
 {
     const auto project = call.openProject(0, Project::Access::ReadOnly); // closed again: the window opens it
     if (!project)
         return tl::unexpected(project.error());
-    return outputOf(call, call.value(option::output), std::nullopt, project->get());
+    return CommandOutput::of(call, QString::fromStdString(call.value(option::output)), std::nullopt,
+                             project->get(), QStringLiteral(".png"));
 }
 
 } // namespace
@@ -249,12 +228,11 @@ Result<void> runSnapshot(const QStringList &arguments, const CancelToken &cancel
     if (!shown || *shown == WindowMode::Record) // which shows no trial
         return call.wrongCall(ODO_TEXT("app.mode_is", "--mode is review, compare, history or testbed"));
     ODO_TRY(applyLanguage(call));
-    const auto target = ODO_TRY(targetOf(call));
+    const auto output = ODO_TRY(snapshotOutput(call));
     ODO_TRY(paintWorkbench(call.text(0), call.text(1), *shown, QSize(int(wanted.first), int(wanted.second)),
-                           target, cancel));
+                           output.target(), cancel));
     const QString file = QString::fromStdString(call.value(option::output));
-    call.answer({{QStringLiteral("image"), file}}, QStringLiteral("Wrote %1.").arg(file));
-    return {};
+    return output.finish(call, {{QStringLiteral("image"), file}}, QStringLiteral("Wrote %1.").arg(file));
 }
 
 } // namespace odo

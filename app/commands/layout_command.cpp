@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/answers.h"
 #include "app/command_call.h"
+#include "app/command_output.h"
 #include "app/commands/commands.h"
 #include "core/exchange/labelled_points.h"
 #include "core/project/project.h"
@@ -100,12 +101,11 @@ Result<void> exportCsv(CommandCall &call)
 {
     const auto project = ODO_TRY(call.openProject(1, Project::Access::ReadOnly));
     const auto layout = ODO_TRY(project->layouts().find(call.text(2)));
-    const auto target = ODO_TRY(outputOf(call, call.text(3), FileKind::Csv, project.get()));
-    ODO_TRY(writeLayoutCsv(target, layout.layout));
-    call.answer(
-        {{QStringLiteral("layout"), call.positional(2)}, {QStringLiteral("file"), call.positional(3)}},
+    const auto output = ODO_TRY(CommandOutput::of(call, call.positional(3), FileKind::Csv, project.get()));
+    ODO_TRY(writeLayoutCsv(output.target(), layout.layout));
+    return output.finish(
+        call, {{QStringLiteral("layout"), call.positional(2)}, {QStringLiteral("file"), call.positional(3)}},
         QStringLiteral("Layout %1 is written to %2.").arg(call.positional(2), call.positional(3)));
-    return {};
 }
 
 /// "A,B" split at the only comma.
@@ -189,11 +189,12 @@ Result<void> runLayout(const QStringList &arguments, const CancelToken &cancel)
 {
     CommandCall call(
         {QStringLiteral("layout"),
-         QStringLiteral("add P.odo NAME layout.csv | list P.odo | show P.odo NAME | export P.odo NAME "
-                        "layout.csv [--force] | "
-                        "transform P.odo NAME [--origin LABEL | --origin-at X,Y] [--turn DEGREES | --x-axis "
-                        "LABEL,LABEL] "
-                        "[--reverse x|y|xy] [--unit mm|cm|m|inch] [--json]"),
+         QStringLiteral(
+             "add P.odo NAME layout.csv | list P.odo | show P.odo LAYOUT | export P.odo LAYOUT "
+             "layout.csv [--force] | "
+             "transform P.odo LAYOUT [--origin LABEL | --origin-at X,Y] [--turn DEGREES | --x-axis "
+             "LABEL,LABEL] "
+             "[--reverse x|y|xy] [--unit mm|cm|m|inch] [--json]"),
          2,
          4,
          {{option::origin, QStringLiteral("The marker to use as the origin."), QStringLiteral("LABEL")},

@@ -137,14 +137,15 @@ Result<void> runRegister(const QStringList &arguments, const CancelToken &cancel
 {
     CommandCall call(
         {QStringLiteral("register"),
-         QStringLiteral("P.odo --camera CAMERA (--layout NAME [--pixels pixels.csv | --image F.png | --video "
-                        "F.mp4 [--hint LABEL=U,V]...] | "
-                        "--through CAMERA --pixels pairs.csv | --again) [--json], or P.odo --joint --layout "
-                        "NAME [--tape 2mm] [--json]"),
+         QStringLiteral(
+             "P.odo --camera CAMERA (--layout LAYOUT [--pixels pixels.csv | --image F.png | --video "
+             "F.mp4 [--hint LABEL=U,V]...] | "
+             "--through CAMERA --pixels pairs.csv | --again) [--json] | P.odo --joint --layout "
+             "LAYOUT [--tape 2mm] [--json]"),
          1,
          1,
          {{option::camera, QStringLiteral("The camera to register."), QStringLiteral("CAMERA")},
-          {option::layout, QStringLiteral("The marker layout it sees."), QStringLiteral("NAME")},
+          {option::layout, QStringLiteral("The marker layout it sees."), QStringLiteral("LAYOUT")},
           {option::through, QStringLiteral("A registered camera that sees the same floor points."),
            QStringLiteral("CAMERA")},
           {option::pixels,

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/answers.h"
 #include "app/command_call.h"
+#include "app/command_output.h"
 #include "app/commands/commands.h"
 #include "core/exchange/trial_json.h"
 #include "core/project/names.h"
@@ -27,7 +28,7 @@ QList<QCommandLineOption> reportSyntax()
                {option::metric,
                 QStringLiteral(
                     "The metric to rank by; default: the score, or else the most informative metric."),
-                QStringLiteral("NAME")},
+                QStringLiteral("METRIC")},
                {option::teams, QStringLiteral("Adds a page for each team of the class.")}} +
            reportOptionSyntax();
 }
@@ -53,7 +54,8 @@ Result<void> runReport(const QStringList &arguments, const CancelToken &cancel)
                 return call.lacks(needsClass, option::ofClass);
     const auto options = ODO_TRY(readReportOptions(call));
     const auto project = ODO_TRY(call.openProject(0, Project::Access::ReadOnly));
-    const auto target = ODO_TRY(outputOf(call, call.value(option::output), FileKind::Pdf, project.get()));
+    const QString file = QString::fromStdString(call.value(option::output));
+    const auto output = ODO_TRY(CommandOutput::of(call, file, FileKind::Pdf, project.get()));
     std::vector<ReportMaker> makers;
     if (call.isSet(option::ofClass))
         makers.push_back(classReport({call.value(option::ofClass), call.value(option::task),
@@ -66,12 +68,11 @@ Result<void> runReport(const QStringList &arguments, const CancelToken &cancel)
         makers.push_back(trialReports(std::move(trials), options));
     }
     ReportJob job(inTurn(std::move(makers)),
-                  std::make_unique<PdfFile>(target, QStringLiteral("Odograph report")));
+                  std::make_unique<PdfFile>(output.target(), QStringLiteral("Odograph report")));
     ODO_TRY(runToEnd(job, *project, call.control()));
-    const QString file = QString::fromStdString(call.value(option::output));
-    call.answer({{QStringLiteral("report"), file}, {QStringLiteral("pages"), job.pageCount()}},
-                QStringLiteral("Wrote %1, %2.").arg(file, counted(job.pageCount(), QStringLiteral("page"))));
-    return {};
+    return output.finish(
+        call, {{QStringLiteral("report"), file}, {QStringLiteral("pages"), job.pageCount()}},
+        QStringLiteral("Wrote %1, %2.").arg(file, counted(job.pageCount(), QStringLiteral("page"))));
 }
 
 namespace {
@@ -208,10 +209,20 @@ QString comparisonText(const ComparedTrials &trials, const TrialComparison &comp
     return lines.join(u'\n');
 }
 
-Result<void> writeReport(const CommandCall &call, Project &project, const CompareSettings &settings)
+/// Nothing where none was asked for.
+Result<std::optional<CommandOutput>> reportOutput(const CommandCall &call, Project &project)
+{
+    if (!call.isSet(option::output))
+        return std::nullopt;
+    return CommandOutput::of(call, QString::fromStdString(call.value(option::output)), FileKind::Pdf,
+                             &project)
+        .map([](CommandOutput output) { return std::optional(std::move(output)); });
+}
+
+Result<void> writeReport(const CommandCall &call, Project &project, const CompareSettings &settings,
+                         const OutputTarget &target)
 {
     const auto options = ODO_TRY(readReportOptions(call));
-    const auto target = ODO_TRY(outputOf(call, call.value(option::output), FileKind::Pdf, &project));
     ReportJob job(comparisonReport(settings, options),
                   std::make_unique<PdfFile>(target, QStringLiteral("Odograph comparison")));
     return runToEnd(job, project, call.control());
@@ -268,15 +279,20 @@ Result<void> runCompare(const QStringList &arguments, const CancelToken &cancel)
     double laterS = 0;
     ODO_TRY(readAlignment(call, settings, laterS));
     const auto project = ODO_TRY(call.openProject(0, Project::Access::ReadOnly));
+    const auto report = ODO_TRY(reportOutput(call, *project));
     const auto trials = ODO_TRY(readComparedTrials(*project, settings));
     settings.handTimesS = {std::max(0.0, -laterS), std::max(0.0, laterS)};
     const auto compared = ODO_TRY(compareTrials(trials, settings));
-    if (call.isSet(option::output))
-        ODO_TRY(writeReport(call, *project, settings));
+    if (report)
+        ODO_TRY(writeReport(call, *project, settings, report->target()));
     QJsonObject json = comparisonJson(compared);
     QString words = comparisonText(trials, compared);
     addVerdicts(trials, json, words);
-    call.answer(json, words);
+    if (report) {
+        ODO_TRY(report->finish(call, json, words));
+    } else {
+        call.answer(json, words);
+    }
     for (const ComparedTrial &run : trials.runs)
         for (const Message &warning : analysisWarnings(run.analysis, run.trial.name))
             CommandCall::warn(warning);

@@ -217,7 +217,7 @@ Result<void> setTask(const CommandCall &call)
 Result<void> runTask(const QStringList &arguments, const CancelToken &cancel)
 {
     CommandCall call({QStringLiteral("task"),
-                      QStringLiteral("add P.odo NAME task.json | list P.odo | set P.odo TRIAL NAME [--json]"),
+                      QStringLiteral("add P.odo NAME task.json | list P.odo | set P.odo TRIAL TASK [--json]"),
                       2,
                       4,
                       {}},

@@ -3,6 +3,7 @@
 
 #include "app/answers.h"
 #include "app/command_call.h"
+#include "app/command_output.h"
 #include "core/analysis/metrics.h"
 #include "core/base/error.h"
 #include "core/project/names.h"
@@ -127,8 +128,7 @@ private:
     static tl::unexpected<Error> cannotKeep(const QString &why)
     {
         return fail(ErrorCode::Io, ODO_TEXT("app.standard_input", "standard input"),
-                    foreignWords(why.toStdString()),
-                    ODO_TEXT("app.free_temporary_space", "free space in the folder of temporary files"));
+                    foreignWords(why.toStdString()), freeTemporarySpace());
     }
     QTemporaryDir m_folder;
 };

@@ -74,8 +74,8 @@ Result<void> runImport(const QStringList &arguments, const CancelToken &cancel)
         {QStringLiteral("import"),
          QStringLiteral(
              "P.odo --trial NAME --video A=a.mp4 [--video B=b.mp4]... [--sync auto|none|SECONDS[,...]] "
-             "[--team T] [--task NAME] [--robot R]... [--rate 240] [--json]\n"
-             "       odograph import P.odo --trial NAME --track R=FILE|-... [--team T] [--task NAME] [--unit "
+             "[--team T] [--task TASK] [--robot R]... [--rate 240] [--json] | "
+             "P.odo --trial NAME --track R=FILE|-... [--team T] [--task TASK] [--unit "
              "UNIT] "
              "[--time-unit UNIT] [--axes xz] [--min-confidence 0.6] [--sigma 5mm] [--rate 30] [--pixel 2mm] "
              "[--decimal comma] [--json]"),
@@ -95,7 +95,7 @@ Result<void> runImport(const QStringList &arguments, const CancelToken &cancel)
               QStringLiteral("auto|none|SECONDS[,...]")},
              {option::team, QStringLiteral("The team of the trial."), QStringLiteral("T")},
              {option::task, QStringLiteral("The task of the trial; see odograph task add."),
-              QStringLiteral("NAME")},
+              QStringLiteral("TASK")},
              {option::robot, QStringLiteral("A robot in view; default: the team's robots."),
               QStringLiteral("R")},
              {option::rate,
@@ -240,7 +240,7 @@ Result<void> runRecord(const QStringList &arguments, const CancelToken &cancel)
     CommandCall call(
         {QStringLiteral("record"),
          QStringLiteral("P.odo --trial NAME --camera A=URI [--camera B=URI]... [--seconds 10] [--pre-roll 0] "
-                        "[--robot R]... [--ssl-vision [ADDRESS:PORT]] [--json], or P.odo --recover"),
+                        "[--robot R]... [--ssl-vision [ADDRESS:PORT]] [--json] | P.odo --recover"),
          1,
          1,
          {{option::trial, QStringLiteral("What the trial is called."), QStringLiteral("NAME")},

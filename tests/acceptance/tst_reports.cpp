@@ -61,6 +61,96 @@ private Q_SLOTS:
         QVERIFY(isPdf(file));
         QVERIFY(run.json().contains(QStringLiteral("aligned_by"))); // the figures as without it
     }
+    void standardOutputGetsTheFileAlone_data()
+    {
+        QTest::addColumn<QStringList>("call");
+        QTest::addColumn<QByteArray>("begin");
+        const QString output = QStringLiteral("-o"), dash = QStringLiteral("-"),
+                      trial = QStringLiteral("Trial 1");
+        QTest::newRow("report") << QStringList{QStringLiteral("report"), m_project, trial, output, dash}
+                                << QByteArray("%PDF-");
+        QTest::newRow("compare") << QStringList{QStringLiteral("compare"),
+                                                m_project,
+                                                trial,
+                                                QStringLiteral("Trial 2"),
+                                                QStringLiteral("--robot"),
+                                                QStringLiteral("Red 2"),
+                                                output,
+                                                dash}
+                                 << QByteArray("%PDF-");
+        QTest::newRow("target") << QStringList{QStringLiteral("target"), QStringLiteral("rings"), output,
+                                               dash}
+                                << QByteArray("%PDF-");
+        QTest::newRow("snapshot") << QStringList{QStringLiteral("snapshot"), m_project, trial, output, dash}
+                                  << QByteArray("\x89PNG");
+        const QString layouts = path("layouts.odo"), layout = path("layout.csv"), add = QStringLiteral("add");
+        QFile file(layout);
+        QVERIFY(file.open(QIODevice::WriteOnly) &&
+                file.write("label,x_mm,y_mm\nO,0,0\nU,3000.5,0\nV,0,2000\n") > 0);
+        file.close();
+        QCOMPARE(runProgram({QStringLiteral("new"), layouts}).exitStatus, 0);
+        QCOMPARE(
+            runProgram({QStringLiteral("layout"), add, layouts, QStringLiteral("gym"), layout}).exitStatus,
+            0);
+        QTest::newRow("layout") << QStringList{QStringLiteral("layout"), QStringLiteral("export"), layouts,
+                                               QStringLiteral("gym"), dash}
+                                << QByteArray("label,x_mm,y_mm\nO,0,0\nU,3000.5,0\n");
+    }
+    void standardOutputGetsTheFileAlone()
+    {
+        QFETCH(QStringList, call);
+        QFETCH(QByteArray, begin);
+        const ProgramRun run = runProgram(call);
+        QVERIFY2(run.exitStatus == 0, run.err.constData());
+        QVERIFY2(run.out.startsWith(begin), run.out.left(80).constData());
+        if (begin == "%PDF-")
+            QVERIFY(run.out.trimmed().endsWith("%%EOF"));
+        QVERIFY(!QFile::exists(QStringLiteral("-")));
+        const ProgramRun both = runProgram(call + QStringList{QStringLiteral("--json")});
+        QCOMPARE(both.exitStatus, 2);
+        QCOMPARE(
+            both.json().value(QStringLiteral("error")).toObject().value(QStringLiteral("code")).toString(),
+            QStringLiteral("wrong_call"));
+    }
+    void aReaderThatStopsLeavesNothingBehind()
+    {
+        const QString temporary = path("temporary");
+        QVERIFY(QDir().mkpath(temporary));
+        const ProgramRun run = runCommand(
+            QStringLiteral("bash"),
+            {QStringLiteral("-c"),
+             QStringLiteral(
+                 "TMPDIR=\"$1\" \"$ODOGRAPH_PROGRAM\" report \"$2\" 'Trial 1' 'Trial 2' -o - | head -c 5"),
+             QStringLiteral("bash"), temporary, m_project});
+        QCOMPARE(run.out, QByteArray("%PDF-"));
+        QVERIFY(QDir(temporary).entryList({QStringLiteral("odograph*")}).isEmpty());
+    }
+    void aSnapshotLeavesThePreferencesAlone()
+    {
+        const QString preferences = path("preferences");
+        QVERIFY(QDir().mkpath(preferences));
+        const QByteArray before = qgetenv("XDG_CONFIG_HOME");
+        qputenv("XDG_CONFIG_HOME", preferences.toUtf8());
+        const ProgramRun run = runProgram({QStringLiteral("snapshot"), m_project, QStringLiteral("Trial 1"),
+                                           QStringLiteral("-o"), path("window.png")});
+        qputenv("XDG_CONFIG_HOME", before);
+        QVERIFY2(run.exitStatus == 0, run.err.constData());
+        QVERIFY(QDir(preferences).isEmpty());
+    }
+    void aComparisonThatCannotBeWrittenIsAWrongCall()
+    {
+        const ProgramRun run = runProgram({QStringLiteral("compare"), m_project, QStringLiteral("Trial 8"),
+                                           QStringLiteral("Trial 9"), QStringLiteral("-o"), m_project});
+        QCOMPARE(run.exitStatus, 2);
+    }
+    void whatFailsPrintsNothingOfIt()
+    {
+        const ProgramRun run = report({QStringLiteral("Trial 1"), QStringLiteral("Trial 9"),
+                                       QStringLiteral("-o"), QStringLiteral("-")});
+        QCOMPARE(run.exitStatus, 1);
+        QVERIFY(run.out.isEmpty());
+        QCOMPARE(run.err.count('\n'), 1);
+    }
     void whatCannotBeIsSaidInALine_data()
     {
         QTest::addColumn<QStringList>("arguments");

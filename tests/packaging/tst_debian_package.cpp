@@ -112,7 +112,9 @@ private Q_SLOTS:
               "/usr/share/icons/hicolor/48x48/apps/org.odograph.Odograph.png",
               "/usr/share/icons/hicolor/48x48/mimetypes/application-x-odograph-project.png",
               "/usr/lib/udev/rules.d/70-odograph-cameras.rules", "/usr/share/man/man1/odograph.1.gz",
-              "/usr/share/bash-completion/completions/odograph", "/usr/share/doc/odograph/copyright",
+              "/usr/share/man/man1/odograph-track.1.gz", "/usr/share/bash-completion/completions/odograph",
+              "/usr/share/zsh/vendor-completions/_odograph",
+              "/usr/share/fish/vendor_completions.d/odograph.fish", "/usr/share/doc/odograph/copyright",
               "/usr/share/doc/odograph/changelog.gz"})
             QVERIFY2(there.contains(QString::fromLatin1(file)), file);
         const ProgramRun version =

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a desktop reads of Odograph: its entry, metadata, file type, icons, manual page and completion.
+// What a desktop reads of Odograph: its entry, metadata, file type, icons and manual pages.
 #include "core/project/project.h"
 #include "tests/support/program.h"
 #include "tests/support/registered_test.h"
@@ -47,6 +47,15 @@ QStringList commands()
     return names;
 }
 
+/// No line is taken for a request of roff that is none.
+void checkRequests(const QString &page)
+{
+    static const QRegularExpression known(
+        QStringLiteral("^\\.(TH|SH|SS|B|I|BR|RB|RI|IR|TP|PP|br|nf|fi)( |$)"));
+    for (const QString &line : page.split(u'\n'))
+        QVERIFY2(!line.startsWith(u'.') || known.match(line).hasMatch(), qPrintable(line));
+}
+
 /// How far the pictures are apart on average, of 255, transparency counted.
 double apart(const QImage &a, const QImage &b)
 {
@@ -67,20 +76,6 @@ class TestDesktopFiles : public QObject
 {
     Q_OBJECT
     QTemporaryDir m_folder;
-
-    QStringList completed(const QStringList &words)
-    {
-        const QString script =
-            QStringLiteral(
-                "source '%1'; PATH=\"$(dirname '%2')\":$PATH; COMP_WORDS=(\"$@\"); COMP_CWORD=$(($# - 1)); "
-                "_odograph; printf '%s\\n' \"${COMPREPLY[@]}\"")
-                .arg(source(QStringLiteral("packaging/desktop/odograph.bash")),
-                     qEnvironmentVariable("ODOGRAPH_PROGRAM"));
-        const ProgramRun run =
-            runCommand(QStringLiteral("bash"),
-                       QStringList{QStringLiteral("-c"), script, QStringLiteral("bash")} + words);
-        return QString::fromUtf8(run.out).split(u'\n', Qt::SkipEmptyParts);
-    }
 
 private Q_SLOTS:
     void theValidatorsAgree_data()
@@ -165,51 +160,54 @@ private Q_SLOTS:
         }
     }
 
-    void theManualPageTellsEveryCommandAndOption()
+    void theManualPagesTellEveryCommandAndOption()
     {
+        const QString folder = m_folder.filePath(QStringLiteral("pages"));
         const ProgramRun made =
-            runCommand(source(QStringLiteral("packaging/desktop/man_page.sh")),
-                       {qEnvironmentVariable("ODOGRAPH_PROGRAM"), QStringLiteral("2026-11-22")});
+            runCommand(source(QStringLiteral("packaging/desktop/man_pages.sh")),
+                       {qEnvironmentVariable("ODOGRAPH_PROGRAM"), QStringLiteral("2026-11-22"), folder});
         QVERIFY2(made.exitStatus == 0, made.err.constData());
-        const QString page = QString::fromUtf8(made.out);
-        QVERIFY(page.startsWith(QStringLiteral(".TH ODOGRAPH 1 \"2026-11-22\" \"odograph ")));
+        const QString main = QString::fromUtf8(contentOf(folder + QStringLiteral("/odograph.1")));
+        QVERIFY(main.startsWith(QStringLiteral(".TH ODOGRAPH 1 \"2026-11-22\" \"odograph ")));
+        checkRequests(main);
         const QStringList names = commands();
         QVERIFY(names.size() > 20);
+        QCOMPARE(QDir(folder).entryList(QDir::Files).size(), names.size() + 1);
         static const QRegularExpression option(QStringLiteral("--[a-z][a-z-]*"));
         for (const QString &name : names) {
-            const auto begin = page.indexOf(QStringLiteral("\n.SS %1\n").arg(name));
-            QVERIFY2(begin > 0, qPrintable(name));
-            const auto end = page.indexOf(QRegularExpression(QStringLiteral("\n\\.S[SH] ")), begin + 5);
-            const QString part = page.mid(begin, end - begin);
+            QVERIFY2(main.contains(QStringLiteral("\n.BR odograph\\-%1 (1)\n").arg(name)), qPrintable(name));
+            const QString page =
+                QString::fromUtf8(contentOf(folder + QStringLiteral("/odograph-%1.1").arg(name)));
+            QVERIFY2(page.contains(QStringLiteral("\n.SH NAME\nodograph\\-%1 \\- ").arg(name)),
+                     qPrintable(name));
+            checkRequests(page);
             const QString help = QString::fromUtf8(runProgram({name, QStringLiteral("--help")}).out);
-            auto options = option.globalMatch(help.section(QStringLiteral("\nOptions:"), 1));
+            auto options = option.globalMatch(help);
             QVERIFY2(options.hasNext(), qPrintable(name));
             while (options.hasNext()) {
                 const QString told = options.next().captured().replace(u'-', QStringLiteral("\\-"));
-                QVERIFY2(part.contains(told), qPrintable(name + u' ' + told));
+                QVERIFY2(page.contains(told), qPrintable(name + u' ' + told));
             }
         }
-        // No line is taken for a request of roff that is none.
-        static const QRegularExpression known(
-            QStringLiteral("^\\.(TH|SH|SS|B|I|BR|RB|RI|IR|TP|PP|br|nf|fi)( |$)"));
-        for (const QString &line : page.split(u'\n'))
-            QVERIFY2(!line.startsWith(u'.') || known.match(line).hasMatch(), qPrintable(line));
     }
 
-    void wordsAreCompleted()
+    void manReadsThePagesWithoutAWarning()
     {
-        QCOMPARE(completed({QStringLiteral("odograph"), QStringLiteral("exp")}),
-                 QStringList{QStringLiteral("export")});
-        const QStringList all = completed({QStringLiteral("odograph"), QString()});
-        for (const QString &name : commands())
-            QVERIFY2(all.contains(name), qPrintable(name));
-        QCOMPARE(completed({QStringLiteral("odograph"), QStringLiteral("export"), QStringLiteral("--csv")}),
-                 QStringList{QStringLiteral("--csv-style")});
-        QCOMPARE(completed({QStringLiteral("odograph"), QStringLiteral("export"), QStringLiteral("--format"),
-                            QStringLiteral("t")}),
-                 (QStringList{QStringLiteral("tum"), QStringLiteral("tracker")}));
-        QVERIFY(completed({QStringLiteral("odograph"), QStringLiteral("nonsense"), QStringLiteral("--x")})
-                    .isEmpty());
+        const QString folder = m_folder.filePath(QStringLiteral("read"));
+        QCOMPARE(runCommand(source(QStringLiteral("packaging/desktop/man_pages.sh")),
+                            {qEnvironmentVariable("ODOGRAPH_PROGRAM"), QStringLiteral("2026-11-22"), folder})
+                     .exitStatus,
+                 0);
+        const auto pages = QDir(folder).entryInfoList(QDir::Files);
+        QVERIFY(!pages.isEmpty());
+        for (const QFileInfo &page : pages) { // as lintian calls it
+            const ProgramRun run = runCommand(
+                QStringLiteral("man"),
+                {QStringLiteral("--warnings"), QStringLiteral("-E"), QStringLiteral("UTF-8"),
+                 QStringLiteral("-l"), QStringLiteral("-Tutf8"), QStringLiteral("-Z"), page.filePath()});
+            QVERIFY2(run.exitStatus == 0 && run.err.isEmpty(),
+                     (page.fileName().toUtf8() + run.err).constData());
+        }
     }
 
     /// Who double-clicks a file sees no terminal: the window stays, and tells what is wrong with the project.

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/commands/commands.h"
+
+namespace odo {
+
+std::span<const NamedCommand> allCommands()
+{
+    static constexpr NamedCommand commands[] = {
+        {"new", "create an empty project", runNew, false},
+        {"demo", "create a project with a simulated class and its videos", runDemo, false},
+        {"robot", "add a robot to a project", runRobot, false},
+        {"camera", "add a camera to a project", runCamera, false},
+        {"cameras", "list the cameras that can be opened now", runCameras, false},
+        {"calibrate", "compute a camera's intrinsics from images of a board", runCalibrate, false},
+        {"intrinsics", "import or export a camera's intrinsics", runIntrinsics, false},
+        {"layout", "add, show, transform and export layouts of floor markers", runLayout, false},
+        {"register", "register a camera to the floor", runRegister, false},
+        {"moved", "check whether a camera or a marker has moved since the registration", runCheckPosition,
+         false},
+        {"revisions", "list the calibrations and registrations of a camera, choose one to use", runRevisions,
+         false},
+        {"task", "add a task with gates, path and limits; list tasks; set a trial's task", runTask, false},
+        {"trial", "accept the doubtful results of a trial, or withdraw that", runTrial, false},
+        {"import", "import the videos of a trial", runImport, false},
+        {"record", "record a trial from cameras", runRecord, false},
+        {"track", "track the robots of a trial and analyse them", runTrack, false},
+        {"reprocess", "show what reanalysing a trial with the current registrations changes", runReprocess,
+         false},
+        {"flag", "mark a sample as a spike or as valid, and reanalyse", runFlag, false},
+        {"list", "list the trials", runList, false},
+        {"show", "show a trial's metrics, spikes and provenance", runShow, false},
+        {"compare", "compare two runs: time difference, sectors, metrics", runCompare, true},
+        {"report", "write a printable report of trials or of a class", runReport, true},
+        {"export", "write a trial's samples to a file, or its annotated video", runExport, false},
+        {"snapshot", "save an image of the window", runSnapshot, true},
+        {"target", "write a board or floor markers for printing", runTarget, true},
+        {"check", "check a project and its recordings", runCheck, false},
+    };
+    return commands;
+}
+
+} // namespace odo
