@@ -21109,8 +21109,15 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
 <context>
     <name>workflow.interlaced</name>
     <message>
-        <source>it is interlaced: each frame holds two fields taken one after the other, and only the first is used, so the image has half its lines and positions are less certain</source>
-        <translation>es hat Halbbilder (interlaced): Jedes Bild enthält zwei nacheinander aufgenommene Halbbilder, und nur das erste wird verwendet; das Bild hat so nur die halbe Zeilenzahl, und Positionen sind unsicherer</translation>
+        <source>it is interlaced: each frame holds two fields taken one after the other, and each is measured at its own time, with half the lines</source>
+        <translation>es hat Halbbilder (interlaced): Jedes Bild enthält zwei nacheinander aufgenommene Halbbilder, und jedes wird zu seiner eigenen Zeit gemessen, mit der halben Zeilenzahl</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.interlaced_whole</name>
+    <message>
+        <source>it is interlaced, but was measured by whole frames, of which each shows two moments; import it as a new trial to have each field measured at its own time</source>
+        <translation>es hat Halbbilder (interlaced), wurde aber nach ganzen Bildern gemessen, von denen jedes zwei Zeitpunkte zeigt; als neuen Versuch importieren, damit jedes Halbbild zu seiner eigenen Zeit gemessen wird</translation>
     </message>
 </context>
 <context>

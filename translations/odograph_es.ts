@@ -21109,8 +21109,15 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
 <context>
     <name>workflow.interlaced</name>
     <message>
-        <source>it is interlaced: each frame holds two fields taken one after the other, and only the first is used, so the image has half its lines and positions are less certain</source>
-        <translation>es entrelazado: cada fotograma contiene dos campos tomados uno tras otro y solo se usa el primero, por lo que la imagen tiene la mitad de líneas y las posiciones son menos seguras</translation>
+        <source>it is interlaced: each frame holds two fields taken one after the other, and each is measured at its own time, with half the lines</source>
+        <translation>es entrelazado: cada fotograma contiene dos campos tomados uno tras otro, y cada uno se mide en su propio instante, con la mitad de líneas</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.interlaced_whole</name>
+    <message>
+        <source>it is interlaced, but was measured by whole frames, of which each shows two moments; import it as a new trial to have each field measured at its own time</source>
+        <translation>es entrelazado, pero se midió por fotogramas enteros, cada uno de los cuales muestra dos instantes; impórtelo como un ensayo nuevo para que cada campo se mida en su propio instante</translation>
     </message>
 </context>
 <context>

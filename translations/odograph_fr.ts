@@ -21109,8 +21109,15 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>workflow.interlaced</name>
     <message>
-        <source>it is interlaced: each frame holds two fields taken one after the other, and only the first is used, so the image has half its lines and positions are less certain</source>
-        <translation>elle est entrelacée : chaque image contient deux trames prises l&apos;une après l&apos;autre, et seule la première est utilisée ; l&apos;image n&apos;a donc que la moitié de ses lignes et les positions sont moins sûres</translation>
+        <source>it is interlaced: each frame holds two fields taken one after the other, and each is measured at its own time, with half the lines</source>
+        <translation>elle est entrelacée : chaque image contient deux trames prises l&apos;une après l&apos;autre, et chacune est mesurée à son propre instant, avec la moitié des lignes</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.interlaced_whole</name>
+    <message>
+        <source>it is interlaced, but was measured by whole frames, of which each shows two moments; import it as a new trial to have each field measured at its own time</source>
+        <translation>elle est entrelacée, mais a été mesurée par images entières, dont chacune montre deux instants ; importez-la comme un nouvel essai pour que chaque trame soit mesurée à son propre instant</translation>
     </message>
 </context>
 <context>

@@ -21070,8 +21070,15 @@ Much more than expected means that a setting is wrong: the views are not synchro
 <context>
     <name>workflow.interlaced</name>
     <message>
-        <source>it is interlaced: each frame holds two fields taken one after the other, and only the first is used, so the image has half its lines and positions are less certain</source>
-        <translation>비월 주사 영상입니다. 각 프레임에는 차례로 찍힌 두 필드가 있으며 첫 번째만 사용하므로, 이미지의 줄 수가 절반이고 위치가 덜 확실합니다</translation>
+        <source>it is interlaced: each frame holds two fields taken one after the other, and each is measured at its own time, with half the lines</source>
+        <translation>비월 주사 영상입니다. 각 프레임에는 차례로 찍힌 두 필드가 있으며, 각 필드를 절반의 줄 수로 고유한 시각에 측정합니다</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.interlaced_whole</name>
+    <message>
+        <source>it is interlaced, but was measured by whole frames, of which each shows two moments; import it as a new trial to have each field measured at its own time</source>
+        <translation>비월 주사 영상이지만 두 순간이 함께 보이는 전체 프레임 단위로 측정되었습니다. 각 필드를 고유한 시각에 측정하려면 새 시행으로 가져오십시오</translation>
     </message>
 </context>
 <context>

@@ -21070,8 +21070,15 @@ Much more than expected means that a setting is wrong: the views are not synchro
 <context>
     <name>workflow.interlaced</name>
     <message>
-        <source>it is interlaced: each frame holds two fields taken one after the other, and only the first is used, so the image has half its lines and positions are less certain</source>
-        <translation>它是隔行扫描的：每帧包含先后拍摄的两个场，只使用第一个，因此图像只有一半的行，位置的不确定度更大</translation>
+        <source>it is interlaced: each frame holds two fields taken one after the other, and each is measured at its own time, with half the lines</source>
+        <translation>它是隔行扫描的：每帧包含先后拍摄的两个场，每个场按其自身的时间测量，只有一半的行</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.interlaced_whole</name>
+    <message>
+        <source>it is interlaced, but was measured by whole frames, of which each shows two moments; import it as a new trial to have each field measured at its own time</source>
+        <translation>它是隔行扫描的，但按整帧测量，而每帧显示两个时刻；请将其作为新试验导入，以便按各自的时间测量每个场</translation>
     </message>
 </context>
 <context>

@@ -33,8 +33,11 @@ constexpr double mostOffWhole = 0.4;
 constexpr double slowNoise = 1.5;   // factor on the σ of white noise, for errors that change slowly
 constexpr double sharpShare = 0.1;  // likewise, of a long delay
 constexpr double cubicShare = 0.02; // of a delay: σ of how far a cubic follows a robot that long
-// of frozen frames: how far one lies from another, and the leap against the way at the speed before and after
-constexpr double frozenPx = 0.3, leastFrozenWay = 0.3, mostFrozenWay = 1.3;
+// of frozen frames: how far one lies from another, which coding adds to, at least and in steps of the robot;
+// and the leap against the way at the speed before and after
+constexpr double frozenPx = 0.3, mostFrozenPx = 1, frozenShare = 0.1, leastFrozenWay = 0.3,
+                 mostFrozenWay = 1.3, mostWayAtOnce = 2.5;
+constexpr double abruptShare = 0.5; // of the speed before, in the last step
 constexpr std::int64_t fewestFrozen = 3;
 constexpr double areaTolerance = 0.06, areaShare = 0.5;
 // of a robot that might stop and start from one frame to the next
@@ -56,12 +59,13 @@ struct RobotWord
         return test.apart > leastApart && beyond > leastBeyond * test.noisePx &&
                beyond > leastSharpness * test.irregularPx;
     }
-    bool leapsClearly() const
+    bool leapsClearly() const { return unseen <= mostUnseenOfLeap && leapsFar(); }
+    bool leapsFar() const
     {
         const double beyond = test.excessPx.norm();
-        return unseen <= mostUnseenOfLeap && test.apart > clearlyApart &&
-               beyond > clearSharpness * test.irregularPx && beyond > clearlyApart * test.noisePx &&
-               beyond > leastSteps * test.fastestPx && beyond * metresPerPx > leastLeapM;
+        return test.apart > clearlyApart && beyond > clearSharpness * test.irregularPx &&
+               beyond > clearlyApart * test.noisePx && beyond > leastSteps * test.fastestPx &&
+               beyond * metresPerPx > leastLeapM;
     }
     bool moves() const { return test.stepPx > leastMotion * test.noisePx; }
 };
@@ -169,32 +173,42 @@ private:
         if (word.moves())
             word.delay = fitDelay(*around, word.test.noisePx, 0.1 * m_usualS - intervalS,
                                   std::min((mostMissing + 1) * m_usualS, longestMissingS), m_usualS / 3);
-        if (word.leapsClearly())
-            word.frozen = frozenBefore(all, index);
+        if (word.leapsFar())
+            word.frozen = frozenBefore(all, index, word.unseen);
         word.isSameArea = isSameArea(all, index, word.delay ? word.delay->delayS : 0);
         return word;
     }
 
     /// How many frames before a leap show the robot where the one before them does, if it moved up to there
-    /// and leaps about as far as it would have got meanwhile.
-    std::int64_t frozenBefore(const FrameTrack &all, std::size_t index) const
+    /// and leaps about as far as it would have got meanwhile, and farther than it gets in the frames behind
+    /// them in which it was not seen, as where a tracker searches for it.
+    std::int64_t frozenBefore(const FrameTrack &all, std::size_t index, std::int64_t unseen) const
     {
-        std::size_t first = index - 1; // that is shown again
-        while (first > 0 && (all[first - 1].px - all[index - 1].px).norm() < frozenPx)
-            --first;
-        const std::int64_t frames = all[index].frame - all[first].frame - 1;
-        if (first < fewestBeside || index + fewestBeside > all.size() || frames < fewestFrozen)
+        if (index + fewestBeside > all.size())
             return 0;
         const auto speedOf = [&](std::size_t from) {
             const std::size_t to = from + fewestBeside - 1;
             return (all[to].px - all[from].px).norm() / (all[to].timeS - all[from].timeS);
         };
-        const double before = speedOf(first + 1 - fewestBeside), behind = speedOf(index),
+        const double behind = speedOf(index),
+                     apartPx = std::clamp(frozenShare * behind * m_usualS, frozenPx, mostFrozenPx);
+        std::size_t first = index - 1; // that is shown again
+        while (first > 0 && (all[first - 1].px - all[index - 1].px).norm() < apartPx)
+            --first;
+        const std::int64_t frames = all[index].frame - all[first].frame - 1;
+        if (first < fewestBeside || frames < fewestFrozen + unseen)
+            return 0;
+        const double before = speedOf(first + 1 - fewestBeside), fastest = std::max(before, behind),
                      leapPx = (all[index].px - all[first].px).norm(),
                      lengthS = all[index].timeS - all[first].timeS;
-        const bool moved = before * m_usualS > frozenPx && behind * m_usualS > frozenPx;
-        return moved && leapPx < mostFrozenWay * std::max(before, behind) * lengthS &&
-                       leapPx > leastFrozenWay * std::min(before, behind) * lengthS
+        const double stepPx = (all[first].px - all[first - 1].px).norm();
+        if (before * m_usualS < frozenPx || stepPx < abruptShare * before * m_usualS)
+            return 0;
+        if (unseen <= mostUnseenOfLeap)
+            return leapPx < mostWayAtOnce * fastest * lengthS ? frames : 0;
+        return behind * m_usualS > frozenPx && leapPx < mostFrozenWay * fastest * lengthS &&
+                       leapPx > leastFrozenWay * std::min(before, behind) * lengthS &&
+                       leapPx > mostFrozenWay * fastest * double(unseen + 1) * m_usualS
                    ? frames
                    : 0;
     }
@@ -297,16 +311,17 @@ private:
     std::optional<FrameStep> leapOf(const std::vector<RobotWord> &words, std::int64_t frame) const
     {
         if (!std::ranges::all_of(words, [](const RobotWord &word) {
-                return (word.leapsClearly() && word.isSameArea) || !word.moves();
+                return (word.leapsClearly() && word.isSameArea) || word.frozen > 0 || !word.moves();
             }))
             return std::nullopt;
-        if (std::ranges::none_of(words, &RobotWord::leapsClearly))
+        if (std::ranges::none_of(
+                words, [](const RobotWord &word) { return word.leapsClearly() || word.frozen > 0; }))
             return std::nullopt;
         FrameStep step;
         step.frame = frame;
         fillLeap(words, step);
         for (const RobotWord &word : words)
-            if (word.leapsClearly() && word.frozen > step.frames) {
+            if (word.frozen > step.frames) {
                 step.kind = FrameStep::Kind::Frozen;
                 step.frames = word.frozen;
             }

@@ -33,12 +33,13 @@ FrameTrack frameTrack(const FloorView &view, double heightM, const std::vector<O
 struct FrameStep
 {
     enum class Kind {
-        Lost,      ///< frames are missing, and the stamps go on as if they were not
-        Doubled,   ///< frames repeat the one before, and later stamps are late
-        Leap,      ///< the robot is somewhere else in the next frame; why is not known
-        Frozen,    ///< frames repeat the one before, and then the robot is where it would have got meanwhile
-        Repeated,  ///< all along one frame in so many repeats the one before (FrameConversion)
-        Interlaced ///< all along each frame holds two fields, of which the first is used
+        Lost,     ///< frames are missing, and the stamps go on as if they were not
+        Doubled,  ///< frames repeat the one before, and later stamps are late
+        Leap,     ///< the robot is somewhere else in the next frame; why is not known
+        Frozen,   ///< frames repeat the one before, and then the robot is where it would have got meanwhile
+        Repeated, ///< all along one frame in so many repeats the one before (FrameConversion)
+        Fields,   ///< all along the frames are the two fields of interlaced ones, each at its own time
+        Combed    ///< all along each frame holds two fields, and was measured whole
     };
     Kind kind = Kind::Leap;
     std::int64_t frame = 0;  ///< the first frame after it

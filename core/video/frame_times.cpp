@@ -47,6 +47,20 @@ FrameSpacing spacingOf(const std::vector<Nanoseconds> &frameTimes)
     return spacingOfIntervals(intervalsOf(frameTimes));
 }
 
+std::vector<Nanoseconds> fieldTimes(const std::vector<Nanoseconds> &frameTimes)
+{
+    const Nanoseconds usual = spacingOf(frameTimes).usual;
+    std::vector<Nanoseconds> times;
+    times.reserve(2 * frameTimes.size());
+    for (std::size_t i = 0; i < frameTimes.size(); ++i) {
+        const bool isLast = i + 1 == frameTimes.size();
+        const Nanoseconds untilNext = isLast ? usual : std::min(usual, frameTimes[i + 1] - frameTimes[i]);
+        times.push_back(frameTimes[i]);
+        times.push_back(frameTimes[i] + std::max(Nanoseconds(1), untilNext / 2));
+    }
+    return times;
+}
+
 std::optional<UnevenRate> unevenRate(const std::vector<Nanoseconds> &frameTimes)
 {
     constexpr double share = 0.05;

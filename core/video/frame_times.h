@@ -26,6 +26,10 @@ struct FrameSpacing
 };
 FrameSpacing spacingOf(const std::vector<Nanoseconds> &frameTimes);
 
+/// When the two fields of interlaced frames were taken: the second of each half-way to the next frame, or
+/// half a usual interval behind where that is farther.
+std::vector<Nanoseconds> fieldTimes(const std::vector<Nanoseconds> &frameTimes);
+
 /// The shortest and the longest interval of a camera that takes its frames unevenly, as phones do: at least
 /// one interval in twenty is off a whole number of the usual ones by more than a tenth. Nothing where they
 /// are even, though some may be missing.

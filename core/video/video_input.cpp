@@ -195,6 +195,12 @@ int VideoInput::read(AVPacket &packet)
     }
 }
 
+bool VideoInput::isInterlaced() const
+{
+    const AVCodecParserContext *parser = av_stream_get_parser(m_stream);
+    return parser && parser->field_order > AV_FIELD_PROGRESSIVE;
+}
+
 bool VideoInput::seek(std::int64_t timeStamp)
 {
     return av_seek_frame(m_container, m_stream->index, timeStamp, AVSEEK_FLAG_BACKWARD) >= 0;
@@ -248,6 +254,7 @@ Walk walkPackets(VideoInput &input, PacketIndex &index)
         walk.dtsMissing |= packet->dts == AV_NOPTS_VALUE;
         const std::int64_t pts = timeStampOf(*packet);
         index.packets.push_back({pts, packet->dts, (packet->flags & AV_PKT_FLAG_KEY) != 0});
+        index.interlacedPackets += input.isInterlaced() ? 1 : 0;
         if (codec == AV_CODEC_ID_MJPEG && index.firstJpegs.size() < firstPackets)
             index.firstJpegs.emplace_back(packet->data, packet->data + packet->size);
         if (!isNeverShown(*packet, codec)) {

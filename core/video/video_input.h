@@ -46,6 +46,9 @@ public:
 
     /// The next packet of the video stream. 0, AVERROR_EOF or another error of libav.
     int read(AVPacket &packet);
+    /// Whether the headers of the packet read last say that it holds two fields, of two moments. Of codecs
+    /// that say it nowhere but in the file's header: false.
+    bool isInterlaced() const;
     /// Latest end of any packet of any stream read so far, in AV_TIME_BASE units since the container's start.
     std::int64_t lastEnd() const { return m_lastEnd; }
     /// Asks the demuxer to go to the key frame at or before this time stamp of the stream. Where it really
@@ -98,6 +101,7 @@ struct PacketIndex
     std::optional<Nanoseconds> restartsAt;
     /// empty, or such as "ends early at 12.40 s: …"
     Message warning;
+    std::size_t interlacedPackets = 0;                 ///< whose headers say that the frame holds two fields
     std::vector<std::vector<std::uint8_t>> firstJpegs; ///< of MJPEG: the first packets
 
     /// The packet to begin decoding with so that this frame comes out: the last key frame before it both in

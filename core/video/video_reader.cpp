@@ -2,9 +2,10 @@
 #include "core/video/video_reader.h"
 
 #include "core/base/shortage.h"
+#include "core/video/field_motion.h"
 #include "core/video/frame_times.h"
+#include "core/video/internal/fields.h"
 #include "core/video/internal/libav.h"
-#include "core/video/internal/one_field.h"
 #include "core/video/internal/stream_format.h"
 #include "core/video/jpeg.h"
 #include "core/video/video_input.h"
@@ -42,6 +43,14 @@ private:
 
 namespace {
 
+/// Whether frames hold two fields, by what the stream or most of its packets say.
+bool holdsFields(const VideoInput &input, const PacketIndex &index)
+{
+    const AVFieldOrder order = input.stream().codecpar->field_order;
+    return (order != AV_FIELD_UNKNOWN && order != AV_FIELD_PROGRESSIVE) ||
+           2 * index.interlacedPackets > index.packets.size();
+}
+
 VideoInfo describe(const VideoInput &input, const PacketIndex &index, const FrameFormat &format)
 {
     VideoInfo info;
@@ -51,8 +60,6 @@ VideoInfo describe(const VideoInput &input, const PacketIndex &index, const Fram
     info.timeSource = index.timeSource;
     info.restartsAt = index.restartsAt;
     info.warning = index.warning;
-    const AVFieldOrder fields = input.stream().codecpar->field_order;
-    info.isInterlaced = fields != AV_FIELD_UNKNOWN && fields != AV_FIELD_PROGRESSIVE;
     const FrameSpacing spacing = spacingOf(index.times);
     info.variableRate = spacing.isVariable;
     if (spacing.usual.count() > 0)
@@ -105,7 +112,9 @@ struct VideoReader::Impl
     AVPixelFormat pixelFormat = AV_PIX_FMT_NONE;
 
     std::size_t nextIndex = 0;       ///< of the frame that next() gives
-    std::optional<Frame> ahead;      ///< decoded already, index >= nextIndex
+    std::optional<Frame> ahead;      ///< decoded already, as coded: not before the next one
+    Field statedFirst = Field::Top;  ///< of its fields, as the file says
+    std::optional<Field> firstField; ///< of all frames, as what moves shows
     std::optional<PixelRect> region; ///< all that is requested of the next frame
     libav::PacketPtr packet{libav::allocated(av_packet_alloc())};
     bool packetWaits = false;    ///< `packet` is read but not yet given to the decoder
@@ -135,11 +144,14 @@ struct VideoReader::Impl
     bool readPacket();
     bool sendPacket();
     libav::FramePtr decodeNextFrame();
-    std::optional<Frame> frameFrom(libav::FramePtr avFrame, std::int64_t frameNumber) const;
+    std::optional<Frame> frameFrom(libav::FramePtr avFrame, std::int64_t frameNumber);
     std::optional<Frame> decodeJpegFrame();
     std::optional<Frame> decodeFrame();
     void decodeTo(std::size_t frame);
+    Result<void> decodeExactly(std::size_t coded);
     Result<std::optional<Frame>> decoded(std::size_t wanted);
+    Result<void> judgeFields(bool isStated);
+    std::size_t codedFrameOf(std::size_t frame) const { return info.areFields ? frame / 2 : frame; }
     bool isAhead(std::size_t frame) const
     {
         return ahead && ahead->index == static_cast<std::int64_t>(frame);
@@ -257,15 +269,12 @@ libav::FramePtr VideoReader::Impl::decodeNextFrame()
 }
 
 /// What libavcodec made as a frame, if it is sound.
-std::optional<Frame> VideoReader::Impl::frameFrom(libav::FramePtr avFrame, std::int64_t frameNumber) const
+std::optional<Frame> VideoReader::Impl::frameFrom(libav::FramePtr avFrame, std::int64_t frameNumber)
 {
     if (frameNumber < 0 || frameNumber >= static_cast<std::int64_t>(index.frames.size()) ||
         !isSound(*avFrame) || !fits(*avFrame, info.format, pixelFormat))
         return std::nullopt;
-    if (isInterlaced(*avFrame))
-        avFrame = firstFieldOf(std::move(avFrame));
-    if (!avFrame)
-        return std::nullopt;
+    statedFirst = firstFieldOf(*avFrame, input->stream().codecpar->field_order);
     Frame frame = frameOf(std::move(avFrame), info.format);
     frame.index = frameNumber;
     frame.time = index.times[static_cast<std::size_t>(frameNumber)];
@@ -325,41 +334,78 @@ void VideoReader::Impl::decodeTo(std::size_t frame)
     }
 }
 
-/// The frame, when all before it are behind.
-Result<std::optional<Frame>> VideoReader::Impl::decoded(std::size_t wanted)
+/// Has a frame as coded `ahead`, when all before it are behind.
+Result<void> VideoReader::Impl::decodeExactly(std::size_t coded)
 {
-    decodeTo(wanted);
-    if (beganMidway && !isAhead(wanted)) {
+    decodeTo(coded);
+    if (beganMidway && !isAhead(coded)) {
         // What the container calls a key frame was none (gradual refresh): only the long way is exact.
         ODO_TRY(restart());
-        decodeTo(wanted);
+        decodeTo(coded);
     }
     beganMidway = false;
-    if (!isAhead(wanted) && input->isCancelled())
-        return cancelled(cannotDecode(wanted));
-    if (!isAhead(wanted))
-        return fail(ErrorCode::InvalidInput, cannotDecode(wanted), dataAreDamaged(),
+    if (!isAhead(coded) && input->isCancelled())
+        return cancelled(cannotDecode(coded));
+    if (!isAhead(coded))
+        return fail(ErrorCode::InvalidInput, cannotDecode(coded), dataAreDamaged(),
                     ODO_TEXT("video.frame_left_out", "it is left out"));
-    return std::exchange(ahead, std::nullopt);
+    return {};
+}
+
+Result<std::optional<Frame>> VideoReader::Impl::decoded(std::size_t wanted)
+{
+    ODO_TRY(decodeExactly(codedFrameOf(wanted)));
+    if (!info.areFields)
+        return std::exchange(ahead, std::nullopt);
+    const bool isFirst = wanted % 2 == 0, isTop = firstField.value_or(statedFirst) == Field::Top;
+    Frame frame = fieldOf(*ahead, isTop == isFirst ? Field::Top : Field::Bottom);
+    frame.index = static_cast<std::int64_t>(wanted);
+    frame.time = info.frameTimes[wanted];
+    return frame;
+}
+
+/// Gives fields from now on if the frames hold two of different moments, by what moves in them; where too
+/// little does, by what the file says. Begins anew.
+Result<void> VideoReader::Impl::judgeFields(bool isStated)
+{
+    constexpr std::size_t mostFrames = 500;
+    FieldMotion motion;
+    for (std::size_t i = 0; i < std::min(mostFrames, index.frames.size()) && !motion.isClear(); ++i) {
+        const auto frame = decoded(i);
+        if (!frame && frame.error().code != ErrorCode::InvalidInput)
+            return tl::unexpected(frame.error());
+        if (frame) // else it is damaged
+            motion.add(**frame);
+    }
+    ODO_TRY(restart());
+    using enum FieldMotion::Kind;
+    const FieldMotion::Kind kind = motion.kind();
+    info.areFields = kind == Unknown ? isStated : kind != Progressive;
+    if (kind == TopFirst || kind == BottomFirst)
+        firstField = kind == TopFirst ? Field::Top : Field::Bottom;
+    if (info.areFields)
+        info.frameTimes = fieldTimes(index.times);
+    return {};
 }
 
 /// Whether decoding on is the shortest way to this frame.
 bool VideoReader::Impl::isOnTheWay(std::size_t frame) const
 {
-    return frame >= nextIndex && (index.counted || index.keyPacketFor(frame) <= packetsRead);
+    return frame >= nextIndex && (index.counted || index.keyPacketFor(codedFrameOf(frame)) <= packetsRead);
 }
 
 VideoReader::VideoReader(std::unique_ptr<Impl> impl) : m_impl(std::move(impl)) {}
 VideoReader::~VideoReader() = default;
 
 Result<std::unique_ptr<VideoReader>> VideoReader::open(const std::filesystem::path &file,
-                                                       const CancelToken &cancel)
+                                                       const CancelToken &cancel, std::size_t knownFrames)
 {
-    return orShortage(cannotOpenVideo(file), [&] { return openChecked(file, cancel); });
+    return orShortage(cannotOpenVideo(file), [&] { return openChecked(file, cancel, knownFrames); });
 }
 
 Result<std::unique_ptr<VideoReader>> VideoReader::openChecked(const std::filesystem::path &file,
-                                                              const CancelToken &cancel)
+                                                              const CancelToken &cancel,
+                                                              std::size_t knownFrames)
 {
     auto impl = std::make_unique<Impl>();
     impl->file = file;
@@ -370,6 +416,9 @@ Result<std::unique_ptr<VideoReader>> VideoReader::openChecked(const std::filesys
     impl->pixelFormat = static_cast<AVPixelFormat>(input->stream().codecpar->format);
     judgeByMost(index.firstJpegs, format, impl->pixelFormat);
     index.firstJpegs.clear();
+    const bool isStated = holdsFields(*input, index);
+    const std::size_t frames = index.frames.size();
+    const bool mayBeFields = isStated ? knownFrames != frames : knownFrames == 2 * frames;
     impl->info = describe(*input, index, format);
     impl->input = std::move(input);
     impl->index = std::move(index);
@@ -377,6 +426,8 @@ Result<std::unique_ptr<VideoReader>> VideoReader::openChecked(const std::filesys
     if (impl->decoder->codec_id == AV_CODEC_ID_MJPEG)
         impl->jpegDecoder = std::make_shared<JpegDecoder>(format);
     ODO_TRY(impl->restart());
+    if (mayBeFields)
+        ODO_TRY(impl->judgeFields(isStated));
     return std::unique_ptr<VideoReader>(new VideoReader(std::move(impl)));
 }
 
@@ -393,14 +444,14 @@ const VideoInfo &VideoReader::info() const
 
 bool VideoReader::decodesRegions() const
 {
-    return m_impl->jpegDecoder != nullptr;
+    return m_impl->jpegDecoder && !m_impl->info.areFields;
 }
 
 Result<std::optional<Frame>> VideoReader::next(const std::optional<PixelRect> &region)
 {
     Impl &d = *m_impl;
-    d.region = region;
-    if (d.nextIndex >= d.index.frames.size())
+    d.region = d.info.areFields ? std::nullopt : region;
+    if (d.nextIndex >= d.info.frameTimes.size())
         return std::nullopt;
     const std::size_t wanted = d.nextIndex++;
     return orShortage([&d, wanted] { return d.cannotDecode(wanted); },
@@ -410,15 +461,15 @@ Result<std::optional<Frame>> VideoReader::next(const std::optional<PixelRect> &r
 Result<void> VideoReader::seek(std::int64_t frameIndex)
 {
     Impl &d = *m_impl;
-    if (frameIndex < 0 || frameIndex >= static_cast<std::int64_t>(d.index.frames.size()))
+    if (frameIndex < 0 || frameIndex >= static_cast<std::int64_t>(d.info.frameTimes.size()))
         return fail(ErrorCode::InvalidInput, d.cannotShow(frameIndex),
-                    ODO_TEXT("video.frames_it_has", "it has frames 0 to %1")(d.index.frames.size() - 1),
+                    ODO_TEXT("video.frames_it_has", "it has frames 0 to %1")(d.info.frameTimes.size() - 1),
                     ODO_TEXT("video.choose_one_of_these", "choose one of these"));
     const auto frame = static_cast<std::size_t>(frameIndex);
     return orShortage([&d, frameIndex] { return d.cannotShow(frameIndex); },
                       [&d, frame]() -> Result<void> {
                           if (!d.isOnTheWay(frame) &&
-                              (d.index.counted || !d.startAt(d.index.keyPacketFor(frame))))
+                              (d.index.counted || !d.startAt(d.index.keyPacketFor(d.codedFrameOf(frame)))))
                               ODO_TRY(d.restart());
                           d.nextIndex = frame;
                           return {};
@@ -428,11 +479,12 @@ Result<void> VideoReader::seek(std::int64_t frameIndex)
 std::int64_t VideoReader::keyFrameBefore(std::int64_t frameIndex) const
 {
     const PacketIndex &index = m_impl->index;
-    if (index.counted || frameIndex < 0 || frameIndex >= static_cast<std::int64_t>(index.frames.size()))
+    if (index.counted || frameIndex < 0 ||
+        frameIndex >= static_cast<std::int64_t>(m_impl->info.frameTimes.size()))
         return 0;
-    const PacketIndex::Packet &packet =
-        index.packets[index.keyPacketFor(static_cast<std::size_t>(frameIndex))];
-    return std::clamp<std::int64_t>(index.frameOf(packet.pts), 0, frameIndex);
+    const std::size_t coded = m_impl->codedFrameOf(static_cast<std::size_t>(frameIndex));
+    const std::int64_t key = index.frameOf(index.packets[index.keyPacketFor(coded)].pts);
+    return std::clamp<std::int64_t>(m_impl->info.areFields ? 2 * key : key, 0, frameIndex);
 }
 
 Result<Frame> VideoReader::frameAt(std::int64_t frameIndex)

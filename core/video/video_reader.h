@@ -28,25 +28,28 @@ struct VideoInfo
     /// frames that follow are stamped as if they came before, and all of them are sorted by their stamps. Or
     /// the stamps stand still there, as editors write them then.
     std::optional<Nanoseconds> restartsAt;
-    /// Each frame holds two fields, taken one after the other: of such frames the reader gives the first
-    /// field, at half the vertical resolution.
-    bool isInterlaced = false;
+    /// The coded frames hold two fields, taken one after the other, and the frames given here are these
+    /// fields, at half the vertical resolution, in the order in which they were taken. frameTimes has both;
+    /// the rate is that of coded frames.
+    bool areFields = false;
     Message warning; ///< empty, or such as "ends early at 12.40 s: …" of a truncated file
 };
 
-/// Decodes one local video file to planes, exactly as coded (but for interlaced
-/// frames), frame-accurately; MJPEG by libjpeg-turbo, all
-/// else by libavcodec. Only ordinary container formats and the file protocol are allowed, so that a playlist
-/// dressed up as a video cannot open another file. Not thread-safe: one thread at a time uses a reader. See
-/// FrameStream for reading ahead on its own thread.
+/// Decodes one local video file to planes, exactly as coded (of interlaced ones field by field),
+/// frame-accurately; MJPEG by libjpeg-turbo, all else by libavcodec. Only ordinary container formats and the
+/// file protocol are allowed, so that a playlist dressed up as a video cannot open another file. Not
+/// thread-safe: one thread at a time uses a reader. See FrameStream for reading ahead on its own thread.
 class VideoReader
 {
 public:
-    /// Opens the file and indexes its packets (no decoding). Errors: missing file, not a video, unsupported
+    /// Opens the file and indexes its packets. Errors: missing file, not a video, unsupported
     /// pixel format, no video stream. cancel: ends this, and every later search for a frame, with Cancelled;
-    /// a large file on a slow disk takes its time.
-    static Result<std::unique_ptr<VideoReader>> open(const std::filesystem::path &file,
-                                                     const CancelToken &cancel = {});
+    /// a large file on a slow disk takes its time. knownFrames: of the file, as a project has it; 0 where it
+    /// has none. Of a file that says it is interlaced the first frames are decoded to see whether and in
+    /// which order it is (FieldMotion), unless the project counts its frames whole: then they are given so.
+    /// Of any other the same if the project counts two for each.
+    static Result<std::unique_ptr<VideoReader>>
+    open(const std::filesystem::path &file, const CancelToken &cancel = {}, std::size_t knownFrames = 0);
     ~VideoReader();
     VideoReader(const VideoReader &) = delete;
     VideoReader &operator=(const VideoReader &) = delete;
@@ -74,8 +77,8 @@ public:
 private:
     struct Impl;
     explicit VideoReader(std::unique_ptr<Impl> impl);
-    static Result<std::unique_ptr<VideoReader>> openChecked(const std::filesystem::path &file,
-                                                            const CancelToken &cancel);
+    static Result<std::unique_ptr<VideoReader>>
+    openChecked(const std::filesystem::path &file, const CancelToken &cancel, std::size_t knownFrames);
     std::unique_ptr<Impl> m_impl;
 };
 

@@ -115,11 +115,11 @@ Message registerItFirst()
     return ODO_TEXT("workflow.register_it_first", "register it first, with markers or via another camera");
 }
 
-Message interlacedVideo()
+Message measuredByFields()
 {
     return ODO_TEXT("workflow.interlaced",
-                    "it is interlaced: each frame holds two fields taken one after the other, and only the "
-                    "first is used, so the image has half its lines and positions are less certain");
+                    "it is interlaced: each frame holds two fields taken one after the other, and each is "
+                    "measured at its own time, with half the lines");
 }
 
 } // namespace odo

@@ -40,6 +40,6 @@ Message giveAnotherFile();
 Message giveEachViewItsCamera();
 Message registerItFirst();
 /// "it is interlaced", and what comes of it: of a video.
-Message interlacedVideo();
+Message measuredByFields();
 
 } // namespace odo

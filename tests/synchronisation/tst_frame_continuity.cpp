@@ -60,6 +60,8 @@ private Q_SLOTS:
     void areFoundOrDoubted();
     void longPausesAreDoubted();
     void longFrozenFramesAreFound();
+    void aRobotThatIsSearchedAfterwardsWasFrozenToo();
+    void whatStartsUnseenWasNotFrozen();
     void convertedVideosGetTheirTimes();
     void honestFramesAreLeftAlone_data();
     void honestFramesAreLeftAlone();
@@ -100,7 +102,7 @@ void TestFrameContinuity::areFoundOrDoubted()
                                         .arg(truth.speedMps)));
                 continue;
             }
-            if (step->kind == Kind::Leap) {
+            if (step->kind == Kind::Leap || step->kind == Kind::Frozen) {
                 ++tally.doubted;
                 continue;
             }
@@ -184,6 +186,37 @@ void TestFrameContinuity::longFrozenFramesAreFound()
     }
     qInfo("%d found, %d doubted", found, doubted);
     QVERIFY(2 * found >= int(drawsOfEach()));
+}
+
+/// A tracker finds it again some frames later.
+void TestFrameContinuity::aRobotThatIsSearchedAfterwardsWasFrozenToo()
+{
+    int found = 0;
+    for (unsigned seed = 1; seed <= drawsOfEach(); ++seed) {
+        FaultyView view = FrameFaultDrawer(FrameFault::LongFrozen, 7000 + seed).draw();
+        for (std::size_t i = 4; i < view.takenS.size(); ++i)
+            if (view.takenS[i - 4] == view.takenS[i - 3]) // the last ones, and three behind them
+                view.observations[i].found = view.takenS[i] == view.takenS[i - 1];
+        for (const FrameStep &step : stepsOf(view)) {
+            QVERIFY(step.kind == Kind::Frozen);
+            const auto frame = std::size_t(step.frame);
+            QVERIFY(view.takenS[frame - 4] == view.takenS[frame - 5]);
+            ++found;
+        }
+    }
+    qInfo("%d found", found);
+    QVERIFY(2 * found >= int(drawsOfEach()));
+}
+
+void TestFrameContinuity::whatStartsUnseenWasNotFrozen()
+{
+    for (unsigned seed = 1; seed <= 5 * drawsOfEach(); ++seed) {
+        FaultyView view = FrameFaultDrawer(FrameFault::StopAndGo, 7000 + seed).draw();
+        for (std::size_t i = 0; i < view.observations.size(); ++i)
+            view.observations[i].found = view.observations[i].found && i % 25 > 4;
+        for (const FrameStep &step : stepsOf(view))
+            QVERIFY2(step.kind != Kind::Frozen, qPrintable(QStringLiteral("seed %1").arg(seed)));
+    }
 }
 
 void TestFrameContinuity::convertedVideosGetTheirTimes()

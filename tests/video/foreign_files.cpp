@@ -3,6 +3,9 @@
 
 #include "core/video/internal/libav.h"
 
+#include <algorithm>
+#include <functional>
+
 extern "C" {
 #include <libavutil/pixdesc.h>
 }
@@ -43,10 +46,8 @@ void fill(AVFrame &image, int number)
     }
 }
 
-void makeInterlaced(AVFrame &image)
+void shiftBottomField(AVFrame &image)
 {
-    image.interlaced_frame = 1;
-    image.top_field_first = 1;
     for (int plane = 0; plane < 4 && image.data[plane]; ++plane)
         for (int y = 1; y < (plane > 0 ? image.height / 2 : image.height); y += 2)
             for (int x = 0; x < image.linesize[plane]; ++x)
@@ -108,20 +109,31 @@ bool remux(const std::filesystem::path &from, const std::filesystem::path &to)
     return good;
 }
 
-bool writeRaw(const std::filesystem::path &to, const std::string &encoderName, const std::string &pixelFormat,
-              int frames, std::int64_t interval, int width, int ticksPerSecond, bool isInterlaced)
+namespace {
+
+/// A video to be written, and what fills its frames by number.
+struct RawVideo
+{
+    std::string encoderName, pixelFormat;
+    int frames = 0, width = 0, height = 0, ticksPerSecond = 25;
+    std::int64_t interval = 1;
+    bool isInterlaced = false;
+    std::function<void(AVFrame &, int)> fill;
+};
+
+bool write(const std::filesystem::path &to, const RawVideo &video)
 {
     Output out(to);
-    const AVCodec *codec = avcodec_find_encoder_by_name(encoderName.c_str());
+    const AVCodec *codec = avcodec_find_encoder_by_name(video.encoderName.c_str());
     if (!out.container || !out.container->pb || !codec)
         return false;
     const libav::CodecPtr encoder(avcodec_alloc_context3(codec));
-    encoder->width = width;
-    encoder->height = width * 3 / 4;
-    encoder->time_base = {1, ticksPerSecond};
-    encoder->framerate = {ticksPerSecond, 1};
-    encoder->pix_fmt = av_get_pix_fmt(pixelFormat.c_str());
-    if (isInterlaced) {
+    encoder->width = video.width;
+    encoder->height = video.height;
+    encoder->time_base = {1, video.ticksPerSecond};
+    encoder->framerate = {video.ticksPerSecond, 1};
+    encoder->pix_fmt = av_get_pix_fmt(video.pixelFormat.c_str());
+    if (video.isInterlaced) {
         encoder->flags |= AV_CODEC_FLAG_INTERLACED_DCT | AV_CODEC_FLAG_INTERLACED_ME;
         encoder->field_order = AV_FIELD_TT;
     }
@@ -132,19 +144,43 @@ bool writeRaw(const std::filesystem::path &to, const std::string &encoderName, c
     stream->avg_frame_rate = encoder->framerate;
     stream->time_base = encoder->time_base;
     bool good = avformat_write_header(out.container, nullptr) >= 0;
-    for (int i = 0; good && i < frames; ++i) {
+    for (int i = 0; good && i < video.frames; ++i) {
         const libav::FramePtr image(av_frame_alloc());
         image->format = encoder->pix_fmt;
         image->width = encoder->width;
         image->height = encoder->height;
-        image->pts = i * interval;
+        image->pts = i * video.interval;
         good = av_frame_get_buffer(image.get(), 0) >= 0;
-        fill(*image, i);
-        if (isInterlaced)
-            makeInterlaced(*image);
+        video.fill(*image, i);
+        image->interlaced_frame = image->top_field_first = video.isInterlaced ? 1 : 0;
         good = good && encodeTo(out, *encoder, image.get());
     }
     return good && encodeTo(out, *encoder, nullptr) && av_write_trailer(out.container) >= 0;
+}
+
+} // namespace
+
+bool writeRaw(const std::filesystem::path &to, const std::string &encoderName, const std::string &pixelFormat,
+              int frames, std::int64_t interval, int width, int ticksPerSecond, bool isInterlaced)
+{
+    return write(to, {encoderName, pixelFormat, frames, width, width * 3 / 4, ticksPerSecond, interval,
+                      isInterlaced, [isInterlaced](AVFrame &image, int number) {
+                          fill(image, number);
+                          if (isInterlaced)
+                              shiftBottomField(image);
+                      }});
+}
+
+bool writeLuma(const std::filesystem::path &to, const std::vector<Frame> &frames, bool isInterlaced)
+{
+    const PlaneView &first = frames.front().y;
+    return write(to, {"ffv1", "gray", int(frames.size()), first.width, first.height, 25, 1, isInterlaced,
+                      [&frames](AVFrame &image, int number) {
+                          const PlaneView &luma = frames[std::size_t(number)].y;
+                          for (int y = 0; y < luma.height; ++y)
+                              std::copy_n(luma.row(y), luma.width,
+                                          image.data[0] + std::ptrdiff_t(y) * image.linesize[0]);
+                      }});
 }
 
 } // namespace odo::test

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/video/frame.h"
+
 #include <filesystem>
 #include <string>
+#include <vector>
 
 namespace odo::test {
 
@@ -17,5 +20,9 @@ bool remux(const std::filesystem::path &from, const std::filesystem::path &to);
 bool writeRaw(const std::filesystem::path &to, const std::string &encoder, const std::string &pixelFormat,
               int frames, std::int64_t interval = 1, int width = 64, int ticksPerSecond = 25,
               bool isInterlaced = false);
+
+/// Writes the luma of frames, 25 of them a second, without loss. isInterlaced: as frames of two fields, of
+/// which the top one is first.
+bool writeLuma(const std::filesystem::path &to, const std::vector<Frame> &frames, bool isInterlaced);
 
 } // namespace odo::test

@@ -5,6 +5,7 @@
 #include "tests/support/registered_test.h"
 #include "tests/video/coded_frames.h"
 #include "tests/video/foreign_files.h"
+#include "tests/video/moving_square.h"
 
 #include <QTemporaryDir>
 #include <QTest>
@@ -28,7 +29,8 @@ private Q_SLOTS:
     void timesBeyondAnyVideoAreRefused();
     void pixelFormats_data();
     void pixelFormats();
-    void ofInterlacedFramesTheFirstFieldIsTaken();
+    void eachFieldIsAFrame();
+    void whatMovesSaysWhetherThereAreFields();
     void coloursWithoutANameCountAsNotStated();
     void refusedPixelFormats_data();
     void refusedPixelFormats();
@@ -195,21 +197,61 @@ void TestForeignFiles::pixelFormats()
     QCOMPARE(int((*reader)->frameAt(2).value().y.at(63, 47)), 42);
 }
 
-void TestForeignFiles::ofInterlacedFramesTheFirstFieldIsTaken()
+void TestForeignFiles::eachFieldIsAFrame()
 {
     for (const char *format : {"yuv420p", "gray"}) {
         QVERIFY(writeRaw(path("fields.mkv"), "ffv1", format, 3, 1, 64, 25, true));
         const auto reader = VideoReader::open(path("fields.mkv"));
         QVERIFY2(reader.has_value(), reader ? "" : reader.error().message().c_str());
-        QVERIFY((*reader)->info().isInterlaced);
-        const Frame frame = (*reader)->frameAt(1).value();
-        for (int y = 0; y < 48; ++y) // without a trace of the other
-            QCOMPARE(int(frame.y.at(5, y)), 41);
-        for (int y = 0; y < 24; ++y)
-            QCOMPARE(int(frame.u.at(5, y)), format[0] == 'y' ? 61 : 128);
+        const VideoInfo &info = (*reader)->info();
+        QVERIFY(info.areFields);
+        QCOMPARE(info.framesPerSecond, 25.0);
+        QCOMPARE(info.frameTimes.size(), std::size_t(6));
+        for (const std::int64_t number : {3, 2, 5, 0, 1}) {
+            const Frame frame = (*reader)->frameAt(number).value();
+            QCOMPARE(frame.index, number);
+            QCOMPARE(frame.time, std::chrono::milliseconds(20 * number));
+            const int luma = 40 + int(number / 2) + (number % 2 != 0 ? 50 : 0);
+            for (int y = 0; y < 48; ++y) // without a trace of the other
+                QCOMPARE(int(frame.y.at(5, y)), luma);
+            for (int y = 0; y < 24; ++y)
+                QCOMPARE(int(frame.u.at(5, y)), format[0] == 'y' ? luma + 20 : 128);
+        }
+        QVERIFY(!(*reader)->seek(6));
+        // a project that counts them whole
+        const auto whole = VideoReader::open(path("fields.mkv"), {}, 3);
+        QVERIFY(!(*whole)->info().areFields);
+        const Frame frame = (*whole)->frameAt(2).value();
+        QCOMPARE(int(frame.y.at(5, 6)), 42);
+        QCOMPARE(int(frame.y.at(5, 7)), 92);
     }
     QVERIFY(writeRaw(path("whole.mkv"), "ffv1", "yuv420p", 3));
-    QVERIFY(!(*VideoReader::open(path("whole.mkv")))->info().isInterlaced);
+    QVERIFY(!(*VideoReader::open(path("whole.mkv")))->info().areFields);
+    QVERIFY(!(*VideoReader::open(path("whole.mkv"), {}, 6))->info().areFields);
+}
+
+void TestForeignFiles::whatMovesSaysWhetherThereAreFields()
+{
+    const auto fieldsIn = [&](FieldOrder order, bool isStated, std::size_t known) {
+        writeLuma(path("moving.mkv"), movingSquare(order, 20), isStated);
+        auto reader = VideoReader::open(path("moving.mkv"), {}, known);
+        return reader && (*reader)->info().areFields ? std::move(*reader) : nullptr;
+    };
+    QVERIFY(writeLuma(path("moving.mkv"), movingSquare(FieldOrder::TopFirst, 2), true));
+    using enum FieldOrder;
+    QVERIFY(!fieldsIn(OneMoment, true, 0)); // only called interlaced
+    QVERIFY(!fieldsIn(OneMoment, false, 40));
+    QVERIFY(!fieldsIn(BottomFirst, false, 0)); // nobody asked
+    for (const auto &[order, isStated, known] : {std::tuple{TopFirst, true, 0},
+                                                 {BottomFirst, true, 0},
+                                                 {TopFirst, false, 40},
+                                                 {BottomFirst, false, 40}}) {
+        const auto reader = fieldsIn(order, isStated, std::size_t(known));
+        QVERIFY(reader);
+        QCOMPARE(reader->info().frameTimes.size(), std::size_t(40));
+        for (std::int64_t number = 0; number < 40; ++number) // in the order in which they were taken
+            QCOMPARE(leftEdge(reader->frameAt(number).value()), edgeAt(double(number) / 2));
+    }
 }
 
 void TestForeignFiles::coloursWithoutANameCountAsNotStated()

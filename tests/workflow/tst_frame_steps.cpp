@@ -118,12 +118,19 @@ private Q_SLOTS:
     void anInterlacedVideoIsSaid()
     {
         Trial trial(FrameFaultDrawer(FrameFault::None, 7001).draw());
-        trial.tracked.front().isInterlaced = true;
+        trial.tracked.front().interlace = Interlace::Whole;
         QVERIFY(correctFrameTimes(trial.views, trial.robots, trial.tracked).empty());
         const auto said = frameStepWarnings("run", trial.views, trial.tracked);
         QCOMPARE(said.size(), std::size_t(1));
-        QVERIFY2(said.front().english().starts_with("view 'A' in trial 'run': it is interlaced: each frame"),
+        QVERIFY2(said.front().english().starts_with("view 'A' in trial 'run': it is interlaced, but was "),
                  said.front().english().c_str());
+        trial.tracked.front().series.front().algorithm = "colour-ellipse 1";
+        trial.tracked.front().interlace = Interlace::Fields;
+        QVERIFY(correctFrameTimes(trial.views, trial.robots, trial.tracked).empty());
+        const auto byFields = frameStepWarnings("run", trial.views, trial.tracked);
+        QCOMPARE(byFields.size(), std::size_t(1));
+        QVERIFY2(byFields.front().english().starts_with("view 'A' in trial 'run': it is interlaced: each "),
+                 byFields.front().english().c_str());
     }
 
     void soundFramesAndUnregisteredViewsAreLeftAlone()

@@ -118,8 +118,8 @@ private Q_SLOTS:
         const auto warnings = importFile("fields");
         QCOMPARE(warnings, std::vector<std::string>{
                                "video 'fields.mkv': it is interlaced: each frame holds two fields taken one "
-                               "after the other, and only the first is used, so the image has half its lines "
-                               "and positions are less certain; choose a progressive mode of the camera (p, "
+                               "after the other, and each is measured at its own time, with half the lines; "
+                               "choose a progressive mode of the camera (p, "
                                "not i)"});
     }
 

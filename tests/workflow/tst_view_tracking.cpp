@@ -23,7 +23,42 @@ private Q_SLOTS:
     void partsGiveWhatTheWholeGives();
     void measuresTheLight_data();
     void measuresTheLight();
+    void framesOfTwoMomentsAreTakenByFields();
 };
+
+namespace {
+
+/// Even lines of one frame and odd lines of the next.
+Frame woven(const Frame &even, const Frame &odd, std::int64_t index)
+{
+    const auto buffer = std::make_shared<FrameBuffer>(even.format);
+    const auto weave = [&](PlaneView Frame::*plane, const auto &row) {
+        for (int y = 0; y < (even.*plane).height; ++y)
+            std::copy_n(((y % 2 == 0 ? even : odd).*plane).row(y), (even.*plane).width, row(y));
+    };
+    weave(&Frame::y, [&](int y) { return buffer->yRow(y); });
+    weave(&Frame::u, [&](int y) { return buffer->uRow(y); });
+    weave(&Frame::v, [&](int y) { return buffer->vRow(y); });
+    return FrameBuffer::toFrame(buffer, index, even.time);
+}
+
+/// As a program writes an interlaced recording that says nothing of fields, the even lines later if asked.
+Result<void> writeWoven(const SimulatedScene &scene, const std::filesystem::path &file, bool isEvenLater)
+{
+    SceneRenderer renderer(scene, 0);
+    std::unique_ptr<VideoWriter> writer;
+    for (std::int64_t i = 0; i + 1 < renderer.frameCount(); i += 2) {
+        const Frame first = renderer.render(i), second = renderer.render(i + 1);
+        Frame both = isEvenLater ? woven(second, first, i / 2) : woven(first, second, i / 2);
+        both.time = first.time;
+        if (!writer)
+            writer = ODO_TRY(VideoWriter::create(file, both.format, {}));
+        ODO_TRY(writer->write(both));
+    }
+    return writer->finish();
+}
+
+} // namespace
 
 void TestViewTracking::partsGiveWhatTheWholeGives()
 {
@@ -136,6 +171,51 @@ void TestViewTracking::measuresTheLight()
     QVERIFY2(std::abs(edges[1].timeS - 1.911) < 3 * edges[1].sigmaS && edges[1].sigmaS < 0.012,
              qPrintable(QStringLiteral("%1 +- %2").arg(edges[1].timeS).arg(edges[1].sigmaS)));
     QVERIFY(std::abs(edges[0].change - std::log(1.3)) < 0.05); // eight code values stand for black
+}
+
+void TestViewTracking::framesOfTwoMomentsAreTakenByFields()
+{
+    SimulatedScene scene = demoTestbed(8);
+    scene.durationS = 3;
+    SimulatedRobot robot;
+    robot.name = "red";
+    robot.colour = {215, 35, 40};
+    robot.motion = makeFigureEightMotion({1.7, 1.4}, 0.8, 0.3, 4.0, 1.2);
+    scene.robots.push_back(robot);
+    std::vector<RobotRecord> robots(1);
+    robots[0].name = robot.name;
+    robots[0].colour = robot.colour;
+    const QTemporaryDir folder;
+    std::vector<RegisteredView> views(1);
+    const auto track = [&](const QString &name) {
+        views[0].file = folder.filePath(name).toStdString();
+        if (views[0].recording.frameTimes.empty())
+            views[0].recording.frameTimes = (*VideoReader::open(views[0].file))->info().frameTimes;
+        return trackViews(views, robots, {}).value();
+    };
+    QVERIFY(renderVideo(scene, 0, folder.filePath(QStringLiteral("sound.mkv")).toStdString(), {}, {}));
+    const auto sound = track(QStringLiteral("sound.mkv"));
+    QVERIFY(sound[0].interlace == Interlace::None);
+    QVERIFY(takeFields(views, sound, {}).empty());
+    for (const bool isEvenLater : {false, true}) {
+        views[0].recording.frameTimes.clear();
+        QVERIFY(writeWoven(scene, folder.filePath(QStringLiteral("woven.mkv")).toStdString(), isEvenLater));
+        const auto whole = track(QStringLiteral("woven.mkv"));
+        QVERIFY(whole[0].interlace == Interlace::Whole);
+        QCOMPARE(whole[0].frames, std::int64_t(45));
+        QCOMPARE(takeFields(views, whole, {}), std::vector<std::size_t>{0});
+        const auto fields = track(QStringLiteral("woven.mkv"));
+        QVERIFY(fields[0].interlace == Interlace::Fields);
+        QCOMPARE(fields[0].frames, std::int64_t(90));
+        const std::vector<Observation> &seen = fields[0].series[0].observations,
+                                       &expected = sound[0].series[0].observations;
+        for (std::size_t i = 0; i < seen.size(); ++i) {
+            QVERIFY(std::abs(toSeconds(seen[i].time - expected[i].time)) < 1e-4);
+            QCOMPARE(seen[i].found, expected[i].found);
+            QVERIFY((seen[i].ellipse.centrePx - expected[i].ellipse.centrePx).norm() <
+                    1.5); // of some 10 a field
+        }
+    }
 }
 
 ODOGRAPH_TEST(TestViewTracking, QCoreApplication)

@@ -24,7 +24,7 @@ public:
     static Result<ViewFilm> open(const SceneView &view, QSize sizePx, const CancelToken &cancel)
     {
         constexpr std::size_t ahead = 4;
-        auto stream = ODO_TRY(FrameStream::open(view.file, ahead, cancel));
+        auto stream = ODO_TRY(FrameStream::open(view.file, ahead, cancel, view.recording.frameTimes.size()));
         return ViewFilm(std::move(stream), sizePx);
     }
     /// The image of a frame at or after the one before; null where it is damaged or the file has ended.

@@ -110,8 +110,12 @@ Result<FoundClocks> findClipOffsets(const std::string &trial, std::vector<Regist
     std::vector<std::vector<MotionTrack>> tracks(views.size());
     std::vector<Message> frameSteps;
     if (canTrack) {
-        for (TrackedView &view : tracked)
-            view.isInterlaced = false; // said already
+        const std::vector<std::size_t> byFields = takeFields(views, tracked, control.cancel);
+        if (!byFields.empty())
+            tracked = ODO_TRY(trackViews(views, robots, control, WithLight::Measured));
+        for (std::size_t v = 0; v < views.size(); ++v)
+            if (tracked[v].interlace == Interlace::Fields && std::ranges::find(byFields, v) == byFields.end())
+                tracked[v].interlace = Interlace::None; // said already
         correctFrameTimes(views, robots, tracked);
         frameSteps = frameStepWarnings(trial, views, tracked);
         tracks = tracksOf(views, robots, tracked);
@@ -248,10 +252,10 @@ Result<void> checkTimes(const std::filesystem::path &file, const VideoInfo &info
 std::vector<Message> timeRemarks(const VideoInfo &info, bool isRateGiven)
 {
     std::vector<Message> remarks{info.warning, unevenRateWords(info.frameTimes)};
-    if (info.isInterlaced)
+    if (info.areFields)
         remarks.push_back(
-            joined({interlacedVideo(), ODO_TEXT("workflow.film_progressive",
-                                                "choose a progressive mode of the camera (p, not i)")},
+            joined({measuredByFields(), ODO_TEXT("workflow.film_progressive",
+                                                 "choose a progressive mode of the camera (p, not i)")},
                    Join::Semicolon));
     if (info.timeSource == TimeSource::Rate && !isRateGiven)
         remarks.push_back(joined({ODO_TEXT("video.no_time_stamps", "the file has no time stamps"),

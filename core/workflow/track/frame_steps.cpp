@@ -19,8 +19,8 @@ namespace {
 
 // behind the tracker's version in a series
 constexpr const char *lostWords = "; lost ", *doubledWords = "; doubled ", *leapWords = "; leap ",
-                     *repeatedWords = "; repeated ", *frozenWords = "; frozen ",
-                     *interlacedWords = "; interlaced ";
+                     *repeatedWords = "; repeated ", *frozenWords = "; frozen ", *fieldsWords = "; fields ",
+                     *combedWords = "; combed ";
 constexpr std::size_t mostNoted = 30; ///< of a view; more say nothing else
 constexpr std::size_t mostSaid = 3;   ///< one by one
 constexpr double leastOfFrame = 0.6;  ///< that times are corrected by
@@ -36,8 +36,10 @@ const char *wordsOf(FrameStep::Kind kind)
         return repeatedWords;
     case FrameStep::Kind::Frozen:
         return frozenWords;
-    case FrameStep::Kind::Interlaced:
-        return interlacedWords;
+    case FrameStep::Kind::Fields:
+        return fieldsWords;
+    case FrameStep::Kind::Combed:
+        return combedWords;
     case FrameStep::Kind::Leap:
         break;
     }
@@ -175,8 +177,9 @@ std::vector<RecordingRecord> correctFrameTimes(std::vector<RegisteredView> &view
             changed.push_back(views[v].recording);
         for (const FrameStep &step : correctedSteps(tracked[v].fileTimes, views[v].recording.frameTimes))
             steps.push_back(step);
-        if (tracked[v].isInterlaced)
-            steps.push_back({FrameStep::Kind::Interlaced});
+        if (tracked[v].interlace != Interlace::None)
+            steps.emplace_back().kind =
+                tracked[v].interlace == Interlace::Fields ? FrameStep::Kind::Fields : FrameStep::Kind::Combed;
         std::ranges::stable_sort(steps, {}, &FrameStep::frame);
         for (ObservationSeries &series : tracked[v].series)
             note(steps, series.algorithm);
@@ -188,7 +191,7 @@ std::vector<FrameStep> notedSteps(const ObservationSeries &series)
 {
     std::vector<FrameStep> steps;
     using enum FrameStep::Kind;
-    for (const auto kind : {Interlaced, Repeated, Lost, Doubled, Frozen, Leap}) {
+    for (const auto kind : {Fields, Combed, Repeated, Lost, Doubled, Frozen, Leap}) {
         const char *words = wordsOf(kind);
         for (std::size_t at = series.algorithm.find(words); at != std::string::npos;
              at = series.algorithm.find(words, at + 1)) {
@@ -249,8 +252,13 @@ Message stepWords(const FrameStep &step, MessageArgument at)
         return ODO_TEXT("workflow.frames_frozen",
                         "after %1 %2 frames show the same image while the robot went on; they were not "
                         "measured")(std::move(at), step.frames);
-    case FrameStep::Kind::Interlaced:
-        return interlacedVideo();
+    case FrameStep::Kind::Fields:
+        return measuredByFields();
+    case FrameStep::Kind::Combed:
+        return ODO_TEXT(
+            "workflow.interlaced_whole",
+            "it is interlaced, but was measured by whole frames, of which each shows two moments; "
+            "import it as a new trial to have each field measured at its own time");
     case FrameStep::Kind::Leap:
         break;
     }

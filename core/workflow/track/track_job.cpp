@@ -126,6 +126,7 @@ struct TrackJob::Impl
     std::vector<TrackedView> stored;           ///< with `again`
     std::vector<std::vector<Sample>> imported; ///< with `again` of imported tracks, one a robot
     std::vector<ObservationSeries> observations;
+    bool isNew = false;                   ///< nothing was ever measured of the trial
     std::vector<RecordingRecord> retimed; ///< recordings whose frame times were corrected
     std::vector<StoredRobot> others;      ///< of the trial, which are not tracked now
     /// of each robot; with `again` those of its newest analysis
@@ -134,6 +135,7 @@ struct TrackJob::Impl
 
     Result<void> readOptions(Project &project);
     Result<void> takeImported(Project &project);
+    Result<SettledViews> trackAll(const JobControl &control);
     Result<void> analyseAll(std::vector<TrackedView> &tracked);
     Result<TaskAnalysis> analyseOne(std::vector<TrackedView> &tracked, std::size_t robot) const;
     void findOcclusionsIn(const std::vector<TrackedView> &tracked);
@@ -180,6 +182,7 @@ Result<void> TrackJob::prepare(Project &project)
 Result<void> TrackJob::Impl::readOptions(Project &project)
 {
     const auto analyses = ODO_TRY(project.analyses().currentMetrics(trial.id));
+    isNew = analyses.empty();
     options.clear();
     ambiguities.clear();
     for (const RobotRecord &robot : robots) {
@@ -222,6 +225,23 @@ Result<void> TrackJob::Impl::takeImported(Project &project)
     return {};
 }
 
+/// With the frame times as they are found to be.
+Result<SettledViews> TrackJob::Impl::trackAll(const JobControl &control)
+{
+    auto tracked = ODO_TRY(trackAndSettle(views, robots, control, pointedOut));
+    std::vector<std::size_t> byFields;
+    if (isNew && pointedOut.empty())
+        byFields = takeFields(views, tracked.views, control.cancel);
+    if (!byFields.empty())
+        tracked = ODO_TRY(trackAndSettle(views, robots, control, pointedOut));
+    ambiguities = ambiguousNamesOf(tracked.ambiguities, robots);
+    retimed = correctFrameTimes(views, robots, tracked.views);
+    for (const std::size_t v : byFields)
+        if (std::ranges::find(retimed, views[v].recording.id, &RecordingRecord::id) == retimed.end())
+            retimed.push_back(views[v].recording);
+    return tracked;
+}
+
 Result<void> TrackJob::run(const JobControl &control)
 {
     Impl &d = *m_impl;
@@ -229,14 +249,10 @@ Result<void> TrackJob::run(const JobControl &control)
     if (!d.settings.again)
         ODO_TRY(checkRecordings(d.views, control));
     // what is stored is settled
-    auto tracked = d.settings.again ? Result<SettledViews>(SettledViews{std::move(d.stored), {}})
-                                    : trackAndSettle(d.views, d.robots, control, d.pointedOut);
+    auto tracked =
+        d.settings.again ? Result<SettledViews>(SettledViews{std::move(d.stored), {}}) : d.trackAll(control);
     if (!tracked)
         return tl::unexpected(tracked.error());
-    if (!d.settings.again)
-        d.ambiguities = ambiguousNamesOf(tracked->ambiguities, d.robots);
-    if (!d.settings.again)
-        d.retimed = correctFrameTimes(d.views, d.robots, tracked->views);
     d.outcome.warnings = stepWarnings(d.trialName, d.views);
     for (Message &warning : frameStepWarnings(d.trialName, d.views, tracked->views))
         d.outcome.warnings.push_back(std::move(warning));

@@ -219,11 +219,12 @@ Result<void> checkRecording(Project &project, const AnalysisRecord &analysis, co
 {
     const auto series = ODO_TRY(project.trials().currentObservations(view.id, analysis.robot));
     const bool isTracked = isUsed && series;
-    const std::vector<FrameStep> noted = isTracked ? notedSteps(*series) : std::vector<FrameStep>{};
+    std::vector<FrameStep> noted = isTracked ? notedSteps(*series) : std::vector<FrameStep>{};
     checkFrames(view, noted, trial, checks);
     if (!isTracked)
         return {};
     checkDecoding(*series, view, trial, checks);
+    std::erase_if(noted, [](const FrameStep &step) { return step.kind == FrameStep::Kind::Fields; });
     for (Message &sentence : stepSentences(trial, view, noted))
         checks.add(framesRegular, CheckLevel::Doubtful, std::move(sentence));
     if (const auto move = storedMove(*series))

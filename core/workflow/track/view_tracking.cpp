@@ -10,6 +10,7 @@
 #include "core/tracking/background.h"
 #include "core/tracking/robot_tracker.h"
 #include "core/trajectory/solid_choice.h"
+#include "core/video/field_motion.h"
 #include "core/video/frame_stream.h"
 #include "core/workflow/shared_words.h"
 #include "core/workflow/track/frame_damage.h"
@@ -42,7 +43,8 @@ constexpr std::size_t learnedAhead = 4;
 Result<std::optional<Background>> learnBackground(const RegisteredView &view, const CancelToken &cancel,
                                                   const std::function<void()> &onImage)
 {
-    auto stream = ODO_TRY(FrameStream::open(view.file, learnedAhead, cancel));
+    auto stream =
+        ODO_TRY(FrameStream::open(view.file, learnedAhead, cancel, view.recording.frameTimes.size()));
     const std::int64_t step =
         std::max<std::int64_t>(1, std::llround(stream->info().framesPerSecond / wantedPerSecond));
     BackgroundLearner learner;
@@ -142,12 +144,42 @@ void leaveOutMoved(TrackedView &tracked, const std::optional<CameraMove> &move)
         leaveOut(observations);
 }
 
+/// About the robot that moved most since the frame before; empty where none is seen in both.
+PixelRect fastestIn(const std::vector<ObservationSeries> &before, const std::vector<Observation> &seen)
+{
+    constexpr double around = 2; // semi-axes
+    PixelRect region;
+    double most = 0;
+    for (std::size_t r = 0; r < seen.size(); ++r) {
+        if (before[r].observations.empty() || !before[r].observations.back().found || !seen[r].found)
+            continue;
+        const Eigen::Vector2d &centre = seen[r].ellipse.centrePx;
+        const double movedPx = (centre - before[r].observations.back().ellipse.centrePx).norm(),
+                     reach = movedPx + around * seen[r].ellipse.semiMajorPx;
+        if (movedPx > most) {
+            most = movedPx;
+            region = {int(centre.x() - reach), int(centre.y() - reach), int(centre.x() + reach),
+                      int(centre.y() + reach)};
+        }
+    }
+    return region;
+}
+
+Interlace interlaceOf(const VideoInfo &info, const FieldMotion &fields)
+{
+    if (info.areFields)
+        return Interlace::Fields;
+    const FieldMotion::Kind kind = fields.kind();
+    return kind == FieldMotion::Kind::TopFirst || kind == FieldMotion::Kind::BottomFirst ? Interlace::Whole
+                                                                                         : Interlace::None;
+}
+
 Result<TrackedView> trackView(const RegisteredView &view, const std::vector<RobotRecord> &robots,
                               const std::vector<TrackTarget> &targets, const JobControl &control,
                               SharedProgress &progress, WithLight light, std::optional<Background> background)
 {
     const auto tracker = ODO_TRY(trackerFor(view, targets, control, progress, background));
-    auto reader = ODO_TRY(VideoReader::open(view.file, control.cancel));
+    auto reader = ODO_TRY(VideoReader::open(view.file, control.cancel, view.recording.frameTimes.size()));
     // Decoding only what the tracker will look at is so much cheaper that a thread that decodes ahead, and
     // cannot know it, would be slower.
     const bool byRegion = tracker && reader->decodesRegions();
@@ -155,10 +187,10 @@ Result<TrackedView> trackView(const RegisteredView &view, const std::vector<Robo
 
     TrackedView tracked;
     tracked.fileTimes = stream.info().frameTimes;
-    tracked.isInterlaced = stream.info().isInterlaced;
     tracked.background = std::move(background);
     LightMeter lightMeter;
     CameraWatch watch;
+    FieldMotion fields;
     for (std::size_t r = 0; r < robots.size(); ++r)
         tracked.series.push_back({view.recording.id,
                                   robots[r].id,
@@ -186,6 +218,8 @@ Result<TrackedView> trackView(const RegisteredView &view, const std::vector<Robo
             watch.add(*frame);
         const std::vector<Observation> observations =
             tracker ? tracker->track(*frame) : std::vector<Observation>{};
+        if (!stream.info().areFields && !fields.isClear())
+            fields.add(*frame, fastestIn(tracked.series, observations));
         for (std::size_t r = 0; r < observations.size(); ++r)
             tracked.series[r].observations.push_back(observations[r]);
         const std::vector<Observation> none, &others = tracker ? tracker->others() : none;
@@ -196,6 +230,7 @@ Result<TrackedView> trackView(const RegisteredView &view, const std::vector<Robo
         progress.countFrame();
     }
     tracked.decodeCpuTime = stream.decodeCpuTime();
+    tracked.interlace = interlaceOf(stream.info(), fields);
     leaveOutMoved(tracked, watch.move());
     if (tracker)
         tracked.sharesAlike = tracker->sharesAlike();
@@ -296,6 +331,23 @@ Result<std::vector<TrackedView>> trackViews(const std::vector<RegisteredView> &v
             (*tracked)[v].series[r] = std::move(whole[v].series[r]);
     }
     return tracked;
+}
+
+std::vector<std::size_t> takeFields(std::vector<RegisteredView> &views,
+                                    const std::vector<TrackedView> &tracked, const CancelToken &cancel)
+{
+    std::vector<std::size_t> taken;
+    for (std::size_t v = 0; v < views.size(); ++v) {
+        RecordingRecord &recording = views[v].recording;
+        if (tracked[v].interlace != Interlace::Whole)
+            continue;
+        const auto reader = VideoReader::open(views[v].file, cancel, 2 * recording.frameTimes.size());
+        if (!reader || (*reader)->info().frameTimes.size() != 2 * recording.frameTimes.size())
+            continue;
+        recording.frameTimes = fieldTimes(recording.frameTimes);
+        taken.push_back(v);
+    }
+    return taken;
 }
 
 Result<std::vector<TrackedView>> trackAgain(const std::vector<RegisteredView> &views,

@@ -13,6 +13,13 @@
 
 namespace odo {
 
+/// What the frames of a view are where the camera took fields.
+enum class Interlace {
+    None,
+    Fields, ///< its fields: two for each coded frame, each of its own moment
+    Whole   ///< as coded, with two moments in each: the file says nothing of fields, or they were counted so
+};
+
 /// What one view gave: a series of observations for each robot, in the robots' order.
 struct TrackedView
 {
@@ -22,7 +29,7 @@ struct TrackedView
     std::vector<std::vector<Observation>> others;
     std::int64_t frames = 0;
     std::vector<Nanoseconds> fileTimes; ///< of all frames, by the file's own stamps; empty of stored series
-    bool isInterlaced = false;          ///< of each frame only the first field was tracked
+    Interlace interlace = Interlace::None;
     Nanoseconds decodeCpuTime{0};
     /// Of each robot: the part of the first frame with its given colour. Empty where nothing was decoded.
     std::vector<double> sharesAlike;
@@ -43,6 +50,12 @@ enum class WithLight { Ignored, Measured };
 Result<std::vector<TrackedView>> trackViews(const std::vector<RegisteredView> &views,
                                             const std::vector<RobotRecord> &robots, const JobControl &control,
                                             WithLight light = WithLight::Ignored);
+
+/// Gives views that were tracked whole, though each frame holds two moments (Interlace::Whole), the times of
+/// their fields, where the reader finds fields in the file, too: tracked again they are measured field by
+/// field. Frames are then counted otherwise, so nothing may be stored of the trial yet. Gives their numbers.
+std::vector<std::size_t> takeFields(std::vector<RegisteredView> &views,
+                                    const std::vector<TrackedView> &tracked, const CancelToken &cancel);
 
 /// Tracks once more what trackViews measured by its silhouette, before the same backgrounds, as if a shadow
 /// left the floor no less than this share of its luma. All other series stay as they are.

@@ -132,7 +132,7 @@ void PickColourDialog::showVideo(int index)
         return;
     const PickableVideo &video = m_videos[index];
     m_canvas->setSourceSize(video.size);
-    m_fetcher.setFile(video.file);
+    m_fetcher.setFile(video.file, static_cast<std::size_t>(video.frames));
     m_frame->setRange(0, static_cast<int>(std::max<qint64>(video.frames, 1) - 1));
     m_frame->setValue(0);
     showFrame();

@@ -39,7 +39,8 @@ Readers openVideos(const TrialScene &scene, const CancelToken &cancel)
 {
     Readers readers(scene.views.size());
     forEachView(scene, [&](std::size_t view) {
-        if (auto reader = VideoReader::open(scene.views[view].file, cancel))
+        const SceneView &seen = scene.views[view];
+        if (auto reader = VideoReader::open(seen.file, cancel, seen.recording.frameTimes.size()))
             readers[view] = std::move(*reader);
     });
     return readers;

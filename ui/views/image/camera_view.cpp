@@ -101,7 +101,7 @@ void ImageArea::setScene(TrialScenePtr scene, std::size_t view)
     const SceneView *shown = sceneView();
     const std::filesystem::path file = shown ? shown->file : std::filesystem::path();
     if (file != fileBefore) {
-        m_fetcher.setFile(file);
+        m_fetcher.setFile(file, shown ? shown->recording.frameTimes.size() : 0);
         m_image = {};
         m_shownFrame = -1;
         m_failure.clear();
