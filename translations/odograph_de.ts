@@ -7585,13 +7585,6 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
 </context>
 <context>
-    <name>exchange.choose_a_time_unit</name>
-    <message>
-        <source>choose their unit: s, ms, us, ns or frame</source>
-        <translation>wählen Sie ihre Einheit: s, ms, us, ns oder frame</translation>
-    </message>
-</context>
-<context>
     <name>exchange.choose_axes</name>
     <message>
         <source>choose the axes of the floor: %1, or xy if that is right</source>
@@ -7622,8 +7615,8 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
 <context>
     <name>exchange.choose_likely_unit</name>
     <message>
-        <source>choose their unit: m, cm, mm or px; %1 is likely</source>
-        <translation>wählen Sie ihre Einheit: m, cm, mm oder px; wahrscheinlich %1</translation>
+        <source>choose their unit: m, cm, mm, in, ft or px; %1 is likely</source>
+        <translation>wählen Sie ihre Einheit: m, cm, mm, in, ft oder px; wahrscheinlich %1</translation>
     </message>
 </context>
 <context>
@@ -7657,15 +7650,15 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
 <context>
     <name>exchange.choose_time_unit</name>
     <message>
-        <source>choose their unit: s, ms, us, ns or frame; %1 is likely</source>
-        <translation>wählen Sie ihre Einheit: s, ms, us, ns oder frame; wahrscheinlich %1</translation>
+        <source>choose their unit: s, ms, us, ns, min, h, d or frame; %1 is likely</source>
+        <translation>wählen Sie ihre Einheit: s, ms, us, ns, min, h, d oder frame; wahrscheinlich %1</translation>
     </message>
 </context>
 <context>
     <name>exchange.choose_unit</name>
     <message>
-        <source>choose their unit: m, cm, mm or px</source>
-        <translation>wählen Sie ihre Einheit: m, cm, mm oder px</translation>
+        <source>choose their unit: m, cm, mm, in, ft or px</source>
+        <translation>wählen Sie ihre Einheit: m, cm, mm, in, ft oder px</translation>
     </message>
 </context>
 <context>
@@ -7708,6 +7701,13 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>style &apos;%1&apos; of CSV</source>
         <translation>CSV-Stil &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.cut_line_left_out</name>
+    <message>
+        <source>the last line, line %1, was left out, because it ends too early</source>
+        <translation>die letzte Zeile, Zeile %1, wurde weggelassen, weil sie zu früh endet</translation>
     </message>
 </context>
 <context>
@@ -7862,6 +7862,13 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>it is written in UTF-16</source>
         <translation>in UTF-16 geschrieben</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.is_xml</name>
+    <message>
+        <source>it is written in XML</source>
+        <translation>in XML geschrieben</translation>
     </message>
 </context>
 <context>
@@ -8030,6 +8037,13 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>it has no column of confidences</source>
         <translation>sie hat keine Spalte mit Konfidenzen</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.no_list_of_numbers</name>
+    <message>
+        <source>&apos;%1&apos; is not a list of numbers</source>
+        <translation>&apos;%1&apos; ist keine Liste von Zahlen</translation>
     </message>
 </context>
 <context>
@@ -8250,6 +8264,13 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
 </context>
 <context>
+    <name>exchange.positions_as_metres</name>
+    <message>
+        <source>its positions have no unit and were read as metres</source>
+        <translation>ihre Positionen haben keine Einheit und wurden als Meter gelesen</translation>
+    </message>
+</context>
+<context>
     <name>exchange.quoted_cell_does_not_end</name>
     <message>
         <source>a quoted cell does not end</source>
@@ -8313,6 +8334,13 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
 </context>
 <context>
+    <name>exchange.save_as_yaml</name>
+    <message>
+        <source>save the calibration as YAML or JSON</source>
+        <translation>speichern Sie die Kalibrierung als YAML oder JSON</translation>
+    </message>
+</context>
+<context>
     <name>exchange.save_with_commas</name>
     <message>
         <source>save it with commas</source>
@@ -8345,6 +8373,13 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>it holds more than one document</source>
         <translation>darin steht mehr als ein Dokument</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.sides_exchanged</name>
+    <message>
+        <source>its width and height are exchanged: the image centre (%1, %2) is that of %4 × %3 pixels, not %3 × %4</source>
+        <translation>Breite und Höhe sind vertauscht: die Bildmitte (%1, %2) ist die von %4 × %3 Pixeln, nicht von %3 × %4</translation>
     </message>
 </context>
 <context>
@@ -8446,10 +8481,24 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
 </context>
 <context>
+    <name>exchange.timecode_without_rate</name>
+    <message>
+        <source>the last part of its times counts frames, up to %1 a second</source>
+        <translation>der letzte Teil ihrer Zeiten zählt Bilder, bis zu %1 in der Sekunde</translation>
+    </message>
+</context>
+<context>
     <name>exchange.times_by_rate</name>
     <message>
         <source>all its times are the same; the lines were spread at %1 frames/s</source>
         <translation>alle ihre Zeiten sind gleich; die Zeilen wurden mit %1 Bildern/s verteilt</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.times_in_days</name>
+    <message>
+        <source>times in days, as spreadsheets write them</source>
+        <translation>Zeiten in Tagen, wie Tabellenprogramme sie schreiben</translation>
     </message>
 </context>
 <context>
@@ -14953,6 +15002,26 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>from the file</source>
         <translation>aus der Datei</translation>
+    </message>
+    <message>
+        <source>inches</source>
+        <translation>Zoll</translation>
+    </message>
+    <message>
+        <source>feet</source>
+        <translation>Fuß</translation>
+    </message>
+    <message>
+        <source>min</source>
+        <translation>min</translation>
+    </message>
+    <message>
+        <source>h</source>
+        <translation>h</translation>
+    </message>
+    <message>
+        <source>days</source>
+        <translation>Tage</translation>
     </message>
 </context>
 <context>
@@ -21930,6 +21999,13 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>Positions change by %1 RMS, at most by %2 (at %3).</source>
         <translation>Die Orte ändern sich um %1 RMS, höchstens um %2 (bei %3).</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.positions_rounded</name>
+    <message>
+        <source>rounded to %1</source>
+        <translation>auf %1 gerundet</translation>
     </message>
 </context>
 <context>

@@ -7585,13 +7585,6 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     </message>
 </context>
 <context>
-    <name>exchange.choose_a_time_unit</name>
-    <message>
-        <source>choose their unit: s, ms, us, ns or frame</source>
-        <translation>elija su unidad: s, ms, us, ns o frame</translation>
-    </message>
-</context>
-<context>
     <name>exchange.choose_axes</name>
     <message>
         <source>choose the axes of the floor: %1, or xy if that is right</source>
@@ -7622,8 +7615,8 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
 <context>
     <name>exchange.choose_likely_unit</name>
     <message>
-        <source>choose their unit: m, cm, mm or px; %1 is likely</source>
-        <translation>elija su unidad: m, cm, mm o px; lo más probable es %1</translation>
+        <source>choose their unit: m, cm, mm, in, ft or px; %1 is likely</source>
+        <translation>elija su unidad: m, cm, mm, in, ft o px; lo más probable es %1</translation>
     </message>
 </context>
 <context>
@@ -7657,15 +7650,15 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
 <context>
     <name>exchange.choose_time_unit</name>
     <message>
-        <source>choose their unit: s, ms, us, ns or frame; %1 is likely</source>
-        <translation>elija su unidad: s, ms, us, ns o frame; lo más probable es %1</translation>
+        <source>choose their unit: s, ms, us, ns, min, h, d or frame; %1 is likely</source>
+        <translation>elija su unidad: s, ms, us, ns, min, h, d o frame; lo más probable es %1</translation>
     </message>
 </context>
 <context>
     <name>exchange.choose_unit</name>
     <message>
-        <source>choose their unit: m, cm, mm or px</source>
-        <translation>elija su unidad: m, cm, mm o px</translation>
+        <source>choose their unit: m, cm, mm, in, ft or px</source>
+        <translation>elija su unidad: m, cm, mm, in, ft o px</translation>
     </message>
 </context>
 <context>
@@ -7708,6 +7701,13 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <message>
         <source>style &apos;%1&apos; of CSV</source>
         <translation>estilo &apos;%1&apos; de CSV</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.cut_line_left_out</name>
+    <message>
+        <source>the last line, line %1, was left out, because it ends too early</source>
+        <translation>se omitió la última línea, la %1, porque termina demasiado pronto</translation>
     </message>
 </context>
 <context>
@@ -7862,6 +7862,13 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <message>
         <source>it is written in UTF-16</source>
         <translation>está escrito en UTF-16</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.is_xml</name>
+    <message>
+        <source>it is written in XML</source>
+        <translation>está escrito en XML</translation>
     </message>
 </context>
 <context>
@@ -8030,6 +8037,13 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <message>
         <source>it has no column of confidences</source>
         <translation>no tiene una columna de confianza</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.no_list_of_numbers</name>
+    <message>
+        <source>&apos;%1&apos; is not a list of numbers</source>
+        <translation>&apos;%1&apos; no es una lista de números</translation>
     </message>
 </context>
 <context>
@@ -8250,6 +8264,13 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     </message>
 </context>
 <context>
+    <name>exchange.positions_as_metres</name>
+    <message>
+        <source>its positions have no unit and were read as metres</source>
+        <translation>sus posiciones no tienen unidad y se leyeron como metros</translation>
+    </message>
+</context>
+<context>
     <name>exchange.quoted_cell_does_not_end</name>
     <message>
         <source>a quoted cell does not end</source>
@@ -8313,6 +8334,13 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     </message>
 </context>
 <context>
+    <name>exchange.save_as_yaml</name>
+    <message>
+        <source>save the calibration as YAML or JSON</source>
+        <translation>guarde la calibración como YAML o JSON</translation>
+    </message>
+</context>
+<context>
     <name>exchange.save_with_commas</name>
     <message>
         <source>save it with commas</source>
@@ -8345,6 +8373,13 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <message>
         <source>it holds more than one document</source>
         <translation>contiene más de un documento</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.sides_exchanged</name>
+    <message>
+        <source>its width and height are exchanged: the image centre (%1, %2) is that of %4 × %3 pixels, not %3 × %4</source>
+        <translation>el ancho y el alto están intercambiados: el centro de la imagen (%1, %2) es el de %4 × %3 píxeles, no el de %3 × %4</translation>
     </message>
 </context>
 <context>
@@ -8446,10 +8481,24 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     </message>
 </context>
 <context>
+    <name>exchange.timecode_without_rate</name>
+    <message>
+        <source>the last part of its times counts frames, up to %1 a second</source>
+        <translation>la última parte de sus tiempos cuenta fotogramas, hasta %1 por segundo</translation>
+    </message>
+</context>
+<context>
     <name>exchange.times_by_rate</name>
     <message>
         <source>all its times are the same; the lines were spread at %1 frames/s</source>
         <translation>todos sus tiempos son iguales; las líneas se repartieron a %1 fotogramas/s</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.times_in_days</name>
+    <message>
+        <source>times in days, as spreadsheets write them</source>
+        <translation>tiempos en días, como los escriben las hojas de cálculo</translation>
     </message>
 </context>
 <context>
@@ -14953,6 +15002,26 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <message>
         <source>from the file</source>
         <translation>del archivo</translation>
+    </message>
+    <message>
+        <source>inches</source>
+        <translation>pulgadas</translation>
+    </message>
+    <message>
+        <source>feet</source>
+        <translation>pies</translation>
+    </message>
+    <message>
+        <source>min</source>
+        <translation>min</translation>
+    </message>
+    <message>
+        <source>h</source>
+        <translation>h</translation>
+    </message>
+    <message>
+        <source>days</source>
+        <translation>días</translation>
     </message>
 </context>
 <context>
@@ -21930,6 +21999,13 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <message>
         <source>Positions change by %1 RMS, at most by %2 (at %3).</source>
         <translation>Las posiciones cambian %1 RMS, como máximo %2 (a los %3).</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.positions_rounded</name>
+    <message>
+        <source>rounded to %1</source>
+        <translation>redondeadas a %1</translation>
     </message>
 </context>
 <context>

@@ -7585,13 +7585,6 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
 </context>
 <context>
-    <name>exchange.choose_a_time_unit</name>
-    <message>
-        <source>choose their unit: s, ms, us, ns or frame</source>
-        <translation>choisissez leur unité : s, ms, us, ns ou frame</translation>
-    </message>
-</context>
-<context>
     <name>exchange.choose_axes</name>
     <message>
         <source>choose the axes of the floor: %1, or xy if that is right</source>
@@ -7622,8 +7615,8 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>exchange.choose_likely_unit</name>
     <message>
-        <source>choose their unit: m, cm, mm or px; %1 is likely</source>
-        <translation>choisissez leur unité : m, cm, mm ou px ; %1 est probable</translation>
+        <source>choose their unit: m, cm, mm, in, ft or px; %1 is likely</source>
+        <translation>choisissez leur unité : m, cm, mm, in, ft ou px ; %1 est probable</translation>
     </message>
 </context>
 <context>
@@ -7657,15 +7650,15 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>exchange.choose_time_unit</name>
     <message>
-        <source>choose their unit: s, ms, us, ns or frame; %1 is likely</source>
-        <translation>choisissez leur unité : s, ms, us, ns ou frame ; %1 est probable</translation>
+        <source>choose their unit: s, ms, us, ns, min, h, d or frame; %1 is likely</source>
+        <translation>choisissez leur unité : s, ms, us, ns, min, h, d ou frame ; %1 est probable</translation>
     </message>
 </context>
 <context>
     <name>exchange.choose_unit</name>
     <message>
-        <source>choose their unit: m, cm, mm or px</source>
-        <translation>choisissez leur unité : m, cm, mm ou px</translation>
+        <source>choose their unit: m, cm, mm, in, ft or px</source>
+        <translation>choisissez leur unité : m, cm, mm, in, ft ou px</translation>
     </message>
 </context>
 <context>
@@ -7708,6 +7701,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>style &apos;%1&apos; of CSV</source>
         <translation>style &apos;%1&apos; de CSV</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.cut_line_left_out</name>
+    <message>
+        <source>the last line, line %1, was left out, because it ends too early</source>
+        <translation>la dernière ligne, la ligne %1, a été omise, car elle se termine trop tôt</translation>
     </message>
 </context>
 <context>
@@ -7862,6 +7862,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>it is written in UTF-16</source>
         <translation>il est écrit en UTF-16</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.is_xml</name>
+    <message>
+        <source>it is written in XML</source>
+        <translation>il est écrit en XML</translation>
     </message>
 </context>
 <context>
@@ -8030,6 +8037,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>it has no column of confidences</source>
         <translation>il n’a pas de colonne de confiance</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.no_list_of_numbers</name>
+    <message>
+        <source>&apos;%1&apos; is not a list of numbers</source>
+        <translation>&apos;%1&apos; n’est pas une liste de nombres</translation>
     </message>
 </context>
 <context>
@@ -8250,6 +8264,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
 </context>
 <context>
+    <name>exchange.positions_as_metres</name>
+    <message>
+        <source>its positions have no unit and were read as metres</source>
+        <translation>ses positions n’ont pas d’unité et ont été lues en mètres</translation>
+    </message>
+</context>
+<context>
     <name>exchange.quoted_cell_does_not_end</name>
     <message>
         <source>a quoted cell does not end</source>
@@ -8313,6 +8334,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
 </context>
 <context>
+    <name>exchange.save_as_yaml</name>
+    <message>
+        <source>save the calibration as YAML or JSON</source>
+        <translation>enregistrez l’étalonnage en YAML ou en JSON</translation>
+    </message>
+</context>
+<context>
     <name>exchange.save_with_commas</name>
     <message>
         <source>save it with commas</source>
@@ -8345,6 +8373,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>it holds more than one document</source>
         <translation>il contient plus d’un document</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.sides_exchanged</name>
+    <message>
+        <source>its width and height are exchanged: the image centre (%1, %2) is that of %4 × %3 pixels, not %3 × %4</source>
+        <translation>la largeur et la hauteur sont échangées : le centre de l&apos;image (%1, %2) est celui de %4 × %3 pixels, pas de %3 × %4</translation>
     </message>
 </context>
 <context>
@@ -8446,10 +8481,24 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
 </context>
 <context>
+    <name>exchange.timecode_without_rate</name>
+    <message>
+        <source>the last part of its times counts frames, up to %1 a second</source>
+        <translation>la dernière partie de ses temps compte des images, jusqu’à %1 par seconde</translation>
+    </message>
+</context>
+<context>
     <name>exchange.times_by_rate</name>
     <message>
         <source>all its times are the same; the lines were spread at %1 frames/s</source>
         <translation>tous ses temps sont identiques ; les lignes ont été réparties à %1 images/s</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.times_in_days</name>
+    <message>
+        <source>times in days, as spreadsheets write them</source>
+        <translation>temps en jours, comme les écrivent les tableurs</translation>
     </message>
 </context>
 <context>
@@ -14953,6 +15002,26 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>from the file</source>
         <translation>du fichier</translation>
+    </message>
+    <message>
+        <source>inches</source>
+        <translation>pouces</translation>
+    </message>
+    <message>
+        <source>feet</source>
+        <translation>pieds</translation>
+    </message>
+    <message>
+        <source>min</source>
+        <translation>min</translation>
+    </message>
+    <message>
+        <source>h</source>
+        <translation>h</translation>
+    </message>
+    <message>
+        <source>days</source>
+        <translation>jours</translation>
     </message>
 </context>
 <context>
@@ -21930,6 +21999,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>Positions change by %1 RMS, at most by %2 (at %3).</source>
         <translation>Les positions changent de %1 RMS, au plus de %2 (à %3).</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.positions_rounded</name>
+    <message>
+        <source>rounded to %1</source>
+        <translation>arrondies à %1</translation>
     </message>
 </context>
 <context>

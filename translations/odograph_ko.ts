@@ -7576,13 +7576,6 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
-    <name>exchange.choose_a_time_unit</name>
-    <message>
-        <source>choose their unit: s, ms, us, ns or frame</source>
-        <translation>단위를 선택하십시오: s, ms, us, ns 또는 frame</translation>
-    </message>
-</context>
-<context>
     <name>exchange.choose_axes</name>
     <message>
         <source>choose the axes of the floor: %1, or xy if that is right</source>
@@ -7613,8 +7606,8 @@ Much more than expected means that a setting is wrong: the views are not synchro
 <context>
     <name>exchange.choose_likely_unit</name>
     <message>
-        <source>choose their unit: m, cm, mm or px; %1 is likely</source>
-        <translation>단위를 선택하십시오: m, cm, mm 또는 px. %1일 가능성이 큽니다</translation>
+        <source>choose their unit: m, cm, mm, in, ft or px; %1 is likely</source>
+        <translation>단위를 선택하십시오: m, cm, mm, in, ft 또는 px. %1일 가능성이 큽니다</translation>
     </message>
 </context>
 <context>
@@ -7648,15 +7641,15 @@ Much more than expected means that a setting is wrong: the views are not synchro
 <context>
     <name>exchange.choose_time_unit</name>
     <message>
-        <source>choose their unit: s, ms, us, ns or frame; %1 is likely</source>
-        <translation>단위를 선택하십시오: s, ms, us, ns 또는 frame. %1일 가능성이 큽니다</translation>
+        <source>choose their unit: s, ms, us, ns, min, h, d or frame; %1 is likely</source>
+        <translation>단위를 선택하십시오: s, ms, us, ns, min, h, d 또는 frame. %1일 가능성이 큽니다</translation>
     </message>
 </context>
 <context>
     <name>exchange.choose_unit</name>
     <message>
-        <source>choose their unit: m, cm, mm or px</source>
-        <translation>단위를 선택하십시오: m, cm, mm 또는 px</translation>
+        <source>choose their unit: m, cm, mm, in, ft or px</source>
+        <translation>단위를 선택하십시오: m, cm, mm, in, ft 또는 px</translation>
     </message>
 </context>
 <context>
@@ -7699,6 +7692,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>style &apos;%1&apos; of CSV</source>
         <translation>CSV 형식 &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.cut_line_left_out</name>
+    <message>
+        <source>the last line, line %1, was left out, because it ends too early</source>
+        <translation>마지막 행인 %1행은 중간에 끊겨 제외했습니다</translation>
     </message>
 </context>
 <context>
@@ -7853,6 +7853,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>it is written in UTF-16</source>
         <translation>UTF-16으로 쓰였습니다</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.is_xml</name>
+    <message>
+        <source>it is written in XML</source>
+        <translation>XML로 쓰였습니다</translation>
     </message>
 </context>
 <context>
@@ -8021,6 +8028,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>it has no column of confidences</source>
         <translation>신뢰도 열이 없습니다</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.no_list_of_numbers</name>
+    <message>
+        <source>&apos;%1&apos; is not a list of numbers</source>
+        <translation>&apos;%1&apos;은(는) 숫자 목록이 아닙니다</translation>
     </message>
 </context>
 <context>
@@ -8241,6 +8255,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>exchange.positions_as_metres</name>
+    <message>
+        <source>its positions have no unit and were read as metres</source>
+        <translation>위치에 단위가 없어 미터로 읽었습니다</translation>
+    </message>
+</context>
+<context>
     <name>exchange.quoted_cell_does_not_end</name>
     <message>
         <source>a quoted cell does not end</source>
@@ -8304,6 +8325,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>exchange.save_as_yaml</name>
+    <message>
+        <source>save the calibration as YAML or JSON</source>
+        <translation>보정을 YAML 또는 JSON으로 저장하십시오</translation>
+    </message>
+</context>
+<context>
     <name>exchange.save_with_commas</name>
     <message>
         <source>save it with commas</source>
@@ -8336,6 +8364,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>it holds more than one document</source>
         <translation>문서가 둘 이상 들어 있습니다</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.sides_exchanged</name>
+    <message>
+        <source>its width and height are exchanged: the image centre (%1, %2) is that of %4 × %3 pixels, not %3 × %4</source>
+        <translation>너비와 높이가 바뀌었습니다: 이미지 중심(%1, %2)은 %3 × %4가 아니라 %4 × %3 픽셀의 중심입니다</translation>
     </message>
 </context>
 <context>
@@ -8437,10 +8472,24 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>exchange.timecode_without_rate</name>
+    <message>
+        <source>the last part of its times counts frames, up to %1 a second</source>
+        <translation>시각의 마지막 부분은 초당 최대 %1개의 프레임을 셉니다</translation>
+    </message>
+</context>
+<context>
     <name>exchange.times_by_rate</name>
     <message>
         <source>all its times are the same; the lines were spread at %1 frames/s</source>
         <translation>모든 시각이 같아 초당 %1프레임으로 행을 배치했습니다</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.times_in_days</name>
+    <message>
+        <source>times in days, as spreadsheets write them</source>
+        <translation>스프레드시트처럼 일 단위로 쓴 시각</translation>
     </message>
 </context>
 <context>
@@ -14918,6 +14967,26 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>from the file</source>
         <translation>파일에서</translation>
+    </message>
+    <message>
+        <source>inches</source>
+        <translation>인치</translation>
+    </message>
+    <message>
+        <source>feet</source>
+        <translation>피트</translation>
+    </message>
+    <message>
+        <source>min</source>
+        <translation>분</translation>
+    </message>
+    <message>
+        <source>h</source>
+        <translation>시간</translation>
+    </message>
+    <message>
+        <source>days</source>
+        <translation>일</translation>
     </message>
 </context>
 <context>
@@ -21891,6 +21960,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>Positions change by %1 RMS, at most by %2 (at %3).</source>
         <translation>위치가 %1 RMS, 최대 %2 바뀝니다 (%3).</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.positions_rounded</name>
+    <message>
+        <source>rounded to %1</source>
+        <translation>%1로 반올림됨</translation>
     </message>
 </context>
 <context>

@@ -7576,13 +7576,6 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
-    <name>exchange.choose_a_time_unit</name>
-    <message>
-        <source>choose their unit: s, ms, us, ns or frame</source>
-        <translation>请选择其单位：s、ms、us、ns 或 frame</translation>
-    </message>
-</context>
-<context>
     <name>exchange.choose_axes</name>
     <message>
         <source>choose the axes of the floor: %1, or xy if that is right</source>
@@ -7613,8 +7606,8 @@ Much more than expected means that a setting is wrong: the views are not synchro
 <context>
     <name>exchange.choose_likely_unit</name>
     <message>
-        <source>choose their unit: m, cm, mm or px; %1 is likely</source>
-        <translation>请选择其单位：m、cm、mm 或 px；很可能是 %1</translation>
+        <source>choose their unit: m, cm, mm, in, ft or px; %1 is likely</source>
+        <translation>请选择其单位：m、cm、mm、in、ft 或 px；很可能是 %1</translation>
     </message>
 </context>
 <context>
@@ -7648,15 +7641,15 @@ Much more than expected means that a setting is wrong: the views are not synchro
 <context>
     <name>exchange.choose_time_unit</name>
     <message>
-        <source>choose their unit: s, ms, us, ns or frame; %1 is likely</source>
-        <translation>请选择其单位：s、ms、us、ns 或 frame；很可能是 %1</translation>
+        <source>choose their unit: s, ms, us, ns, min, h, d or frame; %1 is likely</source>
+        <translation>请选择其单位：s、ms、us、ns、min、h、d 或 frame；很可能是 %1</translation>
     </message>
 </context>
 <context>
     <name>exchange.choose_unit</name>
     <message>
-        <source>choose their unit: m, cm, mm or px</source>
-        <translation>请选择其单位：m、cm、mm 或 px</translation>
+        <source>choose their unit: m, cm, mm, in, ft or px</source>
+        <translation>请选择其单位：m、cm、mm、in、ft 或 px</translation>
     </message>
 </context>
 <context>
@@ -7699,6 +7692,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>style &apos;%1&apos; of CSV</source>
         <translation>CSV 样式“%1”</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.cut_line_left_out</name>
+    <message>
+        <source>the last line, line %1, was left out, because it ends too early</source>
+        <translation>最后一行（第 %1 行）已略去，因为它过早结束</translation>
     </message>
 </context>
 <context>
@@ -7853,6 +7853,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>it is written in UTF-16</source>
         <translation>其编码为 UTF-16</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.is_xml</name>
+    <message>
+        <source>it is written in XML</source>
+        <translation>其格式为 XML</translation>
     </message>
 </context>
 <context>
@@ -8021,6 +8028,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>it has no column of confidences</source>
         <translation>没有置信度列</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.no_list_of_numbers</name>
+    <message>
+        <source>&apos;%1&apos; is not a list of numbers</source>
+        <translation>“%1”不是数字列表</translation>
     </message>
 </context>
 <context>
@@ -8241,6 +8255,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>exchange.positions_as_metres</name>
+    <message>
+        <source>its positions have no unit and were read as metres</source>
+        <translation>其位置没有单位，已按米读取</translation>
+    </message>
+</context>
+<context>
     <name>exchange.quoted_cell_does_not_end</name>
     <message>
         <source>a quoted cell does not end</source>
@@ -8304,6 +8325,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>exchange.save_as_yaml</name>
+    <message>
+        <source>save the calibration as YAML or JSON</source>
+        <translation>请将标定另存为 YAML 或 JSON</translation>
+    </message>
+</context>
+<context>
     <name>exchange.save_with_commas</name>
     <message>
         <source>save it with commas</source>
@@ -8336,6 +8364,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>it holds more than one document</source>
         <translation>其中有不止一个文档</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.sides_exchanged</name>
+    <message>
+        <source>its width and height are exchanged: the image centre (%1, %2) is that of %4 × %3 pixels, not %3 × %4</source>
+        <translation>宽和高互换了：图像中心（%1, %2）属于 %4 × %3 像素，而不是 %3 × %4</translation>
     </message>
 </context>
 <context>
@@ -8437,10 +8472,24 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>exchange.timecode_without_rate</name>
+    <message>
+        <source>the last part of its times counts frames, up to %1 a second</source>
+        <translation>其时间的最后一部分是帧号，每秒至多 %1</translation>
+    </message>
+</context>
+<context>
     <name>exchange.times_by_rate</name>
     <message>
         <source>all its times are the same; the lines were spread at %1 frames/s</source>
         <translation>其所有时间都相同；各行按 %1 帧/秒分布</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.times_in_days</name>
+    <message>
+        <source>times in days, as spreadsheets write them</source>
+        <translation>以天为单位的时间，与电子表格的写法相同</translation>
     </message>
 </context>
 <context>
@@ -14918,6 +14967,26 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>from the file</source>
         <translation>来自文件</translation>
+    </message>
+    <message>
+        <source>inches</source>
+        <translation>英寸</translation>
+    </message>
+    <message>
+        <source>feet</source>
+        <translation>英尺</translation>
+    </message>
+    <message>
+        <source>min</source>
+        <translation>分钟</translation>
+    </message>
+    <message>
+        <source>h</source>
+        <translation>小时</translation>
+    </message>
+    <message>
+        <source>days</source>
+        <translation>天</translation>
     </message>
 </context>
 <context>
@@ -21891,6 +21960,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>Positions change by %1 RMS, at most by %2 (at %3).</source>
         <translation>位置变化 %1 RMS，最大 %2（在 %3）。</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.positions_rounded</name>
+    <message>
+        <source>rounded to %1</source>
+        <translation>取整到 %1</translation>
     </message>
 </context>
 <context>

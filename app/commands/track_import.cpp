@@ -44,8 +44,9 @@ Result<std::optional<double>> lengthOf(const CommandCall &call, const QString &o
 Result<TrackReading> readingOf(const CommandCall &call)
 {
     TrackReading reading;
-    reading.unit = ODO_TRY(chosen(call, option::unit, lengthUnitOf, "m, cm, mm or px"));
-    reading.timeUnit = ODO_TRY(chosen(call, option::timeUnit, timeUnitOf, "s, ms, us, ns or frame"));
+    reading.unit = ODO_TRY(chosen(call, option::unit, lengthUnitOf, "m, cm, mm, in, ft or px"));
+    reading.timeUnit =
+        ODO_TRY(chosen(call, option::timeUnit, timeUnitOf, "s, ms, us, ns, min, h, d or frame"));
     reading.axes = ODO_TRY(chosen(call, option::axes, floorAxesOf, "xy, xz or yz"));
     reading.decimal = ODO_TRY(chosen(call, option::decimal, decimalSignOf, "point or comma"));
     reading.pixelM = ODO_TRY(lengthOf(call, option::pixel));
@@ -74,13 +75,13 @@ Message withOption(const Message &advice)
                               "give their unit: --time-unit frame --rate 30 if they are frame numbers, or "
                               "--time-unit s")
                    : ODO_TEXT("app.give_time_unit",
-                              "give their unit, likely --time-unit %1 (s, ms, us, ns or frame)")(likely);
-    if (code == "exchange.choose_a_time_unit")
-        return ODO_TEXT("app.give_a_time_unit", "give their unit with --time-unit: s, ms, us, ns or frame");
+                              "give their unit, likely --time-unit %1 (s, ms, us, ns, min, h, d or frame)")(
+                         likely);
     if (code == "exchange.choose_likely_unit")
-        return ODO_TEXT("app.give_unit", "give their unit, likely --unit %1 (m, cm, mm or px)")(likely);
+        return ODO_TEXT("app.give_unit",
+                        "give their unit, likely --unit %1 (m, cm, mm, in, ft or px)")(likely);
     if (code == "exchange.choose_unit")
-        return ODO_TEXT("app.give_a_unit", "give their unit with --unit: m, cm, mm or px");
+        return ODO_TEXT("app.give_a_unit", "give their unit with --unit: m, cm, mm, in, ft or px");
     if (code == "exchange.check_both_units")
         return ODO_TEXT("app.give_both_units",
                         "give the units of its times and positions: --time-unit and --unit");
@@ -192,9 +193,9 @@ Result<void> refuseTrackOptions(const CommandCall &call)
 QList<QCommandLineOption> trackReadingOptions()
 {
     return {{option::unit, QStringLiteral("The unit of a track's positions, if the file does not say it."),
-             QStringLiteral("m|cm|mm|px")},
+             QStringLiteral("m|cm|mm|px|in|ft")},
             {option::timeUnit, QStringLiteral("The unit of its times, if the file does not say it."),
-             QStringLiteral("s|ms|us|ns|frame")},
+             QStringLiteral("s|ms|us|ns|frame|min|h|d")},
             {option::axes, QStringLiteral("Which coordinates of a track span the floor."),
              QStringLiteral("xy|xz|yz")},
             {option::minConfidence,

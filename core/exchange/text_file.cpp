@@ -3,6 +3,7 @@
 
 #include "core/base/error.h"
 #include "core/base/units.h"
+#include "core/exchange/internal/spreadsheet_coding.h"
 #include "core/files/file_words.h"
 #include "core/files/protected_files.h"
 
@@ -20,8 +21,10 @@ struct TextFile::Impl
 {
     Message what; ///< for messages
     std::size_t maxBytes = 0, count = 0;
+    TextCoding coding = TextCoding::Utf8;
     QFile input;
     QStringDecoder decoder{QStringDecoder::Utf8};
+    SpreadsheetCoding spreadsheets; ///< in place of the one above
 
     tl::unexpected<Error> tooLarge() const
     {
@@ -31,20 +34,27 @@ struct TextFile::Impl
                     checkRightFile());
     }
 
-    /// A character may begin in one block and end in the next.
-    Result<void> checkEncoding(const QByteArray &block, bool isLast)
+    Result<void> isNoText() const
     {
+        return fail(ErrorCode::InvalidInput, what,
+                    ODO_TEXT("exchange.is_no_utf8", "it is not a UTF-8 text file"),
+                    ODO_TEXT("exchange.save_as_utf8", "save it again as UTF-8 text"));
+    }
+
+    /// A character may begin in one block and end in the next.
+    Result<void> checkEncoding(QByteArray &block, bool isLast)
+    {
+        if (coding == TextCoding::OfSpreadsheets) {
+            spreadsheets.makeUtf8(block);
+            return block.contains('\0') ? isNoText() : Result<void>();
+        }
         if (count == 0 && (block.startsWith("\xff\xfe") || block.startsWith("\xfe\xff")))
             return fail(
                 ErrorCode::InvalidInput, what, ODO_TEXT("exchange.is_utf16", "it is written in UTF-16"),
                 ODO_TEXT("exchange.save_as_csv_utf8", "save it again as \"CSV UTF-8\" or as a UTF-8 text"));
         // the sequence before must be complete
         static_cast<void>(QString(decoder(isLast ? QByteArrayLiteral("\n") : block)));
-        if (decoder.hasError() || block.contains('\0'))
-            return fail(ErrorCode::InvalidInput, what,
-                        ODO_TEXT("exchange.is_no_utf8", "it is not a UTF-8 text file"),
-                        ODO_TEXT("exchange.save_as_utf8", "save it again as UTF-8 text"));
-        return {};
+        return decoder.hasError() || block.contains('\0') ? isNoText() : Result<void>();
     }
 };
 
@@ -57,9 +67,10 @@ Message atLine(const std::filesystem::path &file, int line)
     return ODO_TEXT("exchange.at_line", "%1:%2")(Named::file(file), line);
 }
 
-Result<TextFile> TextFile::open(const std::filesystem::path &file, std::size_t maxBytes)
+Result<TextFile> TextFile::open(const std::filesystem::path &file, std::size_t maxBytes, TextCoding coding)
 {
     auto impl = std::make_unique<Impl>();
+    impl->coding = coding;
     impl->what = quotedFileSubject(file);
     impl->maxBytes = maxBytes;
     ODO_TRY(checkMayBeRead(file, impl->what));
@@ -76,9 +87,10 @@ Result<std::string> TextFile::read()
 {
     constexpr qint64 blockBytes = 1 << 16;
     QByteArray block = m_impl->input.read(blockBytes);
-    ODO_TRY(m_impl->checkEncoding(block, block.isEmpty()));
     const bool isFirst = m_impl->count == 0;
-    m_impl->count += static_cast<std::size_t>(block.size());
+    const auto count = static_cast<std::size_t>(block.size());
+    ODO_TRY(m_impl->checkEncoding(block, block.isEmpty()));
+    m_impl->count += count;
     if (m_impl->count > m_impl->maxBytes) // it has grown, or its size is not known (/proc)
         return m_impl->tooLarge();
     if (isFirst && block.startsWith("\xef\xbb\xbf"))

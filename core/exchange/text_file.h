@@ -66,17 +66,22 @@ std::string wholeText(const Write &write)
 /// "dir/a.csv:12": how messages point at a line of an input.
 Message atLine(const std::filesystem::path &file, int line);
 
-/// A UTF-8 text file that is read block by block, whatever its size; a byte order mark is dropped. One thread
-/// at a time.
+/// What a text may be written in: UTF-8 alone, or whatever spreadsheets save: UTF-16 with a byte order mark,
+/// Windows-1252, and lines that end in CR alone.
+enum class TextCoding { Utf8, OfSpreadsheets };
+
+/// A text file that is read block by block, whatever its size, as UTF-8; a byte order mark is dropped. One
+/// thread at a time.
 class TextFile
 {
 public:
     /// Refuses, naming the file: what checkMayBeRead() refuses, and what is larger than the limit.
-    static Result<TextFile> open(const std::filesystem::path &file, std::size_t maxBytes);
+    static Result<TextFile> open(const std::filesystem::path &file, std::size_t maxBytes,
+                                 TextCoding coding = TextCoding::Utf8);
     ~TextFile();
     TextFile(TextFile &&) noexcept;
-    /// The next block, empty at the end. Refuses what is larger than the limit after all, UTF-16 (with the
-    /// advice how to save it) and bytes that are no text.
+    /// The next block, empty at the end. Refuses what is larger than the limit after all, bytes that are no
+    /// text, and of TextCoding::Utf8 also UTF-16 (with the advice how to save it).
     Result<std::string> read();
     Message lineName(int line) const; ///< atLine
     std::size_t size() const;         ///< bytes, as far as known

@@ -170,7 +170,7 @@ private Q_SLOTS:
               QStringList{u"--trial"_s, u"x"_s, u"--track"_s, u"red="_s + path("slow.tum"), u"--rate"_s,
                           u"1e9"_s},
               QStringList{u"--trial"_s, u"x"_s, u"--track"_s, u"red="_s + path("slow.tum"), u"--unit"_s,
-                          u"ft"_s},
+                          u"yd"_s},
               QStringList{u"--trial"_s, u"x"_s, u"--track"_s, u"red="_s + path("slow.tum"), u"--sigma"_s,
                           u"0mm"_s},
               QStringList{u"--trial"_s, u"x"_s, u"--track"_s, u"red="_s + path("slow.tum"), u"--axes"_s,
@@ -202,13 +202,14 @@ private Q_SLOTS:
                                u"open"_s,   u"--track"_s, u"red="_s + path("open.csv")};
         ProgramRun done = runProgram(call);
         QCOMPARE(done.exitStatus, 1);
-        QVERIFY2(done.err.endsWith("; give their unit, likely --time-unit ms (s, ms, us, ns or frame)\n"),
+        QVERIFY2(done.err.endsWith("; give their unit, likely --time-unit ms (s, ms, us, ns, min, h, d or "
+                                   "frame)\n"),
                  done.err.constData());
         done = runProgram(call + QStringList{u"--time-unit"_s, u"ms"_s});
         QCOMPARE(done.exitStatus, 1);
         QVERIFY2(
             done.err.endsWith("in metres the robot would drive at 80 m/s; give their unit, likely --unit cm "
-                              "(m, cm, mm or px)\n"),
+                              "(m, cm, mm, in, ft or px)\n"),
             done.err.constData());
         const QStringList told{u"--time-unit"_s, u"ms"_s,  u"--unit"_s, u"cm"_s,
                                u"--sigma"_s,     u"5mm"_s, u"--json"_s};

@@ -161,6 +161,21 @@ private Q_SLOTS:
             << kalibr + QByteArray(kalibr).replace("cam0", "cam1").replace("500.5", "700")
             << QStringLiteral("cam0");
         QTest::newRow("PhotonVision") << photonVision << QString();
+        QTest::newRow("EuRoC") << QByteArray(kalibr)
+                                      .replace("cam0:\n", "")
+                                      .replace("\n  ", "\n")
+                                      .replace("  camera_model", "camera_model")
+                                      .replace("radtan", "radial-tangential")
+                               << QString();
+        QTest::newRow("Python's names")
+            << QByteArray(R"({"mtx":[[500.5,0,320.25],[0,501,240],[0,0,1]],"width":640,"height":480,)"
+                          R"("dist":[[-0.1,0.02,0.001,-0.002,0]]})")
+            << QString();
+        QTest::newRow("calibdb")
+            << QByteArray(
+                   R"({"camera_matrix":[[500.5,0,320.25],[0,501,240],[0,0,1]],"img_size":[640,480],)"
+                   R"("distortion_model":"rectilinear","distortion_coefficients":[-0.1,0.02,0.001,-0.002,0]})")
+            << QString();
         QTest::newRow("OpenCV with capitals") << upperCase << QString();
         QTest::newRow("anipose") << toml << QString();
         QTest::newRow("anipose, by its name") << toml << QStringLiteral("head");
@@ -325,6 +340,22 @@ private Q_SLOTS:
         row("two cameras", twoInToml, ":1: it holds several cameras: 0 and 1; choose one of them");
         row("a lens of Kalibr", QByteArray(kalibr).replace("pinhole", "omni"),
             ":2: the lens model 'omni' is unknown");
+        row("a lens of Kalibr with numbers of its own",
+            QByteArray(kalibr).replace("pinhole", "omni").replace("[500.5", "[0.9, 500.5"),
+            ":2: the lens model 'omni' is unknown");
+        row("a list as Python prints it",
+            changed("{rows: 1, cols: 5, data: [-0.1, 2e-2, 0, 0, 0]}",
+                    "\"array('d', [-0.1, 0.02, 0, 0, 0])\""),
+            ":11: 'distortion_coefficients' is not a list of numbers");
+        row("a number for coefficients", changed("{rows: 1, cols: 5, data: [-0.1, 2e-2, 0, 0, 0]}", "0"),
+            ":11: 'distortion_coefficients' is not a list of numbers");
+        row("text for the matrix", QByteArray(kalibr).replace("[500.5, 501.0, 320.25, 240.0]", "none"),
+            ":3: 'camera_matrix' is not a list of numbers");
+        row("height before width", QByteArray(toml).replace("[ 640, 480,]", "[ 480, 640,]"),
+            ":1: its width and height are exchanged: the image centre (320.2, 240.0) is that of 640 × 480 "
+            "pixels, not 480 × 640");
+        row("XML", "<?xml version=\"1.0\"?>\n<opencv_storage>\n</opencv_storage>\n",
+            ":1: it is written in XML");
         row("five numbers", QByteArray(kalibr).replace("320.25,", "320.25, 0,"),
             ":3: 'camera_matrix' has 5 numbers instead of 3 × 3");
         row("TOML that ends too early", toml.left(60), "it is not valid TOML");

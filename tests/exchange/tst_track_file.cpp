@@ -221,8 +221,8 @@ private Q_SLOTS:
         row("9 entries", tum + "1 2 3 0 0 0 0 1 9\n",
             ":2: it has 9 entries instead of the 8 of TUM; write timestamp tx ty tz qx qy qz qw, or begin "
             "the file with the line t_s,x_mm,y_mm");
-        row("UTF-16", QByteArray("\xff\xfet\0_\0s\0", 8),
-            "': it is written in UTF-16; save it again as \"CSV UTF-8\" or as a UTF-8 text");
+        row("UTF-16 without a mark", QByteArray("t\0_\0s\0", 6),
+            "': it is not a UTF-8 text file; save it again as UTF-8 text");
         row("NaN in TUM", tum + "1 nan 2 0 0 0 0 1\n",
             ":2: one of its two coordinates is blank; fill in both or none");
         row("NaN in CSV", csv + "1,NaN,2\n", ":3: one of its two coordinates is blank; fill in both or none");
@@ -256,7 +256,7 @@ private Q_SLOTS:
             (std::string(":4: its time is the same as in the line before") + order).c_str());
         row("mixed columns", csv + "1,1,2,3\n",
             ":3: it has 4 cells where the header has 3; give each line as many cells as the header");
-        row("cut off", csv + "1,1\n",
+        row("cut off", csv + "1,1\n2,1,2\n",
             ":3: it has 2 cells where the header has 3; give each line as many cells as the header");
         row("decimal commas among commas", csv + "1,5,1,0,2,0\n",
             ":3: it has 6 cells where the header has 3; give each line as many cells as the header");
@@ -265,8 +265,8 @@ private Q_SLOTS:
         row("over a week", csv + "604801,1,2\n",
             ":3: it is more than a week after the first line; check the unit of the times, and that all "
             "lines are of one run");
-        row("unknown unit", "t [s],x [ft],y [ft]\n",
-            ":1: its column 'x [ft]' is in a unit that is not known; give times in s or ms and positions in "
+        row("unknown unit", "t [s],x [yd],y [yd]\n",
+            ":1: its column 'x [yd]' is in a unit that is not known; give times in s or ms and positions in "
             "m, cm or mm");
         row("a word", csv + "1,=1+1,2\n",
             ":3: '=1+1' is not a finite number; write it with digits, like 12.5, or leave the cell blank");
@@ -305,8 +305,8 @@ private Q_SLOTS:
         for (qsizetype before = (1 << 16) - 4; before <= 1 << 16; ++before)
             QCOMPARE(shown('#' + QByteArray(before - 1, 'x') + "\u4e2d\n" + table),
                      QStringLiteral("csv") + same);
-        QCOMPARE(shown(table + "\xe4\xb8"),
-                 QStringLiteral("': it is not a UTF-8 text file; save it again as UTF-8 text"));
+        // As Windows-1252 writes "ä¸", it is a last line that was cut.
+        QCOMPARE(shown(table + "\xe4\xb8"), QStringLiteral("csv") + same);
     }
     /// No file takes more memory than the positions in it, and those are bounded.
     void tooLong()

@@ -123,6 +123,21 @@ private Q_SLOTS:
         QCOMPARE(m_project->changes()->front().words.english(), std::string("import trial lap"));
         QVERIFY(m_project->check(true)->empty());
     }
+    /// A slow robot in coarse numbers: what they are rounded to is an error, though nothing scatters.
+    void roundingCounts()
+    {
+        for (const auto &[name, stepMm] : {std::pair{"1 mm", 1.0}, {"10 mm", 10.0}, {"100 mm", 100.0}}) {
+            QByteArray text = "t_s,x_mm,y_mm\n";
+            for (int i = 0; i < 600; ++i)
+                text += QByteArray::number(i / 30.0, 'f', 4) + ',' +
+                        QByteArray::number(std::round(0.06 * i) * stepMm, 'f', 1) + ",500.0\n";
+            QVERIFY(import(settingsOf(name, write("slow.csv", text))));
+            const auto source = importedTracksOf(*m_project, *m_project->trials().find(name))->front();
+            QVERIFY2(source.reading.english().find("rounded to") != std::string::npos,
+                     source.reading.english().c_str());
+            QVERIFY(analysisOf(name).profile.points[300].sigmaXM >= stepMm / 1000 / std::sqrt(12.0));
+        }
+    }
     /// What scatter does not show can be given, and stays when the track is reanalysed.
     void theAccuracyOfASourceCounts()
     {

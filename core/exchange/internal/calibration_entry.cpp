@@ -18,13 +18,25 @@ using Names = std::vector<std::string_view>;
 constexpr int maxImagePx = 100'000;
 
 // The first of each is what errors call it.
-const Names matrixNames{
-    "camera_matrix", "cameraMatrix", "cameraIntrinsics", "intrinsic_matrix", "matrix", "intrinsics", "k"};
-const Names distortionNames{
-    "distortion_coefficients", "distCoeffs", "distortion_coeffs", "distortions", "dist_coeffs", "d"};
+const Names matrixNames{"camera_matrix",
+                        "cameraMatrix",
+                        "cameraIntrinsics",
+                        "intrinsic_matrix",
+                        "matrix",
+                        "intrinsics",
+                        "mtx",
+                        "k"};
+const Names distortionNames{"distortion_coefficients",
+                            "distCoeffs",
+                            "distortion_coeffs",
+                            "distortions",
+                            "dist_coeffs",
+                            "dist_coeff",
+                            "dist",
+                            "d"};
 const Names widthNames{"image_width", "width"};
 const Names heightNames{"image_height", "height"};
-const Names sizeNames{"resolution", "size", "image_size"};
+const Names sizeNames{"resolution", "size", "image_size", "img_size"};
 
 const YamlNode *findAny(const YamlNode &parent, const Names &names)
 {
@@ -50,8 +62,9 @@ public:
     Result<ImportedIntrinsics> read()
     {
         ImportedIntrinsics imported;
-        for (auto step : {&CalibrationReader::readSize, &CalibrationReader::readMatrix,
-                          &CalibrationReader::readLens, &CalibrationReader::checkPossible}) {
+        for (auto step : {&CalibrationReader::checkProjection, &CalibrationReader::readSize,
+                          &CalibrationReader::readMatrix, &CalibrationReader::readLens,
+                          &CalibrationReader::checkPossible}) {
             ODO_TRY((this->*step)(imported.intrinsics));
         }
         imported.cameraName = textOf(m_root, {"camera_name", "name"});
@@ -130,14 +143,35 @@ private:
             data = ODO_TRY(entry(node, {"data"}));
             read.line = data->line;
         }
+        if (data->kind == YamlNode::Kind::Scalar) // array('d', [...]), as Python prints it
+            return failure(data->line,
+                           ODO_TEXT("exchange.no_list_of_numbers", "'%1' is not a list of numbers")(name));
         ODO_TRY(addNumbers(*data, name, read.values));
         return read;
+    }
+
+    /// Kalibr's other models have other numbers, too.
+    Result<void> checkProjection(Intrinsics &)
+    {
+        const YamlNode *projection = m_root.find("camera_model");
+        return projection && projection->text != "pinhole" ? unknownLens(*projection) : Result<void>();
+    }
+
+    tl::unexpected<Error> unknownLens(const YamlNode &given) const
+    {
+        return failure(
+            given.line,
+            ODO_TEXT(
+                "exchange.lens_model_not_known",
+                "the lens model '%1' is unknown (known models: plumb_bob, rational_polynomial, equidistant)")(
+                given.text.substr(0, 40)));
     }
 
     Result<void> readSize(Intrinsics &into)
     {
         const YamlNode *size = findAny(m_root, sizeNames);
-        if (size && size->items.size() == 2) {
+        m_isSizeList = size && size->items.size() == 2;
+        if (m_isSizeList) {
             into.widthPx = ODO_TRY(wholeNumber(size->items[0], "image_width", 1, maxImagePx));
             into.heightPx = ODO_TRY(wholeNumber(size->items[1], "image_height", 1, maxImagePx));
             return {};
@@ -191,7 +225,7 @@ private:
             return failure(node->line, ODO_TEXT("exchange.coefficients_no_row",
                                                 "'distortion_coefficients' is neither a row nor a column"));
         std::vector<double> &coefficients = read.values;
-        const auto model = ODO_TRY(lensModel(node->line, coefficients.size()));
+        const auto model = ODO_TRY(lensModel(coefficients.size()));
         // Further coefficients of OpenCV (thin prism, tilt) may be there as long as they do nothing.
         const std::size_t known = model == LensModel::Standard ? 5 : model == LensModel::Rational ? 8 : 4;
         while (coefficients.size() > known && coefficients.back() == 0)
@@ -201,12 +235,9 @@ private:
         return {};
     }
 
-    Result<LensModel> lensModel(int line, std::size_t count) const
+    Result<LensModel> lensModel(std::size_t count) const
     {
-        const YamlNode *projection = m_root.find("camera_model"); // Kalibr's
         const YamlNode *given = m_root.find("distortion_model");
-        if (projection && projection->text != "pinhole")
-            given = projection;
         if (given == nullptr) { // OpenCV: given by the number of coefficients
             const std::string fisheye = textOf(m_root, {"fisheye_model", "fisheye"});
             if (!fisheye.empty() && fisheye != "0" && fisheye != "false")
@@ -216,18 +247,24 @@ private:
         const auto is = [given](const Names &names) {
             return std::ranges::find(names, given->text) != names.end();
         };
-        if (is({"plumb_bob", "radtan"}) || (given->text.empty() && count == 0))
+        if (is({"plumb_bob", "radtan", "radial-tangential", "rectilinear"}) ||
+            (given->text.empty() && count == 0))
             return LensModel::Standard;
         if (is({"rational_polynomial"}))
             return LensModel::Rational;
         if (is({"equidistant", "fisheye", "kannala_brandt"}))
             return LensModel::Fisheye;
-        return failure(
-            given->line == 0 ? line : given->line,
-            ODO_TEXT(
-                "exchange.lens_model_not_known",
-                "the lens model '%1' is unknown (known models: plumb_bob, rational_polynomial, equidistant)")(
-                given->text.substr(0, 40)));
+        return unknownLens(*given);
+    }
+
+    /// Where the image centre is far off, but in the middle of an image with exchanged sides.
+    static bool isTurned(const Intrinsics &read)
+    {
+        constexpr double farOff = 0.12, near = 0.08; // of the side
+        const auto off = [&](double width, double height) {
+            return std::max(std::abs(read.cxPx / width - 0.5), std::abs(read.cyPx / height - 0.5));
+        };
+        return off(read.widthPx, read.heightPx) > farOff && off(read.heightPx, read.widthPx) < near;
     }
 
     /// What no camera has: a lens that sees nothing, or all but nothing, of what is before it.
@@ -240,6 +277,13 @@ private:
                 return failure(m_root.line, ODO_TEXT("exchange.focal_impossible",
                                                      "no lens has a focal length of %1 at %2 × %3 pixels")(
                                                 quantity(focal, 3, "px"), read.widthPx, read.heightPx));
+        if (m_isSizeList && isTurned(read)) // of an array, programs write the height first
+            return failure(
+                m_root.line,
+                ODO_TEXT("exchange.sides_exchanged",
+                         "its width and height are exchanged: the image centre (%1, %2) is that of %4 × %3 "
+                         "pixels, not %3 × %4")(quantity(read.cxPx, 1), quantity(read.cyPx, 1), read.widthPx,
+                                                read.heightPx));
         constexpr double farthest = 10; // times the side, of a strongly cropped image
         if (std::abs(read.cxPx) > farthest * side || std::abs(read.cyPx) > farthest * side)
             return failure(m_root.line,
@@ -251,6 +295,7 @@ private:
 
     const std::filesystem::path &m_file;
     const YamlNode &m_root;
+    bool m_isSizeList = false; ///< two numbers without names
 };
 
 } // namespace

@@ -187,6 +187,11 @@ Result<YamlNode> parseCalibrationTree(const std::filesystem::path &file, const s
     if (std::ranges::find(lines, "[image]") != lines.end() &&
         std::ranges::find(lines, "camera matrix") != lines.end())
         return treeOfIni(lines);
+    if (const auto first = std::ranges::find_if_not(lines, isRemark);
+        first != lines.end() && first->starts_with('<'))
+        return fail(ErrorCode::InvalidInput, atLine(file, 1),
+                    ODO_TEXT("exchange.is_xml", "it is written in XML"),
+                    ODO_TEXT("exchange.save_as_yaml", "save the calibration as YAML or JSON"));
     if (isToml(lines))
         return parseToml(file, text, advice);
     return parseYaml(file, std::string(firstMessage(text)), advice);

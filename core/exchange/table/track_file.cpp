@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/exchange/table/track_file.h"
 
+#include "core/exchange/table/internal/course.h"
 #include "core/exchange/table/internal/lost_marks.h"
 #include "core/exchange/table/internal/table_reader.h"
 #include "core/exchange/table/internal/track_breaks.h"
@@ -73,6 +74,16 @@ Result<std::vector<ImportedPosition>> positionsFrom(const RawTrack &track,
     return positions;
 }
 
+/// What the numbers were rounded to where the robot often stays within it, so that the error is the same from
+/// row to row and no scatter; else 0.
+double coarseRounding(const CourseFacts &course)
+{
+    constexpr double leastRepeats = 0.1, mostStep = 2;
+    return course.repeats > leastRepeats && course.usualStep <= mostStep * course.resolution
+               ? course.resolution
+               : 0;
+}
+
 /// From the rows of the file to positions on the floor.
 Result<FileTrack> understood(RawTrack raw, const RawTable &table, Understanding how)
 {
@@ -89,15 +100,20 @@ Result<FileTrack> understood(RawTrack raw, const RawTable &table, Understanding 
         how.notices.push_back(ODO_TEXT("exchange.rows_without_time",
                                        "%1 lines were left out, because they have no time; the first is line "
                                        "%2")(table.unreadable, table.firstUnreadable));
+    if (table.cutLine > 0)
+        how.notices.push_back(
+            ODO_TEXT("exchange.cut_line_left_out",
+                     "the last line, line %1, was left out, because it ends too early")(table.cutLine));
     makeOneUnit(raw);
     const auto times = ODO_TRY(timesOf(raw, table, how));
     ODO_TRY(forgetUnsure(raw, how));
     ODO_TRY(chooseAxes(raw, format, how));
     forgetMarks(raw, how);
-    forgetHeld(raw, how);
+    forgetHeld(raw, times, how);
     const double perMetre = ODO_TRY(unitsPerMetre(raw, format, times, how));
     ODO_TRY(openBreaks(raw, times, perMetre, how));
-    FileTrack track{raw.name, ODO_TRY(positionsFrom(raw, times, scaleOf(raw, perMetre), how)), {}, {}};
+    FileTrack track{raw.name, ODO_TRY(positionsFrom(raw, times, scaleOf(raw, perMetre), how))};
+    track.roundedM = coarseRounding(courseOf(raw)) / perMetre;
     track.facts = std::move(how.facts);
     track.notices = std::move(how.notices);
     return track;

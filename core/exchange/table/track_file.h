@@ -17,6 +17,7 @@ struct FileTrack
 {
     std::string name; ///< as the file has it; of several without names their number; else empty
     std::vector<ImportedPosition> positions;
+    double roundedM = 0; ///< what its numbers are rounded to, where the robot often stays within it; else 0
     std::vector<Message> facts = {};   ///< how it was read, where the header alone does not say it
     std::vector<Message> notices = {}; ///< what was left out, and why
 };

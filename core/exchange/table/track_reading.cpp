@@ -8,8 +8,8 @@ namespace odo {
 
 namespace {
 
-constexpr std::array<std::string_view, 4> lengthWords{"m", "cm", "mm", "px"};
-constexpr std::array<std::string_view, 5> timeWords{"s", "ms", "us", "ns", "frame"};
+constexpr std::array<std::string_view, 6> lengthWords{"m", "cm", "mm", "px", "in", "ft"};
+constexpr std::array<std::string_view, 8> timeWords{"s", "ms", "us", "ns", "frame", "min", "h", "d"};
 constexpr std::array<std::string_view, 3> axesWords{"xy", "xz", "yz"};
 constexpr std::array<std::string_view, 2> decimalWords{"point", "comma"};
 
@@ -81,15 +81,15 @@ std::optional<DecimalSign> decimalSignOf(std::string_view word)
     return valueOf<DecimalSign>(decimalWords, word);
 }
 
-double perSecond(TimeUnit unit)
+long double nanosecondsPer(TimeUnit unit)
 {
-    constexpr std::array<double, 5> counts{1, 1e3, 1e6, 1e9, 0};
-    return counts[static_cast<std::size_t>(unit)];
+    constexpr std::array<long double, 8> lengths{1e9L, 1e6L, 1e3L, 1, 0, 60e9L, 3600e9L, 86400e9L};
+    return lengths[static_cast<std::size_t>(unit)];
 }
 
 double perMetre(LengthUnit unit)
 {
-    constexpr std::array<double, 4> counts{1, 100, 1000, 0};
+    constexpr std::array<double, 6> counts{1, 100, 1000, 0, 1 / 0.0254, 1 / 0.3048};
     return counts[static_cast<std::size_t>(unit)];
 }
 

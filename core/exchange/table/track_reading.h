@@ -17,13 +17,14 @@ std::string_view trackFormatWord(TrackFormat format);
 /// As it is called: "TUM", "Tracker", "EuRoC", ...
 std::string_view trackFormatName(TrackFormat format);
 
-enum class LengthUnit { Metre, Centimetre, Millimetre, Pixel };
-enum class TimeUnit { Second, Millisecond, Microsecond, Nanosecond, Frame };
+enum class LengthUnit { Metre, Centimetre, Millimetre, Pixel, Inch, Foot };
+enum class TimeUnit { Second, Millisecond, Microsecond, Nanosecond, Frame, Minute, Hour, Day };
 /// Which two coordinates of a table span the floor; the first becomes x and the second y.
 enum class FloorAxes { Xy, Xz, Yz };
 enum class DecimalSign { Point, Comma };
 
-/// "m", "cm", "mm", "px"; "s", "ms", "us", "ns", "frame"; "xy", "xz", "yz"; "point", "comma". nullopt: none.
+/// "m", "cm", "mm", "px", "in", "ft"; "s", "ms", "us", "ns", "frame", "min", "h", "d"; "xy", "xz", "yz";
+/// "point", "comma". nullopt: none.
 std::string_view wordOf(LengthUnit unit);
 std::string_view wordOf(TimeUnit unit);
 std::string_view wordOf(FloorAxes axes);
@@ -33,8 +34,9 @@ std::optional<TimeUnit> timeUnitOf(std::string_view word);
 std::optional<FloorAxes> floorAxesOf(std::string_view word);
 std::optional<DecimalSign> decimalSignOf(std::string_view word);
 
-/// How many of them make a second or a metre; exact, as 1e-9 is no double. 0: a pixel or a frame.
-double perSecond(TimeUnit unit);
+/// How many nanoseconds make the unit; 0: a frame.
+long double nanosecondsPer(TimeUnit unit);
+/// How many of them make a metre; 0: a pixel.
 double perMetre(LengthUnit unit);
 
 /// What a person says of a table of tracks. What is left empty is read from the file, or asked by an error.

@@ -212,11 +212,19 @@ void ImportTracksJob::makeSamples(std::size_t robot)
     NoiseLevel level;
     for (std::size_t i = 0; i < m_series.back().size(); ++i)
         level.add({m_series.back().sample(i)});
+    // Rounding that exceeds the scatter is no noise: it is the same from frame to frame.
+    const double roundingM = read.roundedM / std::sqrt(12.0);
+    const bool isRounded = !isStated && !m_settings.sigmaM && roundingM > level.sigmaM();
+    m_roundingM.push_back(isRounded ? roundingM : 0);
     source.noiseM = level.sigmaM();
-    const MessageArgument noise = quantity(toMillimetres(source.noiseM), 2, "mm");
+    const MessageArgument noise =
+        quantity(toMillimetres(std::hypot(source.noiseM, m_roundingM.back())), 2, "mm");
     std::vector<Message> reading{
         isStated ? ODO_TEXT("workflow.error_stated", "positions to %1, as stated in the file")(noise)
                  : ODO_TEXT("workflow.error_estimated", "positions to %1, estimated from the track")(noise)};
+    if (isRounded)
+        reading.push_back(ODO_TEXT("workflow.positions_rounded",
+                                   "rounded to %1")(quantity(toMillimetres(read.roundedM), 2, "mm")));
     if (m_settings.sigmaM)
         reading.push_back(ODO_TEXT("workflow.accuracy_given", "accurate to %1, as given")(
             quantity(toMillimetres(*m_settings.sigmaM), 2, "mm")));
@@ -244,9 +252,9 @@ SampleSource ImportTracksJob::samplesOf(std::size_t robot, std::span<const Sampl
         samples.reserve(count);
         for (std::size_t i = first; i < first + count; ++i) {
             Sample &sample = samples.emplace_back(m_series[robot].sample(i));
-            if (m_settings.sigmaM && sample.position)
-                sample.commonCovariance =
-                    Eigen::Matrix2d::Identity() * *m_settings.sigmaM * *m_settings.sigmaM;
+            const double commonM = m_settings.sigmaM.value_or(m_roundingM[robot]);
+            if (commonM > 0 && sample.position)
+                sample.commonCovariance = Eigen::Matrix2d::Identity() * commonM * commonM;
             if (!m_times.empty())
                 sample.frame = std::ranges::lower_bound(m_times, sample.time) - m_times.begin();
             if (!flags.empty())

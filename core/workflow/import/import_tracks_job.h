@@ -67,6 +67,7 @@ private:
     std::optional<TaskRecord> m_task;
     std::vector<FileTrack> m_read;        ///< one a robot; empty once there are its samples
     std::vector<ImportedSeries> m_series; ///< one a robot
+    std::vector<double> m_roundingM;      ///< one a robot: σ that the scatter does not show
     Nanoseconds m_zero{0};                ///< what the files' clock showed where the trial's time is 0
     /// of all positions, the trial's frames; of one robot's track they are its lines
     std::vector<Nanoseconds> m_times;

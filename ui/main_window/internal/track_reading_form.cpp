@@ -33,9 +33,10 @@ TrackReadingForm::TrackReadingForm(QWidget *parent) : QWidget(parent), m_grid(ne
     m_grid->setContentsMargins(0, 0, 0, 0);
     m_grid->setColumnStretch(1, 1);
     m_grid->setColumnStretch(3, 1);
-    m_unit = addChoice(tr("&Unit of positions"), {tr("m"), tr("cm"), tr("mm"), tr("pixels")});
-    m_timeUnit =
-        addChoice(tr("Unit of t&imes"), {tr("s"), tr("ms"), tr("µs"), tr("ns"), tr("frame numbers")});
+    m_unit = addChoice(tr("&Unit of positions"),
+                       {tr("m"), tr("cm"), tr("mm"), tr("pixels"), tr("inches"), tr("feet")});
+    m_timeUnit = addChoice(tr("Unit of t&imes"), {tr("s"), tr("ms"), tr("µs"), tr("ns"), tr("frame numbers"),
+                                                  tr("min"), tr("h"), tr("days")});
     m_axes = addChoice(tr("F&loor axes"), {tr("x and y"), tr("x and z"), tr("y and z")});
     m_decimal = addChoice(tr("&Decimal sign"), {tr("point"), tr("comma")});
     m_rate =

@@ -20,36 +20,90 @@ struct Word
     Value value;
 };
 
-constexpr std::array<Word<LengthUnit>, 13> lengthWords{{{"m", LengthUnit::Metre},
-                                                        {"meter", LengthUnit::Metre},
-                                                        {"meters", LengthUnit::Metre},
-                                                        {"metre", LengthUnit::Metre},
-                                                        {"metres", LengthUnit::Metre},
-                                                        {"cm", LengthUnit::Centimetre},
-                                                        {"mm", LengthUnit::Millimetre},
-                                                        {"millimeters", LengthUnit::Millimetre},
-                                                        {"px", LengthUnit::Pixel},
-                                                        {"pixel", LengthUnit::Pixel},
-                                                        {"pixels", LengthUnit::Pixel},
-                                                        {"centimeters", LengthUnit::Centimetre},
-                                                        {"pix", LengthUnit::Pixel}}};
-constexpr std::array<Word<TimeUnit>, 17> timeWords{{{"s", TimeUnit::Second},
-                                                    {"sec", TimeUnit::Second},
-                                                    {"secs", TimeUnit::Second},
-                                                    {"second", TimeUnit::Second},
-                                                    {"seconds", TimeUnit::Second},
-                                                    {"ms", TimeUnit::Millisecond},
-                                                    {"msec", TimeUnit::Millisecond},
-                                                    {"milliseconds", TimeUnit::Millisecond},
-                                                    {"us", TimeUnit::Microsecond},
-                                                    {"µs", TimeUnit::Microsecond},
-                                                    {"usec", TimeUnit::Microsecond},
-                                                    {"microseconds", TimeUnit::Microsecond},
-                                                    {"ns", TimeUnit::Nanosecond},
-                                                    {"nsec", TimeUnit::Nanosecond},
-                                                    {"nanoseconds", TimeUnit::Nanosecond},
-                                                    {"frame", TimeUnit::Frame},
-                                                    {"frames", TimeUnit::Frame}}};
+// Headers come in the languages of those who use the program, too.
+constexpr auto lengthWords = std::to_array<Word<LengthUnit>>({
+    {"m", LengthUnit::Metre},
+    {"meter", LengthUnit::Metre},
+    {"meters", LengthUnit::Metre},
+    {"metre", LengthUnit::Metre},
+    {"metres", LengthUnit::Metre},
+    {"mètres", LengthUnit::Metre},
+    {"metros", LengthUnit::Metre},
+    {"미터", LengthUnit::Metre},
+    {"米", LengthUnit::Metre},
+    {"cm", LengthUnit::Centimetre},
+    {"centimeters", LengthUnit::Centimetre},
+    {"centimetres", LengthUnit::Centimetre},
+    {"zentimeter", LengthUnit::Centimetre},
+    {"centimètres", LengthUnit::Centimetre},
+    {"centímetros", LengthUnit::Centimetre},
+    {"厘米", LengthUnit::Centimetre},
+    {"mm", LengthUnit::Millimetre},
+    {"millimeter", LengthUnit::Millimetre},
+    {"millimeters", LengthUnit::Millimetre},
+    {"millimetres", LengthUnit::Millimetre},
+    {"millimètres", LengthUnit::Millimetre},
+    {"milímetros", LengthUnit::Millimetre},
+    {"밀리미터", LengthUnit::Millimetre},
+    {"毫米", LengthUnit::Millimetre},
+    {"in", LengthUnit::Inch},
+    {"inch", LengthUnit::Inch},
+    {"inches", LengthUnit::Inch},
+    {"ft", LengthUnit::Foot},
+    {"foot", LengthUnit::Foot},
+    {"feet", LengthUnit::Foot},
+    {"px", LengthUnit::Pixel},
+    {"pix", LengthUnit::Pixel},
+    {"pixel", LengthUnit::Pixel},
+    {"pixels", LengthUnit::Pixel},
+    {"píxeles", LengthUnit::Pixel},
+    {"픽셀", LengthUnit::Pixel},
+    {"像素", LengthUnit::Pixel},
+});
+/// Lengths that nobody's robot is measured in: named, so that they are not taken for the name of a track.
+constexpr auto otherLengthWords =
+    std::to_array<std::string_view>({"dm", "km", "um", "µm", "μm", "nm", "micron", "microns", "yd", "yards",
+                                     "mil", "mils", "dezimeter", "kilometers", "kilometres"});
+constexpr auto timeWords = std::to_array<Word<TimeUnit>>({
+    {"s", TimeUnit::Second},
+    {"sec", TimeUnit::Second},
+    {"secs", TimeUnit::Second},
+    {"second", TimeUnit::Second},
+    {"seconds", TimeUnit::Second},
+    {"sekunden", TimeUnit::Second},
+    {"secondes", TimeUnit::Second},
+    {"segundos", TimeUnit::Second},
+    {"초", TimeUnit::Second},
+    {"秒", TimeUnit::Second},
+    {"ms", TimeUnit::Millisecond},
+    {"msec", TimeUnit::Millisecond},
+    {"millis", TimeUnit::Millisecond},
+    {"milliseconds", TimeUnit::Millisecond},
+    {"millisekunden", TimeUnit::Millisecond},
+    {"millisecondes", TimeUnit::Millisecond},
+    {"milisegundos", TimeUnit::Millisecond},
+    {"밀리초", TimeUnit::Millisecond},
+    {"毫秒", TimeUnit::Millisecond},
+    {"us", TimeUnit::Microsecond},
+    {"µs", TimeUnit::Microsecond},
+    {"μs", TimeUnit::Microsecond},
+    {"usec", TimeUnit::Microsecond},
+    {"micros", TimeUnit::Microsecond},
+    {"microseconds", TimeUnit::Microsecond},
+    {"ns", TimeUnit::Nanosecond},
+    {"nsec", TimeUnit::Nanosecond},
+    {"nanoseconds", TimeUnit::Nanosecond},
+    {"frame", TimeUnit::Frame},
+    {"frames", TimeUnit::Frame},
+    {"min", TimeUnit::Minute},
+    {"mins", TimeUnit::Minute},
+    {"minutes", TimeUnit::Minute},
+    {"minuten", TimeUnit::Minute},
+    {"minutos", TimeUnit::Minute},
+    {"h", TimeUnit::Hour},
+    {"hours", TimeUnit::Hour},
+    {"days", TimeUnit::Day},
+});
 constexpr std::array<Word<double>, 5> angleWords{{{"rad", 1.0},
                                                   {"radians", 1.0},
                                                   {"deg", std::numbers::pi / 180},
@@ -57,23 +111,84 @@ constexpr std::array<Word<double>, 5> angleWords{{{"rad", 1.0},
                                                   {"°", std::numbers::pi / 180}}};
 
 /// Words that go with the axis of a position and name nobody.
-constexpr std::array<std::string_view, 37> positionWords{
-    "pos",    "position",   "positions",   "pose",      "poses",   "translation", "transform", "p",
-    "t",      "loc",        "location",    "center",    "centre",  "centroid",    "wcentroid", "pcentroid",
-    "point",  "points",     "field",       "data",      "msg",     "message",     "world",     "coord",
-    "coords", "coordinate", "coordinates", "base",      "link",    "odom",        "odometry",  "global",
-    "local",  "floor",      "map",         "estimated", "measured"};
+constexpr auto positionWords = std::to_array<std::string_view>(
+    {"pos",        "position",   "positions", "pose",     "poses",      "translation", "transform",
+     "p",          "t",          "loc",       "location", "center",     "centre",      "centroid",
+     "wcentroid",  "pcentroid",  "point",     "points",   "field",      "data",        "msg",
+     "message",    "world",      "coord",     "coords",   "coordinate", "coordinates", "base",
+     "link",       "odom",       "odometry",  "global",   "local",      "floor",       "map",
+     "estimated",  "measured",   "axis",      "achse",    "axe",        "eje",         "ort",
+     "koordinate", "coordonnée", "posición",  "posicion", "coordenada", "위치",        "좌표",
+     "位置",       "坐标"});
 /// Words that go with axes of something else.
-constexpr std::array<std::string_view, 54> otherWords{
-    "v",          "vel",      "velocity",  "velocities",  "speed",    "acc",        "accel", "acceleration",
-    "linear",     "angular",  "twist",     "orientation", "rotation", "rot",        "q",     "quat",
-    "quaternion", "sigma",    "std",       "stddev",      "cov",      "covariance", "var",   "variance",
-    "raw",        "gyro",     "gyroscope", "mag",         "imu",      "target",     "goal",  "cmd",
-    "command",    "setpoint", "ref",       "reference",   "desired",  "des",        "error", "err",
-    "dot",        "delta",    "diff",      "force",       "torque",   "wrench",     "jerk",  "pixel",
-    "pixels",     "bias",     "scale",     "min",         "max",      "offset"};
+constexpr auto otherWords = std::to_array<std::string_view>({"v",
+                                                             "vel",
+                                                             "velocity",
+                                                             "velocities",
+                                                             "speed",
+                                                             "acc",
+                                                             "accel",
+                                                             "acceleration",
+                                                             "linear",
+                                                             "angular",
+                                                             "twist",
+                                                             "orientation",
+                                                             "rotation",
+                                                             "rot",
+                                                             "q",
+                                                             "quat",
+                                                             "quaternion",
+                                                             "sigma",
+                                                             "std",
+                                                             "stddev",
+                                                             "cov",
+                                                             "covariance",
+                                                             "var",
+                                                             "variance",
+                                                             "raw",
+                                                             "gyro",
+                                                             "gyroscope",
+                                                             "mag",
+                                                             "imu",
+                                                             "target",
+                                                             "goal",
+                                                             "cmd",
+                                                             "command",
+                                                             "setpoint",
+                                                             "ref",
+                                                             "reference",
+                                                             "desired",
+                                                             "des",
+                                                             "error",
+                                                             "err",
+                                                             "dot",
+                                                             "delta",
+                                                             "diff",
+                                                             "force",
+                                                             "torque",
+                                                             "wrench",
+                                                             "jerk",
+                                                             "pixel",
+                                                             "pixels",
+                                                             "bias",
+                                                             "scale",
+                                                             "min",
+                                                             "max",
+                                                             "offset",
+                                                             "geschwindigkeit",
+                                                             "beschleunigung",
+                                                             "vitesse",
+                                                             "accélération",
+                                                             "velocidad",
+                                                             "aceleración",
+                                                             "속도",
+                                                             "가속도",
+                                                             "速度",
+                                                             "加速度"});
 constexpr std::array<std::string_view, 6> quaternionWords{"orientation", "rotation", "rot",
                                                           "q",           "quat",     "quaternion"};
+/// "x in mm", "x en mm"
+constexpr std::array<std::string_view, 2> unitPrepositions{"in", "en"};
 
 template <class Words>
 auto valueNamed(const Words &words, std::string_view name) -> std::optional<decltype(words.front().value)>
@@ -87,7 +202,8 @@ auto valueNamed(const Words &words, std::string_view name) -> std::optional<decl
 
 bool isUnit(std::string_view lower)
 {
-    return valueNamed(lengthWords, lower) || valueNamed(timeWords, lower) || valueNamed(angleWords, lower);
+    return valueNamed(lengthWords, lower) || isAmong(otherLengthWords, lower) ||
+           valueNamed(timeWords, lower) || valueNamed(angleWords, lower);
 }
 
 bool isWordCharacter(char c)
@@ -141,9 +257,11 @@ ColumnName::ColumnName(std::string_view cell) : m_lower(lowerCaseAscii(withoutBl
 {
     std::string text(withoutBlanks(cell));
     takeUnit(text);
-    const std::vector<std::string> written = wordsOf(text);
+    std::vector<std::string> written = wordsOf(text);
     for (const std::string &word : written)
         m_words.push_back(lowerCaseAscii(word));
+    if (hasUnit() && m_words.size() > 1 && isAmong(unitPrepositions, m_words.back()))
+        written.pop_back(), m_words.pop_back();
     readAxis(written);
 }
 
@@ -166,7 +284,7 @@ void ColumnName::takeUnit(std::string &text)
     if (!isUnit(tail) || (text[mark] == '/' && text.find('/') != mark))
         return;
     m_unit = tail;
-    m_isBracketed = text[mark] == '/';
+    m_isBracketed = text[mark] == '/' || isAmong(otherLengthWords, tail);
     text.resize(mark);
 }
 

@@ -51,8 +51,9 @@ constexpr std::size_t mostLooked = 20'000; // rows say as much as all
 /// The coarsest power of ten that the numbers are multiples of, but for a few.
 double resolutionOf(const RawTrack &track, const std::vector<std::size_t> &rows)
 {
-    constexpr int finest = 9;
-    double unit = 1;
+    constexpr int finest = 11;
+    constexpr double coarsest = 100;
+    double unit = 1 / coarsest;
     for (int digits = 0; digits < finest; ++digits, unit *= 10) {
         const auto isOff = [&](double value) {
             return std::abs(value * unit - std::round(value * unit)) > 1e-5 * std::max(1.0, std::abs(value));

@@ -13,11 +13,12 @@ namespace odo {
 
 namespace {
 
-constexpr double farSteps = 5;        // usual steps that no robot leaps
-constexpr double heldSteps = 4;       // that it has gone on while its position was held
-constexpr double heldResolutions = 3; // what a hold is above the rounding of the numbers
-constexpr double noisyResolutions = 10;
+constexpr double farSteps = 5;           // usual steps that no robot leaps
+constexpr double heldSteps = 4;          // that it has gone on while its position was held
+constexpr double heldResolutions = 3;    // what a hold is above the rounding of the numbers
+constexpr double noisyResolutions = 2.5; // five positions in a row are then the same once in a million
 constexpr std::size_t leastHeld = 3, leastHeldInNoise = 5;
+constexpr auto restsApart = std::chrono::seconds(1); // less than the gaps that are bridged
 
 /// Measured rows one behind the other with the same position.
 struct Run
@@ -49,6 +50,21 @@ void say(std::vector<Message> &notices, const RawTrack &track, const std::vector
 {
     if (!forgotten.empty())
         notices.push_back(words(forgotten.size(), track.lines[forgotten.front()]));
+}
+
+/// Whether a run is where the robot rested: it goes on from there, and came there, no quicker than the noise
+/// is. What a tracker sees of a robot that rests may well be the same in every frame.
+bool isRest(const RawTrack &track, const std::vector<std::size_t> &rows, const Run &run,
+            const CourseFacts &course)
+{
+    constexpr double mostNoise = 5;
+    constexpr std::size_t before = 5; // rows that say how quick it was
+    const double most = mostNoise * course.noise + course.resolution;
+    if (run.last + 1 < rows.size())
+        return distanceOf(track, rows[run.last], rows[run.last + 1]) <= most;
+    if (run.first < before)
+        return true;
+    return distanceOf(track, rows[run.first], rows[run.first - before]) <= most;
 }
 
 } // namespace
@@ -137,7 +153,7 @@ void forgetMarks(RawTrack &track, Understanding &how)
         track.forget(row);
 }
 
-void forgetHeld(RawTrack &track, Understanding &how)
+void forgetHeld(RawTrack &track, const std::vector<Nanoseconds> &times, Understanding &how)
 {
     const std::vector<std::size_t> rows = measuredRows(track);
     const CourseFacts course = courseOf(track);
@@ -156,9 +172,17 @@ void forgetHeld(RawTrack &track, Understanding &how)
             run.last + 1 < rows.size() ? distanceOf(track, rows[run.last], rows[run.last + 1]) : 0;
         const bool goesOn = run.size() >= leastHeld && leap > heldSteps * course.usualStep &&
                             leap > heldResolutions * course.resolution;
-        if (isCoarseLog || goesOn || (isNoisy && run.size() >= leastHeldInNoise))
-            for (std::size_t i = run.first + 1; i <= run.last; ++i)
+        const bool isHeld = isNoisy && run.size() >= leastHeldInNoise;
+        if (!isCoarseLog && !goesOn && !isHeld)
+            continue;
+        const bool rests = !isCoarseLog && !goesOn && isRest(track, rows, run, course);
+        std::size_t kept = run.first;
+        for (std::size_t i = run.first + 1; i <= run.last; ++i) {
+            if (rests && times[rows[i]] - times[rows[kept]] >= restsApart)
+                kept = i;
+            else
                 forgotten.push_back(rows[i]);
+        }
     }
     say(how.notices, track, forgotten,
         ODO_TEXT(

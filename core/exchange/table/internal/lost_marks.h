@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/base/units.h"
 #include "core/exchange/table/internal/raw_track.h"
 #include "core/exchange/table/internal/understanding.h"
 
@@ -14,7 +15,9 @@ namespace odo {
 Result<void> forgetUnsure(RawTrack &track, Understanding &how);
 /// Rows of 0, 0 or −1, −1 and the like to which the robot would leap.
 void forgetMarks(RawTrack &track, Understanding &how);
-/// Rows that repeat the last position while the robot went on.
-void forgetHeld(RawTrack &track, Understanding &how);
+/// Rows that repeat the last position while the robot went on, or more often than its noise allows. What a
+/// tracker sees of a robot that rests may be the same in every frame: of those one a second is kept, as they
+/// say the same thing.
+void forgetHeld(RawTrack &track, const std::vector<Nanoseconds> &times, Understanding &how);
 
 } // namespace odo

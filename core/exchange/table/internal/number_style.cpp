@@ -60,10 +60,12 @@ std::optional<std::string> plainNumber(std::string_view cell, char decimal, char
     if (cell.empty() || cell.size() > longestNumber)
         return std::nullopt;
     std::string plain;
-    if (cell.front() == '-' || cell.front() == '+') {
-        if (cell.front() == '-')
-            plain = "-";
-        cell.remove_prefix(1);
+    for (const std::string_view sign : {"-", "+", "\u2212"}) {
+        if (plain.empty() && cell.starts_with(sign)) {
+            plain = sign == "+" ? "" : "-";
+            cell.remove_prefix(sign.size());
+            break;
+        }
     }
     const std::size_t exponent = cell.find_first_of("eE");
     const std::string_view mantissa = cell.substr(0, exponent);
@@ -131,12 +133,14 @@ bool isMissingMark(std::string_view cell)
 {
     if (cell.empty())
         return true;
-    if (cell.size() > 9 || isDigit(cell.back()))
+    if (cell.size() > 10 || isDigit(cell.back()))
         return false;
-    constexpr std::array<std::string_view, 24> marks{
-        "nan",      "-nan",      "+nan", "nan(ind)", "-nan(ind)", "inf",  "+inf",  "-inf",
-        "infinity", "-infinity", "na",   "n/a",      "#n/a",      "<na>", "null",  "none",
-        "nil",      "nd",        "-",    "--",       "---",       "?",    "#num!", "#value!"};
+    constexpr auto marks = std::to_array<std::string_view>(
+        {"nan",      "-nan",      "+nan",    "nan(ind)", "-nan(ind)", "inf",    "+inf",      "-inf",
+         "infinity", "-infinity", "na",      "n/a",      "#n/a",      "<na>",   "null",      "none",
+         "nil",      "nd",        "n.d.",    "-",        "--",        "---",    "?",         "*",
+         "**",       "***",       "#num!",   "#value!",  "#nv",       "#n/v",   "nv",        "n.v.",
+         "#wert!",   "#zahl!",    "#div/0!", "lost",     "missing",   "<null>", "not found", "undefined"});
     return std::ranges::find(marks, lowerCaseAscii(cell)) != marks.end();
 }
 
@@ -183,7 +187,11 @@ void NumberStyleSurvey::add(std::size_t column, std::string_view cell)
         return; // no number at all: the reader will say so
     m_columns.resize(std::max(m_columns.size(), column + 1));
     Column &its = m_columns[column];
-    (isMarked ? its.marked : its.plain) += 1;
+    constexpr auto lost = std::to_array<std::string_view>({"0", "-1", "-99", "-999", "-9999"});
+    if (isMarked)
+        ++its.marked;
+    else if (std::ranges::find(lost, cell) == lost.end()) // they say nothing of how numbers are written
+        ++its.plain;
     m_hasPoint = m_hasPoint || cell.find('.') != std::string_view::npos;
     m_hasComma = m_hasComma || cell.find(',') != std::string_view::npos;
     m_pointFits = m_pointFits && byPoint;
@@ -204,14 +212,16 @@ void NumberStyleSurvey::add(std::size_t column, std::string_view cell)
 std::optional<NumberStyle> NumberStyleSurvey::byCourse() const
 {
     constexpr double clearlyRougher = 3;
-    constexpr std::size_t enoughCells = 30;
+    constexpr std::size_t enoughCells = 30, mostFalls = 2;
     const NumberStyle decimal{m_mark, 0, false}, grouped{m_mark == '.' ? ',' : '.', m_mark, false};
     for (std::size_t i = 0; i < m_columns.size(); ++i) {
         const Column &column = m_columns[i];
         if (column.marked == 0)
             continue;
-        if (i == 0 && (column.decimal.falls == 0) != (column.grouped.falls == 0))
-            return column.decimal.falls == 0 ? decimal : grouped;
+        // A stamp may be out of order; times of the wrong reading fall at each thousand.
+        if (i == 0 && column.decimal.falls != column.grouped.falls &&
+            std::min(column.decimal.falls, column.grouped.falls) <= mostFalls)
+            return column.decimal.falls < column.grouped.falls ? decimal : grouped;
         const double asDecimal = column.decimal.roughness(), asGrouped = column.grouped.roughness();
         if (asDecimal > clearlyRougher * asGrouped)
             return grouped;
@@ -231,7 +241,7 @@ NumberStyleSurvey::Outcome NumberStyleSurvey::outcome() const
         return {m_pointFits ? point : comma, false, m_pointFits ? m_hasComma : m_hasPoint, {}};
     if (!m_pointFits)
         return {{'.', 0, true}, false, false, {}};
-    if (m_mark == 0 || m_delimiter == ',')
+    if (m_mark == 0)
         return {{'.', 0, false}, false, false, {}};
     if (const auto style = byCourse())
         return {*style, false, style->thousands != 0, {}};

@@ -31,7 +31,6 @@ bool isMissingMark(std::string_view cell);
 class NumberStyleSurvey
 {
 public:
-    explicit NumberStyleSurvey(char delimiter) : m_delimiter(delimiter) {}
     /// column: of those that are asked, from 0; the first one holds the times.
     void add(std::size_t column, std::string_view cell);
 
@@ -60,7 +59,6 @@ private:
     std::optional<NumberStyle> byCourse() const;
     bool isDecided(std::string_view cell) const;
 
-    char m_delimiter;
     bool m_pointFits = true, m_commaFits = true, m_hasPoint = false, m_hasComma = false;
     char m_mark = 0; ///< the last one found
     std::string m_example;

@@ -40,6 +40,7 @@ struct RawTable
     std::size_t unreadable = 0; ///< rows without a time that can be read
     int firstUnreadable = 0;    ///< their first line
     int lastLine = 0;           ///< of the file
+    int cutLine = 0;            ///< the last row, where it ends too early and was left out; 0: it does not
     bool isTracker = false;
     char thousands = 0; ///< what parts them in its numbers; 0: nothing
 };

@@ -12,9 +12,11 @@ namespace odo {
 struct Stamp
 {
     enum class Kind {
-        Number, ///< in a unit that the column says, or not
-        Clock,  ///< 10:11:03.25: seconds of the day
-        Date    ///< 2024-05-06T10:11:03.25Z: seconds since 1970; without a zone as of UTC
+        Number,   ///< in a unit that the column says, or not
+        Duration, ///< 33.3 ms: seconds
+        Clock,    ///< 10:11:03.25, 10:11:03.25 PM: seconds of the day
+        Timecode, ///< 0:00:03:25: seconds, and hundredths of what the last part counts: frames or hundredths
+        Date ///< 2024-05-06T10:11:03.25Z, 5/6/2024 10:11:03: seconds since 1970; without a zone as of UTC
     };
     Kind kind = Kind::Number;
     long double value = 0;

@@ -13,13 +13,41 @@ namespace odo {
 
 namespace {
 
-constexpr std::array<std::string_view, 16> timeNames{
-    "t",        "time",          "timestamp", "stamp",   "timestamps", "header_stamp", "field_header_stamp",
-    "datetime", "date_time",     "clock",     "seconds", "elapsed",    "elapsed_time", "time_stamp",
-    "sec",      "recording_time"};
-constexpr std::array<std::string_view, 14> frameNames{
-    "frame",       "frames",    "frame_idx",  "frame_index", "frame_number", "frame_no",    "frame_nr",
-    "framenumber", "frame_num", "frameindex", "frameidx",    "coords",       "frame_count", "image"};
+constexpr auto timeNames = std::to_array<std::string_view>({"t",
+                                                            "time",
+                                                            "timestamp",
+                                                            "stamp",
+                                                            "timestamps",
+                                                            "header_stamp",
+                                                            "field_header_stamp",
+                                                            "datetime",
+                                                            "date_time",
+                                                            "clock",
+                                                            "elapsed",
+                                                            "elapsed_time",
+                                                            "time_stamp",
+                                                            "recording_time",
+                                                            "latest_time",
+                                                            "timecode",
+                                                            "zeit",
+                                                            "zeitstempel",
+                                                            "uhrzeit",
+                                                            "temps",
+                                                            "horodatage",
+                                                            "tiempo",
+                                                            "tempo",
+                                                            "시간",
+                                                            "时间",
+                                                            "時間",
+                                                            "时刻"});
+/// A column that is called as a unit holds times in it.
+constexpr auto unitNames = std::to_array<std::string_view>(
+    {"sec", "secs", "seconds", "sekunden", "secondes", "segundos", "ms", "msec", "millis", "milliseconds",
+     "millisekunden", "us", "usec", "micros", "microseconds", "ns", "nsec", "nanoseconds"});
+constexpr auto frameNames = std::to_array<std::string_view>(
+    {"frame",       "frames",    "frame_idx",  "frame_index", "frame_number", "frame_no",    "frame_nr",
+     "framenumber", "frame_num", "frameindex", "frameidx",    "coords",       "frame_count", "image",
+     "bild",        "bild_nr",   "bildnummer", "fotograma",   "프레임",       "帧",          "帧号"});
 constexpr std::array<std::string_view, 12> idNames{"id",       "track",    "track_id",  "robot",
                                                    "robot_id", "object",   "object_id", "marker",
                                                    "name",     "identity", "particle",  "individual"};
@@ -104,14 +132,20 @@ void HeaderSearch::findTime()
 {
     if (findRosTime())
         return;
-    for (const bool isFrame : {false, true}) {
+    enum class By { Name, Unit, Frame };
+    for (const By by : {By::Name, By::Unit, By::Frame}) {
+        const bool isFrame = by == By::Frame;
         for (std::size_t i = 0; i < m_names.size() && !m_table.time; ++i) {
             const ColumnName &name = m_names[i];
             const std::string words = name.joinedWords();
-            const bool isNamed = isFrame ? isAmong(frameNames, words) : isAmong(timeNames, words);
+            const bool isNamed = isFrame          ? isAmong(frameNames, words)
+                                 : by == By::Unit ? isAmong(unitNames, words)
+                                                  : isAmong(timeNames, words);
             if (!isNamed || name.lengthUnit())
                 continue;
-            auto unit = isFrame ? TimeUnit::Frame : name.timeUnit();
+            auto unit = isFrame                             ? TimeUnit::Frame
+                        : by == By::Unit && !name.hasUnit() ? timeUnitNamed(words)
+                                                            : name.timeUnit();
             if (!unit && name.isBracketed()) {
                 if (!m_unknownUnit)
                     m_unknownUnit = unitNotKnown(m_cells[i]).value();

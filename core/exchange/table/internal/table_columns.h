@@ -54,8 +54,9 @@ struct TableColumns
     std::vector<TrackColumns> tracks; ///< at least one
     std::optional<std::size_t> id;    ///< of the track that a row belongs to
     std::optional<LostFlag> lost;
-    std::size_t columns = 0; ///< of them all
-    bool hasUnits = false;   ///< the time or a position
+    std::size_t columns = 0;     ///< of them all
+    bool mayHaveUnnamed = false; ///< the header ends with a delimiter; rows may have a cell behind it
+    bool hasUnits = false;       ///< the time or a position
 };
 
 /// Reads a header by the names of its columns (ColumnName), with the row above for the names of tracks.

@@ -3,6 +3,7 @@
 
 #include "core/base/plain_text.h"
 #include "core/exchange/table/internal/column_name.h"
+#include "core/exchange/table/internal/stamps.h"
 #include "core/exchange/table/internal/table_rows.h"
 #include "core/exchange/text_file.h"
 #include "core/files/file_words.h"
@@ -15,7 +16,7 @@ namespace odo {
 namespace {
 
 constexpr std::size_t mostTrackBytes = std::size_t(256) << 20;
-constexpr int linesAboveHeader = 12;
+constexpr int linesAboveHeader = 60;
 constexpr int linesBetweenQuestions = 4096; // about cancellation
 constexpr std::size_t kittiCells = 12;
 
@@ -34,16 +35,27 @@ public:
         ODO_TRY(findHeader());
         const NumberStyle style = ODO_TRY(surveyed());
         TableRows rows(m_table, style, m_delimiter, m_reading, m_file);
-        while (ODO_TRY(nextRow()))
-            ODO_TRY(rows.add(m_cells, m_lines->number()));
-        return rows.finish(m_lines->number());
+        std::optional<Error> cut; // of a row that may be the last one
+        int cutLine = 0;
+        while (ODO_TRY(nextRow())) {
+            if (cut)
+                return tl::unexpected(*cut);
+            auto added = rows.add(m_cells, m_lines->number());
+            if (!added && !rows.isCut(m_cells))
+                return tl::unexpected(added.error());
+            if (!added)
+                cut = added.error(), cutLine = m_lines->number();
+        }
+        auto table = ODO_TRY(rows.finish(m_lines->number()));
+        table.cutLine = cutLine;
+        return table;
     }
 
 private:
     Result<void> open(double from)
     {
         m_from = from;
-        auto text = ODO_TRY(TextFile::open(m_file, mostTrackBytes));
+        auto text = ODO_TRY(TextFile::open(m_file, mostTrackBytes, TextCoding::OfSpreadsheets));
         m_lines.emplace(std::move(text));
         return {};
     }
@@ -57,7 +69,9 @@ private:
     Result<void> findHeader();
     Result<bool> findTrcHeader();
     Result<bool> takeHeader(std::string_view line);
+    void rememberRemark(std::string_view content);
     void takeHeaderless();
+    void lookForUnit();
     Result<NumberStyle> surveyed();
     Result<void> readUnitsRow();
 
@@ -71,8 +85,10 @@ private:
     std::vector<std::string_view> m_cells, m_above;
     std::string m_lineAbove;
     RawTable m_table;
-    bool m_isFirstRowWaiting = false; ///< m_line is a row already
-    int m_rowsAfter = 0;              ///< the line in front of the first row
+    std::optional<TableColumns> m_remark;  ///< the last one that may be a header
+    std::optional<LengthUnit> m_unitAbove; ///< as the lines above the header say it
+    bool m_isFirstRowWaiting = false;      ///< m_line is a row already
+    int m_rowsAfter = 0;                   ///< the line in front of the first row
 };
 
 /// False in the value: there is none; asks for cancellation.
@@ -104,12 +120,26 @@ Result<bool> TableReader::nextRow()
     }
 }
 
-/// Lines of numbers alone: the poses of TUM and KITTI.
+/// "# t_s x_m y_m", as NumPy writes it; only the rows show that it is no sentence.
+void TableReader::rememberRemark(std::string_view content)
+{
+    std::vector<std::string_view> cells;
+    splitCells(content.substr(1), ' ', cells);
+    auto header = tableColumnsOf(cells, {});
+    if (header && *header)
+        m_remark = std::move(**header);
+}
+
+/// Lines of numbers alone: the poses of TUM and KITTI, or columns that a remark names.
 void TableReader::takeHeaderless()
 {
     m_delimiter = ' '; // tabs part as well
     splitCells(m_line, m_delimiter, m_cells);
-    m_table.columns = m_cells.size() == kittiCells ? kittiColumns() : tumColumns();
+    const std::size_t tumCells = tumColumns().columns;
+    if (m_remark && m_remark->columns == m_cells.size() && m_remark->columns != tumCells)
+        m_table.columns = *m_remark;
+    else
+        m_table.columns = m_cells.size() == kittiCells ? kittiColumns() : tumColumns();
     m_isFirstRowWaiting = true;
     m_rowsAfter = m_lines->number() - 1;
 }
@@ -125,8 +155,17 @@ Result<bool> TableReader::takeHeader(std::string_view line)
     if (!*header)
         return wrong(header->error().why, header->error().advice);
     m_table.columns = std::move(**header);
-    if (m_cells.back().empty()) // Tracker ends its lines with a delimiter
+    if (m_cells.back()
+            .empty()) { // Tracker ends its lines with a delimiter, Motive with a column without name
         --m_table.columns.columns;
+        m_table.columns.mayHaveUnnamed = true;
+    }
+    for (TrackColumns &track : m_table.columns.tracks) {
+        for (LengthColumn *column : {&track.x, &track.y, track.z ? &*track.z : nullptr}) {
+            if (column && !column->unit)
+                column->unit = m_unitAbove;
+        }
+    }
     m_rowsAfter = m_lines->number();
     return true;
 }
@@ -168,6 +207,17 @@ Result<bool> TableReader::findTrcHeader()
     return true;
 }
 
+/// Motive: "...,Length Units,Millimeters" above the header.
+void TableReader::lookForUnit()
+{
+    for (std::size_t i = 0; i + 1 < m_cells.size(); ++i) {
+        if (lowerCaseAscii(m_cells[i]) == "length units")
+            m_unitAbove = lengthUnitNamed(lowerCaseAscii(m_cells[i + 1]));
+        else if (m_cells[i] == "NO_OF_MARKERS") // Qualisys writes millimetres and does not say so
+            m_unitAbove = LengthUnit::Millimetre;
+    }
+}
+
 Result<void> TableReader::findHeader()
 {
     int above = 0;
@@ -184,15 +234,22 @@ Result<void> TableReader::findHeader()
         if (content.starts_with('#')) { // EuRoC's header; a comment of TUM is none
             if (delimiterOf(content) != ' ' && ODO_TRY(takeHeader(content)))
                 return {};
+            if (delimiterOf(content) == ' ')
+                rememberRemark(content);
             continue;
         }
         m_delimiter = delimiterOf(m_line);
-        if (beginsAsNumber(m_line)) {
+        splitCells(m_line, m_delimiter, m_cells);
+        const bool isNumberAlone = above > 0 && m_cells.size() == 1; // Vicon's rate
+        const bool isRemarkedClock = m_remark && m_delimiter == ' ' && m_remark->columns == m_cells.size() &&
+                                     stampOf(m_cells[0], {}).has_value();
+        if ((beginsAsNumber(m_line) || isRemarkedClock) && !isNumberAlone) {
             if (above > 0 || m_delimiter == ',' || m_delimiter == ';')
                 break;
             takeHeaderless();
             return {};
         }
+        lookForUnit();
         if (ODO_TRY(takeHeader(m_line))) {
             const bool isBare = withoutBlanks(m_cells[0]) == "t" && !m_table.columns.hasUnits;
             if (m_table.columns.format == TrackFormat::Csv && (m_table.isTracker || isBare || above > 0))
@@ -228,9 +285,10 @@ Result<void> TableReader::readUnitsRow()
     };
     const auto time = timeUnitNamed(unitAt(columns.time->index));
     const auto length = lengthUnitNamed(unitAt(columns.tracks.front().x.index));
-    if (!time || !length)
+    if (!length || (!time && !unitAt(columns.time->index).empty()))
         return {};
-    columns.time->unit = time;
+    if (time)
+        columns.time->unit = time;
     for (TrackColumns &track : columns.tracks) {
         for (LengthColumn *column :
              {&track.x, &track.y, track.z ? &*track.z : nullptr, track.sigmaX ? &*track.sigmaX : nullptr,
@@ -254,7 +312,9 @@ Result<NumberStyle> TableReader::surveyed()
     if (m_reading.decimal)
         return *m_reading.decimal == DecimalSign::Point ? NumberStyle{'.', ',', false}
                                                         : NumberStyle{',', '.', false};
-    if (m_delimiter == ',')
+    // Of cells that commas part, only those in quotes can have one.
+    const bool isQuoted = m_isFirstRowWaiting && m_line.find('"') != std::string_view::npos;
+    if (m_delimiter == ',' && !isQuoted)
         return NumberStyle{'.', ',', false};
     std::vector<std::size_t> asked;
     asked.push_back(m_table.columns.time ? m_table.columns.time->index : m_table.columns.columns);
@@ -263,7 +323,7 @@ Result<NumberStyle> TableReader::surveyed()
         if (track.z)
             asked.push_back(track.z->index);
     }
-    NumberStyleSurvey survey(m_delimiter);
+    NumberStyleSurvey survey;
     while (ODO_TRY(nextRow())) {
         for (std::size_t i = 0; i < asked.size(); ++i) {
             if (asked[i] < m_cells.size())

@@ -57,7 +57,8 @@ tl::unexpected<Error> TableRows::wrong(Message why, Message advice) const
 Result<void> TableRows::checkCount(const std::vector<std::string_view> &cells) const
 {
     const std::size_t wanted = m_table.columns.columns;
-    const bool hasMore = m_endsWithDelimiter && cells.size() == wanted + 1 && cells.back().empty();
+    const bool hasMore = cells.size() == wanted + 1 &&
+                         (m_table.columns.mayHaveUnnamed || (m_endsWithDelimiter && cells.back().empty()));
     if (cells.size() == wanted || hasMore)
         return {};
     if (m_table.columns.format == TrackFormat::Tum)
@@ -73,6 +74,11 @@ Result<void> TableRows::checkCount(const std::vector<std::string_view> &cells) c
                      : ODO_TEXT("exchange.cells_of_columns",
                                 "it has %1 cells where the header has %2")(cells.size(), wanted),
                  ODO_TEXT("exchange.fill_in_all_cells", "give each line as many cells as the header"));
+}
+
+bool TableRows::isCut(const std::vector<std::string_view> &cells) const
+{
+    return cells.size() < m_table.columns.columns;
 }
 
 /// nullopt in the value: the row is passed over.

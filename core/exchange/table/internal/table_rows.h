@@ -20,6 +20,8 @@ public:
     TableRows(RawTable table, NumberStyle style, char delimiter, const TrackReading &reading,
               const std::filesystem::path &file);
     Result<void> add(const std::vector<std::string_view> &cells, int line);
+    /// Whether a row has fewer cells than the header, as where a program was stopped while it wrote.
+    bool isCut(const std::vector<std::string_view> &cells) const;
     /// Refuses more rows without a time than a few.
     Result<RawTable> finish(int lastLine);
 

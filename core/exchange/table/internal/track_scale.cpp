@@ -186,20 +186,26 @@ Result<double> unitsPerMetre(const RawTrack &track, TrackFormat format, const st
     if (track.columns.x.unit)
         return perSaid;
     const bool isOfFormat = said || format == TrackFormat::Tum || format == TrackFormat::Kitti;
-    if (isOfFormat ? speed <= fastVehicle : isPlausible(speed, floor))
+    if (isOfFormat && speed <= fastVehicle)
         return 1.0;
+    if (!isOfFormat && isPlausible(speed, floor)) {
+        how.facts.push_back(
+            ODO_TEXT("exchange.positions_as_metres", "its positions have no unit and were read as metres"));
+        return 1.0;
+    }
     const auto likely = likelyUnit(speed, floor);
-    return how.wrong(
-        track.lines.front(),
-        speed > fastRobot ? ODO_TEXT("exchange.too_fast_in_metres",
-                                     "its positions have no unit, and in metres the robot would drive at %1")(
-                                quantity(speed, 0, "m/s"))
-                          : ODO_TEXT("exchange.too_wide_in_metres",
-                                     "its positions have no unit, and in metres the floor would be %1 wide")(
-                                quantity(floor, 0, "m")),
-        likely ? ODO_TEXT("exchange.choose_likely_unit",
-                          "choose their unit: m, cm, mm or px; %1 is likely")(std::string(wordOf(*likely)))
-               : ODO_TEXT("exchange.choose_unit", "choose their unit: m, cm, mm or px"));
+    return how.wrong(track.lines.front(),
+                     speed > fastRobot
+                         ? ODO_TEXT("exchange.too_fast_in_metres",
+                                    "its positions have no unit, and in metres the robot would drive at %1")(
+                               quantity(speed, 0, "m/s"))
+                         : ODO_TEXT("exchange.too_wide_in_metres",
+                                    "its positions have no unit, and in metres the floor would be %1 wide")(
+                               quantity(floor, 0, "m")),
+                     likely ? ODO_TEXT("exchange.choose_likely_unit",
+                                       "choose their unit: m, cm, mm, in, ft or px; %1 is likely")(
+                                  std::string(wordOf(*likely)))
+                            : ODO_TEXT("exchange.choose_unit", "choose their unit: m, cm, mm, in, ft or px"));
 }
 
 } // namespace odo

@@ -6,6 +6,7 @@
 #include "core/exchange/table/internal/table_reader.h"
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <cmath>
 
@@ -24,7 +25,7 @@ std::optional<TimeUnit> unitSince1970(long double stamp)
     constexpr long double from = 9e8, to = 4.2e9; // 1998 to 2103
     for (const TimeUnit unit :
          {TimeUnit::Second, TimeUnit::Millisecond, TimeUnit::Microsecond, TimeUnit::Nanosecond}) {
-        const long double seconds = stamp / perSecond(unit);
+        const long double seconds = stamp * nanosecondsPer(unit) / nanosecondsPer(TimeUnit::Second);
         if (seconds > from && seconds < to)
             return unit;
     }
@@ -49,7 +50,8 @@ bool areWhole(const std::vector<long double> &stamps)
 Message chooseTimeUnit(TimeUnit likely)
 {
     return ODO_TEXT("exchange.choose_time_unit",
-                    "choose their unit: s, ms, us, ns or frame; %1 is likely")(std::string(wordOf(likely)));
+                    "choose their unit: s, ms, us, ns, min, h, d or frame; %1 is likely")(
+        std::string(wordOf(likely)));
 }
 
 constexpr double fewFrames = 5; // from row to row: no milliseconds
@@ -65,10 +67,30 @@ TimeUnit likelyUnit(double step, bool isWhole)
                             : TimeUnit::Nanosecond;
 }
 
+/// The unit, longer than a second, that makes such steps plausible.
+TimeUnit likelyLongUnit(double step)
+{
+    constexpr double leastS = 0.005, minuteS = 60, hourS = 3600;
+    return step * minuteS >= leastS ? TimeUnit::Minute
+           : step * hourS >= leastS ? TimeUnit::Hour
+                                    : TimeUnit::Day;
+}
+
+/// A spreadsheet's times are days since the end of 1899.
+bool areSheetDays(const RawTrack &track)
+{
+    constexpr long double from = 29'000, to = 74'000; // 1979 to 2102
+    constexpr double most = 10.0 / 86400;             // days from row to row
+    const double step = medianStep(track.stamps);
+    return track.size() >= enoughRows && step > 0 && step < most && track.stamps.front() > from &&
+           track.stamps.back() < to && !areWhole(track.stamps);
+}
+
 /// Seconds, where rows are then as far apart as those of a robot's track; isSaid: the header says seconds.
 Result<TimeUnit> secondsOr(const RawTrack &track, bool isSaid, const Understanding &how)
 {
-    constexpr double least = 1e-4, most = 1, mostIfSaid = 5; // seconds from row to row
+    // Seconds from row to row: a thousand rows a second are a quick log, more are minutes or days.
+    constexpr double least = 9e-4, most = 1, mostIfSaid = 5;
     const double step = medianStep(track.stamps);
     if (track.size() < enoughRows || step == 0 ||
         (step < (isSaid ? mostIfSaid : most) && (isSaid || step >= least)))
@@ -77,12 +99,11 @@ Result<TimeUnit> secondsOr(const RawTrack &track, bool isSaid, const Understandi
     if (how.reading.rate && step < fewFrames && isWhole)
         return TimeUnit::Frame;
     if (step < least)
-        return how.wrong(
-            track.lines.front(),
-            ODO_TEXT("exchange.time_steps_too_short",
-                     "its times have no unit, and as seconds the rows would be %1 apart")(
-                quantity(step * 1e9, 0, "ns")),
-            ODO_TEXT("exchange.choose_a_time_unit", "choose their unit: s, ms, us, ns or frame"));
+        return how.wrong(track.lines.front(),
+                         ODO_TEXT("exchange.time_steps_too_short",
+                                  "its times have no unit, and as seconds the rows would be %1 apart")(
+                             quantity(step * 1e6, step < 1e-6 ? 3 : 0, "µs")),
+                         chooseTimeUnit(likelyLongUnit(step)));
     const double lasts = static_cast<double>(track.stamps.back() - track.stamps.front());
     return how.wrong(track.lines.front(),
                      ODO_TEXT("exchange.time_steps_too_long",
@@ -93,6 +114,8 @@ Result<TimeUnit> secondsOr(const RawTrack &track, bool isSaid, const Understandi
 
 Result<TimeUnit> unitOf(const RawTrack &track, const RawTable &table, Understanding &how)
 {
+    if (track.stampKind == Stamp::Kind::Timecode)
+        return TimeUnit::Frame;
     if (track.stampKind != Stamp::Kind::Number)
         return TimeUnit::Second;
     if (!table.columns.time)
@@ -104,6 +127,10 @@ Result<TimeUnit> unitOf(const RawTrack &track, const RawTable &table, Understand
         return *said;
     if (track.stamps.empty())
         return TimeUnit::Second;
+    if (!said && areSheetDays(track)) {
+        how.facts.push_back(ODO_TEXT("exchange.times_in_days", "times in days, as spreadsheets write them"));
+        return TimeUnit::Day;
+    }
     if (const auto unit = said ? std::nullopt : unitSince1970(track.stamps[track.size() / 2])) {
         if (*unit != TimeUnit::Second)
             how.facts.push_back(
@@ -126,14 +153,44 @@ void passMidnight(RawTrack &track)
     }
 }
 
+/// What "0:00:03:24" counts behind the seconds: the frames of each of them, where it takes all values from 0
+/// to the last, as video programs write it; else hundredths, as Kinovea does. Then the stamps are seconds.
+Result<void> readTimecodes(RawTrack &track, const Understanding &how)
+{
+    constexpr int mostFrames = 60;
+    constexpr std::size_t leastFrames = 8;
+    std::array<bool, 100> isThere{};
+    std::vector<std::pair<long double, int>> parts;
+    for (const long double stamp : track.stamps) {
+        const long double seconds = std::floor(stamp + 1e-6L);
+        parts.emplace_back(seconds, static_cast<int>(std::lround((stamp - seconds) * 100)));
+        isThere[static_cast<std::size_t>(std::clamp(parts.back().second, 0, 99))] = true;
+    }
+    const auto last = std::ranges::find(isThere.rbegin(), isThere.rend(), true);
+    const auto count = static_cast<std::size_t>(isThere.rend() - last);
+    const auto values = static_cast<std::size_t>(std::ranges::count(isThere, true));
+    if (count > mostFrames || values < leastFrames || 10 * values < 9 * count) {
+        track.stampKind = Stamp::Kind::Clock;
+        return {};
+    }
+    const auto perSecond = static_cast<long double>(std::round(how.reading.rate.value_or(0)));
+    if (perSecond < static_cast<long double>(count))
+        return how.wrong(track.lines.front(),
+                         ODO_TEXT("exchange.timecode_without_rate",
+                                  "the last part of its times counts frames, up to %1 a second")(count),
+                         ODO_TEXT("exchange.give_rate", "give the frame rate of the camera"));
+    for (std::size_t i = 0; i < track.size(); ++i)
+        track.stamps[i] = parts[i].first * perSecond + parts[i].second;
+    return {};
+}
+
 Result<std::vector<Nanoseconds>> converted(RawTrack &track, TimeUnit unit, const Understanding &how)
 {
     if (unit == TimeUnit::Frame && !how.reading.rate)
         return how.wrong(track.lines.empty() ? 0 : track.lines.front(),
                          ODO_TEXT("exchange.frames_without_rate", "it has frame numbers in place of times"),
                          ODO_TEXT("exchange.give_rate", "give the frame rate of the camera"));
-    const long double perUnit =
-        unit == TimeUnit::Frame ? 1e9L / *how.reading.rate : 1e9L / static_cast<long double>(perSecond(unit));
+    const long double perUnit = unit == TimeUnit::Frame ? 1e9L / *how.reading.rate : nanosecondsPer(unit);
     std::vector<Nanoseconds> times;
     times.reserve(track.size());
     for (std::size_t i = 0; i < track.size(); ++i) {
@@ -281,6 +338,8 @@ Result<void> unround(RawTrack &track, std::vector<Nanoseconds> &times, Understan
 
 Result<std::vector<Nanoseconds>> timesOf(RawTrack &track, const RawTable &table, Understanding &how)
 {
+    if (track.stampKind == Stamp::Kind::Timecode)
+        ODO_TRY(readTimecodes(track, how));
     if (track.stampKind == Stamp::Kind::Clock)
         passMidnight(track);
     takeOutUnset(track, how);
