@@ -11,9 +11,9 @@ namespace odo {
 
 namespace {
 
-constexpr std::size_t mostRates = 61, mostSettled = 6, mostSharpened = 6;
-constexpr double sharpenedBehind = 25;  ///< the likeliest
-constexpr double rateApartFrames = 1.5; ///< over the whole time
+constexpr std::size_t mostRates = 61, mostSettled = 6, mostMoved = 6;
+constexpr double againstMoved = 3, movedBehind = 25; ///< the likeliest
+constexpr double rateApartFrames = 1.5;              ///< over the whole time
 
 /// Rates from −2 to 2 %, no further apart than the tracks can tell, then those of wrong labels.
 std::vector<double> ratesToTry(double spanS, double frameS)
@@ -48,21 +48,25 @@ void rank(std::vector<ClockHypothesis> &all, double frameS)
         most = std::max(most, one.clocks.pairs);
     for (ClockHypothesis &one : all)
         one.likelihood = clockLikelihood(one.clocks, independent) -
-                         againstUnseenS * frameS * double(most - one.clocks.pairs);
+                         againstUnseenS * frameS * double(most - one.clocks.pairs) - one.against;
     std::sort(all.begin(), all.end(),
               [](const auto &a, const auto &b) { return a.likelihood > b.likelihood; });
 }
 
-/// Weighs relations, then those again whose steps may be better by their exact moments.
+/// Weighs relations, and beside those with steps the same with their steps at other moments: a step finder
+/// that is right to the frame goes before them unless they are clearly better.
 void settle(const std::vector<TimedPosition> &first, const std::vector<TimedPosition> &second,
             std::vector<ClockHypothesis> &all)
 {
     const double frameS = std::max(medianStepS(first), 1e-3);
     rank(all, frameS);
-    for (std::size_t i = 0; i < std::min(all.size(), mostSharpened); ++i) {
-        SteppedClocks &clocks = all[i].clocks;
-        if (clocks.steps() > 0 && all.front().likelihood - all[i].likelihood < sharpenedBehind)
-            clocks = withBestMoments(first, second, clocks, clocks.clock.rate != 0);
+    const std::size_t count = std::min(all.size(), mostMoved);
+    for (std::size_t i = 0; i < count; ++i) {
+        if (all[i].clocks.steps() == 0 || all.front().likelihood - all[i].likelihood > movedBehind)
+            continue;
+        SteppedClocks moved = all[i].clocks;
+        if (moveSteps(first, second, moved, moved.clock.rate != 0))
+            all.push_back({std::move(moved), againstMoved});
     }
     rank(all, frameS);
 }

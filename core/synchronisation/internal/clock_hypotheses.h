@@ -11,6 +11,7 @@ namespace odo {
 struct ClockHypothesis
 {
     SteppedClocks clocks = {};
+    double against = 0;    ///< it, beside what clockLikelihood knows of
     double likelihood = 0; ///< its logarithm, less what speaks against such a relation beforehand
 };
 

@@ -11,7 +11,7 @@ namespace odo {
 namespace {
 
 constexpr int mostRounds = 12, mostSweeps = 3;
-constexpr double togetherTimes = 2, betterTimes = 6; ///< the variance
+constexpr double togetherTimes = 2; ///< the variance
 /// Shorter ones are for the step finder, since here positions of both sides of a step are smoothed together.
 constexpr std::array<double, 3> movesInFrames{16, 8, 4};
 
@@ -101,14 +101,13 @@ SteppedClocks fittedSteps(const std::vector<TimedPosition> &first, const std::ve
     return clocks;
 }
 
-SteppedClocks withBestMoments(const std::vector<TimedPosition> &first,
-                              const std::vector<TimedPosition> &second, const SteppedClocks &clocks,
-                              bool withRate)
+bool moveSteps(const std::vector<TimedPosition> &first, const std::vector<TimedPosition> &second,
+               SteppedClocks &clocks, bool withRate)
 {
     SteppedClocks best = clocks;
     const double frameS = std::max({medianStepS(first), medianStepS(second), 1e-3});
     double least = costOf(first, second, best, withRate);
-    bool isMoved = true;
+    bool isAnyMoved = false, isMoved = true;
     const auto move = [&](ClockRepair SteppedClocks::*view, std::size_t k, double byS) {
         SteppedClocks moved = best;
         std::vector<ClockStep> &steps = (moved.*view).steps;
@@ -116,11 +115,11 @@ SteppedClocks withBestMoments(const std::vector<TimedPosition> &first,
         if (!std::ranges::is_sorted(steps, {}, &ClockStep::afterS))
             return;
         const double left = costOf(first, second, moved, withRate);
-        if (left > least - betterTimes * clocks.variance)
+        if (left >= least)
             return;
         least = left;
         best = std::move(moved);
-        isMoved = true;
+        isMoved = isAnyMoved = true;
     };
     for (int sweep = 0; sweep < mostSweeps && isMoved; ++sweep) {
         isMoved = false;
@@ -130,14 +129,17 @@ SteppedClocks withBestMoments(const std::vector<TimedPosition> &first,
                     for (const double byS : {-frames * frameS, frames * frameS})
                         move(view, k, byS);
     }
+    if (!isAnyMoved)
+        return false;
     std::vector<FoundStep> steps;
     for (const ClockStep &step : best.first.steps)
         steps.push_back({true, step});
     for (const ClockStep &step : best.second.steps)
         steps.push_back({false, step});
     best = fittedSteps(first, second, best.clock, steps, withRate);
-    best.pieces = clocks.pieces;
-    return best;
+    best.pieces = std::move(clocks.pieces);
+    clocks = std::move(best);
+    return true;
 }
 
 } // namespace odo

@@ -27,10 +27,9 @@ struct SteppedClocks
 SteppedClocks fittedSteps(const std::vector<TimedPosition> &first, const std::vector<TimedPosition> &second,
                           ClockGuess clock, std::vector<FoundStep> &steps, bool withRate);
 
-/// Moves the steps one by one, by 4 to 16 frames at a time, as long as clearly less remains with lengths
-/// fitted anew (coordinate descent). The pieces stay as they are. Pure.
-SteppedClocks withBestMoments(const std::vector<TimedPosition> &first,
-                              const std::vector<TimedPosition> &second, const SteppedClocks &clocks,
-                              bool withRate);
+/// Moves the steps one by one, by 4 to 16 frames at a time, as long as less remains with lengths fitted anew
+/// (coordinate descent). false: none was moved. The pieces stay as they are. Pure.
+bool moveSteps(const std::vector<TimedPosition> &first, const std::vector<TimedPosition> &second,
+               SteppedClocks &clocks, bool withRate);
 
 } // namespace odo
