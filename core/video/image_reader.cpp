@@ -5,7 +5,9 @@
 #include "core/base/shortage.h"
 #include "core/files/file_words.h"
 #include "core/files/protected_files.h"
+#include "core/video/internal/header_number.h"
 #include "core/video/internal/stream_format.h"
+#include "core/video/internal/tiff.h"
 #include "core/video/jpeg.h"
 
 #include <algorithm>
@@ -212,9 +214,13 @@ std::optional<Frame> decode(libav::PacketPtr file, const ImageHeader &header)
         return decodeJpeg(std::move(file), header);
     case ImageFormat::Bmp:
         return decodeBmp(std::move(file));
+    case ImageFormat::Tiff:
+        keepPixelTags({file->data, static_cast<std::size_t>(file->size)});
+        break;
     default:
-        return fromLibav(decodedByLibav(std::move(file), header.format));
+        break;
     }
+    return fromLibav(decodedByLibav(std::move(file), header.format));
 }
 
 Result<Frame> readImageChecked(const std::filesystem::path &file)
@@ -256,17 +262,6 @@ struct Size
     std::uint32_t width = 0, height = 0;
 };
 
-/// A number of `count` bytes at `at`; 0 where the file ends before it, which no size can be.
-std::uint32_t number(Bytes file, std::size_t at, std::size_t count, bool bigEndian)
-{
-    if (at > file.size() || count > file.size() - at)
-        return 0;
-    std::uint32_t value = 0;
-    for (std::size_t i = 0; i < count; ++i)
-        value = value << 8 | file[bigEndian ? at + i : at + count - 1 - i];
-    return value;
-}
-
 bool startsWith(Bytes file, std::string_view magic)
 {
     return std::string_view(reinterpret_cast<const char *>(file.data()), file.size()).starts_with(magic);
@@ -289,35 +284,10 @@ Size jpegSize(Bytes file)
         const bool startOfFrame =
             marker >= 0xc0 && marker <= 0xcf && marker != 0xc4 && marker != 0xc8 && marker != 0xcc;
         if (startOfFrame)
-            return {number(file, at + 7, 2, true), number(file, at + 5, 2, true)};
-        at += 2 + number(file, at + 2, 2, true);
+            return {numberAt(file, at + 7, 2, true), numberAt(file, at + 5, 2, true)};
+        at += 2 + numberAt(file, at + 2, 2, true);
     }
     return {};
-}
-
-/// The first image file directory (TIFF 6.0 §2): ImageWidth 256, ImageLength 257, TileWidth 322, TileLength
-/// 323, each of them once and SHORT or LONG. What is stated otherwise is refused: which size a decoder takes
-/// then is its choice.
-Size tiffSize(Bytes file, bool bigEndian)
-{
-    constexpr std::uint32_t tags[] = {256, 257, 322, 323}, shortNumber = 3, longNumber = 4;
-    const std::size_t directory = number(file, 4, 4, bigEndian);
-    const std::uint32_t entries = number(file, directory, 2, bigEndian);
-    std::uint32_t values[std::size(tags)] = {};
-    for (std::uint32_t i = 0; i < entries; ++i) {
-        const std::size_t entry = directory + 2 + std::size_t(12) * i;
-        const auto tag = std::ranges::find(tags, number(file, entry, 2, bigEndian));
-        if (tag == std::end(tags))
-            continue;
-        const std::uint32_t type = number(file, entry + 2, 2, bigEndian);
-        std::uint32_t &value = values[tag - std::begin(tags)];
-        if ((type != shortNumber && type != longNumber) || value != 0)
-            return {};
-        value = number(file, entry + 8, type == shortNumber ? 2 : 4, bigEndian);
-    }
-    if (values[0] == 0 || values[1] == 0)
-        return {};
-    return {std::max(values[0], values[2]), std::max(values[1], values[3])}; // tiles are decoded whole
 }
 
 /// "P5 640 480 255", with comments from # to the end of a line. The magic and each number end with white
@@ -343,9 +313,14 @@ Size pnmSize(Bytes file)
 /// Rows from the top have a negative height.
 Size bmpSize(Bytes file)
 {
-    const auto height = static_cast<std::int32_t>(number(file, 22, 4, false));
-    return {number(file, 18, 4, false),
+    const auto height = static_cast<std::int32_t>(numberAt(file, 22, 4, false));
+    return {numberAt(file, 18, 4, false),
             static_cast<std::uint32_t>(height < 0 ? -std::int64_t(height) : height)};
+}
+
+Size sizeOf(TiffSize size)
+{
+    return {size.width, size.height};
 }
 
 ImageHeader header(ImageFormat format, Size size)
@@ -357,13 +332,13 @@ ImageHeader statedHeader(Bytes file)
 {
     using namespace std::string_view_literals;
     if (startsWith(file, "\x89PNG\r\n\x1a\n"sv))
-        return header(ImageFormat::Png, {number(file, 16, 4, true), number(file, 20, 4, true)});
+        return header(ImageFormat::Png, {numberAt(file, 16, 4, true), numberAt(file, 20, 4, true)});
     if (startsWith(file, "\xff\xd8\xff"sv))
         return header(ImageFormat::Jpeg, jpegSize(file));
     if (startsWith(file, "BM"sv))
         return header(ImageFormat::Bmp, bmpSize(file));
     if (startsWith(file, "II*\0"sv) || startsWith(file, "MM\0*"sv))
-        return header(ImageFormat::Tiff, tiffSize(file, file[0] == 'M'));
+        return header(ImageFormat::Tiff, sizeOf(tiffSize(file)));
     if (file.size() > 2 && file[0] == 'P' && file[1] >= '1' && file[1] <= '6') {
         constexpr ImageFormat formats[] = {ImageFormat::Pbm, ImageFormat::Pgm, ImageFormat::Ppm};
         return header(formats[(file[1] - '1') % 3], pnmSize(file));

@@ -31,6 +31,8 @@ private Q_SLOTS:
     void cutAnywhere();
     void aChangedByteOfAPng();
     void aTiffThatDoesNotUnpack();
+    void aTiffSaysWhoMadeIt_data();
+    void aTiffSaysWhoMadeIt();
     void refusals_data();
     void refusals();
 
@@ -66,32 +68,38 @@ QImage plainImage(QImage::Format pixels, const QColor &colour)
     return image;
 }
 
+using TiffEntry = std::array<int, 4>; ///< tag, type, count, value
+
 /// As TIFF 6.0 §6 has it: three bytes a pixel, in one strip, not compressed.
-void writeTiff(const std::filesystem::path &file, int width, int height, const QColor &colour)
+void writeTiff(const std::filesystem::path &file, int width, int height, const QColor &colour,
+               const std::vector<TiffEntry> &others = {}, bool bigEndian = false)
 {
-    QByteArray bytes("II*\0\x08\0\0\0", 8);
-    const auto number = [&bytes](int value, int count) {
+    QByteArray bytes = bigEndian ? QByteArray("MM\0*\0\0\0\x08", 8) : QByteArray("II*\0\x08\0\0\0", 8);
+    const auto number = [&](int value, int count) {
         for (int i = 0; i < count; ++i)
-            bytes.append(char(value >> 8 * i));
+            bytes.append(char(value >> 8 * (bigEndian ? count - 1 - i : i)));
     };
-    constexpr int entries = 9, shortNumber = 3, longNumber = 4, bitsAt = 10 + 12 * entries + 4,
-                  pixelsAt = bitsAt + 6;
+    const int count = 9 + int(others.size());
+    constexpr int shortNumber = 3, longNumber = 4;
+    const int bitsAt = 10 + 12 * count + 4, pixelsAt = bitsAt + 6;
     const int pixelBytes = 3 * width * height;
-    number(entries, 2);
-    for (const auto &[tag, type, count, value] :
-         std::initializer_list<std::array<int, 4>>{{256, longNumber, 1, width},
-                                                   {257, longNumber, 1, height},
-                                                   {258, shortNumber, 3, bitsAt},
-                                                   {259, shortNumber, 1, 1},
-                                                   {262, shortNumber, 1, 2},
-                                                   {273, longNumber, 1, pixelsAt},
-                                                   {277, shortNumber, 1, 3},
-                                                   {278, longNumber, 1, height},
-                                                   {279, longNumber, 1, pixelBytes}}) {
+    std::vector<TiffEntry> entries{
+        {256, longNumber, 1, width}, {257, longNumber, 1, height}, {258, shortNumber, 3, bitsAt},
+        {259, shortNumber, 1, 1},    {262, shortNumber, 1, 2},     {273, longNumber, 1, pixelsAt},
+        {277, shortNumber, 1, 3},    {278, longNumber, 1, height}, {279, longNumber, 1, pixelBytes}};
+    entries.insert(entries.end(), others.begin(), others.end());
+    std::ranges::sort(entries);
+    number(count, 2);
+    for (const auto &[tag, type, values, value] : entries) {
         number(tag, 2);
         number(type, 2);
-        number(count, 4);
-        number(value, 4);
+        number(values, 4);
+        if (type == shortNumber && values == 1) {
+            number(value, 2);
+            number(0, 2);
+        } else {
+            number(value, 4);
+        }
     }
     number(0, 4); // no further picture
     for (int colours = 0; colours < 3; ++colours)
@@ -108,6 +116,48 @@ std::vector<unsigned char> contentOf(const std::filesystem::path &file)
 }
 
 } // namespace
+
+void TestImageReader::aTiffSaysWhoMadeIt_data()
+{
+    QTest::addColumn<std::vector<std::array<int, 4>>>("others");
+    QTest::addColumn<bool>("bigEndian");
+    constexpr int text = 2, shortNumber = 3, longNumber = 4, fraction = 5;
+    const TiffEntry orientation{274, shortNumber, 1, 1}, inches{296, shortNumber, 1, 2},
+        maker{305, text, 4, 0x4d4d}, page{297, shortNumber, 2, 1}, across{282, fraction, 1, 8},
+        down{283, fraction, 1, 8};
+    QTest::newRow("ImageMagick") << std::vector{orientation, page} << false;
+    QTest::newRow("MATLAB") << std::vector{TiffEntry{254, longNumber, 1, 0}, across, down, inches, maker}
+                            << false;
+    QTest::newRow("OpenCV") << std::vector{orientation, TiffEntry{339, shortNumber, 1, 1}} << false;
+    QTest::newRow("camera") << std::vector{orientation,
+                                           across,
+                                           down,
+                                           inches,
+                                           maker,
+                                           TiffEntry{306, text, 20, 8},
+                                           TiffEntry{34665, longNumber, 1, 8}}
+                            << true;
+    QTest::newRow("GIMP") << std::vector{TiffEntry{270, text, 4, 0x41}, TiffEntry{700, 1, 4, 8}} << true;
+}
+
+/// libavcodec takes tags that it does not know for damage when it is to report some.
+void TestImageReader::aTiffSaysWhoMadeIt()
+{
+    QFETCH(std::vector<TiffEntry>, others);
+    QFETCH(bool, bigEndian);
+    const auto plain = path("plain.tiff"), described = path("described.tiff");
+    writeTiff(plain, 33, 17, QColor(215, 35, 40));
+    writeTiff(described, 33, 17, QColor(215, 35, 40), others, bigEndian);
+    const auto expected = readImage(plain), frame = readImage(described);
+    QVERIFY2(expected && frame, frame ? "" : frame.error().message().c_str());
+    QVERIFY(hasSameLuma(*frame, *expected));
+    // damage is still told
+    std::vector<unsigned char> cut = contentOf(described);
+    cut.resize(cut.size() - 100);
+    std::ofstream(described, std::ios::binary)
+        .write(reinterpret_cast<const char *>(cut.data()), std::streamsize(cut.size()));
+    QVERIFY(!readImage(described));
+}
 
 void TestImageReader::readsPictures_data()
 {

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+namespace odo {
+
+/// A number of `count` bytes at `at`; 0 where the file ends before it, which no size can be.
+inline std::uint32_t numberAt(std::span<const std::uint8_t> file, std::size_t at, std::size_t count,
+                              bool bigEndian)
+{
+    if (at > file.size() || count > file.size() - at)
+        return 0;
+    std::uint32_t value = 0;
+    for (std::size_t i = 0; i < count; ++i)
+        value = value << 8 | file[bigEndian ? at + i : at + count - 1 - i];
+    return value;
+}
+
+} // namespace odo
