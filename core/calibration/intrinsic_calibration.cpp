@@ -170,10 +170,7 @@ void judge(CalibrationImage &image, const CameraModel &camera, const RigidTransf
 
 std::optional<RigidTransform> poseOf(const BoardView &view, const CameraModel &camera)
 {
-    std::vector<PointPair> pairs;
-    for (std::size_t i = 0; i < view.pixels.size(); ++i)
-        pairs.push_back({view.pointsOnBoard[i], view.pixels[i], {}});
-    const auto pose = fitPlanePose(pairs, camera, FocalLength::Known);
+    const auto pose = fitPlanePose(pairsOf(view), camera, FocalLength::Known);
     return pose ? std::optional(pose->worldFromCamera.inverse()) : std::nullopt;
 }
 

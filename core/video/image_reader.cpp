@@ -257,11 +257,6 @@ Result<Frame> readImage(const std::filesystem::path &file)
 
 namespace {
 
-struct Size
-{
-    std::uint32_t width = 0, height = 0;
-};
-
 bool startsWith(Bytes file, std::string_view magic)
 {
     return std::string_view(reinterpret_cast<const char *>(file.data()), file.size()).starts_with(magic);
@@ -269,7 +264,7 @@ bool startsWith(Bytes file, std::string_view magic)
 
 /// Walks the segments up to the first start of frame (ITU-T T.81 §B.1). A stuffed zero (ff 00) is no marker:
 /// a decoder would search for the next one among the bytes that it would cover as a segment.
-Size jpegSize(Bytes file)
+StatedSize jpegSize(Bytes file)
 {
     std::size_t at = 2;
     while (at + 9 < file.size()) {
@@ -292,7 +287,7 @@ Size jpegSize(Bytes file)
 
 /// "P5 640 480 255", with comments from # to the end of a line. The magic and each number end with white
 /// space (the Netpbm formats' own rule): where they do not, decoders disagree on what is a comment.
-Size pnmSize(Bytes file)
+StatedSize pnmSize(Bytes file)
 {
     std::uint32_t numbers[2] = {};
     std::size_t at = 2;
@@ -307,23 +302,18 @@ Size pnmSize(Bytes file)
         for (int digits = 0; at < file.size() && std::isdigit(file[at]) != 0 && digits < 9; ++at, ++digits)
             value = value * 10 + (file[at] - '0');
     }
-    return isSpace() ? Size{numbers[0], numbers[1]} : Size{};
+    return isSpace() ? StatedSize{numbers[0], numbers[1]} : StatedSize{};
 }
 
 /// Rows from the top have a negative height.
-Size bmpSize(Bytes file)
+StatedSize bmpSize(Bytes file)
 {
     const auto height = static_cast<std::int32_t>(numberAt(file, 22, 4, false));
     return {numberAt(file, 18, 4, false),
             static_cast<std::uint32_t>(height < 0 ? -std::int64_t(height) : height)};
 }
 
-Size sizeOf(TiffSize size)
-{
-    return {size.width, size.height};
-}
-
-ImageHeader header(ImageFormat format, Size size)
+ImageHeader header(ImageFormat format, StatedSize size)
 {
     return {format, size.width, size.height};
 }
@@ -338,7 +328,7 @@ ImageHeader statedHeader(Bytes file)
     if (startsWith(file, "BM"sv))
         return header(ImageFormat::Bmp, bmpSize(file));
     if (startsWith(file, "II*\0"sv) || startsWith(file, "MM\0*"sv))
-        return header(ImageFormat::Tiff, sizeOf(tiffSize(file)));
+        return header(ImageFormat::Tiff, tiffSize(file));
     if (file.size() > 2 && file[0] == 'P' && file[1] >= '1' && file[1] <= '6') {
         constexpr ImageFormat formats[] = {ImageFormat::Pbm, ImageFormat::Pgm, ImageFormat::Ppm};
         return header(formats[(file[1] - '1') % 3], pnmSize(file));

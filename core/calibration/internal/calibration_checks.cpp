@@ -29,9 +29,7 @@ std::optional<LensFit> fitHalf(const std::vector<BoardView> &views, const LensFi
 /// no pose.
 double meanSquares(const BoardView &view, const CameraModel &camera, const RigidTransform &cameraFromBoard)
 {
-    std::vector<PointPair> pairs;
-    for (std::size_t i = 0; i < view.pixels.size(); ++i)
-        pairs.push_back({view.pointsOnBoard[i], view.pixels[i], {}});
+    const std::vector<PointPair> pairs = pairsOf(view);
     if (const auto near = refinePlanePose(pairs, camera, FocalLength::Known, cameraFromBoard.inverse()))
         return near->rmsPx * near->rmsPx;
     const auto pose = fitPlanePose(pairs, camera, FocalLength::Known);
@@ -151,9 +149,7 @@ std::vector<OwnFocal> ownFocals(const std::vector<BoardView> &views, const LensF
     const auto camera = CameraModel::create(fit.intrinsics);
     squares = 0;
     for (std::size_t view = 0; view < views.size(); ++view) {
-        std::vector<PointPair> pairs;
-        for (std::size_t i = 0; i < views[view].pixels.size(); ++i)
-            pairs.push_back({views[view].pointsOnBoard[i], views[view].pixels[i], {}});
+        const std::vector<PointPair> pairs = pairsOf(views[view]);
         const auto pose = fitPlanePose(pairs, *camera, FocalLength::Free);
         if (!pose || !pose->focalSigmaPx) {
             squares += fit.imageSquares[view];

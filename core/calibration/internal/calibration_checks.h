@@ -20,8 +20,8 @@ struct HeldOut
     double focalDifference() const;       ///< relative
 };
 
-/// all: the fit to all views, from which the halves are started. nullopt under six views, where a half led
-/// nowhere, and when cancelled.
+/// all: the fit to all views, from which the halves are started; options: of their fits. nullopt under six
+/// views, where a half led nowhere, and when cancelled.
 std::optional<HeldOut> holdOut(const std::vector<BoardView> &views, const LensFit &all,
                                const LensFitOptions &options, const JobControl &control);
 

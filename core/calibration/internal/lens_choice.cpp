@@ -85,10 +85,7 @@ std::vector<std::vector<std::size_t>> groupsOf(const BoardView &view, std::vecto
 double restPx(const BoardView &view, const std::vector<std::size_t> &marks, const Intrinsics &lens,
               const RigidTransform &cameraFromBoard)
 {
-    std::vector<PointPair> pairs;
-    for (std::size_t i = 0; i < view.pixels.size(); ++i)
-        if (!std::ranges::binary_search(marks, i))
-            pairs.push_back({view.pointsOnBoard[i], view.pixels[i], {}});
+    const std::vector<PointPair> pairs = pairsOf(withoutCorners({view}, {marks}).front());
     const auto camera = CameraModel::create(lens);
     const auto pose = camera ? refinePlanePose(pairs, *camera, FocalLength::Known, cameraFromBoard.inverse())
                              : std::nullopt;

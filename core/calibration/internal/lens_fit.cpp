@@ -200,6 +200,14 @@ std::optional<LensFit> fitWith(const std::vector<BoardView> &views, const LensSt
 
 } // namespace
 
+std::vector<PointPair> pairsOf(const BoardView &view)
+{
+    std::vector<PointPair> pairs;
+    for (std::size_t i = 0; i < view.pixels.size(); ++i)
+        pairs.push_back({view.pointsOnBoard[i], view.pixels[i], {}});
+    return pairs;
+}
+
 double LensFit::rmsPx() const
 {
     std::size_t count = 0;
@@ -242,14 +250,6 @@ using Eigen::Vector2d;
 using Eigen::Vector3d;
 
 constexpr std::size_t viewsForFocal = 8;
-
-std::vector<PointPair> pairsOf(const BoardView &view)
-{
-    std::vector<PointPair> pairs;
-    for (std::size_t i = 0; i < view.pixels.size(); ++i)
-        pairs.push_back({view.pointsOnBoard[i], view.pixels[i], {}});
-    return pairs;
-}
 
 CameraModel cameraOf(int widthPx, int heightPx, LensModel model, double focalPx)
 {

@@ -5,11 +5,15 @@
 #include "core/calibration/board_detection.h"
 #include "core/geometry/camera_model.h"
 #include "core/geometry/floor_view.h"
+#include "core/geometry/homography.h"
 
 #include <optional>
 #include <vector>
 
 namespace odo {
+
+/// The corners of a view: on the board, and their pixels.
+std::vector<PointPair> pairsOf(const BoardView &view);
 
 /// One lens and a pose for each image that together explain the corners seen.
 struct LensFit

@@ -7,6 +7,12 @@
 
 namespace odo {
 
+/// Of an image, by its header; 0: not stated, or in two ways.
+struct StatedSize
+{
+    std::uint32_t width = 0, height = 0;
+};
+
 /// A number of `count` bytes at `at`; 0 where the file ends before it, which no size can be.
 inline std::uint32_t numberAt(std::span<const std::uint8_t> file, std::size_t at, std::size_t count,
                               bool bigEndian)

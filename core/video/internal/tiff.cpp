@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/video/internal/tiff.h"
 
-#include "core/video/internal/header_number.h"
-
 #include <algorithm>
 #include <iterator>
 
@@ -23,7 +21,7 @@ constexpr std::uint32_t pixelTags[] = {256, 257, 258, 259, 262, 266, 273, 277, 2
 
 } // namespace
 
-TiffSize tiffSize(std::span<const std::uint8_t> file)
+StatedSize tiffSize(std::span<const std::uint8_t> file)
 {
     const bool bigEndian = isBigEndian(file);
     constexpr std::uint32_t tags[] = {256, 257, 322, 323}, shortNumber = 3, longNumber = 4;
