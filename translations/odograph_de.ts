@@ -3854,6 +3854,13 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
 </context>
 <context>
+    <name>calibration.centre_is_off</name>
+    <message>
+        <source>The optical centre is %1 off the image&apos;s middle</source>
+        <translation>Die optische Mitte liegt %1 neben der Bildmitte</translation>
+    </message>
+</context>
+<context>
     <name>calibration.check_all</name>
     <message>
         <source>check the layout, the labels and the intrinsics</source>
@@ -4061,6 +4068,13 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>its corners do not match a flat board</source>
         <translation>die Ecken liegen nicht wie auf einer flachen Tafel</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.corners_nowhere_near</name>
+    <message>
+        <source>its corners are %1 from where the other images predict them, theirs %2</source>
+        <translation>seine Ecken liegen %1 neben der Vorhersage der anderen Bilder, deren eigene %2</translation>
     </message>
 </context>
 <context>
@@ -4281,6 +4295,13 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
 </context>
 <context>
+    <name>calibration.focal_lengths_differ</name>
+    <message>
+        <source>The focal lengths across and down differ by %1</source>
+        <translation>Die Brennweiten waagrecht und senkrecht unterscheiden sich um %1</translation>
+    </message>
+</context>
+<context>
     <name>calibration.focus_or_light</name>
     <message>
         <source>focus the camera, or give more light</source>
@@ -4463,6 +4484,20 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
 </context>
 <context>
+    <name>calibration.image_and_reason</name>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.image_may_be_cropped</name>
+    <message>
+        <source>if these images were cropped, the videos must be cropped alike</source>
+        <translation>wurden diese Bilder beschnitten, so müssen es die Videos ebenso sein</translation>
+    </message>
+</context>
+<context>
     <name>calibration.image_mirrored</name>
     <message>
         <source>mirrored left to right they fit to %1: is the image mirrored?</source>
@@ -4474,6 +4509,20 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>1 of %1 images shows the board in the same position as another one, and each position counts once</source>
         <translation>1 von %1 Bildern zeigt die Tafel an derselben Stelle wie ein anderes, und jede Stelle zählt einmal</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.images_left_out</name>
+    <message>
+        <source>Left out: %1.</source>
+        <translation>Weggelassen: %1.</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.images_left_out_among</name>
+    <message>
+        <source>%1 images were left out, among them %2.</source>
+        <translation>%1 Bilder wurden weggelassen, darunter %2.</translation>
     </message>
 </context>
 <context>
@@ -4684,6 +4733,13 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>its numbers look like %1, with the camera %2 above the floor</source>
         <translation>die Zahlen sehen nach %1 aus, dann stünde sie %2 über dem Boden</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.longer</name>
+    <message>
+        <source>longer</source>
+        <translation>länger</translation>
     </message>
 </context>
 <context>
@@ -5170,6 +5226,20 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
 </context>
 <context>
+    <name>calibration.of_other_camera</name>
+    <message>
+        <source>it is of another camera, zoom or focus</source>
+        <translation>es stammt von einer anderen Kamera oder einem anderen Zoom oder Fokus</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.other_focal_length</name>
+    <message>
+        <source>it gives a focal length of %1, the other images %2</source>
+        <translation>es ergibt eine Brennweite von %1, die anderen Bilder %2</translation>
+    </message>
+</context>
+<context>
     <name>calibration.other_picking_size</name>
     <message>
         <source>at %1 they fit to %2: were they picked at that size?</source>
@@ -5188,6 +5258,13 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>with a focal length of %1 instead of %2 they fit to %3: has the zoom or the lens changed?</source>
         <translation>mit einer Brennweite von %1 statt %2 passen sie auf %3: Wurde der Zoom oder das Objektiv geändert?</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.others_undetermined</name>
+    <message>
+        <source>the images do not determine any other model</source>
+        <translation>die Bilder bestimmen kein anderes Modell</translation>
     </message>
 </context>
 <context>
@@ -5244,6 +5321,13 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>%1 images fit to %2, focal length %3 ± %4, halves at most %5 apart on that floor</source>
         <translation>%1 Bilder passen auf %2, Brennweite %3 ± %4, auf diesem Boden höchstens %5 auseinander</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.pixels_not_square</name>
+    <message>
+        <source>the camera&apos;s pixels are not square, or its images were rescaled</source>
+        <translation>die Pixel der Kamera sind nicht quadratisch, oder ihre Bilder wurden skaliert</translation>
     </message>
 </context>
 <context>
@@ -5443,6 +5527,34 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
 </context>
 <context>
+    <name>calibration.print_is_bent</name>
+    <message>
+        <source>The board is not flat, it bulges by %1: glue it onto something stiff.</source>
+        <translation>Die Tafel ist nicht eben, sie wölbt sich um %1: Kleben Sie sie auf etwas Steifes.</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.print_is_stretched</name>
+    <message>
+        <source>The print&apos;s squares are %1 %2 from row to row than from column to column: measure the squares in both directions.</source>
+        <translation>Die Felder des Drucks sind von Zeile zu Zeile %1 %2 als von Spalte zu Spalte: Messen Sie die Felder in beiden Richtungen.</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.print_may_be_stretched</name>
+    <message>
+        <source>measure the squares of the print in both directions, for it may be stretched, and take images with the board turned by 90 degrees</source>
+        <translation>messen Sie die Felder des Drucks in beiden Richtungen, denn er kann verzerrt sein, und machen Sie Bilder mit um 90 Grad gedrehter Tafel</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.print_was_heeded</name>
+    <message>
+        <source>The calibration allows for this.</source>
+        <translation>Die Kalibrierung berücksichtigt das.</translation>
+    </message>
+</context>
+<context>
     <name>calibration.put_marker_back</name>
     <message>
         <source>move it back, or measure the markers again and register all cameras.</source>
@@ -5601,6 +5713,13 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>%1 given</source>
         <translation>es gibt %1</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.shorter</name>
+    <message>
+        <source>shorter</source>
+        <translation>kürzer</translation>
     </message>
 </context>
 <context>
@@ -6007,6 +6126,20 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>cannot determine whether %1 has moved</source>
         <translation>ob sich %1 bewegt hat, ist nicht zu sagen</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.without_it_centre</name>
+    <message>
+        <source>Check %1: without it the optical centre moves by %2.</source>
+        <translation>Sehen Sie %1 an: Ohne dieses Bild verschiebt sich die optische Mitte um %2.</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.without_it_focal</name>
+    <message>
+        <source>Check %1: without it the focal length changes by %2.</source>
+        <translation>Sehen Sie %1 an: Ohne dieses Bild ändert sich die Brennweite um %2.</translation>
     </message>
 </context>
 <context>

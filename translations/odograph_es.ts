@@ -3854,6 +3854,13 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     </message>
 </context>
 <context>
+    <name>calibration.centre_is_off</name>
+    <message>
+        <source>The optical centre is %1 off the image&apos;s middle</source>
+        <translation>El centro óptico está a %1 del centro de la imagen</translation>
+    </message>
+</context>
+<context>
     <name>calibration.check_all</name>
     <message>
         <source>check the layout, the labels and the intrinsics</source>
@@ -4061,6 +4068,13 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <message>
         <source>its corners do not match a flat board</source>
         <translation>sus esquinas no están como en un tablero plano</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.corners_nowhere_near</name>
+    <message>
+        <source>its corners are %1 from where the other images predict them, theirs %2</source>
+        <translation>sus esquinas están a %1 de donde las predicen las demás imágenes; las de estas, a %2</translation>
     </message>
 </context>
 <context>
@@ -4281,6 +4295,13 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     </message>
 </context>
 <context>
+    <name>calibration.focal_lengths_differ</name>
+    <message>
+        <source>The focal lengths across and down differ by %1</source>
+        <translation>Las distancias focales horizontal y vertical difieren en un %1</translation>
+    </message>
+</context>
+<context>
     <name>calibration.focus_or_light</name>
     <message>
         <source>focus the camera, or give more light</source>
@@ -4463,6 +4484,20 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     </message>
 </context>
 <context>
+    <name>calibration.image_and_reason</name>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.image_may_be_cropped</name>
+    <message>
+        <source>if these images were cropped, the videos must be cropped alike</source>
+        <translation>si estas imágenes se recortaron, los vídeos deben recortarse igual</translation>
+    </message>
+</context>
+<context>
     <name>calibration.image_mirrored</name>
     <message>
         <source>mirrored left to right they fit to %1: is the image mirrored?</source>
@@ -4474,6 +4509,20 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <message>
         <source>1 of %1 images shows the board in the same position as another one, and each position counts once</source>
         <translation>1 de %1 imágenes muestra el tablero en la misma posición que otra, y cada posición cuenta una vez</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.images_left_out</name>
+    <message>
+        <source>Left out: %1.</source>
+        <translation>Descartadas: %1.</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.images_left_out_among</name>
+    <message>
+        <source>%1 images were left out, among them %2.</source>
+        <translation>Se descartaron %1 imágenes, entre ellas %2.</translation>
     </message>
 </context>
 <context>
@@ -4684,6 +4733,13 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <message>
         <source>its numbers look like %1, with the camera %2 above the floor</source>
         <translation>sus números parecen %1, y entonces estaría a %2 sobre el suelo</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.longer</name>
+    <message>
+        <source>longer</source>
+        <translation>más largos</translation>
     </message>
 </context>
 <context>
@@ -5170,6 +5226,20 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     </message>
 </context>
 <context>
+    <name>calibration.of_other_camera</name>
+    <message>
+        <source>it is of another camera, zoom or focus</source>
+        <translation>es de otra cámara, otro zoom u otro enfoque</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.other_focal_length</name>
+    <message>
+        <source>it gives a focal length of %1, the other images %2</source>
+        <translation>da una distancia focal de %1; las demás imágenes, %2</translation>
+    </message>
+</context>
+<context>
     <name>calibration.other_picking_size</name>
     <message>
         <source>at %1 they fit to %2: were they picked at that size?</source>
@@ -5188,6 +5258,13 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <message>
         <source>with a focal length of %1 instead of %2 they fit to %3: has the zoom or the lens changed?</source>
         <translation>con una distancia focal de %1 en vez de %2 encajan con %3: ¿ha cambiado el zoom o el objetivo?</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.others_undetermined</name>
+    <message>
+        <source>the images do not determine any other model</source>
+        <translation>las imágenes no determinan ningún otro modelo</translation>
     </message>
 </context>
 <context>
@@ -5244,6 +5321,13 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <message>
         <source>%1 images fit to %2, focal length %3 ± %4, halves at most %5 apart on that floor</source>
         <translation>%1 imágenes se ajustan a %2, distancia focal %3 ± %4, con %5 de separación como máximo en ese suelo</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.pixels_not_square</name>
+    <message>
+        <source>the camera&apos;s pixels are not square, or its images were rescaled</source>
+        <translation>los píxeles de la cámara no son cuadrados o sus imágenes se reescalaron</translation>
     </message>
 </context>
 <context>
@@ -5443,6 +5527,34 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     </message>
 </context>
 <context>
+    <name>calibration.print_is_bent</name>
+    <message>
+        <source>The board is not flat, it bulges by %1: glue it onto something stiff.</source>
+        <translation>El tablero no es plano, se abomba %1: péguelo sobre algo rígido.</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.print_is_stretched</name>
+    <message>
+        <source>The print&apos;s squares are %1 %2 from row to row than from column to column: measure the squares in both directions.</source>
+        <translation>Los cuadros de la impresión son un %1 %2 de fila a fila que de columna a columna: mida los cuadros en ambas direcciones.</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.print_may_be_stretched</name>
+    <message>
+        <source>measure the squares of the print in both directions, for it may be stretched, and take images with the board turned by 90 degrees</source>
+        <translation>mida los cuadros de la impresión en ambas direcciones, pues puede estar estirada, y tome imágenes con el tablero girado 90 grados</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.print_was_heeded</name>
+    <message>
+        <source>The calibration allows for this.</source>
+        <translation>La calibración lo tiene en cuenta.</translation>
+    </message>
+</context>
+<context>
     <name>calibration.put_marker_back</name>
     <message>
         <source>move it back, or measure the markers again and register all cameras.</source>
@@ -5601,6 +5713,13 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <message>
         <source>%1 given</source>
         <translation>hay %1</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.shorter</name>
+    <message>
+        <source>shorter</source>
+        <translation>más cortos</translation>
     </message>
 </context>
 <context>
@@ -6007,6 +6126,20 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <message>
         <source>cannot determine whether %1 has moved</source>
         <translation>no se puede saber si %1 se ha movido</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.without_it_centre</name>
+    <message>
+        <source>Check %1: without it the optical centre moves by %2.</source>
+        <translation>Revise %1: sin ella, el centro óptico se desplaza %2.</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.without_it_focal</name>
+    <message>
+        <source>Check %1: without it the focal length changes by %2.</source>
+        <translation>Revise %1: sin ella, la distancia focal cambia en %2.</translation>
     </message>
 </context>
 <context>

@@ -3854,6 +3854,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
 </context>
 <context>
+    <name>calibration.centre_is_off</name>
+    <message>
+        <source>The optical centre is %1 off the image&apos;s middle</source>
+        <translation>Le centre optique est à %1 du milieu de l’image</translation>
+    </message>
+</context>
+<context>
     <name>calibration.check_all</name>
     <message>
         <source>check the layout, the labels and the intrinsics</source>
@@ -4061,6 +4068,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>its corners do not match a flat board</source>
         <translation>ses coins ne sont pas placés comme sur une mire plane</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.corners_nowhere_near</name>
+    <message>
+        <source>its corners are %1 from where the other images predict them, theirs %2</source>
+        <translation>ses coins sont à %1 de la prédiction des autres images, les leurs à %2</translation>
     </message>
 </context>
 <context>
@@ -4281,6 +4295,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
 </context>
 <context>
+    <name>calibration.focal_lengths_differ</name>
+    <message>
+        <source>The focal lengths across and down differ by %1</source>
+        <translation>Les distances focales horizontale et verticale diffèrent de %1</translation>
+    </message>
+</context>
+<context>
     <name>calibration.focus_or_light</name>
     <message>
         <source>focus the camera, or give more light</source>
@@ -4463,6 +4484,20 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
 </context>
 <context>
+    <name>calibration.image_and_reason</name>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.image_may_be_cropped</name>
+    <message>
+        <source>if these images were cropped, the videos must be cropped alike</source>
+        <translation>si ces images ont été recadrées, les vidéos doivent l’être de la même façon</translation>
+    </message>
+</context>
+<context>
     <name>calibration.image_mirrored</name>
     <message>
         <source>mirrored left to right they fit to %1: is the image mirrored?</source>
@@ -4474,6 +4509,20 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>1 of %1 images shows the board in the same position as another one, and each position counts once</source>
         <translation>1 photo sur %1 montre la mire dans la même position qu’une autre, et chaque position compte une fois</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.images_left_out</name>
+    <message>
+        <source>Left out: %1.</source>
+        <translation>Écartées : %1.</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.images_left_out_among</name>
+    <message>
+        <source>%1 images were left out, among them %2.</source>
+        <translation>%1 images ont été écartées, dont %2.</translation>
     </message>
 </context>
 <context>
@@ -4684,6 +4733,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>its numbers look like %1, with the camera %2 above the floor</source>
         <translation>ses nombres semblent être des %1, elle serait alors à %2 au-dessus du sol</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.longer</name>
+    <message>
+        <source>longer</source>
+        <translation>plus longs</translation>
     </message>
 </context>
 <context>
@@ -5170,6 +5226,20 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
 </context>
 <context>
+    <name>calibration.of_other_camera</name>
+    <message>
+        <source>it is of another camera, zoom or focus</source>
+        <translation>elle vient d’une autre caméra, d’un autre zoom ou d’une autre mise au point</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.other_focal_length</name>
+    <message>
+        <source>it gives a focal length of %1, the other images %2</source>
+        <translation>elle donne une distance focale de %1, les autres images %2</translation>
+    </message>
+</context>
+<context>
     <name>calibration.other_picking_size</name>
     <message>
         <source>at %1 they fit to %2: were they picked at that size?</source>
@@ -5188,6 +5258,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>with a focal length of %1 instead of %2 they fit to %3: has the zoom or the lens changed?</source>
         <translation>avec une focale de %1 au lieu de %2 ils conviennent à %3 près : le zoom ou l’objectif a-t-il changé ?</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.others_undetermined</name>
+    <message>
+        <source>the images do not determine any other model</source>
+        <translation>les images ne déterminent aucun autre modèle</translation>
     </message>
 </context>
 <context>
@@ -5244,6 +5321,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>%1 images fit to %2, focal length %3 ± %4, halves at most %5 apart on that floor</source>
         <translation>%1 photos s’ajustent à %2, distance focale %3 ± %4, à %5 l’une de l’autre au pire sur ce sol</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.pixels_not_square</name>
+    <message>
+        <source>the camera&apos;s pixels are not square, or its images were rescaled</source>
+        <translation>les pixels de la caméra ne sont pas carrés, ou ses images ont été redimensionnées</translation>
     </message>
 </context>
 <context>
@@ -5443,6 +5527,34 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
 </context>
 <context>
+    <name>calibration.print_is_bent</name>
+    <message>
+        <source>The board is not flat, it bulges by %1: glue it onto something stiff.</source>
+        <translation>La mire n’est pas plane, elle est bombée de %1 : collez-la sur un support rigide.</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.print_is_stretched</name>
+    <message>
+        <source>The print&apos;s squares are %1 %2 from row to row than from column to column: measure the squares in both directions.</source>
+        <translation>Les cases de l’impression sont %1 %2 d’une ligne à l’autre que d’une colonne à l’autre : mesurez les cases dans les deux directions.</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.print_may_be_stretched</name>
+    <message>
+        <source>measure the squares of the print in both directions, for it may be stretched, and take images with the board turned by 90 degrees</source>
+        <translation>mesurez les cases de l’impression dans les deux directions, car elle peut être étirée, et prenez des images avec la mire tournée de 90 degrés</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.print_was_heeded</name>
+    <message>
+        <source>The calibration allows for this.</source>
+        <translation>L’étalonnage en tient compte.</translation>
+    </message>
+</context>
+<context>
     <name>calibration.put_marker_back</name>
     <message>
         <source>move it back, or measure the markers again and register all cameras.</source>
@@ -5601,6 +5713,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>%1 given</source>
         <translation>il y en a %1</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.shorter</name>
+    <message>
+        <source>shorter</source>
+        <translation>plus courts</translation>
     </message>
 </context>
 <context>
@@ -6007,6 +6126,20 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>cannot determine whether %1 has moved</source>
         <translation>impossible de dire si %1 a bougé</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.without_it_centre</name>
+    <message>
+        <source>Check %1: without it the optical centre moves by %2.</source>
+        <translation>Vérifiez %1 : sans elle, le centre optique se déplace de %2.</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.without_it_focal</name>
+    <message>
+        <source>Check %1: without it the focal length changes by %2.</source>
+        <translation>Vérifiez %1 : sans elle, la distance focale change de %2.</translation>
     </message>
 </context>
 <context>

@@ -3845,6 +3845,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>calibration.centre_is_off</name>
+    <message>
+        <source>The optical centre is %1 off the image&apos;s middle</source>
+        <translation>광학 중심이 이미지 중심에서 %1 벗어나 있습니다</translation>
+    </message>
+</context>
+<context>
     <name>calibration.check_all</name>
     <message>
         <source>check the layout, the labels and the intrinsics</source>
@@ -4052,6 +4059,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>its corners do not match a flat board</source>
         <translation>모서리가 평평한 보드처럼 놓여 있지 않습니다</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.corners_nowhere_near</name>
+    <message>
+        <source>its corners are %1 from where the other images predict them, theirs %2</source>
+        <translation>코너가 다른 이미지의 예측에서 %1 벗어나 있으며, 다른 이미지는 %2입니다</translation>
     </message>
 </context>
 <context>
@@ -4272,6 +4286,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>calibration.focal_lengths_differ</name>
+    <message>
+        <source>The focal lengths across and down differ by %1</source>
+        <translation>가로와 세로 초점 거리가 %1 다릅니다</translation>
+    </message>
+</context>
+<context>
     <name>calibration.focus_or_light</name>
     <message>
         <source>focus the camera, or give more light</source>
@@ -4454,6 +4475,20 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>calibration.image_and_reason</name>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.image_may_be_cropped</name>
+    <message>
+        <source>if these images were cropped, the videos must be cropped alike</source>
+        <translation>이 이미지들을 잘라냈다면 동영상도 똑같이 잘라야 합니다</translation>
+    </message>
+</context>
+<context>
     <name>calibration.image_mirrored</name>
     <message>
         <source>mirrored left to right they fit to %1: is the image mirrored?</source>
@@ -4465,6 +4500,20 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>1 of %1 images shows the board in the same position as another one, and each position counts once</source>
         <translation>사진 %1장 중 1장은 보드가 다른 사진과 같은 위치에 있으며, 각 위치는 한 번만 계산됩니다</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.images_left_out</name>
+    <message>
+        <source>Left out: %1.</source>
+        <translation>제외됨: %1.</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.images_left_out_among</name>
+    <message>
+        <source>%1 images were left out, among them %2.</source>
+        <translation>이미지 %1개가 제외되었습니다. 그중 일부: %2.</translation>
     </message>
 </context>
 <context>
@@ -4675,6 +4724,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>its numbers look like %1, with the camera %2 above the floor</source>
         <translation>수가 %1처럼 보이며, 그러면 바닥 위 %2에 있게 됩니다</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.longer</name>
+    <message>
+        <source>longer</source>
+        <translation>더 깁니다</translation>
     </message>
 </context>
 <context>
@@ -5161,6 +5217,20 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>calibration.of_other_camera</name>
+    <message>
+        <source>it is of another camera, zoom or focus</source>
+        <translation>다른 카메라, 줌 또는 초점의 이미지입니다</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.other_focal_length</name>
+    <message>
+        <source>it gives a focal length of %1, the other images %2</source>
+        <translation>초점 거리가 %1이며, 다른 이미지는 %2입니다</translation>
+    </message>
+</context>
+<context>
     <name>calibration.other_picking_size</name>
     <message>
         <source>at %1 they fit to %2: were they picked at that size?</source>
@@ -5179,6 +5249,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>with a focal length of %1 instead of %2 they fit to %3: has the zoom or the lens changed?</source>
         <translation>초점 거리가 %2이(가) 아니라 %1이면 %3까지 맞습니다. 줌이나 렌즈가 바뀌었습니까?</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.others_undetermined</name>
+    <message>
+        <source>the images do not determine any other model</source>
+        <translation>이미지로는 다른 모델을 결정할 수 없습니다</translation>
     </message>
 </context>
 <context>
@@ -5235,6 +5312,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>%1 images fit to %2, focal length %3 ± %4, halves at most %5 apart on that floor</source>
         <translation>사진 %1장이 %2로 피팅됨, 초점 거리 %3 ± %4, 그 바닥에서 최대 %5 차이</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.pixels_not_square</name>
+    <message>
+        <source>the camera&apos;s pixels are not square, or its images were rescaled</source>
+        <translation>카메라의 픽셀이 정사각형이 아니거나 이미지 크기가 변경되었습니다</translation>
     </message>
 </context>
 <context>
@@ -5434,6 +5518,34 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>calibration.print_is_bent</name>
+    <message>
+        <source>The board is not flat, it bulges by %1: glue it onto something stiff.</source>
+        <translation>보드가 평평하지 않고 %1 휘어 있습니다: 단단한 판에 붙이세요.</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.print_is_stretched</name>
+    <message>
+        <source>The print&apos;s squares are %1 %2 from row to row than from column to column: measure the squares in both directions.</source>
+        <translation>인쇄된 칸은 열 방향보다 행 방향이 %1 %2: 두 방향으로 칸을 재세요.</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.print_may_be_stretched</name>
+    <message>
+        <source>measure the squares of the print in both directions, for it may be stretched, and take images with the board turned by 90 degrees</source>
+        <translation>인쇄물이 늘어났을 수 있으므로 두 방향으로 칸을 재고, 보드를 90도 돌린 이미지도 찍으세요</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.print_was_heeded</name>
+    <message>
+        <source>The calibration allows for this.</source>
+        <translation>보정에 이를 반영했습니다.</translation>
+    </message>
+</context>
+<context>
     <name>calibration.put_marker_back</name>
     <message>
         <source>move it back, or measure the markers again and register all cameras.</source>
@@ -5592,6 +5704,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>%1 given</source>
         <translation>%1개뿐입니다</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.shorter</name>
+    <message>
+        <source>shorter</source>
+        <translation>더 짧습니다</translation>
     </message>
 </context>
 <context>
@@ -5998,6 +6117,20 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>cannot determine whether %1 has moved</source>
         <translation>%1이(가) 움직였는지 알 수 없습니다</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.without_it_centre</name>
+    <message>
+        <source>Check %1: without it the optical centre moves by %2.</source>
+        <translation>%1을(를) 확인하세요: 이 이미지를 빼면 광학 중심이 %2 이동합니다.</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.without_it_focal</name>
+    <message>
+        <source>Check %1: without it the focal length changes by %2.</source>
+        <translation>%1을(를) 확인하세요: 이 이미지를 빼면 초점 거리가 %2 바뀝니다.</translation>
     </message>
 </context>
 <context>

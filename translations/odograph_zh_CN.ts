@@ -3845,6 +3845,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>calibration.centre_is_off</name>
+    <message>
+        <source>The optical centre is %1 off the image&apos;s middle</source>
+        <translation>光学中心偏离图像中心 %1</translation>
+    </message>
+</context>
+<context>
     <name>calibration.check_all</name>
     <message>
         <source>check the layout, the labels and the intrinsics</source>
@@ -4052,6 +4059,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>its corners do not match a flat board</source>
         <translation>其角点的位置不像在平整的标定板上</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.corners_nowhere_near</name>
+    <message>
+        <source>its corners are %1 from where the other images predict them, theirs %2</source>
+        <translation>其角点偏离其他图像的预测 %1，其他图像为 %2</translation>
     </message>
 </context>
 <context>
@@ -4272,6 +4286,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>calibration.focal_lengths_differ</name>
+    <message>
+        <source>The focal lengths across and down differ by %1</source>
+        <translation>水平与垂直焦距相差 %1</translation>
+    </message>
+</context>
+<context>
     <name>calibration.focus_or_light</name>
     <message>
         <source>focus the camera, or give more light</source>
@@ -4454,6 +4475,20 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>calibration.image_and_reason</name>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.image_may_be_cropped</name>
+    <message>
+        <source>if these images were cropped, the videos must be cropped alike</source>
+        <translation>如果这些图像经过裁剪，视频也必须以同样方式裁剪</translation>
+    </message>
+</context>
+<context>
     <name>calibration.image_mirrored</name>
     <message>
         <source>mirrored left to right they fit to %1: is the image mirrored?</source>
@@ -4465,6 +4500,20 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>1 of %1 images shows the board in the same position as another one, and each position counts once</source>
         <translation>%1 张图片中有 1 张的标定板姿态与另一张相同，每个姿态只计一次</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.images_left_out</name>
+    <message>
+        <source>Left out: %1.</source>
+        <translation>已排除：%1。</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.images_left_out_among</name>
+    <message>
+        <source>%1 images were left out, among them %2.</source>
+        <translation>已排除 %1 张图像，其中包括 %2。</translation>
     </message>
 </context>
 <context>
@@ -4675,6 +4724,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>its numbers look like %1, with the camera %2 above the floor</source>
         <translation>其数值像是%1，那样它将位于地面以上 %2</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.longer</name>
+    <message>
+        <source>longer</source>
+        <translation>长</translation>
     </message>
 </context>
 <context>
@@ -5161,6 +5217,20 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>calibration.of_other_camera</name>
+    <message>
+        <source>it is of another camera, zoom or focus</source>
+        <translation>它来自另一台相机、另一变焦或对焦</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.other_focal_length</name>
+    <message>
+        <source>it gives a focal length of %1, the other images %2</source>
+        <translation>它给出的焦距为 %1，其他图像为 %2</translation>
+    </message>
+</context>
+<context>
     <name>calibration.other_picking_size</name>
     <message>
         <source>at %1 they fit to %2: were they picked at that size?</source>
@@ -5179,6 +5249,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>with a focal length of %1 instead of %2 they fit to %3: has the zoom or the lens changed?</source>
         <translation>焦距为 %1 而非 %2 时吻合到 %3：变焦或镜头是否改变？</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.others_undetermined</name>
+    <message>
+        <source>the images do not determine any other model</source>
+        <translation>这些图像无法确定其他模型</translation>
     </message>
 </context>
 <context>
@@ -5235,6 +5312,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>%1 images fit to %2, focal length %3 ± %4, halves at most %5 apart on that floor</source>
         <translation>%1 张图片拟合到 %2，焦距 %3 ± %4，在该地面上最多相差 %5</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.pixels_not_square</name>
+    <message>
+        <source>the camera&apos;s pixels are not square, or its images were rescaled</source>
+        <translation>相机的像素不是正方形，或其图像经过缩放</translation>
     </message>
 </context>
 <context>
@@ -5434,6 +5518,34 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>calibration.print_is_bent</name>
+    <message>
+        <source>The board is not flat, it bulges by %1: glue it onto something stiff.</source>
+        <translation>标定板不平整，鼓起 %1：请将其粘贴在坚硬的平板上。</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.print_is_stretched</name>
+    <message>
+        <source>The print&apos;s squares are %1 %2 from row to row than from column to column: measure the squares in both directions.</source>
+        <translation>打印的方格行间比列间%2 %1：请在两个方向上测量方格。</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.print_may_be_stretched</name>
+    <message>
+        <source>measure the squares of the print in both directions, for it may be stretched, and take images with the board turned by 90 degrees</source>
+        <translation>打印件可能被拉伸，请在两个方向上测量方格，并拍摄标定板旋转 90 度的图像</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.print_was_heeded</name>
+    <message>
+        <source>The calibration allows for this.</source>
+        <translation>标定已考虑这一点。</translation>
+    </message>
+</context>
+<context>
     <name>calibration.put_marker_back</name>
     <message>
         <source>move it back, or measure the markers again and register all cameras.</source>
@@ -5592,6 +5704,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>%1 given</source>
         <translation>现有 %1 个</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.shorter</name>
+    <message>
+        <source>shorter</source>
+        <translation>短</translation>
     </message>
 </context>
 <context>
@@ -5998,6 +6117,20 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>cannot determine whether %1 has moved</source>
         <translation>无法判断 %1 是否移动</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.without_it_centre</name>
+    <message>
+        <source>Check %1: without it the optical centre moves by %2.</source>
+        <translation>请检查 %1：去掉它后光学中心移动 %2。</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.without_it_focal</name>
+    <message>
+        <source>Check %1: without it the focal length changes by %2.</source>
+        <translation>请检查 %1：去掉它后焦距变化 %2。</translation>
     </message>
 </context>
 <context>

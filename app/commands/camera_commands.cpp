@@ -127,7 +127,10 @@ QJsonObject calibrationJson(const CalibrateJob &job)
 {
     const IntrinsicCalibration &calibration = job.calibration();
     QJsonArray rejected;
-    for (const RejectedImage &image : calibration.rejected)
+    std::vector<RejectedImage> unused = calibration.rejected;
+    for (RejectedImage &image : calibration.imagesContradicting())
+        unused.push_back(std::move(image));
+    for (const RejectedImage &image : unused)
         rejected.append(QJsonObject{{QStringLiteral("file"), QString::fromStdString(image.file)},
                                     {QStringLiteral("reason"), english(image.reason)}});
     QJsonObject perImage;
@@ -186,7 +189,8 @@ Result<void> runCalibrate(const QStringList &arguments, const CancelToken &cance
                     .arg(english(job.calibration().verdict))
                     .arg(job.calibration().rmsPx, 0, 'f', 3)
                     .arg(counted(job.calibration().imagesUsed(), QStringLiteral("image")))
-                    .arg(job.calibration().rejected.size() + job.calibration().imagesRepeated()));
+                    .arg(job.calibration().rejected.size() + job.calibration().imagesContradicting().size() +
+                         job.calibration().imagesRepeated()));
     return {};
 }
 

@@ -3,7 +3,10 @@
 
 #include "core/calibration/internal/calibration_checks.h"
 #include "core/calibration/internal/lens_choice.h"
+#include "core/calibration/internal/lens_plausibility.h"
+#include "core/calibration/internal/odd_images.h"
 #include "core/calibration/internal/plane_pose.h"
+#include "core/calibration/internal/print_fit.h"
 #include "core/calibration/internal/wording.h"
 #include "core/calibration/repeated_views.h"
 
@@ -143,7 +146,7 @@ Evidence evidenceFrom(const std::vector<BoardView> &views, int widthPx, int heig
                          ODO_TEXT("calibration.glue_board", "glue the board onto something stiff")},
                         Join::Colon)});
         else
-            calibration.images.push_back({usable[i], counts, std::move(repeats), 0, {}, {}, {}});
+            calibration.images.push_back({usable[i], counts, std::move(repeats), {}, 0, {}, {}, {}});
     }
     for (auto index = dropped.rbegin(); index != dropped.rend(); ++index)
         evidence.views.erase(evidence.views.begin() + static_cast<std::ptrdiff_t>(*index));
@@ -151,13 +154,13 @@ Evidence evidenceFrom(const std::vector<BoardView> &views, int widthPx, int heig
 }
 
 /// Fills in the residuals of an image under a lens and a pose, and its RMS over the corners that count.
-void judge(CalibrationImage &image, const CameraModel &camera, const RigidTransform &cameraFromBoard)
+void judge(CalibrationImage &image, const CameraModel &camera, const BoardShape &print,
+           const RigidTransform &cameraFromBoard)
 {
     image.residualsPx.clear();
     double squares = 0, count = 0;
     for (std::size_t i = 0; i < image.view.pixels.size(); ++i) {
-        const Eigen::Vector2d &point = image.view.pointsOnBoard[i];
-        const auto pixel = camera.project(cameraFromBoard * Eigen::Vector3d(point.x(), point.y(), 0));
+        const auto pixel = camera.project(cameraFromBoard * print.at(image.view.pointsOnBoard[i]));
         image.residualsPx.push_back(pixel ? Eigen::Vector2d(image.view.pixels[i] - *pixel)
                                           : Eigen::Vector2d::Constant(std::nan("")));
         if (!pixel || std::ranges::binary_search(image.leftOut, i))
@@ -175,21 +178,22 @@ std::optional<RigidTransform> poseOf(const BoardView &view, const CameraModel &c
 }
 
 /// A k3 of a standard lens that may be nothing is left out: it takes part of the focal length with it.
-LensFitOptions simplestOf(const LensFit &fit)
+/// enlarged: by how much the fit's σ are to be larger than stated.
+LensFitOptions simplestOf(const LensFit &fit, double enlarged)
 {
     LensFitOptions options;
     const Intrinsics &lens = fit.intrinsics;
     if (lens.model == LensModel::Standard && lens.distortion.size() > sixthOrder)
         options.holdSixthOrder =
             std::abs(lens.distortion[sixthOrder]) <
-            significantSigmas * std::sqrt(lens.covariance(4 + sixthOrder, 4 + sixthOrder));
+            significantSigmas * enlarged * std::sqrt(lens.covariance(4 + sixthOrder, 4 + sixthOrder));
     return options;
 }
 
 /// The lens with k3 = 0. It keeps the covariance with k3 unknown.
 LensFit withoutSixthOrder(const std::vector<BoardView> &views, LensFit fit, const JobControl &control)
 {
-    LensStart start{fit.intrinsics, fit.cameraFromBoard};
+    LensStart start{fit.intrinsics, fit.cameraFromBoard, fit.print};
     start.intrinsics.distortion[sixthOrder] = 0;
     auto simpler = fitLens(views, start, {.holdSixthOrder = true}, control);
     if (!simpler)
@@ -201,8 +205,12 @@ LensFit withoutSixthOrder(const std::vector<BoardView> &views, LensFit fit, cons
 /// From the fit to all corners to the outcome: outliers, halves, checks, values, words. views: those of the
 /// images in `calibration` that are used, in their order.
 Result<void> finish(IntrinsicCalibration &calibration, const std::vector<BoardView> &views, LensFit fit,
-                    const CornerMarks &outliers, const JobControl &control)
+                    CornerMarks outliers, const JobControl &control)
 {
+    if (auto shaped = fitWithPrint(views, misreadCorners(views, fit, outliers), fit, control)) {
+        fit = std::move(*shaped);
+        outliers = outlyingCorners(views, fit, control);
+    }
     ODO_TRY(checkOneCamera(views, fit, control));
     std::size_t corners = 0;
     for (const BoardView &view : views)
@@ -214,24 +222,29 @@ Result<void> finish(IntrinsicCalibration &calibration, const std::vector<BoardVi
                 percentOf(calibration.disagreeingPart)),
             ODO_TEXT("calibration.check_pictures", "check that all images are sharp, of one flat board and "
                                                    "of one camera at one zoom and focus"));
-    const CornerMarks leftOut = calibration.disagreeingPart <= mostOutliers
+    const CornerMarks leftOut = calibration.disagreeingPart <= mostLeftOut
                                     ? misreadCorners(views, fit, outliers)
                                     : CornerMarks(views.size());
     const std::vector<BoardView> counted = withoutCorners(views, leftOut);
     if (countOf(leftOut) > 0) {
-        auto again = fitLens(counted, {fit.intrinsics, fit.cameraFromBoard}, {}, control);
+        auto again = fitLens(counted, {fit.intrinsics, fit.cameraFromBoard, fit.print},
+                             {.freePrint = fit.estimatesPrint()}, control);
         if (again)
             fit = std::move(*again);
     }
-    const LensFitOptions simplest = simplestOf(fit);
+    const double enlarged = scatterFactor(fit);
+    const Message dominating = enlarged > 1 ? dominatingImage(counted, fit) : Message();
+    const LensFitOptions simplest = simplestOf(fit, enlarged);
+    calibration.print = fit.print;
     if (simplest.holdSixthOrder)
         fit = withoutSixthOrder(counted, std::move(fit), control);
     control.report(0.6, ODO_TEXT("calibration.checking_halves", "checking the halves against each other"));
     const auto halves = holdOut(counted, fit, simplest, control);
     if (control.isCancelled())
         return cancelled(cannotBeCalibrated());
-    const auto sigma = ODO_TRY(checkDetermined(counted, fit, halves, control));
-
+    const double sigma = enlarged * ODO_TRY(checkDetermined(counted, fit, halves, control));
+    fit.intrinsics.covariance *= enlarged * enlarged;
+    calibration.unlikely = joined({implausible(counted, fit, control), dominating}, Join::Space);
     ODO_TRY(checkPositions(views, fit.intrinsics.widthPx, fit.intrinsics.heightPx));
 
     calibration.intrinsics = fit.intrinsics;
@@ -249,9 +262,9 @@ Result<void> finish(IntrinsicCalibration &calibration, const std::vector<BoardVi
         if (image.used) {
             image.outliers = outliers[next];
             image.leftOut = leftOut[next];
-            judge(image, *camera, fit.cameraFromBoard[next++]);
+            judge(image, *camera, fit.print, fit.cameraFromBoard[next++]);
         } else if (const auto pose = poseOf(image.view, *camera)) {
-            judge(image, *camera, *pose);
+            judge(image, *camera, fit.print, *pose);
         }
     }
     calibration.verdict = calibrationVerdict(calibration, sigma);
@@ -259,28 +272,83 @@ Result<void> finish(IntrinsicCalibration &calibration, const std::vector<BoardVi
     return {};
 }
 
+/// Leaves out the images that contradict the others.
+void dropOddImages(Evidence &evidence, IntrinsicCalibration &calibration, const JobControl &control)
+{
+    std::vector<CalibrationImage *> used;
+    for (CalibrationImage &image : calibration.images) {
+        if (image.used)
+            used.push_back(&image);
+    }
+    std::vector<OddImage> odd = oddImages(evidence.views, evidence.starts, control);
+    for (auto image = odd.rbegin(); image != odd.rend(); ++image) {
+        used[image->view]->used = false;
+        used[image->view]->contradicts = std::move(image->reason);
+        const auto at = static_cast<std::ptrdiff_t>(image->view);
+        evidence.views.erase(evidence.views.begin() + at);
+        for (LensStart &start : evidence.starts)
+            start.cameraFromBoard.erase(start.cameraFromBoard.begin() + at);
+    }
+}
+
+/// A calibration with one of the models, or why it failed.
+struct Attempt
+{
+    IntrinsicCalibration calibration;
+    Result<void> solved;
+    std::optional<LensModel> model; ///< none where no model fits
+};
+
+/// begun: with its images; isGiven: the one model of the starts was asked for.
+Attempt attempt(const IntrinsicCalibration &begun, const std::vector<BoardView> &used,
+                const std::vector<LensStart> &starts, bool isGiven, const JobControl &control)
+{
+    auto choice = chooseLens(used, starts, control);
+    if (control.isCancelled())
+        return {begun, cancelled(cannotBeCalibrated()), {}};
+    if (!choice)
+        return {begun,
+                noLensFits(ODO_TEXT("calibration.check_one_camera",
+                                    "check that all are of one camera, at one zoom and focus")),
+                {}};
+    Attempt attempt{begun, {}, choice->fit.intrinsics.model};
+    attempt.calibration.modelTrials = std::move(choice->trials);
+    attempt.calibration.modelReason =
+        isGiven || starts.size() > 1 ? std::move(choice->reason)
+        : used.size() < leastViewsForHalves
+            ? ODO_TEXT("calibration.too_few_to_compare", "too few images to compare it with other models")
+            : ODO_TEXT("calibration.others_undetermined", "the images do not determine any other model");
+    attempt.solved =
+        finish(attempt.calibration, used, std::move(choice->fit), std::move(choice->outliers), control);
+    return attempt;
+}
+
 /// From the corners to the outcome.
 Result<void> solve(IntrinsicCalibration &calibration, const std::vector<BoardView> &views, int widthPx,
                    int heightPx, std::optional<LensModel> model, const JobControl &control)
 {
-    const Evidence evidence = evidenceFrom(views, widthPx, heightPx, model, calibration);
+    Evidence evidence = evidenceFrom(views, widthPx, heightPx, model, calibration);
     const std::vector<BoardView> &used = evidence.views;
     if (used.size() < leastViews || evidence.starts.empty())
         return tooFew(used.size());
     control.report(0.1,
                    ODO_TEXT("calibration.fitting_lens", "fitting the lens model to %1 images")(used.size()));
-    auto choice = chooseLens(used, evidence.starts, control);
-    if (control.isCancelled())
-        return cancelled(cannotBeCalibrated());
-    if (!choice)
-        return noLensFits(ODO_TEXT("calibration.check_one_camera",
-                                   "check that all are of one camera, at one zoom and focus"));
-    calibration.modelTrials = std::move(choice->trials);
-    calibration.modelReason =
-        model || used.size() >= leastViewsForHalves
-            ? std::move(choice->reason)
-            : ODO_TEXT("calibration.too_few_to_compare", "too few images to compare it with other models");
-    return finish(calibration, used, std::move(choice->fit), choice->outliers, control);
+    dropOddImages(evidence, calibration, control);
+    Attempt best = attempt(calibration, used, evidence.starts, model.has_value(), control);
+    // What a richer model leaves undetermined a plainer one may not.
+    for (Attempt last = best;
+         !last.solved && last.model && last.solved.error().code == ErrorCode::Undetermined;) {
+        const auto refused = std::ranges::find_if(
+            evidence.starts, [&](const LensStart &start) { return start.intrinsics.model == *last.model; });
+        evidence.starts.erase(refused, evidence.starts.end());
+        if (evidence.starts.empty())
+            break;
+        last = attempt(calibration, used, evidence.starts, false, control);
+        if (last.solved)
+            best = last;
+    }
+    calibration = std::move(best.calibration);
+    return best.solved;
 }
 
 /// The same from chosen images of the calibration, from its own intrinsics on.
@@ -293,7 +361,7 @@ Result<void> solveAgain(IntrinsicCalibration &calibration, const std::vector<std
     for (std::size_t i = 0; i < calibration.images.size(); ++i) {
         CalibrationImage &image = calibration.images[i];
         image.used = false;
-        image.repeats = {};
+        image.repeats = image.contradicts = {};
         if (std::ranges::find(images, i) == images.end())
             continue;
         chosen.push_back(image.view);
@@ -317,8 +385,8 @@ Result<void> solveAgain(IntrinsicCalibration &calibration, const std::vector<std
         return cancelled(cannotBeCalibrated());
     if (!fit)
         return noLensFits(ODO_TEXT("calibration.choose_others", "choose others"));
-    const CornerMarks outliers = outlyingCorners(used, *fit, control);
-    return finish(calibration, used, std::move(*fit), outliers, control);
+    CornerMarks outliers = outlyingCorners(used, *fit, control);
+    return finish(calibration, used, std::move(*fit), std::move(outliers), control);
 }
 
 /// A refusal says how many images count for nothing.
@@ -346,6 +414,16 @@ std::size_t IntrinsicCalibration::imagesRepeated() const
 {
     return static_cast<std::size_t>(std::ranges::count_if(
         images, [](const CalibrationImage &image) { return !image.repeats.isEmpty(); }));
+}
+
+std::vector<RejectedImage> IntrinsicCalibration::imagesContradicting() const
+{
+    std::vector<RejectedImage> contradicting;
+    for (const CalibrationImage &image : images) {
+        if (!image.contradicts.isEmpty())
+            contradicting.push_back({image.view.source, image.contradicts});
+    }
+    return contradicting;
 }
 
 std::size_t IntrinsicCalibration::cornersLeftOut() const

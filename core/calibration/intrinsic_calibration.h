@@ -3,6 +3,7 @@
 
 #include "core/base/job_control.h"
 #include "core/calibration/board_detection.h"
+#include "core/calibration/board_shape.h"
 #include "core/calibration/intrinsics_influence.h"
 #include "core/geometry/camera_model.h"
 
@@ -26,6 +27,9 @@ struct CalibrationImage
     /// A clause, where it was left out because it shows the board in the same position as one that is used
     /// (positionsIn). Not stored.
     Message repeats;
+    /// A clause, where it was left out because it contradicts the others, as one of another camera does. Not
+    /// stored.
+    Message contradicts;
     double rmsPx = 0; ///< of its corners that count: sqrt(mean of squared distances)
     /// One a corner: seen minus predicted, pixels. An arrow from the predicted position to the seen one.
     std::vector<Eigen::Vector2d> residualsPx;
@@ -45,6 +49,9 @@ struct ModelTrial
 struct IntrinsicCalibration
 {
     Intrinsics intrinsics;
+    /// How the print differs from equal squares on a plane, where that is clearly so. Not stored.
+    BoardShape print;
+    Message unlikely; ///< what is unlikely about the lens, in sentences; empty of a likely one. Not stored.
     /// over all corners that count, sqrt(mean of squared distances)
     double rmsPx = 0;
     std::vector<CalibrationImage> images; ///< used or left out; in the order given
@@ -58,16 +65,17 @@ struct IntrinsicCalibration
     std::optional<FloorExpectation> halvesApart;
     std::vector<ModelTrial> modelTrials; ///< the compared models; empty if the model was given
     Message modelReason;                 ///< why this model, a clause: "as specified"; "no other model fits"
-    /// Share of the outlier corners in the used images. Beyond mostOutliers they were all kept.
+    /// Share of the outlier corners in the used images. Beyond a tenth they were all kept.
     double disagreeingPart = 0;
     Message verdict; ///< the grade, millimetres on the floor, then pixels, then what to do
 
     std::size_t imagesUsed() const;
     std::size_t imagesRepeated() const;
+    std::vector<RejectedImage> imagesContradicting() const;
     std::size_t cornersLeftOut() const;
 };
 
-/// Up to this share of the corners may be left out.
+/// Up to this share of the corners may disagree in a good calibration.
 constexpr double mostOutliers = 0.03;
 
 /// Zhang 2000 with Levenberg–Marquardt refinement (Ceres), all views jointly.
@@ -78,13 +86,20 @@ constexpr double mostOutliers = 0.03;
 /// Standard.
 ///
 /// Corners whose residual is beyond 5 robust σ (median of the distances) of a fit that heeds them little
-/// (Cauchy's loss) are left out when they are at most mostOutliers of all; more are kept. Where the rest of
+/// (Cauchy's loss) are left out when they are at most a tenth of all; more are kept. Where the rest of
 /// an image lies on a flat board, an outer row or column with many of them (a narrower outer square, a cut)
 /// is left out as a whole. Where it does not, three or more side by side are kept,
 /// for they are a sign of a bent board. The verdict says how many, where, and what was done.
 ///
 /// A standard lens whose k3 is within 3 σ of nothing gets k3 = 0, with the covariance of an unknown k3: the
 /// focal length would follow it.
+///
+/// Images of another camera, zoom or focus than most are left out and named, where they are fewer than two
+/// fifths (oddImages). Where a print that is stretched, skew or bent, the same in all images, predicts
+/// held-out images clearly better than a board of equal squares on a plane, it is estimated with the lens.
+///
+/// The covariance is the larger of two: from the residuals' σ, and from the scatter of the images' pulls,
+/// where that is more than chance explains, for the errors of an image's corners may have much in common.
 ///
 /// Of images that show the board in the same position one counts (positionsIn), for the fit, its uncertainty,
 /// the halves and all else; the verdict and a refusal say how many others there are.

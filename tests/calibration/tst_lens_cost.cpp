@@ -30,49 +30,66 @@ std::array<double, intrinsicsSize(model)> lens()
     return values;
 }
 
+/// A print that is stretched, skew and bent.
+BoardShape print()
+{
+    return {{0.15, 0.12}, 0.3, {0.02, -0.01, 0.03, -0.05, 0.04}};
+}
+
+constexpr std::array<double, BoardShape::size> plainPrint{};
+
 template <LensModel model>
 std::array<double, 8> residualsAt(const std::array<double, intrinsicsSize(model)> &lens,
-                                  const std::array<double, 6> &pose, double cauchyPx)
+                                  const std::array<double, 6> &pose, double cauchyPx,
+                                  const std::array<double, BoardShape::size> &shape = plainPrint)
 {
     const BoardView seen = view();
+    const BoardShape board = print();
     std::array<double, 8> residuals{};
-    const double *parameters[] = {lens.data(), pose.data()};
-    ViewCost<model>(seen, cauchyPx).Evaluate(parameters, residuals.data(), nullptr);
+    const double *parameters[] = {lens.data(), pose.data(), shape.data()};
+    ViewCost<model>(seen, board, cauchyPx).Evaluate(parameters, residuals.data(), nullptr);
     return residuals;
 }
 
-/// The largest difference between the derivatives told and those by central differences, over the largest
+/// The largest difference between the stated derivatives and those by central differences, over the largest
 /// derivative of a column.
 template <LensModel model>
 double worstDerivative(const std::array<double, 6> &pose, double cauchyPx)
 {
-    constexpr int size = intrinsicsSize(model);
+    constexpr int size = intrinsicsSize(model), all = size + 6 + BoardShape::size;
     const auto values = lens<model>();
     const BoardView seen = view();
+    const BoardShape board = print();
     Eigen::Matrix<double, 8, size, Eigen::RowMajor> byIntrinsics;
     Eigen::Matrix<double, 8, 6, Eigen::RowMajor> byPose;
+    Eigen::Matrix<double, 8, BoardShape::size, Eigen::RowMajor> byShape;
     std::array<double, 8> residuals{};
-    const double *parameters[] = {values.data(), pose.data()};
-    double *derivatives[] = {byIntrinsics.data(), byPose.data()};
-    ViewCost<model>(seen, cauchyPx).Evaluate(parameters, residuals.data(), derivatives);
+    const double *parameters[] = {values.data(), pose.data(), board.values.data()};
+    double *derivatives[] = {byIntrinsics.data(), byPose.data(), byShape.data()};
+    ViewCost<model>(seen, board, cauchyPx).Evaluate(parameters, residuals.data(), derivatives);
+    Eigen::Matrix<double, 8, all> stated;
+    stated << byIntrinsics, byPose, byShape;
     double worst = 0;
-    for (int column = 0; column < size + 6; ++column) {
-        auto lensUp = values, lensDown = values;
-        auto poseUp = pose, poseDown = pose;
-        double &up = column < size ? lensUp[std::size_t(column)] : poseUp[std::size_t(column - size)];
-        double &down = column < size ? lensDown[std::size_t(column)] : poseDown[std::size_t(column - size)];
-        const double step = 1e-6 * std::max(1.0, std::abs(up));
-        up += step;
-        down -= step;
-        const auto above = residualsAt<model>(lensUp, poseUp, cauchyPx),
-                   below = residualsAt<model>(lensDown, poseDown, cauchyPx);
-        Eigen::Matrix<double, 8, 1> told = column < size ? byIntrinsics.col(column % size).eval()
-                                                         : byPose.col(column - size).eval(),
-                                    measured;
+    for (int column = 0; column < all; ++column) {
+        const auto moved = [&](double by) {
+            auto lens = values;
+            auto turned = pose;
+            auto shape = board.values;
+            double &value = column < size       ? lens[std::size_t(column)]
+                            : column < size + 6 ? turned[std::size_t(column - size)]
+                                                : shape[std::size_t(column - size - 6)];
+            value += by * std::max(1.0, std::abs(value));
+            return residualsAt<model>(lens, turned, cauchyPx, shape);
+        };
+        const double at = column < size ? values[std::size_t(column)] : 0;
+        const double step = 1e-6;
+        const auto above = moved(step), below = moved(-step);
+        Eigen::Matrix<double, 8, 1> measured;
         for (int row = 0; row < 8; ++row)
-            measured(row) = (above[std::size_t(row)] - below[std::size_t(row)]) / (2 * step);
+            measured(row) = (above[std::size_t(row)] - below[std::size_t(row)]) /
+                            (2 * step * std::max(1.0, std::abs(at)));
         // Rounding makes 1e-7 px of nothing.
-        worst = std::max(worst, (told - measured).cwiseAbs().maxCoeff() /
+        worst = std::max(worst, (stated.col(column) - measured).cwiseAbs().maxCoeff() /
                                     std::max(0.1, measured.cwiseAbs().maxCoeff()));
     }
     return worst;
@@ -143,8 +160,10 @@ private Q_SLOTS:
         const auto values = lens<LensModel::Standard>();
         const std::array<double, 6> pose{0, 0, 0, 0, 0, -1};
         std::array<double, 8> residuals{};
-        const double *parameters[] = {values.data(), pose.data()};
-        QVERIFY(!ViewCost<LensModel::Standard>(seen, 0).Evaluate(parameters, residuals.data(), nullptr));
+        const BoardShape board = print();
+        const double *parameters[] = {values.data(), pose.data(), plainPrint.data()};
+        QVERIFY(
+            !ViewCost<LensModel::Standard>(seen, board, 0).Evaluate(parameters, residuals.data(), nullptr));
     }
 };
 

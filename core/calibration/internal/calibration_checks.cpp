@@ -13,11 +13,14 @@ namespace odo {
 
 namespace {
 
+constexpr double marginErrors = 2;  // standard errors of the mean difference
+constexpr double marginPart = 0.01; // of the RMS: less is nothing that anybody would notice
+
 std::optional<LensFit> fitHalf(const std::vector<BoardView> &views, const LensFit &all, std::size_t half,
                                const LensFitOptions &options, const JobControl &control)
 {
     std::vector<BoardView> some;
-    LensStart start{all.intrinsics, {}};
+    LensStart start{all.intrinsics, {}, all.print};
     for (std::size_t i = half; i < views.size(); i += 2) {
         some.push_back(views[i]);
         start.cameraFromBoard.push_back(all.cameraFromBoard[i]);
@@ -25,18 +28,12 @@ std::optional<LensFit> fitHalf(const std::vector<BoardView> &views, const LensFi
     return fitLens(some, start, options, control);
 }
 
-/// Mean of the squared distances of a view's corners under a lens, the pose adapted; infinite where there is
-/// no pose.
-double meanSquares(const BoardView &view, const CameraModel &camera, const RigidTransform &cameraFromBoard)
-{
-    const std::vector<PointPair> pairs = pairsOf(view);
-    if (const auto near = refinePlanePose(pairs, camera, FocalLength::Known, cameraFromBoard.inverse()))
-        return near->rmsPx * near->rmsPx;
-    const auto pose = fitPlanePose(pairs, camera, FocalLength::Known);
-    return pose ? pose->rmsPx * pose->rmsPx : std::numeric_limits<double>::infinity();
-}
-
 } // namespace
+
+double HeldOut::predictionPx() const
+{
+    return unpredicted == 0 ? rmsPx : std::numeric_limits<double>::infinity();
+}
 
 double HeldOut::focalDifference() const
 {
@@ -49,28 +46,48 @@ std::optional<HeldOut> holdOut(const std::vector<BoardView> &views, const LensFi
     if (views.size() < leastViewsForHalves)
         return std::nullopt;
     HeldOut heldOut;
+    std::array<std::optional<LensFit>, 2> halves;
     for (std::size_t half = 0; half < 2; ++half) {
-        auto fit = fitHalf(views, all, half, options, control);
-        if (!fit)
+        halves[half] = fitHalf(views, all, half, options, control);
+        if (!halves[half])
             return std::nullopt;
-        heldOut.lenses[half] = std::move(fit->intrinsics);
+        heldOut.lenses[half] = halves[half]->intrinsics;
     }
     double squares = 0, count = 0;
     for (std::size_t i = 0; i < views.size(); ++i) {
         if (control.isCancelled())
             return std::nullopt;
-        const auto camera = CameraModel::create(heldOut.lenses[1 - i % 2]);
-        heldOut.imageMeanSquares.push_back(meanSquares(views[i], *camera, all.cameraFromBoard[i]));
-        if (!std::isfinite(heldOut.imageMeanSquares.back())) {
+        const auto corners = static_cast<double>(views[i].pixels.size());
+        const auto pose = fitPose(views[i], *halves[1 - i % 2], all.cameraFromBoard[i]);
+        heldOut.imageMeanSquares.push_back(pose ? pose->squares / corners
+                                                : std::numeric_limits<double>::infinity());
+        if (!pose) {
             ++heldOut.unpredicted;
             continue;
         }
-        const auto corners = static_cast<double>(views[i].pixels.size());
-        squares += heldOut.imageMeanSquares.back() * corners;
+        squares += pose->squares;
         count += corners;
     }
     heldOut.rmsPx = count > 0 ? std::sqrt(squares / count) : 0;
     return heldOut;
+}
+
+bool predictsClearlyWorse(const HeldOut &simpler, const HeldOut &richer)
+{
+    if (!(simpler.predictionPx() > (1 + marginPart) * richer.predictionPx()))
+        return false;
+    if (!std::isfinite(simpler.predictionPx()))
+        return true;
+    const auto &worse = simpler.imageMeanSquares, &better = richer.imageMeanSquares;
+    const auto count = static_cast<double>(worse.size());
+    // Of each image's RMS, since squares would let one image drown the others.
+    const auto gain = [&](std::size_t i) { return std::sqrt(worse[i]) - std::sqrt(better[i]); };
+    double mean = 0, squares = 0;
+    for (std::size_t i = 0; i < worse.size(); ++i)
+        mean += gain(i) / count;
+    for (std::size_t i = 0; i < worse.size(); ++i)
+        squares += std::pow(gain(i) - mean, 2);
+    return mean > marginErrors * std::sqrt(squares / (count - 1) / count);
 }
 
 namespace {
@@ -110,7 +127,7 @@ double focalSigma(const std::vector<BoardView> &views, const LensFit &fit, const
     const double curvature = std::sqrt(fit.intrinsics.covariance(0, 0)) / fit.intrinsics.fxPx;
     double sigma = curvature;
     for (double factor : {1 / probe, probe}) {
-        LensStart start{fit.intrinsics, fit.cameraFromBoard};
+        LensStart start{fit.intrinsics, fit.cameraFromBoard, fit.print};
         start.intrinsics.fxPx *= factor;
         start.intrinsics.fyPx *= factor;
         for (RigidTransform &pose : start.cameraFromBoard)
@@ -263,6 +280,11 @@ Result<void> checkPositions(const std::vector<BoardView> &views, int widthPx, in
                Join::Colon),
         ODO_TEXT("calibration.show_everywhere",
                  "show the board in the middle and near each corner of the image, and closer"));
+}
+
+bool isDetermined(const LensFit &fit)
+{
+    return std::sqrt(fit.intrinsics.covariance(0, 0)) < uncertainFocalSigma * fit.intrinsics.fxPx;
 }
 
 Result<double> checkDetermined(const std::vector<BoardView> &views, const LensFit &fit,

@@ -10,6 +10,9 @@ namespace odo {
 /// Under so many views halves say nothing.
 constexpr std::size_t leastViewsForHalves = 6;
 
+/// Share of the corners beyond which outliers are kept: with more it is not known which of them are right.
+constexpr double mostLeftOut = 0.1;
+
 /// Each half of the images (every other one) under the intrinsics of the other half; only the poses adapt.
 struct HeldOut
 {
@@ -17,6 +20,7 @@ struct HeldOut
     std::size_t unpredicted = 0;          ///< images without a pose under the other half's intrinsics
     std::vector<double> imageMeanSquares; ///< px², one an image; infinite where it is not predicted
     std::array<Intrinsics, 2> lenses;     ///< of the even and of the odd images
+    double predictionPx() const;          ///< rmsPx; infinite where an image is not predicted
     double focalDifference() const;       ///< relative
 };
 
@@ -24,6 +28,10 @@ struct HeldOut
 /// views, where a half led nowhere, and when cancelled.
 std::optional<HeldOut> holdOut(const std::vector<BoardView> &views, const LensFit &all,
                                const LensFitOptions &options, const JobControl &control);
+
+/// Whether a simpler model of the same views predicts held-out images worse than a richer one by more than
+/// chance among the images explains, and by enough to matter.
+bool predictsClearlyWorse(const HeldOut &simpler, const HeldOut &richer);
 
 /// What the errors of a calibration are about.
 Message cannotBeCalibrated();
@@ -46,6 +54,9 @@ Result<void> checkPositions(const std::vector<BoardView> &views, int widthPx, in
 /// lengths.
 Result<void> checkOneCamera(const std::vector<BoardView> &views, const LensFit &fit,
                             const JobControl &control);
+
+/// Whether the focal length is known well enough for use, by its σ.
+bool isDetermined(const LensFit &fit);
 
 /// Refuses a fit that its images do not determine, and gives σ of its focal length over itself otherwise.
 Result<double> checkDetermined(const std::vector<BoardView> &views, const LensFit &fit,

@@ -16,8 +16,9 @@ namespace {
 constexpr std::size_t fewViews = 10;
 constexpr double goodM = 0.005, usableM = 0.015; // at worst on the floor, σ
 constexpr double goodFocal = 0.005, usableFocal = 0.015, goodPx = 1, usablePx = 2;
-constexpr double leastCoverage = 0.5; // of the image
-constexpr double outlying = 3;        // times the median of the images' RMS
+constexpr double leastCoverage = 0.5;                        // of the image
+constexpr double leastStretch = 0.003, leastBulgeM = 0.0003; // of a print, that is worth a word
+constexpr double outlying = 3;                               // times the median of the images' RMS
 
 MessageArgument roundMillimetres(double metres)
 {
@@ -180,7 +181,7 @@ Message outlierWords(const IntrinsicCalibration &calibration)
 {
     if (calibration.disagreeingPart <= 0)
         return {};
-    if (calibration.disagreeingPart > mostOutliers)
+    if (calibration.disagreeingPart > mostLeftOut)
         return disagreeingWords(calibration);
     return joined({leftOutWords(calibration), keptWords(calibration)}, Join::Space);
 }
@@ -201,6 +202,47 @@ Message outlierImage(const IntrinsicCalibration &calibration)
                    ODO_TEXT("calibration.picture_stands_out",
                             "its %1 is an outlier.")(quantity(worst->rmsPx, 2, "px"))},
                   Join::Colon);
+}
+
+/// "Left out: image7.jpg (it is of another camera)."
+Message contradictingWords(const IntrinsicCalibration &calibration)
+{
+    constexpr std::size_t mostNamed = 3;
+    const std::vector<RejectedImage> all = calibration.imagesContradicting();
+    if (all.empty())
+        return {};
+    std::vector<Message> named;
+    for (const RejectedImage &image : all) {
+        if (named.size() < mostNamed)
+            named.push_back(ODO_TEXT("calibration.image_and_reason", "%1 (%2)")(image.file, image.reason));
+    }
+    if (all.size() <= mostNamed)
+        return ODO_TEXT("calibration.images_left_out", "Left out: %1.")(listed(std::move(named)));
+    return ODO_TEXT("calibration.images_left_out_among",
+                    "%1 images were left out, among them %2.")(all.size(), listed(std::move(named)));
+}
+
+/// What the images say about the print, where it is not a board of equal squares on a plane.
+Message printWords(const BoardShape &print)
+{
+    const double stretch = print.values[BoardShape::Stretch];
+    Message stretched, bent;
+    if (std::abs(stretch) >= leastStretch)
+        stretched = ODO_TEXT("calibration.print_is_stretched",
+                             "The print's squares are %1 %2 from row to row than from column to column: "
+                             "measure the squares in both directions.")(
+            quantity(100 * std::abs(stretch), 1, "%"), stretch > 0
+                                                           ? ODO_TEXT("calibration.longer", "longer")
+                                                           : ODO_TEXT("calibration.shorter", "shorter"));
+    if (print.bulgeM() >= leastBulgeM)
+        bent = ODO_TEXT("calibration.print_is_bent",
+                        "The board is not flat, it bulges by %1: glue it onto something stiff.")(
+            quantity(toMillimetres(print.bulgeM()), 1, "mm"));
+    if (stretched.isEmpty() && bent.isEmpty())
+        return {};
+    return joined({std::move(stretched), std::move(bent),
+                   ODO_TEXT("calibration.print_was_heeded", "The calibration allows for this.")},
+                  Join::Space);
 }
 
 Message lensWords(const IntrinsicCalibration &calibration)
@@ -247,8 +289,9 @@ Message calibrationVerdict(const IntrinsicCalibration &calibration, double focal
     return joined(
         {graded(calibration, focalSigma, covered,
                 joined({floorClause(calibration), fitClauses(calibration, focalSigma)}, Join::Semicolon)),
-         lensWords(calibration), std::move(repeated), outlierWords(calibration), std::move(more),
-         coverageWords(covered), outlierImage(calibration)},
+         lensWords(calibration), calibration.unlikely, printWords(calibration.print), std::move(repeated),
+         contradictingWords(calibration), outlierWords(calibration), std::move(more), coverageWords(covered),
+         outlierImage(calibration)},
         Join::Space);
 }
 

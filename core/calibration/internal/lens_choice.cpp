@@ -21,23 +21,6 @@ constexpr std::size_t leastTogether = 3;
 constexpr double manyOfRow = 1.0 / 3;
 constexpr double restTimes = 1.5; // the usual distance, of the rest of an image with misread corners
 
-/// σ of one coordinate, from the median distance; what the fit took away by adapting is given back.
-double robustSigmaPx(const LensFit &fit)
-{
-    std::vector<double> distances;
-    for (const auto &residuals : fit.residualsPx) {
-        for (const Eigen::Vector2d &residual : residuals)
-            distances.push_back(residual.norm());
-    }
-    if (distances.empty())
-        return 0;
-    const double values = 2.0 * static_cast<double>(distances.size());
-    const double fitted =
-        4.0 + static_cast<double>(fit.intrinsics.distortion.size() + 6 * fit.residualsPx.size());
-    return upperMedian(std::move(distances)) / medianOfRayleigh *
-           std::sqrt(values / std::max(1.0, values - fitted));
-}
-
 CornerMarks beyond(const LensFit &fit, double limitPx)
 {
     CornerMarks marks(fit.residualsPx.size());
@@ -82,14 +65,11 @@ std::vector<std::vector<std::size_t>> groupsOf(const BoardView &view, std::vecto
 }
 
 /// RMS of the corners that are not marked, the pose fitted to them; infinite where they have none.
-double restPx(const BoardView &view, const std::vector<std::size_t> &marks, const Intrinsics &lens,
+double restPx(const BoardView &view, const std::vector<std::size_t> &marks, const LensFit &fit,
               const RigidTransform &cameraFromBoard)
 {
-    const std::vector<PointPair> pairs = pairsOf(withoutCorners({view}, {marks}).front());
-    const auto camera = CameraModel::create(lens);
-    const auto pose = camera ? refinePlanePose(pairs, *camera, FocalLength::Known, cameraFromBoard.inverse())
-                             : std::nullopt;
-    return pose ? pose->rmsPx : std::numeric_limits<double>::infinity();
+    const auto pose = fitPose(withoutCorners({view}, {marks}).front(), fit, cameraFromBoard);
+    return pose ? pose->rmsPx() : std::numeric_limits<double>::infinity();
 }
 
 /// The marks with all corners of those outer rows and columns of which many are marked: what moves some of
@@ -125,6 +105,22 @@ double limitOf(const LensFit &fit)
 
 } // namespace
 
+double robustSigmaPx(const LensFit &fit)
+{
+    std::vector<double> distances;
+    for (const auto &residuals : fit.residualsPx) {
+        for (const Eigen::Vector2d &residual : residuals)
+            distances.push_back(residual.norm());
+    }
+    if (distances.empty())
+        return 0;
+    const double values = 2.0 * static_cast<double>(distances.size());
+    const double fitted =
+        4.0 + static_cast<double>(fit.intrinsics.distortion.size() + 6 * fit.residualsPx.size());
+    return upperMedian(std::move(distances)) / medianOfRayleigh *
+           std::sqrt(values / std::max(1.0, values - fitted));
+}
+
 CornerMarks outlyingCorners(const std::vector<BoardView> &views, const LensFit &fit,
                             const JobControl &control)
 {
@@ -133,7 +129,8 @@ CornerMarks outlyingCorners(const std::vector<BoardView> &views, const LensFit &
     if (countOf(marks) == 0)
         return marks;
     const auto robust =
-        fitLens(views, {fit.intrinsics, fit.cameraFromBoard}, {false, 2 * limitPx / cornerOutliers}, control);
+        fitLens(views, {fit.intrinsics, fit.cameraFromBoard, fit.print},
+                {.cauchyPx = 2 * limitPx / cornerOutliers, .freePrint = fit.estimatesPrint()}, control);
     return robust ? beyond(*robust, limitOf(*robust)) : marks;
 }
 
@@ -144,9 +141,8 @@ CornerMarks misreadCorners(const std::vector<BoardView> &views, const LensFit &f
     for (std::size_t view = 0; view < marks.size(); ++view) {
         if (views[view].pixels.size() < marks[view].size() + leastCornersOfView)
             continue;
-        const bool isRestFlat =
-            2 * marks[view].size() < views[view].pixels.size() &&
-            restPx(views[view], marks[view], fit.intrinsics, fit.cameraFromBoard[view]) < mostPx;
+        const bool isRestFlat = 2 * marks[view].size() < views[view].pixels.size() &&
+                                restPx(views[view], marks[view], fit, fit.cameraFromBoard[view]) < mostPx;
         if (isRestFlat) {
             misread[view] = withOuterRows(views[view], marks[view]);
             continue;
@@ -183,9 +179,8 @@ std::vector<BoardView> withoutCorners(const std::vector<BoardView> &views, const
 
 namespace {
 
-constexpr double marginErrors = 2;  // standard errors of the mean difference
-constexpr double marginPart = 0.01; // of the RMS: less is nothing that anybody would notice
 constexpr int decimals = 3;
+constexpr double wideDegrees = 60; // between the axis and the outermost corner
 
 struct LensCandidate
 {
@@ -194,12 +189,35 @@ struct LensCandidate
     std::optional<HeldOut> heldOut;
 
     LensModel model() const { return fit.intrinsics.model; }
+    /// Infinite also where the images do not determine it.
     double heldOutPx() const
     {
-        return heldOut && heldOut->unpredicted == 0 ? heldOut->rmsPx
-                                                    : std::numeric_limits<double>::infinity();
+        return heldOut && isDetermined(fit) ? heldOut->predictionPx()
+                                            : std::numeric_limits<double>::infinity();
     }
 };
+
+/// The largest angle between the axis and a corner, as the lens sees it.
+double halfAngleDegrees(const std::vector<BoardView> &views, const LensFit &fit)
+{
+    double angle = 0;
+    for (std::size_t view = 0; view < views.size(); ++view) {
+        for (const Eigen::Vector2d &point : views[view].pointsOnBoard) {
+            const Eigen::Vector3d seen = fit.cameraFromBoard[view] * fit.print.at(point);
+            angle = std::max(angle, std::atan2(seen.head<2>().norm(), seen.z()));
+        }
+    }
+    return angle * 180 / EIGEN_PI;
+}
+
+/// The plainest model first; of a wide lens that is the fisheye's, which a polynomial of the radius suits
+/// worse and worse.
+void sortByPlainness(std::vector<LensCandidate> &candidates, const std::vector<BoardView> &views)
+{
+    const auto fisheye = std::ranges::find(candidates, LensModel::Fisheye, &LensCandidate::model);
+    if (fisheye != candidates.end() && halfAngleDegrees(views, fisheye->fit) > wideDegrees)
+        std::rotate(candidates.begin(), fisheye, fisheye + 1);
+}
 
 CornerMarks common(const std::vector<LensCandidate> &candidates)
 {
@@ -214,24 +232,12 @@ CornerMarks common(const std::vector<LensCandidate> &candidates)
     return marks;
 }
 
-/// The simpler model predicts clearly worse: by more than chance among the images explains, and by enough to
-/// matter.
+/// No model predicts better than the best by chance, and one that is not determined not at all.
 bool isClearlyWorse(const LensCandidate &simpler, const LensCandidate &best)
 {
-    if (!(simpler.heldOutPx() > (1 + marginPart) * best.heldOutPx()))
-        return false;
     if (!std::isfinite(simpler.heldOutPx()))
-        return true;
-    const auto &worse = simpler.heldOut->imageMeanSquares, &better = best.heldOut->imageMeanSquares;
-    const auto count = static_cast<double>(worse.size());
-    // Of each image's RMS, since squares would let one image drown the others.
-    const auto gain = [&](std::size_t i) { return std::sqrt(worse[i]) - std::sqrt(better[i]); };
-    double mean = 0, squares = 0;
-    for (std::size_t i = 0; i < worse.size(); ++i)
-        mean += gain(i) / count;
-    for (std::size_t i = 0; i < worse.size(); ++i)
-        squares += std::pow(gain(i) - mean, 2);
-    return mean > marginErrors * std::sqrt(squares / (count - 1) / count);
+        return std::isfinite(best.heldOutPx());
+    return predictsClearlyWorse(*simpler.heldOut, *best.heldOut);
 }
 
 MessageArgument pixelsOf(const LensCandidate &candidate)
@@ -283,6 +289,7 @@ std::optional<LensChoice> chooseLens(const std::vector<BoardView> &views,
     }
     if (candidates.empty() || control.isCancelled())
         return std::nullopt;
+    sortByPlainness(candidates, views);
     if (starts.size() == 1)
         return LensChoice{std::move(candidates.front().fit),
                           std::move(candidates.front().outliers),

@@ -9,6 +9,10 @@ namespace odo {
 /// Indices of corners, a list for each view, ascending.
 using CornerMarks = std::vector<std::vector<std::size_t>>;
 
+/// σ of one coordinate, from the median distance of the corners; what the fit took away by adapting is given
+/// back.
+double robustSigmaPx(const LensFit &fit);
+
 /// The outlier corners of a fit: farther from their prediction than 5 σ (and 0.1 px), with σ from the median
 /// distance (of normal errors one corner in 270 000 is so far). If the fit has any, it is repeated with
 /// Cauchy's loss, so they cannot bend it, and the corners are judged by that. Empty lists if there are none.

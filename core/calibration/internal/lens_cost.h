@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/calibration/board_detection.h"
+#include "core/calibration/board_shape.h"
 #include "core/geometry/camera_model.h"
 
 #include <Eigen/Core>
@@ -106,9 +107,9 @@ private:
     Eigen::Vector2d m_bent; ///< on the plane one focal length ahead
 };
 
-/// All corners of one view of a board against a lens and a pose (rotation vector and translation,
-/// cameraFromBoard): two residuals a corner, predicted minus seen. One block a view, since a block a corner
-/// costs Ceres more than its contents.
+/// All corners of one view of a board against a lens, a pose (rotation vector and translation,
+/// cameraFromBoard) and the print's shape (BoardShape::values): two residuals a corner, predicted minus seen.
+/// One block a view, since a block a corner costs Ceres more than its contents.
 template <LensModel model>
 class ViewCost : public ceres::CostFunction
 {
@@ -118,11 +119,12 @@ public:
     using Derivatives = Eigen::Map<Eigen::Matrix<double, Eigen::Dynamic, columns, Eigen::RowMajor>>;
 
     /// cauchyPx: not 0, then each corner's distance r counts as scale · sqrt(log(1 + (r / scale)²)), whose
-    /// square is Cauchy's loss. view: must outlive this.
-    ViewCost(const BoardView &view, double cauchyPx) : m_view(view), m_cauchyPx(cauchyPx)
+    /// square is Cauchy's loss. view and print, of which the values do not matter: must outlive this.
+    ViewCost(const BoardView &view, const BoardShape &print, double cauchyPx)
+        : m_view(view), m_print(print), m_cauchyPx(cauchyPx)
     {
         set_num_residuals(static_cast<int>(2 * view.pixels.size()));
-        *mutable_parameter_block_sizes() = {size, 6};
+        *mutable_parameter_block_sizes() = {size, 6, BoardShape::size};
     }
 
     bool Evaluate(const double *const *parameters, double *residuals, double **derivatives) const override
@@ -132,11 +134,11 @@ public:
         const double angle = turn.norm();
         const Eigen::Matrix3d axes = angle > 0 ? Eigen::AngleAxisd(angle, turn / angle).toRotationMatrix()
                                                : Eigen::Matrix3d::Identity();
-        const bool wanted = derivatives != nullptr;
+        const bool wanted = derivatives != nullptr, shapeWanted = wanted && derivatives[2];
         const Eigen::Matrix3d byTurn = wanted ? leftJacobian(turn, angle) : Eigen::Matrix3d::Zero();
         LensProjection<model> seen;
         for (std::size_t i = 0; i < m_view.pixels.size(); ++i) {
-            const Eigen::Vector3d arm = axes.leftCols<2>() * m_view.pointsOnBoard[i];
+            const Eigen::Vector3d arm = axes * m_print.at(m_view.pointsOnBoard[i], parameters[2]);
             if (!seen.find(lens, arm + position, wanted))
                 return false;
             Eigen::Matrix<double, 2, 6> byPose;
@@ -146,9 +148,19 @@ public:
                         arm.cross(seen.byPoint.row(row).transpose()).transpose() * byTurn;
                 byPose.template rightCols<3>() = seen.byPoint;
             }
+            Eigen::Matrix<double, 2, BoardShape::size> byShape;
+            if (shapeWanted)
+                byShape = seen.byPoint * axes * m_print.derivative(m_view.pointsOnBoard[i]);
             Eigen::Vector2d off = seen.pixel - m_view.pixels[i];
-            if (m_cauchyPx > 0)
-                heedLess(off, wanted ? &seen.byIntrinsics : nullptr, byPose);
+            if (m_cauchyPx > 0) {
+                const Eigen::Matrix2d change = heedLess(off);
+                if (wanted) {
+                    seen.byIntrinsics = change * seen.byIntrinsics;
+                    byPose = change * byPose;
+                }
+                if (shapeWanted)
+                    byShape = change * byShape;
+            }
             const auto row = static_cast<Eigen::Index>(2 * i);
             Eigen::Map<Eigen::Vector2d>(residuals + row) = off;
             if (wanted && derivatives[0])
@@ -156,6 +168,9 @@ public:
                     seen.byIntrinsics;
             if (wanted && derivatives[1])
                 Derivatives<6>(derivatives[1], num_residuals(), 6).template middleRows<2>(row) = byPose;
+            if (shapeWanted)
+                Derivatives<BoardShape::size>(derivatives[2], num_residuals(), BoardShape::size)
+                    .template middleRows<2>(row) = byShape;
         }
         return true;
     }
@@ -173,25 +188,23 @@ private:
                (angle - std::sin(angle)) / (squared * angle) * cross * cross;
     }
 
-    /// The distance drawn in as Cauchy's loss wants it, and its derivatives.
-    void heedLess(Eigen::Vector2d &off, Eigen::Matrix<double, 2, size> *byIntrinsics,
-                  Eigen::Matrix<double, 2, 6> &byPose) const
+    /// Draws the distance in as Cauchy's loss wants it; returns how its derivatives change.
+    Eigen::Matrix2d heedLess(Eigen::Vector2d &off) const
     {
         const double scale = m_cauchyPx * m_cauchyPx, squared = off.squaredNorm(), part = squared / scale;
-        const double factor = part > 1e-9 ? std::sqrt(std::log1p(part) / part) : 1;
-        if (byIntrinsics != nullptr) {
-            // d(factor)/d(squared), from factor² = log(1 + part) / part.
-            const double slope =
-                part > 1e-9 ? (1 / (1 + part) - factor * factor) / (2 * factor * squared) : 0;
-            const Eigen::Matrix2d change =
-                factor * Eigen::Matrix2d::Identity() + 2 * slope * off * off.transpose();
-            *byIntrinsics = change * *byIntrinsics;
-            byPose = change * byPose;
-        }
+        if (!(part > 1e-9))
+            return Eigen::Matrix2d::Identity();
+        const double factor = std::sqrt(std::log1p(part) / part);
+        // d(factor)/d(squared), from factor² = log(1 + part) / part.
+        const double slope = (1 / (1 + part) - factor * factor) / (2 * factor * squared);
+        const Eigen::Matrix2d change =
+            factor * Eigen::Matrix2d::Identity() + 2 * slope * off * off.transpose();
         off *= factor;
+        return change;
     }
 
     const BoardView &m_view;
+    const BoardShape &m_print;
     double m_cauchyPx;
 };
 

@@ -5,6 +5,7 @@
 #include "core/calibration/internal/lens_cost.h"
 #include "core/calibration/internal/plane_pose.h"
 
+#include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 #include <algorithm>
@@ -22,6 +23,8 @@ namespace odo {
 namespace {
 
 using Pose = std::array<double, 6>;
+
+constexpr double leastLeft = 1e-3; // of what determines the lens, when an image is left out
 
 class StopWhenCancelled : public ceres::IterationCallback
 {
@@ -62,13 +65,20 @@ RigidTransform transformOf(const Pose &pose)
 // minute.
 using Derivatives = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
-/// The share of a view in the lens's normal matrix, its pose eliminated (Schur complement).
-Eigen::MatrixXd withoutPose(const Derivatives &byIntrinsics, const Derivatives &byPose)
+/// The share of a view in the normal matrix and the gradient of what all views share, its pose eliminated
+/// (Schur complement).
+struct SharedPart
+{
+    Eigen::MatrixXd normal;
+    Eigen::VectorXd gradient;
+};
+
+SharedPart withoutPose(const Derivatives &byShared, const Derivatives &byPose, const Eigen::VectorXd &errors)
 {
     const Eigen::MatrixXd posePose = byPose.transpose() * byPose;
-    const Eigen::MatrixXd intrinsicsPose = byIntrinsics.transpose() * byPose;
-    return byIntrinsics.transpose() * byIntrinsics -
-           intrinsicsPose * posePose.inverse() * intrinsicsPose.transpose();
+    const Eigen::MatrixXd sharedPose = byShared.transpose() * byPose * posePose.inverse();
+    return {byShared.transpose() * byShared - sharedPose * byPose.transpose() * byShared,
+            byShared.transpose() * errors - sharedPose * (byPose.transpose() * errors)};
 }
 
 /// Inverse of a normal matrix; what is not determined gets an enormous variance instead of a wrong small one.
@@ -83,20 +93,46 @@ Eigen::MatrixXd inverse(const Eigen::MatrixXd &normal)
            scale.asDiagonal();
 }
 
+/// Fills in how the fit changes without each image, and the covariance by the scatter of the images' pulls.
+/// parts: one a view, at the optimum, where their gradients add up to nothing.
+void judgeImages(const std::vector<SharedPart> &parts, const Eigen::MatrixXd &normal, LensFit &fit)
+{
+    // With S = LLᵀ and Sᵢ = L·Aᵢ·Lᵀ an image pulls by L⁻ᵀ(1 − Aᵢ)^(−p)·L⁻¹gᵢ: with p = 1 that is the change
+    // of the fit without it, with p = ½ what adds up to the variance if all errors are alike and independent.
+    const Eigen::LLT<Eigen::MatrixXd> root(normal);
+    if (root.info() != Eigen::Success)
+        return;
+    const auto lower = root.matrixL();
+    fit.clusterCovariance = Eigen::MatrixXd::Zero(normal.rows(), normal.rows());
+    for (const SharedPart &part : parts) {
+        const Eigen::MatrixXd half = lower.solve(part.normal);
+        const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> share(lower.solve(half.transpose()));
+        const Eigen::ArrayXd left = (1 - share.eigenvalues().array()).cwiseMax(leastLeft);
+        const Eigen::ArrayXd pull = share.eigenvectors().transpose() * lower.solve(part.gradient);
+        const auto change = [&](const Eigen::ArrayXd &by) -> Eigen::VectorXd {
+            return root.matrixU().solve(share.eigenvectors() * by.matrix());
+        };
+        fit.withoutImage.push_back(change(pull / left));
+        const Eigen::VectorXd scatter = change(pull / left.sqrt());
+        fit.clusterCovariance += scatter * scatter.transpose();
+    }
+}
+
 template <LensModel model>
 class Fit
 {
 public:
-    Fit(const std::vector<BoardView> &views, const LensStart &start)
-        : m_views(views), m_intrinsics(start.intrinsics), m_lens{start.intrinsics.fxPx, start.intrinsics.fyPx,
-                                                                 start.intrinsics.cxPx, start.intrinsics.cyPx}
+    Fit(const std::vector<BoardView> &views, const LensStart &start, const LensFitOptions &options)
+        : m_views(views), m_options(options), m_print(start.print), m_shape(start.print.values),
+          m_intrinsics(start.intrinsics), m_lens{start.intrinsics.fxPx, start.intrinsics.fyPx,
+                                                 start.intrinsics.cxPx, start.intrinsics.cyPx}
     {
         std::copy(start.intrinsics.distortion.begin(), start.intrinsics.distortion.end(), m_lens.begin() + 4);
         for (const RigidTransform &pose : start.cameraFromBoard)
             m_poses.push_back(parametersOf(pose));
     }
 
-    bool solve(const LensFitOptions &wanted, const JobControl &control)
+    bool solve(const JobControl &control)
     {
         ceres::Problem::Options ownership;
         ownership.cost_function_ownership = ceres::DO_NOT_TAKE_OWNERSHIP;
@@ -104,23 +140,23 @@ public:
         ceres::Problem problem(ownership);
         auto *ordering = new ceres::ParameterBlockOrdering;
         for (std::size_t view = 0; view < m_views.size(); ++view) {
-            problem.AddResidualBlock(&costs.emplace_back(m_views[view], wanted.cauchyPx), nullptr,
-                                     m_lens.data(), m_poses[view].data());
+            problem.AddResidualBlock(&costs.emplace_back(m_views[view], m_print, m_options.cauchyPx), nullptr,
+                                     m_lens.data(), m_poses[view].data(), m_shape.data());
             ordering->AddElementToGroup(m_poses[view].data(), 0);
         }
         ordering->AddElementToGroup(m_lens.data(), 1);
-        if (wanted.holdFocal)
-            problem.SetManifold(m_lens.data(), new ceres::SubsetManifold(size, {0, 1}));
-        else if (wanted.holdSixthOrder && model == LensModel::Standard)
-            problem.SetManifold(m_lens.data(), new ceres::SubsetManifold(size, {4 + sixthOrder}));
+        ordering->AddElementToGroup(m_shape.data(), 1);
+        hold(problem);
         StopWhenCancelled stop(control);
         ceres::Solver::Options options;
-        options.linear_solver_type = ceres::DENSE_SCHUR;
+        // Without anything in common there is nothing to eliminate the poses from.
+        options.linear_solver_type =
+            m_options.holdLens && !m_options.freePrint ? ceres::DENSE_QR : ceres::DENSE_SCHUR;
         options.linear_solver_ordering.reset(ordering);
         options.max_num_iterations = 200;
         // A probe needs no last digits; a rational lens goes on for ever along what the images do not
         // determine.
-        options.function_tolerance = wanted.holdFocal ? 1e-6 : model == LensModel::Rational ? 1e-7 : 1e-12;
+        options.function_tolerance = m_options.holdFocal ? 1e-6 : model == LensModel::Rational ? 1e-7 : 1e-12;
         options.parameter_tolerance = 1e-12;
         options.gradient_tolerance = 1e-14;
         // Coefficients of the rational lens that the images do not determine leave a matrix that cannot be
@@ -137,49 +173,78 @@ public:
     LensFit result() const
     {
         LensFit fit;
+        fit.print = m_print;
+        fit.print.values = m_shape;
         fit.intrinsics = m_intrinsics;
         fit.intrinsics.fxPx = m_lens[0];
         fit.intrinsics.fyPx = m_lens[1];
         fit.intrinsics.cxPx = m_lens[2];
         fit.intrinsics.cyPx = m_lens[3];
         fit.intrinsics.distortion.assign(m_lens.begin() + 4, m_lens.end());
-        Eigen::MatrixXd reduced = Eigen::MatrixXd::Zero(size, size);
+        std::vector<SharedPart> parts;
+        Eigen::MatrixXd normal = Eigen::MatrixXd::Zero(sharedSize(), sharedSize());
         std::size_t count = 0;
         for (std::size_t view = 0; view < m_views.size(); ++view) {
             fit.cameraFromBoard.push_back(transformOf(m_poses[view]));
-            fit.residualsPx.emplace_back();
-            fit.imageSquares.push_back(addNormal(view, reduced, fit.residualsPx.back()));
+            parts.push_back(judge(view, fit));
+            normal += parts.back().normal;
             fit.squares += fit.imageSquares.back();
             count += m_views[view].pixels.size();
         }
-        const double freedom =
-            2.0 * static_cast<double>(count) - size - 6.0 * static_cast<double>(m_views.size());
+        const double freedom = 2.0 * static_cast<double>(count) - static_cast<double>(sharedSize()) -
+                               6.0 * static_cast<double>(m_views.size());
         fit.sigmaPx = std::sqrt(fit.squares / std::max(1.0, freedom));
-        fit.intrinsics.covariance = fit.sigmaPx * fit.sigmaPx * inverse(reduced);
+        const Eigen::MatrixXd covariance = fit.sigmaPx * fit.sigmaPx * inverse(normal);
+        fit.intrinsics.covariance = covariance.topLeftCorner<size, size>();
+        fit.printCovariance = covariance.bottomRightCorner(sharedSize() - size, sharedSize() - size);
+        if (!m_options.holdFocal && !m_options.holdLens && !m_options.holdSixthOrder &&
+            m_options.cauchyPx == 0)
+            judgeImages(parts, normal, fit);
         return fit;
     }
 
 private:
     static constexpr int size = intrinsicsSize(model);
 
-    /// Adds a view's share to the lens's normal matrix; returns its squares.
-    double addNormal(std::size_t view, Eigen::MatrixXd &reduced,
-                     std::vector<Eigen::Vector2d> &residuals) const
+    Eigen::Index sharedSize() const { return size + (m_options.freePrint ? BoardShape::size : 0); }
+
+    /// Holds what shall stay.
+    void hold(ceres::Problem &problem)
+    {
+        if (m_options.holdLens)
+            problem.SetParameterBlockConstant(m_lens.data());
+        else if (m_options.holdFocal)
+            problem.SetManifold(m_lens.data(), new ceres::SubsetManifold(size, {0, 1}));
+        else if (m_options.holdSixthOrder && model == LensModel::Standard)
+            problem.SetManifold(m_lens.data(), new ceres::SubsetManifold(size, {4 + sixthOrder}));
+        if (!m_options.freePrint)
+            problem.SetParameterBlockConstant(m_shape.data());
+    }
+
+    /// Fills in a view's residuals and squares; returns its share in what the views have in common.
+    SharedPart judge(std::size_t view, LensFit &fit) const
     {
         const std::size_t corners = m_views[view].pixels.size();
         const auto rows = static_cast<Eigen::Index>(2 * corners);
-        Derivatives byIntrinsics(rows, size), byPose(rows, 6);
+        Derivatives byIntrinsics(rows, size), byPose(rows, 6), byShape(rows, int(BoardShape::size));
         Eigen::VectorXd errors(rows);
-        const double *parameters[] = {m_lens.data(), m_poses[view].data()};
-        double *derivatives[] = {byIntrinsics.data(), byPose.data()};
-        ViewCost<model>(m_views[view], 0).Evaluate(parameters, errors.data(), derivatives);
+        const double *parameters[] = {m_lens.data(), m_poses[view].data(), m_shape.data()};
+        double *derivatives[] = {byIntrinsics.data(), byPose.data(), byShape.data()};
+        ViewCost<model>(m_views[view], m_print, 0).Evaluate(parameters, errors.data(), derivatives);
+        fit.residualsPx.emplace_back();
         for (std::size_t i = 0; i < corners; ++i)
-            residuals.emplace_back(-errors.segment<2>(static_cast<Eigen::Index>(2 * i)));
-        reduced += withoutPose(byIntrinsics, byPose);
-        return errors.squaredNorm();
+            fit.residualsPx.back().emplace_back(-errors.segment<2>(static_cast<Eigen::Index>(2 * i)));
+        fit.imageSquares.push_back(errors.squaredNorm());
+        Derivatives byShared(rows, sharedSize());
+        byShared.leftCols(size) = byIntrinsics;
+        byShared.rightCols(sharedSize() - size) = byShape.leftCols(sharedSize() - size);
+        return withoutPose(byShared, byPose, errors);
     }
 
     const std::vector<BoardView> &m_views;
+    const LensFitOptions m_options;
+    const BoardShape m_print;
+    std::array<double, BoardShape::size> m_shape;
     Intrinsics m_intrinsics;
     std::array<double, size> m_lens{};
     std::vector<Pose> m_poses;
@@ -189,8 +254,8 @@ template <LensModel model>
 std::optional<LensFit> fitWith(const std::vector<BoardView> &views, const LensStart &start,
                                const LensFitOptions &options, const JobControl &control)
 {
-    Fit<model> fit(views, start);
-    if (!fit.solve(options, control))
+    Fit<model> fit(views, start, options);
+    if (!fit.solve(control))
         return std::nullopt;
     LensFit result = fit.result();
     if (!std::isfinite(result.squares) || !CameraModel::create(result.intrinsics))
@@ -237,11 +302,26 @@ std::optional<LensFit> fitLens(const std::vector<BoardView> &views, const LensSt
     const auto first = fitWith<LensModel::Standard>(views, simple, options, control);
     if (!first)
         return std::nullopt;
-    LensStart better{first->intrinsics, first->cameraFromBoard};
+    LensStart better{first->intrinsics, first->cameraFromBoard, first->print};
     better.intrinsics.model = LensModel::Rational;
     better.intrinsics.covariance.resize(0, 0);
     better.intrinsics.distortion.resize(8, 0.0);
     return fitWith<LensModel::Rational>(views, better, options, control);
+}
+
+std::optional<LensFit> fitPose(const BoardView &view, const LensFit &known,
+                               const RigidTransform &cameraFromBoard)
+{
+    const auto from = [&](const RigidTransform &pose) {
+        return fitLens({view}, {known.intrinsics, {pose}, known.print}, {.holdLens = true}, JobControl());
+    };
+    if (auto near = from(cameraFromBoard))
+        return near;
+    const auto camera = CameraModel::create(known.intrinsics);
+    if (!camera)
+        return std::nullopt;
+    const auto pose = fitPlanePose(pairsOf(view), *camera, FocalLength::Known);
+    return pose ? from(pose->worldFromCamera.inverse()) : std::nullopt;
 }
 
 namespace {
