@@ -113,6 +113,25 @@ Result<std::vector<MarkerPixel>> readPixelsCsv(const std::filesystem::path &file
     return pixels;
 }
 
+std::string locatedPointsCsv(const std::vector<LocatedPoint> &points)
+{
+    constexpr int decimals = 3; // micrometres: no camera sees less
+    std::string text = "label,u,v,x_mm,y_mm,sigma_x_mm,sigma_y_mm\n";
+    for (const LocatedPoint &point : points) {
+        text +=
+            csvText(point.label, ',') + ',' + numberText(point.pixel.x()) + ',' + numberText(point.pixel.y());
+        if (point.position) {
+            for (const Eigen::Vector2d &pair : {point.position->pointInWorld, point.position->sigmaM()})
+                for (const double metres : pair)
+                    text += ',' + formatNumber(toMillimetres(metres), decimals);
+        } else {
+            text += ",,,,";
+        }
+        text += '\n';
+    }
+    return text;
+}
+
 Result<std::vector<SharedPoint>> readSharedPointsCsv(const std::filesystem::path &file)
 {
     const std::vector<std::string> columns{"label", "u", "v", "through_u", "through_v"};

@@ -65,6 +65,28 @@ private Q_SLOTS:
         QVERIFY(std::abs(intrinsics.value(QStringLiteral("fx")).toDouble() - 533.52) <= 0.83);
     }
 
+    /// Published by an independent implementation: 99.80 ± 0.14 mm (3 σ).
+    void theStereoChessboardsGiveThePublishedDistance()
+    {
+        const QString file = m_folder.filePath(QStringLiteral("pair.odo"));
+        QCOMPARE(good({QStringLiteral("new"), file}).exitStatus, 0);
+        const QJsonObject answer =
+            good(QStringList{QStringLiteral("calibrate-pair"), file, QStringLiteral("L"), QStringLiteral("R"),
+                             QStringLiteral("--square"), QStringLiteral("30mm"), QStringLiteral("--json"),
+                             QStringLiteral("--a")} +
+                 images("chessboard-stereo", "left*.jpg") + QStringList(QStringLiteral("--b")) +
+                 images("chessboard-stereo", "right*.jpg"))
+                .json();
+        const double baseline = answer.value(QStringLiteral("baseline_mm")).toDouble(),
+                     sigma = answer.value(QStringLiteral("sigma_mm")).toDouble(9),
+                     rms = answer.value(QStringLiteral("rms_px")).toDouble(9);
+        qInfo("%.3f ± %.3f mm, RMS %.3f px", baseline, sigma, rms);
+        QCOMPARE(answer.value(QStringLiteral("pairs_used")).toInt(), 13);
+        QVERIFY(std::abs(baseline - 99.80) <= 0.15);
+        QVERIFY(sigma < 0.15);
+        QVERIFY(rms <= 0.25);
+    }
+
     void sevenPortraitBoardsAreEnoughForThreePercent_data()
     {
         QTest::addColumn<QString>("folder");
