@@ -40,7 +40,7 @@ QJsonObject locatedJson(const CommandCall &call, const LocatedPoints &located, d
             {QStringLiteral("registration"), qint64(located.registration)},
             {QStringLiteral("height_mm"), toMillimetres(heightM)},
             {QStringLiteral("pixel_sigma_px"), located.pixelSigmaPx},
-            {QStringLiteral("lens_assumed"), located.isLensAssumed},
+            {QStringLiteral("lens_assumed"), located.areIntrinsicsAssumed},
             {QStringLiteral("points"), points}};
 }
 

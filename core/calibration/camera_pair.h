@@ -51,7 +51,7 @@ struct CameraPair
     /// How much worse the pairs agree on one relation than the corners' noise explains: 1 or more, a ratio of
     /// variances. It is in the covariance.
     double overdispersion = 1;
-    bool isLensUncertaintyStated = true; ///< by the lens calibrations of both
+    bool areIntrinsicsSigmasStated = true; ///< by the lens calibrations of both
     std::vector<UsedPair> used;
     std::vector<RejectedPair> rejected;
     TriangulatedSquares squares;
@@ -71,8 +71,11 @@ struct CameraPair
 /// each image: the numbering on which the pairs agree is taken.
 ///
 /// Covariance: σ²·φ·N⁻¹ of the corners, with σ from each image alone and φ, at least 1, the mean excess of
-/// the pairs (quasi-likelihood: McCullagh and Nelder 1989, 4.5), so that boards that moved between the two
-/// shutters count as they scatter; and what both lenses' covariances leave, to first order.
+/// the pairs (quasi-likelihood: McCullagh and Nelder 1989, 4.5). Where φ is clearly above 1 (boards that
+/// moved between the two shutters), at least the scatter of the pairs along each direction (Liang and Zeger
+/// 1986). And what both lenses' covariances leave, to first order. A lens without one (imported from
+/// elsewhere) counts as known to 1 % of its focal length, 0.5 % of the image for its principal point and 0.02
+/// for k1.
 ///
 /// Errors: Undetermined where no pair has the board in both images, where more than half of the pairs
 /// contradict, where the pairs agree on no relation, and where a checkerboard's numbering stays open;

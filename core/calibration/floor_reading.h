@@ -40,7 +40,7 @@ class FloorReading
 public:
     /// camera: the lens that the registration was made with. pixels: those it was made from.
     FloorReading(const FloorRegistration &registration, const CameraModel &camera,
-                 const std::vector<MarkerPixel> &pixels, bool isLensAssumed);
+                 const std::vector<MarkerPixel> &pixels, bool areIntrinsicsAssumed);
 
     double pixelSigmaPx() const { return m_pixelSigmaPx; }
     const FloorView &view() const { return m_view; }

@@ -193,7 +193,10 @@ private Q_SLOTS:
                              dy = number(point, "y_mm") - 1e3 * marker.pointInWorld.y();
                 QVERIFY2(std::abs(dx) < 4 * number(point, "sigma_x_mm") &&
                              std::abs(dy) < 4 * number(point, "sigma_y_mm"),
-                         qPrintable(QStringLiteral("%1: %2 %3").arg(marker.label.c_str()).arg(dx).arg(dy)));
+                         qPrintable(QStringLiteral("%1: %2 %3")
+                                        .arg(QString::fromStdString(marker.label))
+                                        .arg(dx)
+                                        .arg(dy)));
                 QVERIFY(number(point, "sigma_x_mm") < 60);
             }
         }

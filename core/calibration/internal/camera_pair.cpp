@@ -163,7 +163,7 @@ void setCovariance(const PairFit &fit, const CameraModel &a, const CameraModel &
     const auto carry = [&](const CameraModel &camera, const Eigen::MatrixXd &byIntrinsics) {
         const Intrinsics &lens = camera.intrinsics();
         const bool isStated = lens.covariance.rows() == byIntrinsics.cols();
-        answer.isLensUncertaintyStated = answer.isLensUncertaintyStated && isStated;
+        answer.areIntrinsicsSigmasStated = answer.areIntrinsicsSigmasStated && isStated;
         answer.covariance += byIntrinsics *
                              (isStated ? lens.covariance : covarianceOf(lens, importedLensSpread)) *
                              byIntrinsics.transpose();

@@ -61,11 +61,11 @@ CameraModel withSpread(const FloorRegistration &registration, const CameraModel 
 } // namespace
 
 FloorReading::FloorReading(const FloorRegistration &registration, const CameraModel &camera,
-                           const std::vector<MarkerPixel> &pixels, bool isLensAssumed)
+                           const std::vector<MarkerPixel> &pixels, bool areIntrinsicsAssumed)
     : m_pixelSigmaPx(pixelSigmaOf(registration)),
-      m_view(floorViewOf(registration,
-                         isLensAssumed ? withSpread(registration, camera, pixels, m_pixelSigmaPx) : camera,
-                         pixels))
+      m_view(floorViewOf(
+          registration,
+          areIntrinsicsAssumed ? withSpread(registration, camera, pixels, m_pixelSigmaPx) : camera, pixels))
 {
 }
 

@@ -78,7 +78,7 @@ Message pairVerdict(const CameraPair &pair)
                      "The pairs agree less well than the corners would allow, which is in the "
                      "uncertainty: the board moved between the two frames of a pair, or a lens "
                      "calibration is less accurate than stated."));
-    if (!pair.isLensUncertaintyStated)
+    if (!pair.areIntrinsicsSigmasStated)
         sentences.push_back(
             ODO_TEXT("calibration.pair_lens_usual",
                      "A lens calibration has no stated uncertainty: a usual one was assumed."));

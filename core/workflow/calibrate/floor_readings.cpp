@@ -11,14 +11,14 @@ namespace odo {
 
 Result<FloorReading> floorReadingOf(Project &project, const RegistrationRecord &registration)
 {
-    const bool isLensAssumed = registration.intrinsics == 0;
+    const bool areIntrinsicsAssumed = registration.intrinsics == 0;
     Intrinsics lens = registration.assumedIntrinsics;
-    if (!isLensAssumed) {
+    if (!areIntrinsicsAssumed) {
         auto stored = ODO_TRY(project.cameras().intrinsics(registration.intrinsics));
         lens = std::move(stored.calibration.intrinsics);
     }
     const auto camera = ODO_TRY(CameraModel::create(std::move(lens)));
-    return FloorReading(registration.registration, camera, registration.pixels, isLensAssumed);
+    return FloorReading(registration.registration, camera, registration.pixels, areIntrinsicsAssumed);
 }
 
 std::vector<std::string> LocatedPoints::outside() const

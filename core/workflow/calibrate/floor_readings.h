@@ -20,8 +20,8 @@ Result<FloorReading> floorReadingOf(Project &project, const RegistrationRecord &
 struct LocatedPoints
 {
     RecordId registration = 0;
-    bool isLensAssumed = false; ///< the registration was made without a lens calibration
-    double pixelSigmaPx = 0;    ///< of a coordinate of a pixel, as it counts in the σ
+    bool areIntrinsicsAssumed = false; ///< the registration was made without a lens calibration
+    double pixelSigmaPx = 0;           ///< of a coordinate of a pixel, as it counts in the σ
     int widthPx = 0, heightPx = 0;
     std::vector<LocatedPoint> points;
 
