@@ -8,6 +8,7 @@
 
 #include <array>
 #include <charconv>
+#include <cmath>
 #include <filesystem>
 #include <limits>
 #include <map>
@@ -115,7 +116,8 @@ Result<std::vector<MarkerPixel>> readPixelsCsv(const std::filesystem::path &file
 
 std::string locatedPointsCsv(const std::vector<LocatedPoint> &points)
 {
-    constexpr int decimals = 3; // micrometres: no camera sees less
+    // In whole micrometres, for no camera sees less; without a minus before zero.
+    const auto millimetresOf = [](double metres) { return std::round(1e6 * metres) / 1e3 + 0.0; };
     std::string text = "label,u,v,x_mm,y_mm,sigma_x_mm,sigma_y_mm\n";
     for (const LocatedPoint &point : points) {
         text +=
@@ -123,7 +125,7 @@ std::string locatedPointsCsv(const std::vector<LocatedPoint> &points)
         if (point.position) {
             for (const Eigen::Vector2d &pair : {point.position->pointInWorld, point.position->sigmaM()})
                 for (const double metres : pair)
-                    text += ',' + formatNumber(toMillimetres(metres), decimals);
+                    text += ',' + numberText(millimetresOf(metres));
         } else {
             text += ",,,,";
         }
