@@ -98,7 +98,7 @@ private Q_SLOTS:
         const PoseOnFloor b = poseByRelation({viewA.worldFromCamera(), covariance(0.001, 0.002)}, truePair());
         const auto registered = registerByPose(b, cameraSubject("A"), viewB.camera(), 0.2);
         QVERIFY2(registered.has_value(), registered ? "" : registered.error().message().c_str());
-        QVERIFY(registered->registration.floorSigmaM > 0.002 && registered->registration.floorSigmaM < 0.05);
+        QVERIFY(registered->registration.floorSigmaM > 0.002 && registered->registration.floorSigmaM < 0.08);
         QVERIFY(registered->registration.verdict.english().find(
                     "via camera 'A' and a board that both see; floor uncertainty ±") != std::string::npos);
         const FloorView view = floorViewOf(registered->registration, viewB.camera(), registered->pixels);

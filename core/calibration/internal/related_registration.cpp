@@ -22,7 +22,7 @@ using Vector6d = Eigen::Matrix<double, 6, 1>;
 
 constexpr int gridSide = 5;                // points across the image
 constexpr double gridMargin = 0.05;        // of the image
-constexpr double farthestHeights = 8;      // of the camera's height: beyond, a floor point says little
+constexpr double farthestHeights = 4;      // of the camera's height: beyond, a floor point says little
 constexpr double worstRelatedSigma = 0.03; // of the points' extent
 constexpr double mostChiSquared = 22.458;  // 99.9 % of six degrees of freedom
 

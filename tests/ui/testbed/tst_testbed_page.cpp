@@ -124,7 +124,6 @@ void TestTestbedPage::readsTheFloorUnderTheMouse()
                                        .pixelFromWorld({marker.pointInWorld.x(), marker.pointInWorld.y(), 0});
     QTest::mouseMove(view->imageArea(), view->fromImagePixels({pixel.x(), pixel.y()}).toPoint());
     QVERIFY(copy->isEnabled());
-    page.grab().save(QStringLiteral("/var/tmp/wA_t/testbed.png")); // TEMPORARY
     copy->trigger();
     const QString text = QApplication::clipboard()->text();
     qInfo("%s", qPrintable(text));
