@@ -87,6 +87,35 @@ private Q_SLOTS:
         QVERIFY(rms <= 0.25);
     }
 
+    /// Hand-held ChArUco boards before webcams, by videos: squares of 54 mm (± 0.2, SD at most 1.1). The
+    /// distance in the file (626.4 mm) has no uncertainty; neither have its lens calibrations.
+    void theWebcamsTriangulateTheirSquares()
+    {
+        const QString file = m_folder.filePath(QStringLiteral("webcams.odo"));
+        QCOMPARE(good({QStringLiteral("new"), file}).exitStatus, 0);
+        for (const char *camera : {"2", "3"})
+            QCOMPARE(good({QStringLiteral("intrinsics"), QStringLiteral("import"), file,
+                           QString::fromLatin1(camera), data("charuco-four-webcams/camera_array.toml"),
+                           QStringLiteral("--entry"), QString::fromLatin1(camera)})
+                         .exitStatus,
+                     0);
+        const QJsonObject answer =
+            good({QStringLiteral("calibrate-pair"), file, QStringLiteral("2"), QStringLiteral("3"),
+                  QStringLiteral("--square"), QStringLiteral("54mm"), QStringLiteral("--json"),
+                  QStringLiteral("--a"), data("charuco-four-webcams/cam_2.mp4"), QStringLiteral("--b"),
+                  data("charuco-four-webcams/cam_3.mp4")})
+                .json();
+        const QJsonObject square = answer.value(QStringLiteral("square_mm")).toObject();
+        const double baseline = answer.value(QStringLiteral("baseline_mm")).toDouble(),
+                     sigma = answer.value(QStringLiteral("sigma_mm")).toDouble(999);
+        qInfo("%.1f ± %.1f mm, squares %.2f ± %.2f mm", baseline, sigma,
+              square.value(QStringLiteral("mean")).toDouble(), square.value(QStringLiteral("sd")).toDouble());
+        QVERIFY(answer.value(QStringLiteral("pairs_used")).toInt() >= 12);
+        QVERIFY(std::abs(square.value(QStringLiteral("mean")).toDouble() - 54) <= 0.2);
+        QVERIFY(square.value(QStringLiteral("sd")).toDouble(9) <= 1.1);
+        QVERIFY(std::abs(baseline - 626.4) < 3 * sigma && sigma < 0.02 * baseline);
+    }
+
     void sevenPortraitBoardsAreEnoughForThreePercent_data()
     {
         QTest::addColumn<QString>("folder");
