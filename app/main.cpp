@@ -38,7 +38,7 @@ void printHelp()
               "odograph --window [PROJECT.odo]  the same, but show problems with the project in the window\n"
               "odograph COMMAND ...             run without a window; odograph help COMMAND shows how\n");
     for (const NamedCommand &command : allCommands())
-        std::printf("  %-11s %s\n", command.name, command.summary);
+        std::printf("  %-14s %s\n", command.name, command.summary);
 }
 
 /// Files and answers are written with a point, whatever the locale; what a person reads goes through QLocale.

@@ -3889,6 +3889,13 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
 </context>
 <context>
+    <name>calibration.check_first_registration</name>
+    <message>
+        <source>check the registration of %1 and the pair</source>
+        <translation>prüfen Sie die Einmessung von %1 und das Kamerapaar</translation>
+    </message>
+</context>
+<context>
     <name>calibration.check_labels</name>
     <message>
         <source>check these labels</source>
@@ -5044,6 +5051,13 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
 </context>
 <context>
+    <name>calibration.more_pairs</name>
+    <message>
+        <source>take more pairs, or register %1 better first</source>
+        <translation>machen Sie mehr Bildpaare, oder messen Sie zuerst %1 besser ein</translation>
+    </message>
+</context>
+<context>
     <name>calibration.more_pictures</name>
     <message>
         <source>More images (%1 or more) would make it more certain.</source>
@@ -5184,6 +5198,13 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
 </context>
 <context>
+    <name>calibration.no_pair_has_board</name>
+    <message>
+        <source>none of %1 pairs can be used</source>
+        <translation>von %1 Bildpaaren ist keines brauchbar</translation>
+    </message>
+</context>
+<context>
     <name>calibration.no_pose</name>
     <message>
         <source>no pose</source>
@@ -5209,6 +5230,13 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>Not found again: %1.</source>
         <translation>Nicht wiedergefunden: %1.</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.not_registered_by_pair</name>
+    <message>
+        <source>the camera cannot be registered by the pair</source>
+        <translation>die Kamera kann durch das Paar nicht eingemessen werden</translation>
     </message>
 </context>
 <context>
@@ -5272,6 +5300,118 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>beyond the limit of %1 (2.5 σ).</source>
         <translation>außerhalb des erwarteten Fehlers von %1.</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.pair_contradicts</name>
+    <message>
+        <source>it contradicts the other pairs by %1 RMS</source>
+        <translation>es widerspricht den anderen Paaren um %1 RMS</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.pair_fits</name>
+    <message>
+        <source>the cameras are %1 apart (±%2) by %3 pairs, whose corners fit to %4 RMS</source>
+        <translation>die Kameras sind %1 voneinander entfernt (±%2), nach %3 Bildpaaren, deren Ecken auf %4 RMS passen</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.pair_floor_unsure</name>
+    <message>
+        <source>the floor uncertainty would be ±%1</source>
+        <translation>die Unsicherheit auf dem Boden wäre ±%1</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.pair_is_one_image</name>
+    <message>
+        <source>both are the same image</source>
+        <translation>beide sind dasselbe Bild</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.pair_lacks_board</name>
+    <message>
+        <source>the board was not found in &apos;%1&apos;</source>
+        <translation>in „%1“ wurde die Tafel nicht gefunden</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.pair_lens_usual</name>
+    <message>
+        <source>A lens calibration has no stated uncertainty: a usual one was assumed.</source>
+        <translation>Eine Objektivkalibrierung gibt keine Unsicherheit an: eine übliche wurde angenommen.</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.pair_of_cameras</name>
+    <message>
+        <source>the relative position of the cameras</source>
+        <translation>die relative Lage der Kameras</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.pair_sees_no_floor</name>
+    <message>
+        <source>it would see hardly any floor</source>
+        <translation>sie sähe kaum etwas vom Boden</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.pair_squares</name>
+    <message>
+        <source>Triangulated, the squares of the board are %1 (standard deviation %2).</source>
+        <translation>Trianguliert sind die Felder der Tafel %1 groß (Standardabweichung %2).</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.pair_swapped</name>
+    <message>
+        <source>the images of each camera fit the lens calibration of the other one (%1 instead of %2 RMS)</source>
+        <translation>die Bilder jeder Kamera passen zur Objektivkalibrierung der anderen (%1 statt %2 RMS)</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.pair_turned</name>
+    <message>
+        <source>the board looks the same when turned by half, and %1 pairs fit both ways</source>
+        <translation>die Tafel sieht um 180° gedreht gleich aus, und %1 Bildpaare passen auf beide Arten</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.pair_undetermined</name>
+    <message>
+        <source>the board positions do not determine it</source>
+        <translation>die Lagen der Tafel bestimmen sie nicht</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.pair_without_pose</name>
+    <message>
+        <source>the corners in &apos;%1&apos; determine no pose</source>
+        <translation>die Ecken in „%1“ bestimmen keine Lage</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.pairs_contradict</name>
+    <message>
+        <source>the pairs contradict each other (%1 RMS together, %2 in each image alone)</source>
+        <translation>die Bildpaare widersprechen einander (%1 RMS zusammen, %2 in jedem Bild für sich)</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.pairs_left_out</name>
+    <message>
+        <source>%1 pairs were not used.</source>
+        <translation>%1 Bildpaare wurden nicht verwendet.</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.pairs_scatter</name>
+    <message>
+        <source>The pairs agree less well than the corners would allow, which is in the uncertainty: the board moved between the two frames of a pair, or a lens calibration is less accurate than stated.</source>
+        <translation>Die Bildpaare stimmen schlechter überein, als die Ecken erwarten lassen, was in der Unsicherheit enthalten ist: die Tafel hat sich zwischen den beiden Bildern eines Paares bewegt, oder eine Objektivkalibrierung ist ungenauer als angegeben.</translation>
     </message>
 </context>
 <context>
@@ -5618,6 +5758,13 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
 </context>
 <context>
+    <name>calibration.related_to</name>
+    <message>
+        <source>via %1 and a board that both see; floor uncertainty ±%2</source>
+        <translation>über %1 und eine Tafel, die beide sehen; der Boden ist auf ±%2 bekannt</translation>
+    </message>
+</context>
+<context>
     <name>calibration.reverse_both</name>
     <message>
         <source>reverse both (a half turn), or turn the axes</source>
@@ -5727,6 +5874,13 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>show the board larger, sharp and well lit</source>
         <translation>zeigen Sie die Tafel größer, scharf und gut beleuchtet</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.show_board_to_both</name>
+    <message>
+        <source>show the whole board to both cameras at once, in ten positions or more</source>
+        <translation>zeigen Sie beiden Kameras zugleich die ganze Tafel, in zehn Lagen oder mehr</translation>
     </message>
 </context>
 <context>
@@ -5842,6 +5996,13 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
 </context>
 <context>
+    <name>calibration.swap_pair</name>
+    <message>
+        <source>swap the images of the two cameras</source>
+        <translation>vertauschen Sie die Bilder der beiden Kameras</translation>
+    </message>
+</context>
+<context>
     <name>calibration.tag_seen_often</name>
     <message>
         <source>tag %1 (marker %2) appears %3 times</source>
@@ -5853,6 +6014,13 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>%1 tags were found, mirrored</source>
         <translation>%1 Tags wurden gespiegelt gefunden</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.take_at_same_moment</name>
+    <message>
+        <source>check that the files belong together in this order and were taken at the same moments, and that both lens calibrations belong to these cameras</source>
+        <translation>prüfen Sie, ob die Dateien in dieser Reihenfolge zusammengehören und zu denselben Zeitpunkten aufgenommen wurden, und ob beide Objektivkalibrierungen zu diesen Kameras gehören</translation>
     </message>
 </context>
 <context>
@@ -5902,6 +6070,13 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>tilt it by 30 to 45 degrees</source>
         <translation>neigen Sie sie um 30 bis 45 Grad</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.tilt_or_charuco</name>
+    <message>
+        <source>show it in more positions with different tilts, or use a ChArUco board</source>
+        <translation>zeigen Sie sie in mehr Lagen mit verschiedenen Neigungen, oder nehmen Sie eine ChArUco-Tafel</translation>
     </message>
 </context>
 <context>
@@ -10887,6 +11062,21 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>colour</source>
         <translation>Farbe</translation>
+    </message>
+</context>
+<context>
+    <name>odo::FloorReadOut</name>
+    <message>
+        <source>&amp;Copy floor position</source>
+        <translation>Bodenposition &amp;kopieren</translation>
+    </message>
+    <message>
+        <source>x %1 · y %2</source>
+        <translation>x %1 · y %2</translation>
+    </message>
+    <message>
+        <source>Not on the floor</source>
+        <translation>Nicht auf dem Boden</translation>
     </message>
 </context>
 <context>
@@ -20532,6 +20722,13 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
 </context>
 <context>
+    <name>workflow.calibrate_pair</name>
+    <message>
+        <source>calibrate cameras %1 and %2 as a pair</source>
+        <translation>Kameras %1 und %2 als Paar kalibrieren</translation>
+    </message>
+</context>
+<context>
     <name>workflow.calibrated_from_pictures</name>
     <message>
         <source>calibrated from %1 images</source>
@@ -20896,6 +21093,13 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
 </context>
 <context>
+    <name>workflow.computing_pair</name>
+    <message>
+        <source>computing the relative position</source>
+        <translation>die relative Lage wird berechnet</translation>
+    </message>
+</context>
+<context>
     <name>workflow.copy_file_again</name>
     <message>
         <source>copy the file from the camera again</source>
@@ -21012,6 +21216,13 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>record to a faster disk, or fewer cameras at once</source>
         <translation>nehmen Sie auf eine schnellere Platte oder mit weniger Kameras zugleich auf</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.file_given_twice</name>
+    <message>
+        <source>&apos;%1&apos; is given twice</source>
+        <translation>„%1“ ist zweimal angegeben</translation>
     </message>
 </context>
 <context>
@@ -21169,6 +21380,13 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
 </context>
 <context>
+    <name>workflow.give_each_file_once</name>
+    <message>
+        <source>give each file once, to its camera</source>
+        <translation>geben Sie jede Datei einmal an, bei ihrer Kamera</translation>
+    </message>
+</context>
+<context>
     <name>workflow.give_each_robot_one</name>
     <message>
         <source>give each robot one</source>
@@ -21180,6 +21398,13 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>give each view its own camera</source>
         <translation>geben Sie jeder Sicht ihre eigene Kamera</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.give_height_below_camera</name>
+    <message>
+        <source>give a height below the camera</source>
+        <translation>geben Sie eine Höhe unter der Kamera an</translation>
     </message>
 </context>
 <context>
@@ -21264,6 +21489,20 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>a robot hardly moves at %1 with %2; check units and scale</source>
         <translation>ein Roboter bewegt sich kaum mit %1 und %2; prüfen Sie Einheiten und Maßstab</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.height_above_camera</name>
+    <message>
+        <source>it is only %1 above the floor, but the points would be at %2</source>
+        <translation>sie ist nur %1 über dem Boden, aber die Punkte wären auf %2</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.image_with_video</name>
+    <message>
+        <source>one is an image and the other a video</source>
+        <translation>die eine ist ein Bild, die andere ein Video</translation>
     </message>
 </context>
 <context>
@@ -21432,6 +21671,13 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>detecting the board in %1</source>
         <translation>die Tafel wird gesucht in %1</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.looking_for_board_in_both</name>
+    <message>
+        <source>detecting the board in %1 and %2</source>
+        <translation>die Tafel wird gesucht in %1 und %2</translation>
     </message>
 </context>
 <context>
@@ -21638,6 +21884,13 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
 </context>
 <context>
+    <name>workflow.name_two_cameras</name>
+    <message>
+        <source>name two cameras</source>
+        <translation>nennen Sie zwei Kameras</translation>
+    </message>
+</context>
+<context>
     <name>workflow.nearly_all_beyond_limits</name>
     <message>
         <source>nearly all samples exceed the limits of task &apos;%1&apos;, so the limits were ignored</source>
@@ -21698,6 +21951,13 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>views &apos;%1&apos; and &apos;%2&apos; do not overlap with a time offset of %3</source>
         <translation>die Sichten &apos;%1&apos; und &apos;%2&apos; haben bei einem Versatz von %3 keine gemeinsame Zeit</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.no_counterpart</name>
+    <message>
+        <source>the other camera has no file of its number</source>
+        <translation>die andere Kamera hat keine Datei mit dieser Nummer</translation>
     </message>
 </context>
 <context>
@@ -21911,6 +22171,13 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
 </context>
 <context>
+    <name>workflow.number_files_alike</name>
+    <message>
+        <source>give as many of each, in the same order, or number their names alike</source>
+        <translation>geben Sie von jeder gleich viele in derselben Reihenfolge an, oder nummerieren Sie ihre Namen gleich</translation>
+    </message>
+</context>
+<context>
     <name>workflow.offsets_of_other_count</name>
     <message>
         <source>the number of views is %1, the number of offsets %2</source>
@@ -21978,6 +22245,41 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>the position is outside the frame</source>
         <translation>die Stelle liegt außerhalb des Bildes</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.pair_like_files</name>
+    <message>
+        <source>pair images with images and videos with videos</source>
+        <translation>paaren Sie Bilder mit Bildern und Videos mit Videos</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.pair_of_cameras</name>
+    <message>
+        <source>the relative position of cameras &apos;%1&apos; and &apos;%2&apos;</source>
+        <translation>die relative Lage der Kameras &apos;%1&apos; und &apos;%2&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.pair_of_one_camera</name>
+    <message>
+        <source>both are the same camera</source>
+        <translation>beide sind dieselbe Kamera</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.pair_of_other_size</name>
+    <message>
+        <source>&apos;%1&apos; is %2, but the camera was calibrated at %3</source>
+        <translation>&apos;%1&apos; hat %2, aber die Kamera wurde bei %3 kalibriert</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.paired_files</name>
+    <message>
+        <source>the files of the two cameras</source>
+        <translation>die Dateien der beiden Kameras</translation>
     </message>
 </context>
 <context>
@@ -22244,6 +22546,13 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>recording of view &apos;%1&apos;</source>
         <translation>Aufnahme der Sicht „%1“</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.reference_not_calibrated</name>
+    <message>
+        <source>camera &apos;%1&apos; was registered without a lens calibration: register it again with it</source>
+        <translation>Kamera &apos;%1&apos; wurde ohne Objektivkalibrierung eingemessen: messen Sie sie damit neu ein</translation>
     </message>
 </context>
 <context>
@@ -22755,6 +23064,13 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>views &apos;%1&apos; and &apos;%2&apos;</source>
         <translation>Sichten &apos;%1&apos; und &apos;%2&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.unequal_files</name>
+    <message>
+        <source>%1 files of the first camera cannot be paired with %2 of the second one</source>
+        <translation>%1 Dateien der ersten Kamera lassen sich nicht mit %2 der zweiten paaren</translation>
     </message>
 </context>
 <context>

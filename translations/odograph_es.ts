@@ -3889,6 +3889,13 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     </message>
 </context>
 <context>
+    <name>calibration.check_first_registration</name>
+    <message>
+        <source>check the registration of %1 and the pair</source>
+        <translation>compruebe el registro de %1 y el par</translation>
+    </message>
+</context>
+<context>
     <name>calibration.check_labels</name>
     <message>
         <source>check these labels</source>
@@ -5044,6 +5051,13 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     </message>
 </context>
 <context>
+    <name>calibration.more_pairs</name>
+    <message>
+        <source>take more pairs, or register %1 better first</source>
+        <translation>tome más pares, o registre mejor antes %1</translation>
+    </message>
+</context>
+<context>
     <name>calibration.more_pictures</name>
     <message>
         <source>More images (%1 or more) would make it more certain.</source>
@@ -5184,6 +5198,13 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     </message>
 </context>
 <context>
+    <name>calibration.no_pair_has_board</name>
+    <message>
+        <source>none of %1 pairs can be used</source>
+        <translation>ninguno de %1 pares se puede usar</translation>
+    </message>
+</context>
+<context>
     <name>calibration.no_pose</name>
     <message>
         <source>no pose</source>
@@ -5209,6 +5230,13 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <message>
         <source>Not found again: %1.</source>
         <translation>No encontrados de nuevo: %1.</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.not_registered_by_pair</name>
+    <message>
+        <source>the camera cannot be registered by the pair</source>
+        <translation>la cámara no se puede registrar mediante el par</translation>
     </message>
 </context>
 <context>
@@ -5272,6 +5300,118 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <message>
         <source>beyond the limit of %1 (2.5 σ).</source>
         <translation>fuera del error esperado de %1.</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.pair_contradicts</name>
+    <message>
+        <source>it contradicts the other pairs by %1 RMS</source>
+        <translation>contradice a los demás pares en %1 RMS</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.pair_fits</name>
+    <message>
+        <source>the cameras are %1 apart (±%2) by %3 pairs, whose corners fit to %4 RMS</source>
+        <translation>las cámaras están a %1 una de otra (±%2) según %3 pares, cuyas esquinas se ajustan a %4 RMS</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.pair_floor_unsure</name>
+    <message>
+        <source>the floor uncertainty would be ±%1</source>
+        <translation>la incertidumbre del suelo sería ±%1</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.pair_is_one_image</name>
+    <message>
+        <source>both are the same image</source>
+        <translation>ambas son la misma imagen</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.pair_lacks_board</name>
+    <message>
+        <source>the board was not found in &apos;%1&apos;</source>
+        <translation>no se encontró el tablero en «%1»</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.pair_lens_usual</name>
+    <message>
+        <source>A lens calibration has no stated uncertainty: a usual one was assumed.</source>
+        <translation>Una calibración de lente no indica su incertidumbre: se supuso una habitual.</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.pair_of_cameras</name>
+    <message>
+        <source>the relative position of the cameras</source>
+        <translation>la posición relativa de las cámaras</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.pair_sees_no_floor</name>
+    <message>
+        <source>it would see hardly any floor</source>
+        <translation>apenas vería el suelo</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.pair_squares</name>
+    <message>
+        <source>Triangulated, the squares of the board are %1 (standard deviation %2).</source>
+        <translation>Triangulados, los cuadros del tablero miden %1 (desviación típica %2).</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.pair_swapped</name>
+    <message>
+        <source>the images of each camera fit the lens calibration of the other one (%1 instead of %2 RMS)</source>
+        <translation>las imágenes de cada cámara se ajustan a la calibración de lente de la otra (%1 en lugar de %2 RMS)</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.pair_turned</name>
+    <message>
+        <source>the board looks the same when turned by half, and %1 pairs fit both ways</source>
+        <translation>el tablero se ve igual girado 180°, y %1 pares se ajustan de ambas formas</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.pair_undetermined</name>
+    <message>
+        <source>the board positions do not determine it</source>
+        <translation>las posiciones del tablero no la determinan</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.pair_without_pose</name>
+    <message>
+        <source>the corners in &apos;%1&apos; determine no pose</source>
+        <translation>las esquinas de «%1» no determinan ninguna posición</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.pairs_contradict</name>
+    <message>
+        <source>the pairs contradict each other (%1 RMS together, %2 in each image alone)</source>
+        <translation>los pares se contradicen (%1 RMS juntos, %2 en cada imagen por separado)</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.pairs_left_out</name>
+    <message>
+        <source>%1 pairs were not used.</source>
+        <translation>%1 pares no se usaron.</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.pairs_scatter</name>
+    <message>
+        <source>The pairs agree less well than the corners would allow, which is in the uncertainty: the board moved between the two frames of a pair, or a lens calibration is less accurate than stated.</source>
+        <translation>Los pares concuerdan peor de lo que permiten las esquinas, lo que está incluido en la incertidumbre: el tablero se movió entre las dos imágenes de un par, o una calibración de lente es menos exacta de lo indicado.</translation>
     </message>
 </context>
 <context>
@@ -5618,6 +5758,13 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     </message>
 </context>
 <context>
+    <name>calibration.related_to</name>
+    <message>
+        <source>via %1 and a board that both see; floor uncertainty ±%2</source>
+        <translation>mediante %1 y un tablero que ambas ven; incertidumbre del suelo ±%2</translation>
+    </message>
+</context>
+<context>
     <name>calibration.reverse_both</name>
     <message>
         <source>reverse both (a half turn), or turn the axes</source>
@@ -5727,6 +5874,13 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <message>
         <source>show the board larger, sharp and well lit</source>
         <translation>muestre el tablero más grande, nítido y bien iluminado</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.show_board_to_both</name>
+    <message>
+        <source>show the whole board to both cameras at once, in ten positions or more</source>
+        <translation>muestre todo el tablero a ambas cámaras a la vez, en diez posiciones o más</translation>
     </message>
 </context>
 <context>
@@ -5842,6 +5996,13 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     </message>
 </context>
 <context>
+    <name>calibration.swap_pair</name>
+    <message>
+        <source>swap the images of the two cameras</source>
+        <translation>intercambie las imágenes de las dos cámaras</translation>
+    </message>
+</context>
+<context>
     <name>calibration.tag_seen_often</name>
     <message>
         <source>tag %1 (marker %2) appears %3 times</source>
@@ -5853,6 +6014,13 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <message>
         <source>%1 tags were found, mirrored</source>
         <translation>se encontraron %1 etiquetas, reflejadas</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.take_at_same_moment</name>
+    <message>
+        <source>check that the files belong together in this order and were taken at the same moments, and that both lens calibrations belong to these cameras</source>
+        <translation>compruebe que los archivos van juntos en este orden y se tomaron en los mismos momentos, y que ambas calibraciones de lente son de estas cámaras</translation>
     </message>
 </context>
 <context>
@@ -5902,6 +6070,13 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <message>
         <source>tilt it by 30 to 45 degrees</source>
         <translation>inclínelo de 30 a 45 grados</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.tilt_or_charuco</name>
+    <message>
+        <source>show it in more positions with different tilts, or use a ChArUco board</source>
+        <translation>muéstrelo en más posiciones con distintas inclinaciones, o use un tablero ChArUco</translation>
     </message>
 </context>
 <context>
@@ -10887,6 +11062,21 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <message>
         <source>colour</source>
         <translation>color</translation>
+    </message>
+</context>
+<context>
+    <name>odo::FloorReadOut</name>
+    <message>
+        <source>&amp;Copy floor position</source>
+        <translation>&amp;Copiar la posición en el suelo</translation>
+    </message>
+    <message>
+        <source>x %1 · y %2</source>
+        <translation>x %1 · y %2</translation>
+    </message>
+    <message>
+        <source>Not on the floor</source>
+        <translation>No está en el suelo</translation>
     </message>
 </context>
 <context>
@@ -20532,6 +20722,13 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     </message>
 </context>
 <context>
+    <name>workflow.calibrate_pair</name>
+    <message>
+        <source>calibrate cameras %1 and %2 as a pair</source>
+        <translation>calibrar las cámaras %1 y %2 como par</translation>
+    </message>
+</context>
+<context>
     <name>workflow.calibrated_from_pictures</name>
     <message>
         <source>calibrated from %1 images</source>
@@ -20896,6 +21093,13 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     </message>
 </context>
 <context>
+    <name>workflow.computing_pair</name>
+    <message>
+        <source>computing the relative position</source>
+        <translation>calculando la posición relativa</translation>
+    </message>
+</context>
+<context>
     <name>workflow.copy_file_again</name>
     <message>
         <source>copy the file from the camera again</source>
@@ -21012,6 +21216,13 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <message>
         <source>record to a faster disk, or fewer cameras at once</source>
         <translation>grabe en un disco más rápido, o con menos cámaras a la vez</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.file_given_twice</name>
+    <message>
+        <source>&apos;%1&apos; is given twice</source>
+        <translation>«%1» se indicó dos veces</translation>
     </message>
 </context>
 <context>
@@ -21169,6 +21380,13 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     </message>
 </context>
 <context>
+    <name>workflow.give_each_file_once</name>
+    <message>
+        <source>give each file once, to its camera</source>
+        <translation>indique cada archivo una vez, con su cámara</translation>
+    </message>
+</context>
+<context>
     <name>workflow.give_each_robot_one</name>
     <message>
         <source>give each robot one</source>
@@ -21180,6 +21398,13 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <message>
         <source>give each view its own camera</source>
         <translation>dé a cada vista su propia cámara</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.give_height_below_camera</name>
+    <message>
+        <source>give a height below the camera</source>
+        <translation>indique una altura por debajo de la cámara</translation>
     </message>
 </context>
 <context>
@@ -21264,6 +21489,20 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <message>
         <source>a robot hardly moves at %1 with %2; check units and scale</source>
         <translation>un robot difícilmente se mueve a %1 con %2; revise las unidades y la escala</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.height_above_camera</name>
+    <message>
+        <source>it is only %1 above the floor, but the points would be at %2</source>
+        <translation>está a solo %1 sobre el suelo, pero los puntos estarían a %2</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.image_with_video</name>
+    <message>
+        <source>one is an image and the other a video</source>
+        <translation>uno es una imagen y el otro un vídeo</translation>
     </message>
 </context>
 <context>
@@ -21432,6 +21671,13 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <message>
         <source>detecting the board in %1</source>
         <translation>buscando el tablero en %1</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.looking_for_board_in_both</name>
+    <message>
+        <source>detecting the board in %1 and %2</source>
+        <translation>buscando el tablero en %1 y %2</translation>
     </message>
 </context>
 <context>
@@ -21638,6 +21884,13 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     </message>
 </context>
 <context>
+    <name>workflow.name_two_cameras</name>
+    <message>
+        <source>name two cameras</source>
+        <translation>indique dos cámaras</translation>
+    </message>
+</context>
+<context>
     <name>workflow.nearly_all_beyond_limits</name>
     <message>
         <source>nearly all samples exceed the limits of task &apos;%1&apos;, so the limits were ignored</source>
@@ -21698,6 +21951,13 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <message>
         <source>views &apos;%1&apos; and &apos;%2&apos; do not overlap with a time offset of %3</source>
         <translation>las vistas &apos;%1&apos; y &apos;%2&apos; no tienen tiempo en común con un desfase de %3</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.no_counterpart</name>
+    <message>
+        <source>the other camera has no file of its number</source>
+        <translation>la otra cámara no tiene un archivo con ese número</translation>
     </message>
 </context>
 <context>
@@ -21911,6 +22171,13 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     </message>
 </context>
 <context>
+    <name>workflow.number_files_alike</name>
+    <message>
+        <source>give as many of each, in the same order, or number their names alike</source>
+        <translation>indique el mismo número de cada una, en el mismo orden, o numere sus nombres igual</translation>
+    </message>
+</context>
+<context>
     <name>workflow.offsets_of_other_count</name>
     <message>
         <source>the number of views is %1, the number of offsets %2</source>
@@ -21978,6 +22245,41 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <message>
         <source>the position is outside the frame</source>
         <translation>el lugar está fuera de la imagen</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.pair_like_files</name>
+    <message>
+        <source>pair images with images and videos with videos</source>
+        <translation>empareje imágenes con imágenes y vídeos con vídeos</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.pair_of_cameras</name>
+    <message>
+        <source>the relative position of cameras &apos;%1&apos; and &apos;%2&apos;</source>
+        <translation>la posición relativa de las cámaras &apos;%1&apos; y &apos;%2&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.pair_of_one_camera</name>
+    <message>
+        <source>both are the same camera</source>
+        <translation>ambas son la misma cámara</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.pair_of_other_size</name>
+    <message>
+        <source>&apos;%1&apos; is %2, but the camera was calibrated at %3</source>
+        <translation>&apos;%1&apos; es de %2, pero la cámara se calibró a %3</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.paired_files</name>
+    <message>
+        <source>the files of the two cameras</source>
+        <translation>los archivos de las dos cámaras</translation>
     </message>
 </context>
 <context>
@@ -22244,6 +22546,13 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <message>
         <source>recording of view &apos;%1&apos;</source>
         <translation>grabación de la vista «%1»</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.reference_not_calibrated</name>
+    <message>
+        <source>camera &apos;%1&apos; was registered without a lens calibration: register it again with it</source>
+        <translation>la cámara &apos;%1&apos; se registró sin calibración de lente: regístrela de nuevo con ella</translation>
     </message>
 </context>
 <context>
@@ -22755,6 +23064,13 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <message>
         <source>views &apos;%1&apos; and &apos;%2&apos;</source>
         <translation>vistas &apos;%1&apos; y &apos;%2&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.unequal_files</name>
+    <message>
+        <source>%1 files of the first camera cannot be paired with %2 of the second one</source>
+        <translation>%1 archivos de la primera cámara no se pueden emparejar con %2 de la segunda</translation>
     </message>
 </context>
 <context>

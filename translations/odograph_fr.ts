@@ -3889,6 +3889,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
 </context>
 <context>
+    <name>calibration.check_first_registration</name>
+    <message>
+        <source>check the registration of %1 and the pair</source>
+        <translation>vérifiez la localisation de %1 et la paire</translation>
+    </message>
+</context>
+<context>
     <name>calibration.check_labels</name>
     <message>
         <source>check these labels</source>
@@ -5044,6 +5051,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
 </context>
 <context>
+    <name>calibration.more_pairs</name>
+    <message>
+        <source>take more pairs, or register %1 better first</source>
+        <translation>prenez plus de paires, ou localisez mieux %1 d’abord</translation>
+    </message>
+</context>
+<context>
     <name>calibration.more_pictures</name>
     <message>
         <source>More images (%1 or more) would make it more certain.</source>
@@ -5184,6 +5198,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
 </context>
 <context>
+    <name>calibration.no_pair_has_board</name>
+    <message>
+        <source>none of %1 pairs can be used</source>
+        <translation>aucune des %1 paires n’est utilisable</translation>
+    </message>
+</context>
+<context>
     <name>calibration.no_pose</name>
     <message>
         <source>no pose</source>
@@ -5209,6 +5230,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>Not found again: %1.</source>
         <translation>Non retrouvés&#xa0;: %1.</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.not_registered_by_pair</name>
+    <message>
+        <source>the camera cannot be registered by the pair</source>
+        <translation>la caméra ne peut pas être localisée par la paire</translation>
     </message>
 </context>
 <context>
@@ -5272,6 +5300,118 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>beyond the limit of %1 (2.5 σ).</source>
         <translation>hors de l’erreur attendue de %1.</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.pair_contradicts</name>
+    <message>
+        <source>it contradicts the other pairs by %1 RMS</source>
+        <translation>elle contredit les autres paires de %1 RMS</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.pair_fits</name>
+    <message>
+        <source>the cameras are %1 apart (±%2) by %3 pairs, whose corners fit to %4 RMS</source>
+        <translation>les caméras sont distantes de %1 (±%2) d’après %3 paires, dont les coins s’ajustent à %4 RMS</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.pair_floor_unsure</name>
+    <message>
+        <source>the floor uncertainty would be ±%1</source>
+        <translation>l’incertitude au sol serait de ±%1</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.pair_is_one_image</name>
+    <message>
+        <source>both are the same image</source>
+        <translation>les deux sont la même image</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.pair_lacks_board</name>
+    <message>
+        <source>the board was not found in &apos;%1&apos;</source>
+        <translation>la mire n’a pas été trouvée dans « %1 »</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.pair_lens_usual</name>
+    <message>
+        <source>A lens calibration has no stated uncertainty: a usual one was assumed.</source>
+        <translation>Un étalonnage d’objectif n’indique pas son incertitude : une valeur usuelle a été supposée.</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.pair_of_cameras</name>
+    <message>
+        <source>the relative position of the cameras</source>
+        <translation>la position relative des caméras</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.pair_sees_no_floor</name>
+    <message>
+        <source>it would see hardly any floor</source>
+        <translation>elle ne verrait presque pas le sol</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.pair_squares</name>
+    <message>
+        <source>Triangulated, the squares of the board are %1 (standard deviation %2).</source>
+        <translation>Triangulés, les carrés de la mire mesurent %1 (écart type %2).</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.pair_swapped</name>
+    <message>
+        <source>the images of each camera fit the lens calibration of the other one (%1 instead of %2 RMS)</source>
+        <translation>les images de chaque caméra correspondent à l’étalonnage d’objectif de l’autre (%1 au lieu de %2 RMS)</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.pair_turned</name>
+    <message>
+        <source>the board looks the same when turned by half, and %1 pairs fit both ways</source>
+        <translation>la mire est identique tournée de 180°, et %1 paires s’ajustent des deux façons</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.pair_undetermined</name>
+    <message>
+        <source>the board positions do not determine it</source>
+        <translation>les positions de la mire ne la déterminent pas</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.pair_without_pose</name>
+    <message>
+        <source>the corners in &apos;%1&apos; determine no pose</source>
+        <translation>les coins dans « %1 » ne déterminent aucune position</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.pairs_contradict</name>
+    <message>
+        <source>the pairs contradict each other (%1 RMS together, %2 in each image alone)</source>
+        <translation>les paires se contredisent (%1 RMS ensemble, %2 dans chaque image seule)</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.pairs_left_out</name>
+    <message>
+        <source>%1 pairs were not used.</source>
+        <translation>%1 paires n’ont pas été utilisées.</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.pairs_scatter</name>
+    <message>
+        <source>The pairs agree less well than the corners would allow, which is in the uncertainty: the board moved between the two frames of a pair, or a lens calibration is less accurate than stated.</source>
+        <translation>Les paires concordent moins bien que les coins ne le permettraient, ce que l’incertitude contient : la mire a bougé entre les deux images d’une paire, ou un étalonnage d’objectif est moins précis qu’indiqué.</translation>
     </message>
 </context>
 <context>
@@ -5618,6 +5758,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
 </context>
 <context>
+    <name>calibration.related_to</name>
+    <message>
+        <source>via %1 and a board that both see; floor uncertainty ±%2</source>
+        <translation>par %1 et une mire que les deux voient ; incertitude au sol ±%2</translation>
+    </message>
+</context>
+<context>
     <name>calibration.reverse_both</name>
     <message>
         <source>reverse both (a half turn), or turn the axes</source>
@@ -5727,6 +5874,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>show the board larger, sharp and well lit</source>
         <translation>montrez la mire plus grande, nette et bien éclairée</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.show_board_to_both</name>
+    <message>
+        <source>show the whole board to both cameras at once, in ten positions or more</source>
+        <translation>montrez toute la mire aux deux caméras à la fois, dans dix positions ou plus</translation>
     </message>
 </context>
 <context>
@@ -5842,6 +5996,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
 </context>
 <context>
+    <name>calibration.swap_pair</name>
+    <message>
+        <source>swap the images of the two cameras</source>
+        <translation>échangez les images des deux caméras</translation>
+    </message>
+</context>
+<context>
     <name>calibration.tag_seen_often</name>
     <message>
         <source>tag %1 (marker %2) appears %3 times</source>
@@ -5853,6 +6014,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>%1 tags were found, mirrored</source>
         <translation>%1 tags ont été trouvés, en miroir</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.take_at_same_moment</name>
+    <message>
+        <source>check that the files belong together in this order and were taken at the same moments, and that both lens calibrations belong to these cameras</source>
+        <translation>vérifiez que les fichiers vont ensemble dans cet ordre et ont été pris aux mêmes instants, et que les deux étalonnages d’objectif sont ceux de ces caméras</translation>
     </message>
 </context>
 <context>
@@ -5902,6 +6070,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>tilt it by 30 to 45 degrees</source>
         <translation>inclinez-la de 30 à 45 degrés</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.tilt_or_charuco</name>
+    <message>
+        <source>show it in more positions with different tilts, or use a ChArUco board</source>
+        <translation>montrez-la dans plus de positions avec des inclinaisons différentes, ou utilisez une mire ChArUco</translation>
     </message>
 </context>
 <context>
@@ -10887,6 +11062,21 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>colour</source>
         <translation>couleur</translation>
+    </message>
+</context>
+<context>
+    <name>odo::FloorReadOut</name>
+    <message>
+        <source>&amp;Copy floor position</source>
+        <translation>&amp;Copier la position au sol</translation>
+    </message>
+    <message>
+        <source>x %1 · y %2</source>
+        <translation>x %1 · y %2</translation>
+    </message>
+    <message>
+        <source>Not on the floor</source>
+        <translation>Pas sur le sol</translation>
     </message>
 </context>
 <context>
@@ -20532,6 +20722,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
 </context>
 <context>
+    <name>workflow.calibrate_pair</name>
+    <message>
+        <source>calibrate cameras %1 and %2 as a pair</source>
+        <translation>étalonnage des caméras %1 et %2 comme paire</translation>
+    </message>
+</context>
+<context>
     <name>workflow.calibrated_from_pictures</name>
     <message>
         <source>calibrated from %1 images</source>
@@ -20896,6 +21093,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
 </context>
 <context>
+    <name>workflow.computing_pair</name>
+    <message>
+        <source>computing the relative position</source>
+        <translation>calcul de la position relative</translation>
+    </message>
+</context>
+<context>
     <name>workflow.copy_file_again</name>
     <message>
         <source>copy the file from the camera again</source>
@@ -21012,6 +21216,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>record to a faster disk, or fewer cameras at once</source>
         <translation>enregistrez sur un disque plus rapide, ou avec moins de caméras à la fois</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.file_given_twice</name>
+    <message>
+        <source>&apos;%1&apos; is given twice</source>
+        <translation>« %1 » est donné deux fois</translation>
     </message>
 </context>
 <context>
@@ -21169,6 +21380,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
 </context>
 <context>
+    <name>workflow.give_each_file_once</name>
+    <message>
+        <source>give each file once, to its camera</source>
+        <translation>donnez chaque fichier une fois, avec sa caméra</translation>
+    </message>
+</context>
+<context>
     <name>workflow.give_each_robot_one</name>
     <message>
         <source>give each robot one</source>
@@ -21180,6 +21398,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>give each view its own camera</source>
         <translation>donnez à chaque vue sa propre caméra</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.give_height_below_camera</name>
+    <message>
+        <source>give a height below the camera</source>
+        <translation>donnez une hauteur inférieure à celle de la caméra</translation>
     </message>
 </context>
 <context>
@@ -21264,6 +21489,20 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>a robot hardly moves at %1 with %2; check units and scale</source>
         <translation>un robot ne se déplace guère à %1 avec %2 ; vérifiez les unités et l&apos;échelle</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.height_above_camera</name>
+    <message>
+        <source>it is only %1 above the floor, but the points would be at %2</source>
+        <translation>elle n’est qu’à %1 au-dessus du sol, mais les points seraient à %2</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.image_with_video</name>
+    <message>
+        <source>one is an image and the other a video</source>
+        <translation>l’un est une image et l’autre une vidéo</translation>
     </message>
 </context>
 <context>
@@ -21432,6 +21671,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>detecting the board in %1</source>
         <translation>recherche de la mire dans %1</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.looking_for_board_in_both</name>
+    <message>
+        <source>detecting the board in %1 and %2</source>
+        <translation>recherche de la mire dans %1 et %2</translation>
     </message>
 </context>
 <context>
@@ -21638,6 +21884,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
 </context>
 <context>
+    <name>workflow.name_two_cameras</name>
+    <message>
+        <source>name two cameras</source>
+        <translation>nommez deux caméras</translation>
+    </message>
+</context>
+<context>
     <name>workflow.nearly_all_beyond_limits</name>
     <message>
         <source>nearly all samples exceed the limits of task &apos;%1&apos;, so the limits were ignored</source>
@@ -21698,6 +21951,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>views &apos;%1&apos; and &apos;%2&apos; do not overlap with a time offset of %3</source>
         <translation>les vues &apos;%1&apos; et &apos;%2&apos; n’ont pas de temps commun avec un décalage de %3</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.no_counterpart</name>
+    <message>
+        <source>the other camera has no file of its number</source>
+        <translation>l’autre caméra n’a pas de fichier de ce numéro</translation>
     </message>
 </context>
 <context>
@@ -21911,6 +22171,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
 </context>
 <context>
+    <name>workflow.number_files_alike</name>
+    <message>
+        <source>give as many of each, in the same order, or number their names alike</source>
+        <translation>donnez-en autant pour chacune, dans le même ordre, ou numérotez leurs noms de la même façon</translation>
+    </message>
+</context>
+<context>
     <name>workflow.offsets_of_other_count</name>
     <message>
         <source>the number of views is %1, the number of offsets %2</source>
@@ -21978,6 +22245,41 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>the position is outside the frame</source>
         <translation>l’endroit est hors de l’image</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.pair_like_files</name>
+    <message>
+        <source>pair images with images and videos with videos</source>
+        <translation>associez des images à des images et des vidéos à des vidéos</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.pair_of_cameras</name>
+    <message>
+        <source>the relative position of cameras &apos;%1&apos; and &apos;%2&apos;</source>
+        <translation>la position relative des caméras &apos;%1&apos; et &apos;%2&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.pair_of_one_camera</name>
+    <message>
+        <source>both are the same camera</source>
+        <translation>les deux sont la même caméra</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.pair_of_other_size</name>
+    <message>
+        <source>&apos;%1&apos; is %2, but the camera was calibrated at %3</source>
+        <translation>&apos;%1&apos; est en %2, mais la caméra a été étalonnée en %3</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.paired_files</name>
+    <message>
+        <source>the files of the two cameras</source>
+        <translation>les fichiers des deux caméras</translation>
     </message>
 </context>
 <context>
@@ -22244,6 +22546,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>recording of view &apos;%1&apos;</source>
         <translation>enregistrement de la vue « %1 »</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.reference_not_calibrated</name>
+    <message>
+        <source>camera &apos;%1&apos; was registered without a lens calibration: register it again with it</source>
+        <translation>la caméra &apos;%1&apos; a été localisée sans étalonnage d’objectif : localisez-la de nouveau avec lui</translation>
     </message>
 </context>
 <context>
@@ -22755,6 +23064,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>views &apos;%1&apos; and &apos;%2&apos;</source>
         <translation>vues &apos;%1&apos; et &apos;%2&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.unequal_files</name>
+    <message>
+        <source>%1 files of the first camera cannot be paired with %2 of the second one</source>
+        <translation>%1 fichiers de la première caméra ne peuvent pas être associés à %2 de la seconde</translation>
     </message>
 </context>
 <context>

@@ -3880,6 +3880,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>calibration.check_first_registration</name>
+    <message>
+        <source>check the registration of %1 and the pair</source>
+        <translation>%1의 정합과 카메라 쌍을 확인하십시오</translation>
+    </message>
+</context>
+<context>
     <name>calibration.check_labels</name>
     <message>
         <source>check these labels</source>
@@ -5035,6 +5042,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>calibration.more_pairs</name>
+    <message>
+        <source>take more pairs, or register %1 better first</source>
+        <translation>더 많은 쌍을 찍거나 먼저 %1을(를) 더 잘 정합하십시오</translation>
+    </message>
+</context>
+<context>
     <name>calibration.more_pictures</name>
     <message>
         <source>More images (%1 or more) would make it more certain.</source>
@@ -5175,6 +5189,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>calibration.no_pair_has_board</name>
+    <message>
+        <source>none of %1 pairs can be used</source>
+        <translation>쌍 %1개 중 쓸 수 있는 것이 없습니다</translation>
+    </message>
+</context>
+<context>
     <name>calibration.no_pose</name>
     <message>
         <source>no pose</source>
@@ -5200,6 +5221,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>Not found again: %1.</source>
         <translation>다시 찾지 못함: %1.</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.not_registered_by_pair</name>
+    <message>
+        <source>the camera cannot be registered by the pair</source>
+        <translation>쌍으로 카메라를 정합할 수 없습니다</translation>
     </message>
 </context>
 <context>
@@ -5263,6 +5291,118 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>beyond the limit of %1 (2.5 σ).</source>
         <translation>예상 오차 %1 초과.</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.pair_contradicts</name>
+    <message>
+        <source>it contradicts the other pairs by %1 RMS</source>
+        <translation>다른 쌍들과 %1 RMS만큼 모순됩니다</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.pair_fits</name>
+    <message>
+        <source>the cameras are %1 apart (±%2) by %3 pairs, whose corners fit to %4 RMS</source>
+        <translation>카메라 사이 거리는 %1(±%2)이며, 쌍 %3개의 꼭짓점이 %4 RMS로 맞음</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.pair_floor_unsure</name>
+    <message>
+        <source>the floor uncertainty would be ±%1</source>
+        <translation>바닥의 불확도가 ±%1이 됩니다</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.pair_is_one_image</name>
+    <message>
+        <source>both are the same image</source>
+        <translation>둘이 같은 영상입니다</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.pair_lacks_board</name>
+    <message>
+        <source>the board was not found in &apos;%1&apos;</source>
+        <translation>&apos;%1&apos;에서 보드를 찾지 못했습니다</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.pair_lens_usual</name>
+    <message>
+        <source>A lens calibration has no stated uncertainty: a usual one was assumed.</source>
+        <translation>한 렌즈 보정에 불확도가 없어 보통 값을 가정했습니다.</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.pair_of_cameras</name>
+    <message>
+        <source>the relative position of the cameras</source>
+        <translation>카메라들의 상대 위치</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.pair_sees_no_floor</name>
+    <message>
+        <source>it would see hardly any floor</source>
+        <translation>바닥이 거의 보이지 않게 됩니다</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.pair_squares</name>
+    <message>
+        <source>Triangulated, the squares of the board are %1 (standard deviation %2).</source>
+        <translation>삼각 측량한 보드의 정사각형은 %1입니다(표준 편차 %2).</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.pair_swapped</name>
+    <message>
+        <source>the images of each camera fit the lens calibration of the other one (%1 instead of %2 RMS)</source>
+        <translation>각 카메라의 영상이 다른 카메라의 렌즈 보정에 맞습니다(RMS %2 대신 %1)</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.pair_turned</name>
+    <message>
+        <source>the board looks the same when turned by half, and %1 pairs fit both ways</source>
+        <translation>보드는 180° 돌려도 같아 보이며, 쌍 %1개가 두 방식 모두에 맞습니다</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.pair_undetermined</name>
+    <message>
+        <source>the board positions do not determine it</source>
+        <translation>보드의 위치들로는 정해지지 않습니다</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.pair_without_pose</name>
+    <message>
+        <source>the corners in &apos;%1&apos; determine no pose</source>
+        <translation>&apos;%1&apos;의 꼭짓점으로 자세를 정할 수 없습니다</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.pairs_contradict</name>
+    <message>
+        <source>the pairs contradict each other (%1 RMS together, %2 in each image alone)</source>
+        <translation>쌍들이 서로 모순됩니다(함께 %1 RMS, 영상마다 따로 %2)</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.pairs_left_out</name>
+    <message>
+        <source>%1 pairs were not used.</source>
+        <translation>쌍 %1개는 사용하지 않았습니다.</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.pairs_scatter</name>
+    <message>
+        <source>The pairs agree less well than the corners would allow, which is in the uncertainty: the board moved between the two frames of a pair, or a lens calibration is less accurate than stated.</source>
+        <translation>쌍들이 꼭짓점으로 기대되는 것보다 덜 일치하며, 이는 불확도에 포함되어 있습니다. 한 쌍의 두 영상 사이에 보드가 움직였거나 렌즈 보정이 표시된 것보다 부정확합니다.</translation>
     </message>
 </context>
 <context>
@@ -5609,6 +5749,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>calibration.related_to</name>
+    <message>
+        <source>via %1 and a board that both see; floor uncertainty ±%2</source>
+        <translation>%1과(와) 둘 다 보는 보드를 통해, 바닥의 불확도 ±%2</translation>
+    </message>
+</context>
+<context>
     <name>calibration.reverse_both</name>
     <message>
         <source>reverse both (a half turn), or turn the axes</source>
@@ -5718,6 +5865,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>show the board larger, sharp and well lit</source>
         <translation>보드를 더 크고 선명하고 밝게 보여 주십시오</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.show_board_to_both</name>
+    <message>
+        <source>show the whole board to both cameras at once, in ten positions or more</source>
+        <translation>두 카메라에 동시에 보드 전체를 열 가지 이상의 위치에서 보여 주십시오</translation>
     </message>
 </context>
 <context>
@@ -5833,6 +5987,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>calibration.swap_pair</name>
+    <message>
+        <source>swap the images of the two cameras</source>
+        <translation>두 카메라의 영상을 서로 바꾸십시오</translation>
+    </message>
+</context>
+<context>
     <name>calibration.tag_seen_often</name>
     <message>
         <source>tag %1 (marker %2) appears %3 times</source>
@@ -5844,6 +6005,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>%1 tags were found, mirrored</source>
         <translation>태그 %1개가 좌우로 뒤집힌 채 검출되었습니다</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.take_at_same_moment</name>
+    <message>
+        <source>check that the files belong together in this order and were taken at the same moments, and that both lens calibrations belong to these cameras</source>
+        <translation>파일들이 이 순서로 짝이 맞고 같은 순간에 찍혔는지, 두 렌즈 보정이 이 카메라들의 것인지 확인하십시오</translation>
     </message>
 </context>
 <context>
@@ -5893,6 +6061,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>tilt it by 30 to 45 degrees</source>
         <translation>30도에서 45도로 기울이십시오</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.tilt_or_charuco</name>
+    <message>
+        <source>show it in more positions with different tilts, or use a ChArUco board</source>
+        <translation>더 많은 위치에서 다르게 기울여 보여 주거나 ChArUco 보드를 쓰십시오</translation>
     </message>
 </context>
 <context>
@@ -10876,6 +11051,21 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>colour</source>
         <translation>색</translation>
+    </message>
+</context>
+<context>
+    <name>odo::FloorReadOut</name>
+    <message>
+        <source>&amp;Copy floor position</source>
+        <translation>바닥 위치 복사(&amp;C)</translation>
+    </message>
+    <message>
+        <source>x %1 · y %2</source>
+        <translation>x %1 · y %2</translation>
+    </message>
+    <message>
+        <source>Not on the floor</source>
+        <translation>바닥이 아님</translation>
     </message>
 </context>
 <context>
@@ -20493,6 +20683,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>workflow.calibrate_pair</name>
+    <message>
+        <source>calibrate cameras %1 and %2 as a pair</source>
+        <translation>카메라 %1과(와) %2을(를) 쌍으로 보정</translation>
+    </message>
+</context>
+<context>
     <name>workflow.calibrated_from_pictures</name>
     <message>
         <source>calibrated from %1 images</source>
@@ -20857,6 +21054,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>workflow.computing_pair</name>
+    <message>
+        <source>computing the relative position</source>
+        <translation>상대 위치 계산 중</translation>
+    </message>
+</context>
+<context>
     <name>workflow.copy_file_again</name>
     <message>
         <source>copy the file from the camera again</source>
@@ -20973,6 +21177,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>record to a faster disk, or fewer cameras at once</source>
         <translation>더 빠른 디스크에, 또는 더 적은 카메라로 녹화하십시오</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.file_given_twice</name>
+    <message>
+        <source>&apos;%1&apos; is given twice</source>
+        <translation>&apos;%1&apos;이(가) 두 번 지정되었습니다</translation>
     </message>
 </context>
 <context>
@@ -21130,6 +21341,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>workflow.give_each_file_once</name>
+    <message>
+        <source>give each file once, to its camera</source>
+        <translation>파일마다 해당 카메라에 한 번만 지정하십시오</translation>
+    </message>
+</context>
+<context>
     <name>workflow.give_each_robot_one</name>
     <message>
         <source>give each robot one</source>
@@ -21141,6 +21359,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>give each view its own camera</source>
         <translation>뷰마다 다른 카메라를 지정하십시오</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.give_height_below_camera</name>
+    <message>
+        <source>give a height below the camera</source>
+        <translation>카메라보다 낮은 높이를 지정하십시오</translation>
     </message>
 </context>
 <context>
@@ -21225,6 +21450,20 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>a robot hardly moves at %1 with %2; check units and scale</source>
         <translation>로봇이 %1, %2로 움직이기는 어렵습니다. 단위와 축척을 확인하세요</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.height_above_camera</name>
+    <message>
+        <source>it is only %1 above the floor, but the points would be at %2</source>
+        <translation>카메라는 바닥에서 %1 높이인데 점들은 %2에 있게 됩니다</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.image_with_video</name>
+    <message>
+        <source>one is an image and the other a video</source>
+        <translation>하나는 영상 파일이고 다른 하나는 동영상입니다</translation>
     </message>
 </context>
 <context>
@@ -21393,6 +21632,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>detecting the board in %1</source>
         <translation>%1에서 보드를 찾는 중</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.looking_for_board_in_both</name>
+    <message>
+        <source>detecting the board in %1 and %2</source>
+        <translation>%1과(와) %2에서 보드를 찾는 중</translation>
     </message>
 </context>
 <context>
@@ -21599,6 +21845,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>workflow.name_two_cameras</name>
+    <message>
+        <source>name two cameras</source>
+        <translation>카메라 두 대를 지정하십시오</translation>
+    </message>
+</context>
+<context>
     <name>workflow.nearly_all_beyond_limits</name>
     <message>
         <source>nearly all samples exceed the limits of task &apos;%1&apos;, so the limits were ignored</source>
@@ -21659,6 +21912,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>views &apos;%1&apos; and &apos;%2&apos; do not overlap with a time offset of %3</source>
         <translation>뷰 &apos;%1&apos;과(와) &apos;%2&apos;은(는) 오프셋 %3에서 겹치는 시간이 없습니다</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.no_counterpart</name>
+    <message>
+        <source>the other camera has no file of its number</source>
+        <translation>다른 카메라에 같은 번호의 파일이 없습니다</translation>
     </message>
 </context>
 <context>
@@ -21872,6 +22132,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>workflow.number_files_alike</name>
+    <message>
+        <source>give as many of each, in the same order, or number their names alike</source>
+        <translation>각각 같은 수를 같은 순서로 지정하거나 이름의 번호를 맞추십시오</translation>
+    </message>
+</context>
+<context>
     <name>workflow.offsets_of_other_count</name>
     <message>
         <source>the number of views is %1, the number of offsets %2</source>
@@ -21939,6 +22206,41 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>the position is outside the frame</source>
         <translation>그 위치는 영상 밖에 있습니다</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.pair_like_files</name>
+    <message>
+        <source>pair images with images and videos with videos</source>
+        <translation>영상은 영상끼리, 동영상은 동영상끼리 짝지으십시오</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.pair_of_cameras</name>
+    <message>
+        <source>the relative position of cameras &apos;%1&apos; and &apos;%2&apos;</source>
+        <translation>카메라 &apos;%1&apos;과(와) &apos;%2&apos;의 상대 위치</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.pair_of_one_camera</name>
+    <message>
+        <source>both are the same camera</source>
+        <translation>둘이 같은 카메라입니다</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.pair_of_other_size</name>
+    <message>
+        <source>&apos;%1&apos; is %2, but the camera was calibrated at %3</source>
+        <translation>&apos;%1&apos;은(는) %2인데 카메라는 %3에서 보정되었습니다</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.paired_files</name>
+    <message>
+        <source>the files of the two cameras</source>
+        <translation>두 카메라의 파일</translation>
     </message>
 </context>
 <context>
@@ -22205,6 +22507,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>recording of view &apos;%1&apos;</source>
         <translation>뷰 &apos;%1&apos;의 녹화</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.reference_not_calibrated</name>
+    <message>
+        <source>camera &apos;%1&apos; was registered without a lens calibration: register it again with it</source>
+        <translation>카메라 &apos;%1&apos;은(는) 렌즈 보정 없이 정합되었습니다. 렌즈 보정으로 다시 정합하십시오</translation>
     </message>
 </context>
 <context>
@@ -22716,6 +23025,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>views &apos;%1&apos; and &apos;%2&apos;</source>
         <translation>뷰 &apos;%1&apos;과(와) &apos;%2&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.unequal_files</name>
+    <message>
+        <source>%1 files of the first camera cannot be paired with %2 of the second one</source>
+        <translation>첫 카메라의 파일 %1개를 둘째 카메라의 %2개와 짝지을 수 없습니다</translation>
     </message>
 </context>
 <context>

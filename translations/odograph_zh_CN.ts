@@ -3880,6 +3880,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>calibration.check_first_registration</name>
+    <message>
+        <source>check the registration of %1 and the pair</source>
+        <translation>请检查 %1 的配准和这对相机</translation>
+    </message>
+</context>
+<context>
     <name>calibration.check_labels</name>
     <message>
         <source>check these labels</source>
@@ -5035,6 +5042,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>calibration.more_pairs</name>
+    <message>
+        <source>take more pairs, or register %1 better first</source>
+        <translation>请拍更多图像对，或先更好地配准 %1</translation>
+    </message>
+</context>
+<context>
     <name>calibration.more_pictures</name>
     <message>
         <source>More images (%1 or more) would make it more certain.</source>
@@ -5175,6 +5189,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>calibration.no_pair_has_board</name>
+    <message>
+        <source>none of %1 pairs can be used</source>
+        <translation>%1 对图像中没有一对可用</translation>
+    </message>
+</context>
+<context>
     <name>calibration.no_pose</name>
     <message>
         <source>no pose</source>
@@ -5200,6 +5221,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>Not found again: %1.</source>
         <translation>未能再次找到：%1。</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.not_registered_by_pair</name>
+    <message>
+        <source>the camera cannot be registered by the pair</source>
+        <translation>无法通过这对相机配准该相机</translation>
     </message>
 </context>
 <context>
@@ -5263,6 +5291,118 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>beyond the limit of %1 (2.5 σ).</source>
         <translation>超出预期误差 %1。</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.pair_contradicts</name>
+    <message>
+        <source>it contradicts the other pairs by %1 RMS</source>
+        <translation>它与其他图像对矛盾，相差 %1 RMS</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.pair_fits</name>
+    <message>
+        <source>the cameras are %1 apart (±%2) by %3 pairs, whose corners fit to %4 RMS</source>
+        <translation>两台相机相距 %1（±%2），依据 %3 对图像，其角点拟合到 %4 RMS</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.pair_floor_unsure</name>
+    <message>
+        <source>the floor uncertainty would be ±%1</source>
+        <translation>地面不确定度将为 ±%1</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.pair_is_one_image</name>
+    <message>
+        <source>both are the same image</source>
+        <translation>两者是同一张图片</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.pair_lacks_board</name>
+    <message>
+        <source>the board was not found in &apos;%1&apos;</source>
+        <translation>在“%1”中没有找到标定板</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.pair_lens_usual</name>
+    <message>
+        <source>A lens calibration has no stated uncertainty: a usual one was assumed.</source>
+        <translation>有一个镜头标定没有给出不确定度：按通常的值处理。</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.pair_of_cameras</name>
+    <message>
+        <source>the relative position of the cameras</source>
+        <translation>两台相机的相对位置</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.pair_sees_no_floor</name>
+    <message>
+        <source>it would see hardly any floor</source>
+        <translation>它几乎看不到地面</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.pair_squares</name>
+    <message>
+        <source>Triangulated, the squares of the board are %1 (standard deviation %2).</source>
+        <translation>三角测量得到标定板方格为 %1（标准差 %2）。</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.pair_swapped</name>
+    <message>
+        <source>the images of each camera fit the lens calibration of the other one (%1 instead of %2 RMS)</source>
+        <translation>每台相机的图片都符合另一台的镜头标定（RMS %1，而非 %2）</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.pair_turned</name>
+    <message>
+        <source>the board looks the same when turned by half, and %1 pairs fit both ways</source>
+        <translation>标定板旋转 180° 后看起来一样，%1 对图像两种方式都符合</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.pair_undetermined</name>
+    <message>
+        <source>the board positions do not determine it</source>
+        <translation>标定板的位置无法确定它</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.pair_without_pose</name>
+    <message>
+        <source>the corners in &apos;%1&apos; determine no pose</source>
+        <translation>“%1”中的角点无法确定位姿</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.pairs_contradict</name>
+    <message>
+        <source>the pairs contradict each other (%1 RMS together, %2 in each image alone)</source>
+        <translation>图像对互相矛盾（合起来 %1 RMS，每张图片单独 %2）</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.pairs_left_out</name>
+    <message>
+        <source>%1 pairs were not used.</source>
+        <translation>有 %1 对图像未使用。</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.pairs_scatter</name>
+    <message>
+        <source>The pairs agree less well than the corners would allow, which is in the uncertainty: the board moved between the two frames of a pair, or a lens calibration is less accurate than stated.</source>
+        <translation>图像对的一致性不如角点所能达到的，这已计入不确定度：标定板在一对图像之间移动过，或镜头标定不如所述准确。</translation>
     </message>
 </context>
 <context>
@@ -5609,6 +5749,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>calibration.related_to</name>
+    <message>
+        <source>via %1 and a board that both see; floor uncertainty ±%2</source>
+        <translation>通过%1和双方都看到的标定板；地面不确定度 ±%2</translation>
+    </message>
+</context>
+<context>
     <name>calibration.reverse_both</name>
     <message>
         <source>reverse both (a half turn), or turn the axes</source>
@@ -5718,6 +5865,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>show the board larger, sharp and well lit</source>
         <translation>请把标定板拍得更大、清晰、光线良好</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.show_board_to_both</name>
+    <message>
+        <source>show the whole board to both cameras at once, in ten positions or more</source>
+        <translation>请同时向两台相机展示整块标定板，至少十个位置</translation>
     </message>
 </context>
 <context>
@@ -5833,6 +5987,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>calibration.swap_pair</name>
+    <message>
+        <source>swap the images of the two cameras</source>
+        <translation>请交换两台相机的图片</translation>
+    </message>
+</context>
+<context>
     <name>calibration.tag_seen_often</name>
     <message>
         <source>tag %1 (marker %2) appears %3 times</source>
@@ -5844,6 +6005,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>%1 tags were found, mirrored</source>
         <translation>找到 %1 个镜像的标签</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.take_at_same_moment</name>
+    <message>
+        <source>check that the files belong together in this order and were taken at the same moments, and that both lens calibrations belong to these cameras</source>
+        <translation>请检查文件是否按此顺序对应并在同一时刻拍摄，以及两个镜头标定是否属于这两台相机</translation>
     </message>
 </context>
 <context>
@@ -5893,6 +6061,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>tilt it by 30 to 45 degrees</source>
         <translation>请倾斜 30 到 45 度</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.tilt_or_charuco</name>
+    <message>
+        <source>show it in more positions with different tilts, or use a ChArUco board</source>
+        <translation>请以不同倾斜在更多位置展示，或使用 ChArUco 标定板</translation>
     </message>
 </context>
 <context>
@@ -10876,6 +11051,21 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>colour</source>
         <translation>颜色</translation>
+    </message>
+</context>
+<context>
+    <name>odo::FloorReadOut</name>
+    <message>
+        <source>&amp;Copy floor position</source>
+        <translation>复制地面位置(&amp;C)</translation>
+    </message>
+    <message>
+        <source>x %1 · y %2</source>
+        <translation>x %1 · y %2</translation>
+    </message>
+    <message>
+        <source>Not on the floor</source>
+        <translation>不在地面上</translation>
     </message>
 </context>
 <context>
@@ -20493,6 +20683,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>workflow.calibrate_pair</name>
+    <message>
+        <source>calibrate cameras %1 and %2 as a pair</source>
+        <translation>将相机 %1 和 %2 作为一对标定</translation>
+    </message>
+</context>
+<context>
     <name>workflow.calibrated_from_pictures</name>
     <message>
         <source>calibrated from %1 images</source>
@@ -20857,6 +21054,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>workflow.computing_pair</name>
+    <message>
+        <source>computing the relative position</source>
+        <translation>正在计算相对位置</translation>
+    </message>
+</context>
+<context>
     <name>workflow.copy_file_again</name>
     <message>
         <source>copy the file from the camera again</source>
@@ -20973,6 +21177,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>record to a faster disk, or fewer cameras at once</source>
         <translation>请录制到更快的磁盘，或同时使用更少的相机</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.file_given_twice</name>
+    <message>
+        <source>&apos;%1&apos; is given twice</source>
+        <translation>“%1”给出了两次</translation>
     </message>
 </context>
 <context>
@@ -21130,6 +21341,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>workflow.give_each_file_once</name>
+    <message>
+        <source>give each file once, to its camera</source>
+        <translation>请把每个文件只给对应的相机一次</translation>
+    </message>
+</context>
+<context>
     <name>workflow.give_each_robot_one</name>
     <message>
         <source>give each robot one</source>
@@ -21141,6 +21359,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>give each view its own camera</source>
         <translation>请给每个视角各自的相机</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.give_height_below_camera</name>
+    <message>
+        <source>give a height below the camera</source>
+        <translation>请给出低于相机的高度</translation>
     </message>
 </context>
 <context>
@@ -21225,6 +21450,20 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>a robot hardly moves at %1 with %2; check units and scale</source>
         <translation>机器人几乎不可能以 %1、%2 运动；请检查单位和比例</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.height_above_camera</name>
+    <message>
+        <source>it is only %1 above the floor, but the points would be at %2</source>
+        <translation>它离地面只有 %1，而这些点会在 %2</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.image_with_video</name>
+    <message>
+        <source>one is an image and the other a video</source>
+        <translation>一个是图片，另一个是视频</translation>
     </message>
 </context>
 <context>
@@ -21393,6 +21632,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>detecting the board in %1</source>
         <translation>正在 %1 中寻找标定板</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.looking_for_board_in_both</name>
+    <message>
+        <source>detecting the board in %1 and %2</source>
+        <translation>正在 %1 和 %2 中寻找标定板</translation>
     </message>
 </context>
 <context>
@@ -21599,6 +21845,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>workflow.name_two_cameras</name>
+    <message>
+        <source>name two cameras</source>
+        <translation>请指定两台相机</translation>
+    </message>
+</context>
+<context>
     <name>workflow.nearly_all_beyond_limits</name>
     <message>
         <source>nearly all samples exceed the limits of task &apos;%1&apos;, so the limits were ignored</source>
@@ -21659,6 +21912,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>views &apos;%1&apos; and &apos;%2&apos; do not overlap with a time offset of %3</source>
         <translation>视角“%1”和“%2”在偏移 %3 时没有共同时间</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.no_counterpart</name>
+    <message>
+        <source>the other camera has no file of its number</source>
+        <translation>另一台相机没有该编号的文件</translation>
     </message>
 </context>
 <context>
@@ -21872,6 +22132,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>workflow.number_files_alike</name>
+    <message>
+        <source>give as many of each, in the same order, or number their names alike</source>
+        <translation>请按相同顺序各给出相同数量，或让文件名编号一致</translation>
+    </message>
+</context>
+<context>
     <name>workflow.offsets_of_other_count</name>
     <message>
         <source>the number of views is %1, the number of offsets %2</source>
@@ -21939,6 +22206,41 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>the position is outside the frame</source>
         <translation>该位置在画面之外</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.pair_like_files</name>
+    <message>
+        <source>pair images with images and videos with videos</source>
+        <translation>请把图片与图片、视频与视频配对</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.pair_of_cameras</name>
+    <message>
+        <source>the relative position of cameras &apos;%1&apos; and &apos;%2&apos;</source>
+        <translation>相机“%1”和“%2”的相对位置</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.pair_of_one_camera</name>
+    <message>
+        <source>both are the same camera</source>
+        <translation>两者是同一台相机</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.pair_of_other_size</name>
+    <message>
+        <source>&apos;%1&apos; is %2, but the camera was calibrated at %3</source>
+        <translation>“%1”为 %2，而相机在 %3 下标定</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.paired_files</name>
+    <message>
+        <source>the files of the two cameras</source>
+        <translation>两台相机的文件</translation>
     </message>
 </context>
 <context>
@@ -22205,6 +22507,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>recording of view &apos;%1&apos;</source>
         <translation>视角“%1”的录像</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.reference_not_calibrated</name>
+    <message>
+        <source>camera &apos;%1&apos; was registered without a lens calibration: register it again with it</source>
+        <translation>相机“%1”是在没有镜头标定的情况下配准的：请用镜头标定重新配准</translation>
     </message>
 </context>
 <context>
@@ -22716,6 +23025,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>views &apos;%1&apos; and &apos;%2&apos;</source>
         <translation>视角“%1”和“%2”</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.unequal_files</name>
+    <message>
+        <source>%1 files of the first camera cannot be paired with %2 of the second one</source>
+        <translation>第一台相机的 %1 个文件无法与第二台的 %2 个配对</translation>
     </message>
 </context>
 <context>

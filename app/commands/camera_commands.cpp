@@ -2,6 +2,7 @@
 #include "app/answers.h"
 #include "app/command_call.h"
 #include "app/command_output.h"
+#include "app/commands/board_options.h"
 #include "app/commands/commands.h"
 #include "core/base/units.h"
 #include "core/capture/camera_source.h"
@@ -92,25 +93,7 @@ Result<CalibrateSettings> calibrateSettings(const CommandCall &call)
     settings.camera = call.text(1);
     for (const QString &file : call.positionals().mid(2))
         settings.files.emplace_back(file.toStdString());
-    if (call.isSet(option::board)) {
-        const auto size = ODO_TRY(call.sizePair(option::board));
-        settings.board.columns = int(size.first);
-        settings.board.rows = int(size.second);
-        if (settings.board.columns < 3 || settings.board.rows < 3 || settings.board.columns > 100 ||
-            settings.board.rows > 100)
-            return call.wrongCall(
-                ODO_TEXT("app.board_counts_corners", "--board counts inner corners, 3x3 to 100x100"));
-    }
-    if (call.isSet(option::square)) {
-        settings.board.squareM = ODO_TRY(call.lengthM(option::square));
-    }
-    const std::string patternName = call.value(option::pattern);
-    if (patternName == "charuco")
-        settings.board.pattern = BoardPattern::Charuco;
-    else if (patternName == "checkerboard")
-        settings.board.pattern = BoardPattern::Checkerboard;
-    else if (call.isSet(option::pattern))
-        return call.wrongCall(ODO_TEXT("app.pattern_is", "--pattern is checkerboard or charuco"));
+    settings.board = ODO_TRY(boardFrom(call));
     const std::string modelName = call.value(option::model);
     if (modelName == "standard")
         settings.model = LensModel::Standard;
@@ -169,14 +152,12 @@ Result<void> runCalibrate(const QStringList &arguments, const CancelToken &cance
         {QStringLiteral("calibrate"),
          QStringLiteral("P.odo CAMERA IMAGE|VIDEO... [--board 9x6] [--square 25mm] "
                         "[--pattern checkerboard|charuco] [--model standard|rational|fisheye] [--json]"),
-         3,
-         -1,
-         {{option::board, QStringLiteral("Inner corners; detected if not given."), QStringLiteral("CxR")},
-          {option::square, QStringLiteral("Side of a square."), QStringLiteral("LENGTH")},
-          {option::pattern, QStringLiteral("What is printed on the board; detected if not given."),
-           QStringLiteral("PATTERN")},
-          {option::model, QStringLiteral("Lens model; default: the one that best predicts held-out images."),
-           QStringLiteral("MODEL")}}},
+         3, -1,
+         boardOptions() +
+             QList<QCommandLineOption>{
+                 {option::model,
+                  QStringLiteral("Lens model; default: the one that best predicts held-out images."),
+                  QStringLiteral("MODEL")}}},
         cancel);
     if (const auto parsed = call.parse(arguments); !parsed || !*parsed)
         return parsed.map([](bool) {});

@@ -13,30 +13,41 @@
 
 namespace odo {
 
-PoseByIntrinsics poseByIntrinsics(const CameraModel &camera, const RigidTransform &worldFromCamera,
-                                  std::span<const Eigen::Vector2d> markersOnFloor)
+std::optional<MarkerDerivatives> markerDerivatives(const CameraModel &camera,
+                                                   const RigidTransform &worldFromCamera,
+                                                   std::span<const Eigen::Vector2d> markersOnFloor)
 {
     const auto markers = static_cast<Eigen::Index>(markersOnFloor.size());
     const auto values = static_cast<Eigen::Index>(4 + camera.intrinsics().distortion.size());
     const Eigen::Matrix3d cameraAxes = worldFromCamera.rotation.conjugate().toRotationMatrix();
-    Eigen::MatrixXd byPose(2 * markers, 6), byIntrinsics(2 * markers, values);
+    MarkerDerivatives derivatives{Eigen::MatrixXd(2 * markers, 6), Eigen::MatrixXd(2 * markers, values)};
     for (Eigen::Index i = 0; i < markers; ++i) {
         const Eigen::Vector2d &marker = markersOnFloor[static_cast<std::size_t>(i)];
         const Eigen::Vector3d fromCamera =
             Eigen::Vector3d(marker.x(), marker.y(), 0) - worldFromCamera.translation;
         Eigen::Matrix<double, 2, 3> pixelByPoint;
         if (!camera.project(cameraAxes * fromCamera, pixelByPoint))
-            return PoseByIntrinsics(6, 0);
+            return std::nullopt;
         const Eigen::Matrix<double, 2, 3> pixelByWorld = pixelByPoint * cameraAxes;
         for (int axis = 0; axis < 3; ++axis)
-            byPose.block<2, 1>(2 * i, axis) = pixelByWorld * fromCamera.cross(Eigen::Vector3d::Unit(axis));
-        byPose.block<2, 3>(2 * i, 3) = -pixelByWorld;
-        byIntrinsics.middleRows<2>(2 * i) = camera.pixelByIntrinsics(cameraAxes * fromCamera);
+            derivatives.byPose.block<2, 1>(2 * i, axis) =
+                pixelByWorld * fromCamera.cross(Eigen::Vector3d::Unit(axis));
+        derivatives.byPose.block<2, 3>(2 * i, 3) = -pixelByWorld;
+        derivatives.byIntrinsics.middleRows<2>(2 * i) = camera.pixelByIntrinsics(cameraAxes * fromCamera);
     }
-    const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> factors(byPose);
-    if (markers == 0 || factors.rank() < 6)
+    return derivatives;
+}
+
+PoseByIntrinsics poseByIntrinsics(const CameraModel &camera, const RigidTransform &worldFromCamera,
+                                  std::span<const Eigen::Vector2d> markersOnFloor)
+{
+    const auto derivatives = markerDerivatives(camera, worldFromCamera, markersOnFloor);
+    if (!derivatives || markersOnFloor.empty())
         return PoseByIntrinsics(6, 0);
-    return -factors.solve(byIntrinsics);
+    const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> factors(derivatives->byPose);
+    if (factors.rank() < 6)
+        return PoseByIntrinsics(6, 0);
+    return -factors.solve(derivatives->byIntrinsics);
 }
 
 namespace {
@@ -56,19 +67,27 @@ std::vector<Eigen::Vector2d> usedPixels(const FloorRegistration &registration,
 
 } // namespace
 
-FloorView floorViewOf(const FloorRegistration &registration, const CameraModel &camera,
-                      const std::vector<MarkerPixel> &pixels)
+std::vector<Eigen::Vector2d> markersOnFloorOf(const FloorRegistration &registration,
+                                              const CameraModel &camera,
+                                              const std::vector<MarkerPixel> &pixels)
 {
-    FloorView exact(camera, registration.worldFromCamera, registration.poseCovariance);
-    if (camera.intrinsics().covariance.size() == 0)
-        return exact;
+    const FloorView exact(camera, registration.worldFromCamera, registration.poseCovariance);
     std::vector<Eigen::Vector2d> positions;
     for (const Eigen::Vector2d &pixel : usedPixels(registration, pixels)) {
         if (const auto floorPoint = exact.floorFromPixel(pixel, 0))
             positions.push_back(*floorPoint);
     }
+    return positions;
+}
+
+FloorView floorViewOf(const FloorRegistration &registration, const CameraModel &camera,
+                      const std::vector<MarkerPixel> &pixels)
+{
+    if (camera.intrinsics().covariance.size() == 0)
+        return FloorView(camera, registration.worldFromCamera, registration.poseCovariance);
     return FloorView(camera, registration.worldFromCamera, registration.poseCovariance,
-                     poseByIntrinsics(camera, registration.worldFromCamera, positions));
+                     poseByIntrinsics(camera, registration.worldFromCamera,
+                                      markersOnFloorOf(registration, camera, pixels)));
 }
 
 double largestSigmaM(const FloorPosition &position)

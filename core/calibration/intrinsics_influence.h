@@ -7,16 +7,35 @@
 
 #include <optional>
 #include <span>
+#include <vector>
 
 namespace odo {
 
 struct FloorRegistration;
+
+/// Derivatives of markers' pixels, two rows a marker: by the pose, as FloorView's poseCovariance has it, and
+/// by the lens, a column each of (fx, fy, cx, cy, distortion...).
+struct MarkerDerivatives
+{
+    Eigen::MatrixXd byPose, byIntrinsics;
+};
+
+/// Markers in metres on the floor. nullopt where one has no pixel.
+std::optional<MarkerDerivatives> markerDerivatives(const CameraModel &camera,
+                                                   const RigidTransform &worldFromCamera,
+                                                   std::span<const Eigen::Vector2d> markersOnFloor);
 
 /// How a pose fitted to markers follows the lens: −(JᵀJ)⁻¹Jᵀ·J_l, with J and J_l the derivatives of the
 /// markers' pixels by pose and lens at the pose given (Gauss–Newton; the residuals' curvature is left out).
 /// Markers in metres on the floor. 6×0 where a marker has no pixel or the markers determine no pose.
 PoseByIntrinsics poseByIntrinsics(const CameraModel &camera, const RigidTransform &worldFromCamera,
                                   std::span<const Eigen::Vector2d> markersOnFloor);
+
+/// Where a registration's markers are on the floor by their pixels through it; of the pixels those count that
+/// the registration names.
+std::vector<Eigen::Vector2d> markersOnFloorOf(const FloorRegistration &registration,
+                                              const CameraModel &camera,
+                                              const std::vector<MarkerPixel> &pixels);
 
 /// A registration as a view with its whole uncertainty, that of the lens included. camera: the lens it was
 /// made with. pixels: those it was made from; of them the ones count that the registration names. Where a

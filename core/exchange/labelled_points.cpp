@@ -8,6 +8,7 @@
 
 #include <array>
 #include <charconv>
+#include <cmath>
 #include <filesystem>
 #include <limits>
 #include <map>
@@ -111,6 +112,26 @@ Result<std::vector<MarkerPixel>> readPixelsCsv(const std::filesystem::path &file
     for (const LabelledPoint &point : points)
         pixels.push_back({point.label, {point.x, point.y}});
     return pixels;
+}
+
+std::string locatedPointsCsv(const std::vector<LocatedPoint> &points)
+{
+    // In whole micrometres, for no camera sees less; without a minus before zero.
+    const auto millimetresOf = [](double metres) { return std::round(1e6 * metres) / 1e3 + 0.0; };
+    std::string text = "label,u,v,x_mm,y_mm,sigma_x_mm,sigma_y_mm\n";
+    for (const LocatedPoint &point : points) {
+        text +=
+            csvText(point.label, ',') + ',' + numberText(point.pixel.x()) + ',' + numberText(point.pixel.y());
+        if (point.position) {
+            for (const Eigen::Vector2d &pair : {point.position->pointInWorld, point.position->sigmaM()})
+                for (const double metres : pair)
+                    text += ',' + numberText(millimetresOf(metres));
+        } else {
+            text += ",,,,";
+        }
+        text += '\n';
+    }
+    return text;
 }
 
 Result<std::vector<SharedPoint>> readSharedPointsCsv(const std::filesystem::path &file)

@@ -3,10 +3,12 @@
 
 #include "core/base/error.h"
 #include "core/calibration/chained_registration.h"
+#include "core/calibration/floor_reading.h"
 #include "core/calibration/marker_layout.h"
 #include "core/files/output_file.h"
 
 #include <filesystem>
+#include <string>
 #include <vector>
 
 namespace odo {
@@ -21,6 +23,10 @@ Result<void> writeLayoutCsv(const OutputTarget &target, const MarkerLayout &layo
 /// Reads where a camera sees markers: columns label,u,v in luma pixels (0,0 is the centre of the top-left
 /// one). Errors as readLayoutCsv. Any thread.
 Result<std::vector<MarkerPixel>> readPixelsCsv(const std::filesystem::path &file);
+
+/// Points with their floor positions as a CSV table: label,u,v,x_mm,y_mm,sigma_x_mm,sigma_y_mm. The last four
+/// cells are empty where a point has no position.
+std::string locatedPointsCsv(const std::vector<LocatedPoint> &points);
 
 /// Reads where two cameras see points of the floor: columns label,u,v,through_u,through_v in luma pixels.
 /// Refuses, naming the line: labels that are empty or there twice, and numbers that are none. Any thread.

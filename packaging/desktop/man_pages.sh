@@ -123,7 +123,7 @@ for each command
 END
 }
 
-commands=$("$program" help | sed -n 's/^  \([a-z][a-z]*\)  *\(.*\)/\1 \2/p')
+commands=$("$program" help | sed -n 's/^  \([a-z][a-z-]*\)  *\(.*\)/\1 \2/p')
 main_page >"$folder/odograph.1"
 while read -r name summary; do
     command_page "$name" "$summary" >"$folder/odograph-$name.1"

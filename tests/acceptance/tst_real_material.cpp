@@ -65,6 +65,57 @@ private Q_SLOTS:
         QVERIFY(std::abs(intrinsics.value(QStringLiteral("fx")).toDouble() - 533.52) <= 0.83);
     }
 
+    /// Published by an independent implementation: 99.80 ± 0.14 mm (3 σ).
+    void theStereoChessboardsGiveThePublishedDistance()
+    {
+        const QString file = m_folder.filePath(QStringLiteral("pair.odo"));
+        QCOMPARE(good({QStringLiteral("new"), file}).exitStatus, 0);
+        const QJsonObject answer =
+            good(QStringList{QStringLiteral("calibrate-pair"), file, QStringLiteral("L"), QStringLiteral("R"),
+                             QStringLiteral("--square"), QStringLiteral("30mm"), QStringLiteral("--json"),
+                             QStringLiteral("--a")} +
+                 images("chessboard-stereo", "left*.jpg") + QStringList(QStringLiteral("--b")) +
+                 images("chessboard-stereo", "right*.jpg"))
+                .json();
+        const double baseline = answer.value(QStringLiteral("baseline_mm")).toDouble(),
+                     sigma = answer.value(QStringLiteral("sigma_mm")).toDouble(9),
+                     rms = answer.value(QStringLiteral("rms_px")).toDouble(9);
+        qInfo("%.3f ± %.3f mm, RMS %.3f px", baseline, sigma, rms);
+        QCOMPARE(answer.value(QStringLiteral("pairs_used")).toInt(), 13);
+        QVERIFY(std::abs(baseline - 99.80) <= 0.15);
+        QVERIFY(sigma < 0.15);
+        QVERIFY(rms <= 0.25);
+    }
+
+    /// Hand-held ChArUco boards before webcams, by videos: squares of 54 mm (± 0.2, SD at most 1.1). The
+    /// distance in the file (626.4 mm) has no uncertainty; neither have its lens calibrations.
+    void theWebcamsTriangulateTheirSquares()
+    {
+        const QString file = m_folder.filePath(QStringLiteral("webcams.odo"));
+        QCOMPARE(good({QStringLiteral("new"), file}).exitStatus, 0);
+        for (const char *camera : {"2", "3"})
+            QCOMPARE(good({QStringLiteral("intrinsics"), QStringLiteral("import"), file,
+                           QString::fromLatin1(camera), data("charuco-four-webcams/camera_array.toml"),
+                           QStringLiteral("--entry"), QString::fromLatin1(camera)})
+                         .exitStatus,
+                     0);
+        const QJsonObject answer =
+            good({QStringLiteral("calibrate-pair"), file, QStringLiteral("2"), QStringLiteral("3"),
+                  QStringLiteral("--square"), QStringLiteral("54mm"), QStringLiteral("--json"),
+                  QStringLiteral("--a"), data("charuco-four-webcams/cam_2.mp4"), QStringLiteral("--b"),
+                  data("charuco-four-webcams/cam_3.mp4")})
+                .json();
+        const QJsonObject square = answer.value(QStringLiteral("square_mm")).toObject();
+        const double baseline = answer.value(QStringLiteral("baseline_mm")).toDouble(),
+                     sigma = answer.value(QStringLiteral("sigma_mm")).toDouble(999);
+        qInfo("%.1f ± %.1f mm, squares %.2f ± %.2f mm", baseline, sigma,
+              square.value(QStringLiteral("mean")).toDouble(), square.value(QStringLiteral("sd")).toDouble());
+        QVERIFY(answer.value(QStringLiteral("pairs_used")).toInt() >= 12);
+        QVERIFY(std::abs(square.value(QStringLiteral("mean")).toDouble() - 54) <= 0.2);
+        QVERIFY(square.value(QStringLiteral("sd")).toDouble(9) <= 1.1);
+        QVERIFY(std::abs(baseline - 626.4) < 3 * sigma && sigma < 0.02 * baseline);
+    }
+
     void sevenPortraitBoardsAreEnoughForThreePercent_data()
     {
         QTest::addColumn<QString>("folder");

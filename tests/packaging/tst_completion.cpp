@@ -245,7 +245,7 @@ private Q_SLOTS:
     void everyOptionOfEveryCommandIsOffered()
     {
         const ProgramRun help = runProgram({QStringLiteral("help")});
-        static const QRegularExpression command(QStringLiteral("^  ([a-z]+) +"),
+        static const QRegularExpression command(QStringLiteral("^  ([a-z-]+) +"),
                                                 QRegularExpression::MultilineOption),
             option(QStringLiteral("^  (?:-\\w, )?--([a-z-]+)"), QRegularExpression::MultilineOption);
         auto commands = command.globalMatch(QString::fromUtf8(help.out));

@@ -39,7 +39,7 @@ QByteArray contentOf(const QString &file)
 QStringList commands()
 {
     QStringList names;
-    static const QRegularExpression line(QStringLiteral("^  ([a-z]+) +"),
+    static const QRegularExpression line(QStringLiteral("^  ([a-z-]+) +"),
                                          QRegularExpression::MultilineOption);
     auto matches = line.globalMatch(QString::fromUtf8(runProgram({QStringLiteral("help")}).out));
     while (matches.hasNext())

@@ -3,11 +3,13 @@
 
 #include "core/project/project.h"
 #include "core/project/repositories.h"
+#include "core/workflow/calibrate/floor_readings.h"
 #include "core/workflow/trial_sources.h"
 #include "ui/models/camera_lists.h"
 #include "ui/models/shown_message.h"
 #include "ui/models/timeline.h"
 #include "ui/testbed/check/expected_accuracy.h"
+#include "ui/testbed/internal/floor_read_out.h"
 #include "ui/testbed/internal/known_cameras.h"
 #include "ui/testbed/internal/testbed_tools.h"
 #include "ui/views/image/camera_view.h"
@@ -49,9 +51,10 @@ TestbedPage::TestbedPage(Project &project, QWidget *parent)
     : QWidget(parent), m_project(project), m_live(new LiveCameras(listCameras, this)),
       m_tools(new TestbedTools(project, *m_live, *this)), m_checks(new CheckTools(project, *m_live, *this)),
       m_timeline(new Timeline(this)), m_cameras(new CameraListModel(this)), m_table(new QTableView),
-      m_layoutList(new QListWidget), m_view(new CameraView(*m_timeline)), m_facts(new FactList),
-      m_sketch(new FloorSketch), m_sketchCard(new Card(tr("From above"))),
-      m_showAccuracy(new QCheckBox(tr("expected &accuracy"))), m_accuracy(new AccuracyMaker(this)),
+      m_layoutList(new QListWidget), m_view(new CameraView(*m_timeline)),
+      m_readOut(new FloorReadOut(*m_view)), m_facts(new FactList), m_sketch(new FloorSketch),
+      m_sketchCard(new Card(tr("From above"))), m_showAccuracy(new QCheckBox(tr("expected &accuracy"))),
+      m_accuracy(new AccuracyMaker(this)),
       m_empty(new EmptyState(QStringLiteral("testbed"), tr("No cameras yet"),
                              tr("A testbed is a floor with markers and the cameras that watch it. Start with "
                                 "the lens calibration of the first camera, or with the marker positions."))),
@@ -254,6 +257,7 @@ void TestbedPage::showCamera()
     if (!current.isValid()) {
         m_view->setScene(nullptr, 0);
         m_view->setTitle(tr("Image"));
+        m_readOut->setReading(std::nullopt);
         m_facts->setFacts({});
         return;
     }
@@ -264,6 +268,9 @@ void TestbedPage::showCamera()
     if (!scene)
         Q_EMIT failed(scene.error());
     m_view->setScene(scene.value_or(nullptr), 0);
+    const auto reading =
+        camera.registration ? floorReadingOf(m_project, *camera.registration) : tl::unexpected(Error());
+    m_readOut->setReading(reading ? std::optional(*reading) : std::nullopt);
     m_view->setBadge(cameraBadge(camera.registration)); // as it is now
     if (scene && *scene)
         m_timeline->setFrameTimes((*scene)->frameTimes());

@@ -25,6 +25,7 @@ class CheckTools;
 class EmptyState;
 struct ExpectedAccuracy;
 class FactList;
+class FloorReadOut;
 class FloorSketch;
 class LiveCameras;
 class Project;
@@ -73,6 +74,7 @@ private:
     QTableView *m_table;
     QListWidget *m_layoutList;
     CameraView *m_view;
+    FloorReadOut *m_readOut;
     FactList *m_facts;
     Card *m_factCard = nullptr;
     FloorSketch *m_sketch;

@@ -16,14 +16,10 @@
 
 namespace odo {
 
-namespace {
-
 Message calibrationOf(const std::string &camera)
 {
     return ODO_TEXT("workflow.calibration_of_camera", "calibration of camera '%1'")(Named::camera(camera));
 }
-
-} // namespace
 
 CalibrationStorage::CalibrationStorage(const std::filesystem::path &mediaFolder, std::string camera,
                                        IntrinsicCalibration calibration, const BoardSpec &board)

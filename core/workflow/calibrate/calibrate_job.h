@@ -17,6 +17,9 @@ namespace odo {
 
 class Project;
 
+/// What the errors of a camera's calibration are about.
+Message calibrationOf(const std::string &camera);
+
 /// Intrinsics from a board that become their camera's newest: first the images, a long step, then the rows.
 /// Unless it is committed, its destructor leaves nothing behind.
 class CalibrationStorage

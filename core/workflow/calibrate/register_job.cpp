@@ -323,12 +323,23 @@ Result<void> RegisterViaCameraJob::run(const JobControl &)
     m_record.registration = std::move(chained->registration);
     m_record.assumedIntrinsics = m_record.registration.intrinsics;
     m_record.image = m_settings.image;
-    m_record.registration.verdict =
-        joined({std::move(m_record.registration.verdict),
-                ODO_TEXT("workflow.made_through_registration",
-                         "It was made via registration %1 of the project.")(m_referenceRegistration)},
-               Join::Space);
     return {};
+}
+
+Result<RegistrationRecord> storeViaCamera(Project &project, const std::string &camera,
+                                          const std::string &reference, RecordId referenceRegistration,
+                                          MarkerLayout &positions, RegistrationRecord record)
+{
+    const auto layouts = ODO_TRY(project.layouts().all());
+    positions.name = freeName(layouts, camera + viaWord + reference);
+    const auto layout = ODO_TRY(project.layouts().add(positions));
+    record.layout = layout.id;
+    record.registration.verdict =
+        joined({std::move(record.registration.verdict),
+                ODO_TEXT("workflow.made_through_registration",
+                         "It was made via registration %1 of the project.")(referenceRegistration)},
+               Join::Space);
+    return storeRegistration(project, camera, std::move(record));
 }
 
 Result<void> RegisterViaCameraJob::commit(Project &project)
@@ -336,14 +347,9 @@ Result<void> RegisterViaCameraJob::commit(Project &project)
     return project.note(ODO_TEXT("workflow.register_camera_through", "register camera %1 via camera %2")(
                             Named::camera(m_settings.camera), Named::camera(m_settings.reference)),
                         [&]() -> Result<void> {
-                            const auto layouts = ODO_TRY(project.layouts().all());
-                            m_layout.name =
-                                freeName(layouts, m_settings.camera + viaWord + m_settings.reference);
-                            const auto layout = ODO_TRY(project.layouts().add(m_layout));
-                            m_record.layout = layout.id;
-                            const auto stored =
-                                ODO_TRY(storeRegistration(project, m_settings.camera, m_record));
-                            m_record = stored;
+                            m_record =
+                                ODO_TRY(storeViaCamera(project, m_settings.camera, m_settings.reference,
+                                                       m_referenceRegistration, m_layout, m_record));
                             return {};
                         });
 }

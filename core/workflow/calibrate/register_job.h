@@ -105,6 +105,13 @@ private:
     RegistrationRecord m_record;
 };
 
+/// Stores a camera's registration via another one as its newest, with its points as a layout of its own ("C
+/// through B", numbered where that name is taken), whose name is filled in; the verdict names the reference's
+/// registration. For a job's commit, inside its transaction.
+Result<RegistrationRecord> storeViaCamera(Project &project, const std::string &camera,
+                                          const std::string &reference, RecordId referenceRegistration,
+                                          MarkerLayout &positions, RegistrationRecord record);
+
 /// Whether a layout is one of those that registrations through this camera keep.
 bool isLayoutOfReference(const std::string &layoutName, const std::string &reference);
 

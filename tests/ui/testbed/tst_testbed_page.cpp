@@ -1,15 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/project/project.h"
 #include "core/project/repositories.h"
+#include "core/workflow/calibrate/floor_readings.h"
 #include "tests/support/registered_test.h"
 #include "tests/ui/support/stored_example.h"
 #include "ui/testbed/internal/known_cameras.h"
 #include "ui/testbed/internal/testbed_tools.h"
 #include "ui/testbed/testbed_page.h"
+#include "ui/views/image/camera_view.h"
 
 #include <QAction>
 #include <QApplication>
 #include <QCheckBox>
+#include <QClipboard>
 #include <QLabel>
 #include <QPushButton>
 #include <QSignalSpy>
@@ -30,6 +33,7 @@ private Q_SLOTS:
     void drawsCamerasWhereTheyStand();
     void warnsAndShowsWhatHasMoved();
     void mapsTheAccuracyToExpect();
+    void readsTheFloorUnderTheMouse();
     void beginsEmpty();
 
 private:
@@ -100,6 +104,35 @@ void TestTestbedPage::warnsAndShowsWhatHasMoved()
     QCOMPARE(facts[0].value, QStringLiteral("B has moved 6 px = 14 mm."));
     QCOMPARE(facts[1].name, QStringLiteral("Warning"));
     QVERIFY2(facts[1].value.contains(QLatin1String("days old")), qPrintable(facts[1].value));
+}
+
+void TestTestbedPage::readsTheFloorUnderTheMouse()
+{
+    TestbedPage page(*m_project);
+    page.refresh();
+    page.resize(1200, 700);
+    page.show();
+    QTRY_VERIFY(page.isSettled());
+    auto *view = page.findChild<CameraView *>();
+    auto *copy = view->findChild<QAction *>();
+    QVERIFY(copy && !copy->isEnabled());
+    const auto marker = m_project->layouts().find("floor")->layout.markers[1];
+    const auto camera = m_project->cameras().find("A");
+    const auto registration = m_project->cameras().currentRegistration(camera->id).value();
+    const Eigen::Vector2d pixel = *floorReadingOf(*m_project, *registration)
+                                       ->view()
+                                       .pixelFromWorld({marker.pointInWorld.x(), marker.pointInWorld.y(), 0});
+    QTest::mouseMove(view->imageArea(), view->fromImagePixels({pixel.x(), pixel.y()}).toPoint());
+    QVERIFY(copy->isEnabled());
+    copy->trigger();
+    const QString text = QApplication::clipboard()->text();
+    qInfo("%s", qPrintable(text));
+    // The mouse has whole pixels of the screen: some millimetres on the floor.
+    const double x = QLocale().toDouble(text.section(u' ', 1, 1));
+    QVERIFY2(std::abs(x - 1e3 * marker.pointInWorld.x()) < 30, qPrintable(text));
+    QVERIFY(text.contains(u'±') && text.contains(QLatin1String("mm")));
+    QTest::mouseMove(view->imageArea(), {1, 1}); // beside the image
+    QVERIFY(!copy->isEnabled());
 }
 
 void TestTestbedPage::mapsTheAccuracyToExpect()

@@ -32,6 +32,7 @@ public:
     void setRobotColour(const QColor &colour);
     void setOutlinesShown(bool shown);
     void setPointing(bool pointing);
+    void setReadOut(const QString &text);
     bool isSettled() const;
     QPointF fromImagePixels(const QPointF &pixel) const;
 
@@ -41,6 +42,7 @@ public:
 Q_SIGNALS:
     void settled();
     void pointedAt(const QPointF &pixel, const QPoint &global);
+    void hovered(const std::optional<QPointF> &pixel);
 
 protected:
     void paintEvent(QPaintEvent *event) override;
@@ -48,6 +50,8 @@ protected:
     void changeEvent(QEvent *event) override;
     void showEvent(QShowEvent *event) override;
     void mousePressEvent(QMouseEvent *event) override;
+    void mouseMoveEvent(QMouseEvent *event) override;
+    void leaveEvent(QEvent *event) override;
     void contextMenuEvent(QContextMenuEvent *event) override;
 
 private:
@@ -62,6 +66,7 @@ private:
     void renderFloorLayer();
     void paintRobots(QPainter &painter, qint64 frame) const;
     void paintMessage(QPainter &painter, const QString &message) const;
+    void paintReadOut(QPainter &painter) const;
 
     Timeline &m_timeline;
     FrameFetcher m_fetcher;
@@ -73,13 +78,14 @@ private:
     qint64 m_shownFrame = -1; ///< that m_image is of
     bool m_isOutside = false; ///< of the recording, when a frame was asked for last
     bool m_isPointing = false;
-    QString m_failure;
+    QString m_failure, m_readOut;
     QPixmap m_floorLayer; ///< grid, axes and trails; null: to be rendered
 };
 
 ImageArea::ImageArea(Timeline &timeline, QWidget *parent) : QWidget(parent), m_timeline(timeline)
 {
     setAttribute(Qt::WA_OpaquePaintEvent);
+    setMouseTracking(true);
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
     connect(&m_timeline, &Timeline::currentChanged, this, &ImageArea::ask);
     connect(&m_fetcher, &FrameFetcher::frameReady, this, &ImageArea::showImage);
@@ -208,6 +214,26 @@ void ImageArea::mousePressEvent(QMouseEvent *event)
         QWidget::mousePressEvent(event);
 }
 
+void ImageArea::mouseMoveEvent(QMouseEvent *event)
+{
+    const bool isOnImage = sceneView() && !m_image.isNull() && imageRect().contains(event->position());
+    Q_EMIT hovered(isOnImage ? std::optional(toImagePixel(event->position(), imageSizePx(), imageRect()))
+                             : std::nullopt);
+    QWidget::mouseMoveEvent(event);
+}
+
+void ImageArea::leaveEvent(QEvent *event)
+{
+    Q_EMIT hovered(std::nullopt);
+    QWidget::leaveEvent(event);
+}
+
+void ImageArea::setReadOut(const QString &text)
+{
+    if (std::exchange(m_readOut, text) != text)
+        update();
+}
+
 void ImageArea::contextMenuEvent(QContextMenuEvent *event)
 {
     if (event->reason() != QContextMenuEvent::Mouse || !pointAt(event->pos(), event->globalPos()))
@@ -255,6 +281,22 @@ void ImageArea::paintMessage(QPainter &painter, const QString &message) const
     painter.drawText(position, Qt::AlignCenter | Qt::TextWordWrap, message);
 }
 
+void ImageArea::paintReadOut(QPainter &painter) const
+{
+    constexpr qreal margin = 6;
+    const QRectF image = imageRect().intersected(QRectF(rect()));
+    const QString text = fontMetrics().elidedText(m_readOut, Qt::ElideRight, int(image.width() - 4 * margin));
+    QRectF box(QPointF(), QSizeF(fontMetrics().horizontalAdvance(text), fontMetrics().height()));
+    box.adjust(-margin, -margin / 2, margin, margin / 2);
+    box.moveBottomLeft(image.bottomLeft() + QPointF(margin, -margin));
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(QColor(0, 0, 0, 180)); // readable on any floor, in both themes
+    painter.drawRoundedRect(box, margin / 2, margin / 2);
+    painter.setPen(Qt::white);
+    painter.drawText(box, Qt::AlignCenter, text);
+}
+
 void ImageArea::paintEvent(QPaintEvent *)
 {
     QPainter painter(this);
@@ -280,6 +322,8 @@ void ImageArea::paintEvent(QPaintEvent *)
     const qint64 frame = m_image.isNull() ? wanted.value_or(-1) : m_shownFrame;
     if (wanted && frame >= 0)
         paintRobots(painter, frame);
+    if (!m_readOut.isEmpty())
+        paintReadOut(painter);
 }
 
 void ImageArea::resizeEvent(QResizeEvent *)
@@ -335,6 +379,7 @@ CameraView::CameraView(Timeline &timeline, QWidget *parent)
     m_area->setAccessibleName(tr("Camera image"));
     connect(m_area, &ImageArea::settled, this, &CameraView::settled);
     connect(m_area, &ImageArea::pointedAt, this, &CameraView::pointedAt);
+    connect(m_area, &ImageArea::hovered, this, &CameraView::hovered);
 }
 
 CameraView::~CameraView() = default;
@@ -367,6 +412,11 @@ void CameraView::setOutlinesShown(bool shown)
 void CameraView::setPointing(bool pointing)
 {
     m_area->setPointing(pointing);
+}
+
+void CameraView::setReadOut(const QString &text)
+{
+    m_area->setReadOut(text);
 }
 
 bool CameraView::isSettled() const

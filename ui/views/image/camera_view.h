@@ -5,6 +5,8 @@
 #include "ui/views/image/image_overlay.h"
 #include "ui/views/widgets/card.h"
 
+#include <optional>
+
 namespace odo {
 
 class ImageArea;
@@ -32,6 +34,8 @@ public:
     void setOutlinesShown(bool shown);
     /// While it waits for a position in the image, a click gives it; a right click always does.
     void setPointing(bool pointing);
+    /// One line at the lower edge of the image, of what is under the mouse; empty: none.
+    void setReadOut(const QString &text);
     /// True when the image that belongs to the current time is shown (or is not available).
     bool isSettled() const;
 
@@ -43,6 +47,8 @@ Q_SIGNALS:
     void settled();
     /// In pixels of the recording's image, and on the screen.
     void pointedAt(const QPointF &pixel, const QPoint &global);
+    /// The pixel of the recording's image under the mouse; nullopt where the mouse has left the image.
+    void hovered(const std::optional<QPointF> &pixel);
 
 private:
     ImageArea *m_area;
