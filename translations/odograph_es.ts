@@ -9706,8 +9706,8 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <translation>&amp;Quitar</translation>
     </message>
     <message>
-        <source>Images and videos (*.png *.jpg *.jpeg *.tif *.tiff *.bmp *.mp4 *.mkv *.avi *.mov *.webm);;All files (*)</source>
-        <translation>Imágenes y videos (*.png *.jpg *.jpeg *.tif *.tiff *.bmp *.mp4 *.mkv *.avi *.mov *.webm);;Todos los archivos (*)</translation>
+        <source>Images and videos (*.png *.jpg *.jpeg *.heic *.heif *.hif *.webp *.tif *.tiff *.bmp *.mp4 *.mkv *.avi *.mov *.webm);;All files (*)</source>
+        <translation>Imágenes y videos (*.png *.jpg *.jpeg *.heic *.heif *.hif *.webp *.tif *.tiff *.bmp *.mp4 *.mkv *.avi *.mov *.webm);;Todos los archivos (*)</translation>
     </message>
     <message>
         <source>You can also drop files here.</source>
@@ -9879,8 +9879,8 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <translation>Una imagen o un video…</translation>
     </message>
     <message>
-        <source>Images and videos (*.png *.jpg *.jpeg *.tif *.tiff *.bmp *.mp4 *.mkv *.avi *.mov *.webm);;All files (*)</source>
-        <translation>Imágenes y videos (*.png *.jpg *.jpeg *.tif *.tiff *.bmp *.mp4 *.mkv *.avi *.mov *.webm);;Todos los archivos (*)</translation>
+        <source>Images and videos (*.png *.jpg *.jpeg *.heic *.heif *.hif *.webp *.tif *.tiff *.bmp *.mp4 *.mkv *.avi *.mov *.webm);;All files (*)</source>
+        <translation>Imágenes y videos (*.png *.jpg *.jpeg *.heic *.heif *.hif *.webp *.tif *.tiff *.bmp *.mp4 *.mkv *.avi *.mov *.webm);;Todos los archivos (*)</translation>
     </message>
     <message>
         <source>detecting…</source>
@@ -11202,8 +11202,8 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <translation>En una &amp;imagen o un video</translation>
     </message>
     <message>
-        <source>Images and videos (*.png *.jpg *.jpeg *.tif *.tiff *.bmp *.mp4 *.mkv *.avi *.mov *.webm);;All files (*)</source>
-        <translation>Imágenes y videos (*.png *.jpg *.jpeg *.tif *.tiff *.bmp *.mp4 *.mkv *.avi *.mov *.webm);;Todos los archivos (*)</translation>
+        <source>Images and videos (*.png *.jpg *.jpeg *.heic *.heif *.hif *.webp *.tif *.tiff *.bmp *.mp4 *.mkv *.avi *.mov *.webm);;All files (*)</source>
+        <translation>Imágenes y videos (*.png *.jpg *.jpeg *.heic *.heif *.hif *.webp *.tif *.tiff *.bmp *.mp4 *.mkv *.avi *.mov *.webm);;Todos los archivos (*)</translation>
     </message>
 </context>
 <context>

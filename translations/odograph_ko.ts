@@ -9697,8 +9697,8 @@ Much more than expected means that a setting is wrong: the views are not synchro
         <translation>제거(&amp;R)</translation>
     </message>
     <message>
-        <source>Images and videos (*.png *.jpg *.jpeg *.tif *.tiff *.bmp *.mp4 *.mkv *.avi *.mov *.webm);;All files (*)</source>
-        <translation>사진과 동영상 (*.png *.jpg *.jpeg *.tif *.tiff *.bmp *.mp4 *.mkv *.avi *.mov *.webm);;모든 파일 (*)</translation>
+        <source>Images and videos (*.png *.jpg *.jpeg *.heic *.heif *.hif *.webp *.tif *.tiff *.bmp *.mp4 *.mkv *.avi *.mov *.webm);;All files (*)</source>
+        <translation>사진과 동영상 (*.png *.jpg *.jpeg *.heic *.heif *.hif *.webp *.tif *.tiff *.bmp *.mp4 *.mkv *.avi *.mov *.webm);;모든 파일 (*)</translation>
     </message>
     <message>
         <source>You can also drop files here.</source>
@@ -9870,8 +9870,8 @@ Much more than expected means that a setting is wrong: the views are not synchro
         <translation>사진 또는 동영상…</translation>
     </message>
     <message>
-        <source>Images and videos (*.png *.jpg *.jpeg *.tif *.tiff *.bmp *.mp4 *.mkv *.avi *.mov *.webm);;All files (*)</source>
-        <translation>사진과 동영상 (*.png *.jpg *.jpeg *.tif *.tiff *.bmp *.mp4 *.mkv *.avi *.mov *.webm);;모든 파일 (*)</translation>
+        <source>Images and videos (*.png *.jpg *.jpeg *.heic *.heif *.hif *.webp *.tif *.tiff *.bmp *.mp4 *.mkv *.avi *.mov *.webm);;All files (*)</source>
+        <translation>사진과 동영상 (*.png *.jpg *.jpeg *.heic *.heif *.hif *.webp *.tif *.tiff *.bmp *.mp4 *.mkv *.avi *.mov *.webm);;모든 파일 (*)</translation>
     </message>
     <message>
         <source>detecting…</source>
@@ -11185,8 +11185,8 @@ Much more than expected means that a setting is wrong: the views are not synchro
         <translation>사진 또는 동영상에서(&amp;P)</translation>
     </message>
     <message>
-        <source>Images and videos (*.png *.jpg *.jpeg *.tif *.tiff *.bmp *.mp4 *.mkv *.avi *.mov *.webm);;All files (*)</source>
-        <translation>사진과 동영상 (*.png *.jpg *.jpeg *.tif *.tiff *.bmp *.mp4 *.mkv *.avi *.mov *.webm);;모든 파일 (*)</translation>
+        <source>Images and videos (*.png *.jpg *.jpeg *.heic *.heif *.hif *.webp *.tif *.tiff *.bmp *.mp4 *.mkv *.avi *.mov *.webm);;All files (*)</source>
+        <translation>사진과 동영상 (*.png *.jpg *.jpeg *.heic *.heif *.hif *.webp *.tif *.tiff *.bmp *.mp4 *.mkv *.avi *.mov *.webm);;모든 파일 (*)</translation>
     </message>
 </context>
 <context>

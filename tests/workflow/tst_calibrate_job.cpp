@@ -285,7 +285,7 @@ private Q_SLOTS:
             {"the same pose again",
              "the board is in the same position as in p.png; move it elsewhere, turn it or tilt it"},
             {"no such file", "the file does not exist; check the name and the folder"},
-            {"not a picture", "it is not a PNG, JPEG, BMP, TIFF or PNM image"},
+            {"not a picture", "it is not a PNG, JPEG, TIFF, HEIC, WebP, BMP or PNM image"},
             {"damaged picture", "its content is damaged or cut short"},
             {"empty video", "the file is empty"},
             {"too few", "calibration needs three images of the board, 2 can be used; take ten or more"},
