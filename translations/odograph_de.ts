@@ -5179,8 +5179,8 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
 <context>
     <name>calibration.other_picture_size</name>
     <message>
-        <source>it is %1×%2, the first image %3×%4</source>
-        <translation>dieses Bild hat %1×%2, das erste %3×%4</translation>
+        <source>it is %1×%2, the other images are %3×%4</source>
+        <translation>dieses Bild hat %1×%2, die anderen haben %3×%4</translation>
     </message>
 </context>
 <context>
@@ -19981,8 +19981,8 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
 <context>
     <name>video.no_picture_format</name>
     <message>
-        <source>it is not a PNG, JPEG, BMP, TIFF or PNM image</source>
-        <translation>es ist kein PNG-, JPEG-, BMP-, TIFF- oder PNM-Bild</translation>
+        <source>it is not a PNG, JPEG, TIFF, HEIC, WebP, BMP or PNM image</source>
+        <translation>es ist kein PNG-, JPEG-, TIFF-, HEIC-, WebP-, BMP- oder PNM-Bild</translation>
     </message>
 </context>
 <context>
@@ -21012,6 +21012,13 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>%1 of its %2 frames are damaged and were not measured</source>
         <translation>%1 ihrer %2 Bilder sind beschädigt und wurden nicht ausgewertet</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.frames_without_board</name>
+    <message>
+        <source>%1 frames: %2</source>
+        <translation>%1 Frames: %2</translation>
     </message>
 </context>
 <context>

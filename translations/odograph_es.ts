@@ -5179,8 +5179,8 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
 <context>
     <name>calibration.other_picture_size</name>
     <message>
-        <source>it is %1×%2, the first image %3×%4</source>
-        <translation>tiene %1×%2, la primera imagen %3×%4</translation>
+        <source>it is %1×%2, the other images are %3×%4</source>
+        <translation>tiene %1×%2, las otras imágenes %3×%4</translation>
     </message>
 </context>
 <context>
@@ -19981,8 +19981,8 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
 <context>
     <name>video.no_picture_format</name>
     <message>
-        <source>it is not a PNG, JPEG, BMP, TIFF or PNM image</source>
-        <translation>no es una imagen PNG, JPEG, BMP, TIFF ni PNM</translation>
+        <source>it is not a PNG, JPEG, TIFF, HEIC, WebP, BMP or PNM image</source>
+        <translation>no es una imagen PNG, JPEG, TIFF, HEIC, WebP, BMP ni PNM</translation>
     </message>
 </context>
 <context>
@@ -21012,6 +21012,13 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <message>
         <source>%1 of its %2 frames are damaged and were not measured</source>
         <translation>%1 de sus %2 fotogramas están dañados y no se midieron</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.frames_without_board</name>
+    <message>
+        <source>%1 frames: %2</source>
+        <translation>%1 fotogramas: %2</translation>
     </message>
 </context>
 <context>

@@ -5170,8 +5170,8 @@ Much more than expected means that a setting is wrong: the views are not synchro
 <context>
     <name>calibration.other_picture_size</name>
     <message>
-        <source>it is %1×%2, the first image %3×%4</source>
-        <translation>%1×%2인데 첫 사진은 %3×%4입니다</translation>
+        <source>it is %1×%2, the other images are %3×%4</source>
+        <translation>%1×%2인데 다른 사진은 %3×%4입니다</translation>
     </message>
 </context>
 <context>
@@ -19942,8 +19942,8 @@ Much more than expected means that a setting is wrong: the views are not synchro
 <context>
     <name>video.no_picture_format</name>
     <message>
-        <source>it is not a PNG, JPEG, BMP, TIFF or PNM image</source>
-        <translation>PNG, JPEG, BMP, TIFF, PNM 그림이 아닙니다</translation>
+        <source>it is not a PNG, JPEG, TIFF, HEIC, WebP, BMP or PNM image</source>
+        <translation>PNG, JPEG, TIFF, HEIC, WebP, BMP, PNM 그림이 아닙니다</translation>
     </message>
 </context>
 <context>
@@ -20973,6 +20973,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>%1 of its %2 frames are damaged and were not measured</source>
         <translation>프레임 %2개 중 %1개가 손상되어 측정하지 않았습니다</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.frames_without_board</name>
+    <message>
+        <source>%1 frames: %2</source>
+        <translation>프레임 %1개: %2</translation>
     </message>
 </context>
 <context>
