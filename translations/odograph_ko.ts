@@ -5268,8 +5268,8 @@ Much more than expected means that a setting is wrong: the views are not synchro
 <context>
     <name>calibration.other_picture_size</name>
     <message>
-        <source>it is %1×%2, the first image %3×%4</source>
-        <translation>%1×%2인데 첫 사진은 %3×%4입니다</translation>
+        <source>it is %1×%2, the other images are %3×%4</source>
+        <translation>%1×%2인데 다른 사진은 %3×%4입니다</translation>
     </message>
 </context>
 <context>
@@ -10005,8 +10005,8 @@ Much more than expected means that a setting is wrong: the views are not synchro
         <translation>제거(&amp;R)</translation>
     </message>
     <message>
-        <source>Images and videos (*.png *.jpg *.jpeg *.tif *.tiff *.bmp *.mp4 *.mkv *.avi *.mov *.webm);;All files (*)</source>
-        <translation>사진과 동영상 (*.png *.jpg *.jpeg *.tif *.tiff *.bmp *.mp4 *.mkv *.avi *.mov *.webm);;모든 파일 (*)</translation>
+        <source>Images and videos (*.png *.jpg *.jpeg *.heic *.heif *.hif *.webp *.tif *.tiff *.bmp *.mp4 *.mkv *.avi *.mov *.webm);;All files (*)</source>
+        <translation>사진과 동영상 (*.png *.jpg *.jpeg *.heic *.heif *.hif *.webp *.tif *.tiff *.bmp *.mp4 *.mkv *.avi *.mov *.webm);;모든 파일 (*)</translation>
     </message>
     <message>
         <source>You can also drop files here.</source>
@@ -10178,8 +10178,8 @@ Much more than expected means that a setting is wrong: the views are not synchro
         <translation>사진 또는 동영상…</translation>
     </message>
     <message>
-        <source>Images and videos (*.png *.jpg *.jpeg *.tif *.tiff *.bmp *.mp4 *.mkv *.avi *.mov *.webm);;All files (*)</source>
-        <translation>사진과 동영상 (*.png *.jpg *.jpeg *.tif *.tiff *.bmp *.mp4 *.mkv *.avi *.mov *.webm);;모든 파일 (*)</translation>
+        <source>Images and videos (*.png *.jpg *.jpeg *.heic *.heif *.hif *.webp *.tif *.tiff *.bmp *.mp4 *.mkv *.avi *.mov *.webm);;All files (*)</source>
+        <translation>사진과 동영상 (*.png *.jpg *.jpeg *.heic *.heif *.hif *.webp *.tif *.tiff *.bmp *.mp4 *.mkv *.avi *.mov *.webm);;모든 파일 (*)</translation>
     </message>
     <message>
         <source>detecting…</source>
@@ -11508,8 +11508,8 @@ Much more than expected means that a setting is wrong: the views are not synchro
         <translation>사진 또는 동영상에서(&amp;P)</translation>
     </message>
     <message>
-        <source>Images and videos (*.png *.jpg *.jpeg *.tif *.tiff *.bmp *.mp4 *.mkv *.avi *.mov *.webm);;All files (*)</source>
-        <translation>사진과 동영상 (*.png *.jpg *.jpeg *.tif *.tiff *.bmp *.mp4 *.mkv *.avi *.mov *.webm);;모든 파일 (*)</translation>
+        <source>Images and videos (*.png *.jpg *.jpeg *.heic *.heif *.hif *.webp *.tif *.tiff *.bmp *.mp4 *.mkv *.avi *.mov *.webm);;All files (*)</source>
+        <translation>사진과 동영상 (*.png *.jpg *.jpeg *.heic *.heif *.hif *.webp *.tif *.tiff *.bmp *.mp4 *.mkv *.avi *.mov *.webm);;모든 파일 (*)</translation>
     </message>
 </context>
 <context>
@@ -20265,8 +20265,8 @@ Much more than expected means that a setting is wrong: the views are not synchro
 <context>
     <name>video.no_picture_format</name>
     <message>
-        <source>it is not a PNG, JPEG, BMP, TIFF or PNM image</source>
-        <translation>PNG, JPEG, BMP, TIFF, PNM 그림이 아닙니다</translation>
+        <source>it is not a PNG, JPEG, TIFF, HEIC, WebP, BMP or PNM image</source>
+        <translation>PNG, JPEG, TIFF, HEIC, WebP, BMP, PNM 그림이 아닙니다</translation>
     </message>
 </context>
 <context>
@@ -21317,6 +21317,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>%1 of its %2 frames are damaged and were not measured</source>
         <translation>프레임 %2개 중 %1개가 손상되어 측정하지 않았습니다</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.frames_without_board</name>
+    <message>
+        <source>%1 frames: %2</source>
+        <translation>프레임 %1개: %2</translation>
     </message>
 </context>
 <context>

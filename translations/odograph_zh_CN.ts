@@ -5268,8 +5268,8 @@ Much more than expected means that a setting is wrong: the views are not synchro
 <context>
     <name>calibration.other_picture_size</name>
     <message>
-        <source>it is %1×%2, the first image %3×%4</source>
-        <translation>它为 %1×%2，第一张图片为 %3×%4</translation>
+        <source>it is %1×%2, the other images are %3×%4</source>
+        <translation>它为 %1×%2，其他图片为 %3×%4</translation>
     </message>
 </context>
 <context>
@@ -10005,8 +10005,8 @@ Much more than expected means that a setting is wrong: the views are not synchro
         <translation>移除(&amp;R)</translation>
     </message>
     <message>
-        <source>Images and videos (*.png *.jpg *.jpeg *.tif *.tiff *.bmp *.mp4 *.mkv *.avi *.mov *.webm);;All files (*)</source>
-        <translation>图片和视频 (*.png *.jpg *.jpeg *.tif *.tiff *.bmp *.mp4 *.mkv *.avi *.mov *.webm);;所有文件 (*)</translation>
+        <source>Images and videos (*.png *.jpg *.jpeg *.heic *.heif *.hif *.webp *.tif *.tiff *.bmp *.mp4 *.mkv *.avi *.mov *.webm);;All files (*)</source>
+        <translation>图片和视频 (*.png *.jpg *.jpeg *.heic *.heif *.hif *.webp *.tif *.tiff *.bmp *.mp4 *.mkv *.avi *.mov *.webm);;所有文件 (*)</translation>
     </message>
     <message>
         <source>You can also drop files here.</source>
@@ -10178,8 +10178,8 @@ Much more than expected means that a setting is wrong: the views are not synchro
         <translation>图片或视频…</translation>
     </message>
     <message>
-        <source>Images and videos (*.png *.jpg *.jpeg *.tif *.tiff *.bmp *.mp4 *.mkv *.avi *.mov *.webm);;All files (*)</source>
-        <translation>图片和视频 (*.png *.jpg *.jpeg *.tif *.tiff *.bmp *.mp4 *.mkv *.avi *.mov *.webm);;所有文件 (*)</translation>
+        <source>Images and videos (*.png *.jpg *.jpeg *.heic *.heif *.hif *.webp *.tif *.tiff *.bmp *.mp4 *.mkv *.avi *.mov *.webm);;All files (*)</source>
+        <translation>图片和视频 (*.png *.jpg *.jpeg *.heic *.heif *.hif *.webp *.tif *.tiff *.bmp *.mp4 *.mkv *.avi *.mov *.webm);;所有文件 (*)</translation>
     </message>
     <message>
         <source>detecting…</source>
@@ -11508,8 +11508,8 @@ Much more than expected means that a setting is wrong: the views are not synchro
         <translation>图片或视频(&amp;P)</translation>
     </message>
     <message>
-        <source>Images and videos (*.png *.jpg *.jpeg *.tif *.tiff *.bmp *.mp4 *.mkv *.avi *.mov *.webm);;All files (*)</source>
-        <translation>图片和视频 (*.png *.jpg *.jpeg *.tif *.tiff *.bmp *.mp4 *.mkv *.avi *.mov *.webm);;所有文件 (*)</translation>
+        <source>Images and videos (*.png *.jpg *.jpeg *.heic *.heif *.hif *.webp *.tif *.tiff *.bmp *.mp4 *.mkv *.avi *.mov *.webm);;All files (*)</source>
+        <translation>图片和视频 (*.png *.jpg *.jpeg *.heic *.heif *.hif *.webp *.tif *.tiff *.bmp *.mp4 *.mkv *.avi *.mov *.webm);;所有文件 (*)</translation>
     </message>
 </context>
 <context>
@@ -20265,8 +20265,8 @@ Much more than expected means that a setting is wrong: the views are not synchro
 <context>
     <name>video.no_picture_format</name>
     <message>
-        <source>it is not a PNG, JPEG, BMP, TIFF or PNM image</source>
-        <translation>不是 PNG、JPEG、BMP、TIFF 或 PNM 图片</translation>
+        <source>it is not a PNG, JPEG, TIFF, HEIC, WebP, BMP or PNM image</source>
+        <translation>不是 PNG、JPEG、TIFF、HEIC、WebP、BMP 或 PNM 图片</translation>
     </message>
 </context>
 <context>
@@ -21317,6 +21317,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>%1 of its %2 frames are damaged and were not measured</source>
         <translation>其 %2 帧中有 %1 帧已损坏，未被测量</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.frames_without_board</name>
+    <message>
+        <source>%1 frames: %2</source>
+        <translation>%1 帧：%2</translation>
     </message>
 </context>
 <context>

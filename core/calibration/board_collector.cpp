@@ -67,7 +67,7 @@ ImageVerdict BoardCollector::examine(const Frame &frame, const std::string &sour
     }
     if (frame.format.width != m_widthPx || frame.format.height != m_heightPx) {
         answer.refusal =
-            refusal(source, otherSizeThanFirst(frame.format, m_widthPx, m_heightPx),
+            refusal(source, otherSizeThanMost(frame.format.width, frame.format.height, m_widthPx, m_heightPx),
                     ODO_TEXT("calibration.use_one_resolution", "use images of one camera at one resolution"));
         return answer;
     }

@@ -5,6 +5,7 @@
 #include "core/calibration/charuco_layout.h"
 #include "core/calibration/internal/corner_grid.h"
 #include "core/calibration/internal/luma_matrix.h"
+#include "core/calibration/internal/marker_candidates.h"
 #include "core/calibration/internal/wording.h"
 #include "core/geometry/homography.h"
 #include "core/video/image.h"
@@ -85,6 +86,9 @@ std::vector<ReadMarker> readMarkers(const cv::Mat &image, double scale, const Na
     return markers;
 }
 
+/// Fewer of an image's candidates than a board needs, since a reduced image shows fewer.
+constexpr int leastLikelyMarkers = 3;
+
 /// A board's corner as the two markers beside it predict it.
 struct PredictedCorner
 {
@@ -135,6 +139,12 @@ std::vector<PredictedCorner> predictCorners(const std::vector<ReadMarker> &marke
 std::string boardText(int columns, int rows)
 {
     return std::to_string(columns) + "x" + std::to_string(rows);
+}
+
+Message boardOfOtherCorners(const std::string &found, const std::string &asked)
+{
+    return ODO_TEXT("calibration.board_of_other_size", "this board has %1 inner corners, not %2")(found,
+                                                                                                  asked);
 }
 
 Message noBoardFound()
@@ -190,7 +200,11 @@ Result<BoardView> findCharucoBoard(const cv::Mat &luma, const BoardSpec &spec, c
     cv::bitwise_not(searched, inverted);
     std::size_t mostMarkers = 0;
     for (const cv::Mat *image : {&searched, &std::as_const(inverted)}) {
+        MarkerCandidates candidates(*image);
         for (const NamedDictionary &dictionary : dictionaries) {
+            const int likely = candidates.countIn(*cv::aruco::getPredefinedDictionary(dictionary.dictionary));
+            if (likely < leastLikelyMarkers)
+                continue;
             const std::vector<ReadMarker> markers = readMarkers(*image, scale, dictionary);
             mostMarkers = std::max(mostMarkers, markers.size());
             const auto layout = explainMarkers(markers, spec.columns, spec.rows);
@@ -412,10 +426,7 @@ Result<CornerGrid> matched(const cv::Mat &luma, const CornerGrid &grid, const Bo
                         (upright.columns == spec.columns || leavesImage(upright, luma, true)) &&
                         (upright.rows == spec.rows || leavesImage(upright, luma, false));
     if (!cutOff)
-        return refuseBoard(source,
-                           ODO_TEXT("calibration.board_of_other_size",
-                                    "this board has %1 inner corners, not %2")(found, asked),
-                           countCorners());
+        return refuseBoard(source, boardOfOtherCorners(found, asked), countCorners());
     if (static_cast<double>(upright.corners.size()) < leastPartOfBoard * spec.columns * spec.rows)
         return refuseBoard(source,
                            joined({ODO_TEXT("calibration.board_cut_off", "the board is cut off"),
@@ -450,10 +461,15 @@ tl::unexpected<Error> refuseBoard(const std::string &source, Message why, Messag
     return fail(ErrorCode::Undetermined, nameAlone(source), std::move(why), std::move(advice));
 }
 
-Message otherSizeThanFirst(const FrameFormat &format, int firstWidthPx, int firstHeightPx)
+Message otherSizeThanMost(int widthPx, int heightPx, int mostWidthPx, int mostHeightPx)
 {
-    return ODO_TEXT("calibration.other_picture_size", "it is %1×%2, the first image %3×%4")(
-        format.width, format.height, firstWidthPx, firstHeightPx);
+    return ODO_TEXT("calibration.other_picture_size",
+                    "it is %1×%2, the other images are %3×%4")(widthPx, heightPx, mostWidthPx, mostHeightPx);
+}
+
+Message boardOfOtherSize(const BoardView &view, const BoardSpec &wanted)
+{
+    return boardOfOtherCorners(boardText(view.columns, view.rows), boardText(wanted.columns, wanted.rows));
 }
 
 Result<BoardView> findBoard(const Frame &frame, const BoardSpec &spec, const std::string &source)

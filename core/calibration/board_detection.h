@@ -44,8 +44,11 @@ inline constexpr int widestCornerWindowPx = 11;
 /// Why an image has no usable board: Undetermined.
 tl::unexpected<Error> refuseBoard(const std::string &source, Message why, Message advice);
 
-/// Why an image of another size than the first cannot be used.
-Message otherSizeThanFirst(const FrameFormat &format, int firstWidthPx, int firstHeightPx);
+/// Why an image of another size than most of them, or than those before it, cannot be used.
+Message otherSizeThanMost(int widthPx, int heightPx, int mostWidthPx, int mostHeightPx);
+
+/// Why a view of another board than the wanted one cannot be used.
+Message boardOfOtherSize(const BoardView &view, const BoardSpec &wanted);
 
 /// Finds the board in the luma plane. Error Undetermined with the reason: none found, another size found, too
 /// blurred, cut off.

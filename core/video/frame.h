@@ -105,6 +105,9 @@ struct Frame
     /// Set when only a part was decoded: samples outside it are of no meaning, wholeFrame() gives the rest.
     std::optional<PixelRect> validRegion;
     std::shared_ptr<const CodedImage> coded; ///< set together with validRegion
+    /// Of a still: how its file said that it is to be turned (EXIF, 1 to 8), which has been done
+    /// (frame_turn.h).
+    int orientation = 1;
 };
 
 /// The same frame (index and time as here), fully decoded; itself when it already is.

@@ -5,15 +5,18 @@
 #include "core/base/shortage.h"
 #include "core/files/file_words.h"
 #include "core/files/protected_files.h"
-#include "core/video/internal/header_number.h"
+#include "core/video/frame_turn.h"
+#include "core/video/internal/heif.h"
+#include "core/video/internal/orientation.h"
+#include "core/video/internal/rgb_rows.h"
+#include "core/video/internal/riff.h"
 #include "core/video/internal/stream_format.h"
 #include "core/video/internal/tiff.h"
 #include "core/video/jpeg.h"
 
 #include <algorithm>
-#include <cctype>
+#include <array>
 #include <fstream>
-#include <iterator>
 #include <span>
 #include <string_view>
 extern "C" {
@@ -66,14 +69,17 @@ AVCodecID codecOf(ImageFormat format)
         return AV_CODEC_ID_MJPEG;
     case ImageFormat::Bmp:
         return AV_CODEC_ID_BMP;
-    case ImageFormat::Tiff:
-        return AV_CODEC_ID_TIFF;
     case ImageFormat::Pbm:
         return AV_CODEC_ID_PBM;
     case ImageFormat::Pgm:
         return AV_CODEC_ID_PGM;
     case ImageFormat::Ppm:
         return AV_CODEC_ID_PPM;
+    case ImageFormat::Webp:
+        return AV_CODEC_ID_WEBP;
+    case ImageFormat::Heif:
+    case ImageFormat::Tiff:
+        break;
     }
     return AV_CODEC_ID_NONE;
 }
@@ -114,6 +120,11 @@ libav::FramePtr withRgbPixels(const AVFrame &image, int firstRow, int rows)
                        AV_PIX_FMT_RGB24, SWS_BILINEAR | SWS_ACCURATE_RND | SWS_FULL_CHR_H_INT, nullptr,
                        nullptr, nullptr),
         &sws_freeContext);
+    if (scaler && image.color_range == AVCOL_RANGE_JPEG) { // which libswscale knows of few formats
+        const int *matrix = sws_getCoefficients(SWS_CS_ITU601);
+        constexpr int unchanged = 1 << 16;
+        sws_setColorspaceDetails(scaler.get(), matrix, 1, matrix, 1, 0, unchanged, unchanged);
+    }
     const std::uint8_t *planes[AV_NUM_DATA_POINTERS] = {};
     const bool hasPalette =
         (av_pix_fmt_desc_get(static_cast<AVPixelFormat>(image.format))->flags & AV_PIX_FMT_FLAG_PAL) != 0;
@@ -125,34 +136,11 @@ libav::FramePtr withRgbPixels(const AVFrame &image, int firstRow, int rows)
     return isDone ? std::move(rgb) : nullptr;
 }
 
-/// BT.601 at full range as JFIF 1.02 defines it, in 16-bit fixed point.
-void convertRow(const std::uint8_t *rgb, int width, std::uint8_t *y, std::uint8_t *u, std::uint8_t *v)
-{
-    constexpr int half = 1 << 15, middle = (128 << 16) + half - 1; // -1 keeps pure blue and red at 255
-    for (int x = 0; x < width; ++x, rgb += 3) {
-        const int r = rgb[0], g = rgb[1], b = rgb[2];
-        y[x] = static_cast<std::uint8_t>((19595 * r + 38470 * g + 7471 * b + half) >> 16);
-        u[x] = static_cast<std::uint8_t>((-11059 * r - 21709 * g + 32768 * b + middle) >> 16);
-        v[x] = static_cast<std::uint8_t>((32768 * r - 27439 * g - 5329 * b + middle) >> 16);
-    }
-}
-
-FrameFormat formatOf(const AVFrame &image)
-{
-    FrameFormat format;
-    format.width = image.width;
-    format.height = image.height;
-    format.chromaShiftX = format.chromaShiftY = 0;
-    format.siting = ChromaSiting::Center;
-    format.fullRange = true;
-    return format;
-}
-
 std::optional<Frame> fromLibav(libav::FramePtr image)
 {
     if (!image)
         return std::nullopt;
-    FrameFormat format = formatOf(*image);
+    FrameFormat format = rgbFormat(image->width, image->height);
     if (setChromaShifts(static_cast<AVPixelFormat>(image->format), format))
         return frameOf(std::move(image), format);
     const AVPixFmtDescriptor *pixels = av_pix_fmt_desc_get(static_cast<AVPixelFormat>(image->format));
@@ -168,8 +156,8 @@ std::optional<Frame> fromLibav(libav::FramePtr image)
         if (!rgb)
             return std::nullopt;
         for (int y = first; y < first + rows; ++y)
-            convertRow(rgb->data[0] + std::ptrdiff_t(y - first) * rgb->linesize[0], format.width,
-                       buffer->yRow(y), buffer->uRow(y), buffer->vRow(y));
+            convertRgbRow(rgb->data[0] + std::ptrdiff_t(y - first) * rgb->linesize[0], format.width,
+                          buffer->yRow(y), buffer->uRow(y), buffer->vRow(y));
     }
     return FrameBuffer::toFrame(std::move(buffer), 0, Nanoseconds(0));
 }
@@ -207,16 +195,58 @@ std::optional<Frame> decodeBmp(libav::PacketPtr file)
     return isCut ? std::nullopt : fromLibav(decodedByLibav(std::move(file), ImageFormat::Bmp));
 }
 
+/// Luma from 16 to 235 and chroma from 16 to 240, stretched in place to 0 to 255 (H.273 §8.3).
+void stretchToFullRange(AVFrame &image)
+{
+    const auto stretched = [](int limited, int low, int span, int middle) {
+        return std::uint8_t(std::clamp((2 * 255 * (limited - low) + span) / (2 * span) + middle, 0, 255));
+    };
+    std::array<std::uint8_t, 256> luma{}, chroma{};
+    for (int i = 0; i < 256; ++i) {
+        luma[std::size_t(i)] = i <= 16 ? std::uint8_t(0) : stretched(i, 16, 219, 0);
+        chroma[std::size_t(i)] = stretched(i, 16, 224, 0);
+    }
+    for (int plane = 0; plane < 3; ++plane) {
+        const auto &table = plane == 0 ? luma : chroma;
+        const int width = plane == 0 ? image.width : AV_CEIL_RSHIFT(image.width, 1);
+        const int height = plane == 0 ? image.height : AV_CEIL_RSHIFT(image.height, 1);
+        for (int y = 0; y < height; ++y) {
+            std::uint8_t *row = image.data[plane] + std::ptrdiff_t(y) * image.linesize[plane];
+            std::transform(row, row + width, row, [&](std::uint8_t value) { return table[value]; });
+        }
+    }
+}
+
+/// Lossy ones are 4:2:0 of limited range (RFC 9649 §2.5); what is transparent is read as if it were not.
+std::optional<Frame> decodeWebp(libav::PacketPtr file)
+{
+    if (isCutWebp(bytesOf(file)))
+        return std::nullopt;
+    libav::FramePtr image = decodedByLibav(std::move(file), ImageFormat::Webp);
+    const bool isLossy =
+        image && (image->format == AV_PIX_FMT_YUV420P || image->format == AV_PIX_FMT_YUVA420P);
+    if (isLossy) {
+        if (libav::checked(av_frame_make_writable(image.get())) != 0)
+            return std::nullopt;
+        stretchToFullRange(*image);
+        image->format = AV_PIX_FMT_YUV420P;
+    }
+    return fromLibav(std::move(image));
+}
+
 std::optional<Frame> decode(libav::PacketPtr file, const ImageHeader &header)
 {
     switch (header.format) {
+    case ImageFormat::Webp:
+        return decodeWebp(std::move(file));
+    case ImageFormat::Heif:
+        return decodeHeif(bytesOf(file));
     case ImageFormat::Jpeg:
         return decodeJpeg(std::move(file), header);
     case ImageFormat::Bmp:
         return decodeBmp(std::move(file));
     case ImageFormat::Tiff:
-        keepPixelTags({file->data, static_cast<std::size_t>(file->size)});
-        break;
+        return decodeTiff(bytesOf(file));
     default:
         break;
     }
@@ -228,9 +258,10 @@ Result<Frame> readImageChecked(const std::filesystem::path &file)
     auto packet = ODO_TRY(readFile(file));
     const auto header = imageHeader(bytesOf(packet));
     if (!header)
-        return fail(ErrorCode::InvalidInput, cannotRead(file),
-                    ODO_TEXT("video.no_picture_format", "it is not a PNG, JPEG, BMP, TIFF or PNM image"),
-                    ODO_TEXT("video.convert_to_png", "convert it to PNG or JPEG"));
+        return fail(
+            ErrorCode::InvalidInput, cannotRead(file),
+            ODO_TEXT("video.no_picture_format", "it is not a PNG, JPEG, TIFF, HEIC, WebP, BMP or PNM image"),
+            ODO_TEXT("video.convert_to_png", "convert it to PNG or JPEG"));
     if (libav::isTooLarge(header->width, header->height) ||
         std::int64_t(header->width) * header->height > mostImagePixels)
         return fail(
@@ -240,12 +271,13 @@ Result<Frame> readImageChecked(const std::filesystem::path &file)
                     ODO_TEXT("video.largest_picture", "the limit is 50 megapixels and 32000 pixels a side")},
                    Join::Semicolon),
             ODO_TEXT("video.make_smaller", "make it smaller"));
-    auto frame = decode(std::move(packet), *header);
+    const int orientation = statedOrientation(header->format, bytesOf(packet));
+    const auto frame = decode(std::move(packet), *header);
     if (!frame)
         return fail(ErrorCode::InvalidInput, cannotRead(file),
                     ODO_TEXT("video.picture_damaged", "its content is damaged or cut short"),
                     ODO_TEXT("video.copy_again", "copy it again"));
-    return std::move(*frame);
+    return turned(*frame, orientation);
 }
 
 } // namespace
@@ -253,95 +285,6 @@ Result<Frame> readImageChecked(const std::filesystem::path &file)
 Result<Frame> readImage(const std::filesystem::path &file)
 {
     return orShortage(cannotRead(file), [&file] { return readImageChecked(file); });
-}
-
-namespace {
-
-bool startsWith(Bytes file, std::string_view magic)
-{
-    return std::string_view(reinterpret_cast<const char *>(file.data()), file.size()).starts_with(magic);
-}
-
-/// Walks the segments up to the first start of frame (ITU-T T.81 §B.1). A stuffed zero (ff 00) is no marker:
-/// a decoder would search for the next one among the bytes that it would cover as a segment.
-StatedSize jpegSize(Bytes file)
-{
-    std::size_t at = 2;
-    while (at + 9 < file.size()) {
-        const std::uint8_t marker = file[at + 1];
-        if (file[at] != 0xff || marker == 0x00)
-            return {};
-        if (marker == 0xff || marker == 0x01 ||
-            (marker >= 0xd0 && marker <= 0xd7)) { // fill byte or bare marker
-            at += marker == 0xff ? 1 : 2;
-            continue;
-        }
-        const bool startOfFrame =
-            marker >= 0xc0 && marker <= 0xcf && marker != 0xc4 && marker != 0xc8 && marker != 0xcc;
-        if (startOfFrame)
-            return {numberAt(file, at + 7, 2, true), numberAt(file, at + 5, 2, true)};
-        at += 2 + numberAt(file, at + 2, 2, true);
-    }
-    return {};
-}
-
-/// "P5 640 480 255", with comments from # to the end of a line. The magic and each number end with white
-/// space (the Netpbm formats' own rule): where they do not, decoders disagree on what is a comment.
-StatedSize pnmSize(Bytes file)
-{
-    std::uint32_t numbers[2] = {};
-    std::size_t at = 2;
-    const auto isSpace = [&] { return at < file.size() && std::isspace(file[at]) != 0; };
-    for (std::uint32_t &value : numbers) {
-        if (!isSpace())
-            return {};
-        while (isSpace() || (at < file.size() && file[at] == '#'))
-            if (file[at++] == '#')
-                while (at < file.size() && file[at] != '\n' && file[at] != '\r')
-                    ++at;
-        for (int digits = 0; at < file.size() && std::isdigit(file[at]) != 0 && digits < 9; ++at, ++digits)
-            value = value * 10 + (file[at] - '0');
-    }
-    return isSpace() ? StatedSize{numbers[0], numbers[1]} : StatedSize{};
-}
-
-/// Rows from the top have a negative height.
-StatedSize bmpSize(Bytes file)
-{
-    const auto height = static_cast<std::int32_t>(numberAt(file, 22, 4, false));
-    return {numberAt(file, 18, 4, false),
-            static_cast<std::uint32_t>(height < 0 ? -std::int64_t(height) : height)};
-}
-
-ImageHeader header(ImageFormat format, StatedSize size)
-{
-    return {format, size.width, size.height};
-}
-
-ImageHeader statedHeader(Bytes file)
-{
-    using namespace std::string_view_literals;
-    if (startsWith(file, "\x89PNG\r\n\x1a\n"sv))
-        return header(ImageFormat::Png, {numberAt(file, 16, 4, true), numberAt(file, 20, 4, true)});
-    if (startsWith(file, "\xff\xd8\xff"sv))
-        return header(ImageFormat::Jpeg, jpegSize(file));
-    if (startsWith(file, "BM"sv))
-        return header(ImageFormat::Bmp, bmpSize(file));
-    if (startsWith(file, "II*\0"sv) || startsWith(file, "MM\0*"sv))
-        return header(ImageFormat::Tiff, tiffSize(file));
-    if (file.size() > 2 && file[0] == 'P' && file[1] >= '1' && file[1] <= '6') {
-        constexpr ImageFormat formats[] = {ImageFormat::Pbm, ImageFormat::Pgm, ImageFormat::Ppm};
-        return header(formats[(file[1] - '1') % 3], pnmSize(file));
-    }
-    return {};
-}
-
-} // namespace
-
-std::optional<ImageHeader> imageHeader(Bytes file)
-{
-    const ImageHeader stated = statedHeader(file);
-    return stated.width > 0 && stated.height > 0 ? std::optional(stated) : std::nullopt;
 }
 
 } // namespace odo

@@ -181,7 +181,7 @@ private Q_SLOTS:
                             "this board has 8x6 inner corners, not 9x6"));
         const Frame larger =
             renderBoard(CameraModel::assumed(800, 600), SimulatedBoard{.cameraFromBoard = frontal}, 2, 1);
-        QVERIFY(refusedWith(collector.offer(larger, "e.png"), "it is 800×600, the first image 640×360"));
+        QVERIFY(refusedWith(collector.offer(larger, "e.png"), "it is 800×600, the other images are 640×360"));
     }
 
     void takesAPictureByItselfWhenTheBoardIsStill()

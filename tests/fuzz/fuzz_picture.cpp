@@ -3,7 +3,8 @@
 #include "core/video/image_reader.h"
 #include "tests/fuzz/fuzz_file.h"
 
-/// A still picture: PNG, JPEG, BMP, TIFF or PNM. Those of a size that would only be slow are left out.
+/// A still picture: PNG, JPEG, TIFF, HEIC, WebP, BMP or PNM. Those of a size that would only be slow are left
+/// out.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t *bytes, std::size_t count)
 {
     using namespace odo;

@@ -7,6 +7,7 @@
 #include "tests/project/sample_records.h"
 #include "tests/video/foreign_files.h"
 #include "tests/video/jpeg_images.h"
+#include "tests/video/still_images.h"
 
 #include <cstdio>
 #include <cstdlib>
@@ -107,6 +108,23 @@ void writeImages(const Path &folder)
                   {"palette.bmp", "bmp", "pal8"}, {"deep.tiff", "tiff", "rgb48le"}};
     for (const auto &image : images)
         require(test::writeRaw(folder / image.name, image.encoder, image.format, 1, 1, 32), image.name);
+    const test::RgbImage quarters = test::fourQuarters(33, 25);
+    const test::Bytes webp = test::codedByLibav(quarters, "libwebp", "yuv420p");
+    const std::pair<const char *, test::Bytes> others[] = {
+        {"plain.heic", test::heicOf(quarters)},
+        {"turned.heic", test::heicOf(quarters, 6)},
+        {"plain.webp", webp},
+        {"clear.webp", test::codedByLibav(quarters, "libwebp", "yuva420p")},
+        {"lossless.webp", test::codedByLibav(quarters, "libwebp", "bgra", "lossless=1")},
+        {"turned.webp", test::webpWithOrientation(webp, quarters, 8)},
+        {"turned.jpg", test::jpegWithOrientation(test::codedByLibav(quarters, "mjpeg", "yuvj420p"), 5, true)},
+        {"turned.png", test::pngWithOrientation(test::codedByLibav(quarters, "png", "rgb24"), 3)},
+        {"inks.jpg", test::cmykJpegOf(quarters, true, true)},
+        {"tiles.tiff", test::tiledTiffOf(test::fourQuarters(70, 20))}};
+    for (const auto &[name, bytes] : others) {
+        require(!bytes.empty(), name);
+        write(folder / name, {reinterpret_cast<const char *>(bytes.data()), bytes.size()});
+    }
 }
 
 void writeJpegs(const Path &folder)

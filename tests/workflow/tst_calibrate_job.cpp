@@ -5,6 +5,8 @@
 #include "core/project/repositories.h"
 #include "core/simulation/renderer.h"
 #include "core/video/image.h"
+#include "core/video/image_reader.h"
+#include "core/video/video_writer.h"
 #include "core/workflow/calibrate/calibrate_job.h"
 #include "core/workflow/calibrate/cameras.h"
 #include "tests/support/registered_test.h"
@@ -251,6 +253,79 @@ private Q_SLOTS:
         std::vector<std::size_t> all{0, 1, 2, 3, 4, 5, 6, 7, 8, 9};
         QCOMPARE(recalibrate(record.calibration, all, {})->imagesRepeated(), std::size_t(5));
     }
+    /// The first image does not decide what the board is: it may show a part of it.
+    void aCutBoardFirstCostsNoOther_data()
+    {
+        QTest::addColumn<double>("aside");
+        QTest::addColumn<int>("used");
+        QTest::newRow("half of it") << 0.285 << 19;
+    }
+    void aCutBoardFirstCostsNoOther()
+    {
+        QFETCH(double, aside);
+        QFETCH(int, used);
+        auto files = images(19);
+        files.insert(files.begin(), path(QStringLiteral("cut.png")));
+        QVERIFY(writeImage(rendered(posed({aside, 0, 0.45}, 20)), files.front()));
+        const auto cut = findBoard(*readImage(files.front()), {}, "cut");
+        QVERIFY(cut && cut->columns * cut->rows < 54); // another board, taken alone
+        CalibrateJob job({"A", files, {}, std::nullopt});
+        const auto done = runToEnd(job, *m_project, {});
+        QVERIFY2(done.has_value(), done ? "" : done.error().message().c_str());
+        const auto &calibration = job.calibration();
+        QCOMPARE(int(calibration.images.size()), used);
+        QCOMPARE(job.settings().board.columns, 9);
+        QCOMPARE(job.settings().board.rows, 6);
+        if (used == 19) {
+            QCOMPARE(calibration.rejected.front().file, std::string("cut.png"));
+            const std::string why = calibration.rejected.front().reason.english();
+            QVERIFY2(why.starts_with("the board is cut off: only "), why.c_str());
+        }
+    }
+    void anImageOfAnotherSizeFirstCostsNoOther()
+    {
+        auto files = images(8);
+        files.insert(files.begin(), path(QStringLiteral("large.png")));
+        SimulatedBoard board;
+        board.cameraFromBoard = posed({0, 0, 0.6}, 0);
+        QVERIFY(writeImage(renderBoard(CameraModel::assumed(800, 600), board, 1, 1), files.front()));
+        CalibrateJob job({"A", files, {}, std::nullopt});
+        const auto done = runToEnd(job, *m_project, {});
+        QVERIFY2(done.has_value(), done ? "" : done.error().message().c_str());
+        QCOMPARE(job.calibration().images.size(), std::size_t(8));
+        QCOMPARE(job.calibration().rejected.front().file, std::string("large.png"));
+        QCOMPARE(job.calibration().rejected.front().reason.english(),
+                 std::string("it is 800×600, the other images are 640×360"));
+    }
+    /// A hand that stops ten times: of the frames before, at and behind each stop only the sharp one is
+    /// taken.
+    void theSharpFramesOfAClipAreTaken()
+    {
+        const auto clip = path(QStringLiteral("clip.mkv"));
+        VideoWriterOptions options;
+        options.codec = VideoCodec::Mjpeg;
+        const auto held = poses(10);
+        auto writer = VideoWriter::create(clip, rendered(held[0]).format, options);
+        QVERIFY2(writer.has_value(), writer ? "" : writer.error().message().c_str());
+        for (int i = 0; i < 30; ++i) { // twelve frames a second
+            Frame frame = rendered(held[std::size_t(i / 3)]);
+            if (i % 3 != 1)
+                frame = blurred(frame, 3);
+            frame.time = Nanoseconds(std::int64_t(i) * 1'000'000'000 / 12);
+            QVERIFY((*writer)->write(frame).has_value());
+        }
+        QVERIFY((*writer)->finish().has_value());
+        CalibrateJob job({"A", {clip}, {}, std::nullopt});
+        const auto done = runToEnd(job, *m_project, {});
+        QVERIFY2(done.has_value(), done ? "" : done.error().message().c_str());
+        QVERIFY(job.calibration().images.size() >= 8);
+        for (const CalibrationImage &image : job.calibration().images) {
+            const std::string &source = image.view.source;
+            const int index = QString::fromStdString(source.substr(source.find('@') + 1)).toInt();
+            QVERIFY2(index % 3 == 1, source.c_str());
+        }
+        QVERIFY(std::abs(job.calibration().intrinsics.fxPx - 560) < 6); // one per cent
+    }
     void whatFailsLeavesNothing()
     {
         const auto files = images(8);
@@ -281,11 +356,12 @@ private Q_SLOTS:
             {"cut off", "keep the whole board in view"},
             {"too oblique", "the board is tilted too far, by "},
             {"too small", "the board is too small: it fills "},
-            {"another resolution", "the first image 640×360; use images of one camera at one resolution"},
+            {"another resolution",
+             "the other images are 640×360; use images of one camera at one resolution"},
             {"the same pose again",
              "the board is in the same position as in p.png; move it elsewhere, turn it or tilt it"},
             {"no such file", "the file does not exist; check the name and the folder"},
-            {"not a picture", "it is not a PNG, JPEG, BMP, TIFF or PNM image"},
+            {"not a picture", "it is not a PNG, JPEG, TIFF, HEIC, WebP, BMP or PNM image"},
             {"damaged picture", "its content is damaged or cut short"},
             {"empty video", "the file is empty"},
             {"too few", "calibration needs three images of the board, 2 can be used; take ten or more"},

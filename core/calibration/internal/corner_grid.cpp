@@ -10,6 +10,7 @@
 #include <numbers>
 #include <opencv2/imgproc.hpp>
 #include <optional>
+#include <set>
 
 namespace odo {
 
@@ -25,18 +26,88 @@ constexpr float intoField = 0.3F;       // of a step: where the fields around a 
 constexpr float leastFieldContrast = 8; // grey levels
 constexpr int mostSeeds = 60;
 constexpr int largestSide = 60;
+constexpr int mostWithoutSaddle = 3000; // brickwork and tiles are full of places that are nearly corners
 
 float norm(Point2f v)
 {
     return std::hypot(v.x, v.y);
 }
 
+/// Saddle points by where they are, to find the nearest ones without a look at all of them.
+class PointMap
+{
+public:
+    PointMap(const std::vector<SaddlePoint> &points, cv::Size size)
+        : m_points(points), m_columns(size.width / fieldPx + 1), m_rows(size.height / fieldPx + 1),
+          m_fields(static_cast<std::size_t>(m_columns) * static_cast<std::size_t>(m_rows))
+    {
+        for (std::size_t i = 0; i < points.size(); ++i)
+            m_fields[fieldAt(columnOf(points[i].position), rowOf(points[i].position))].push_back(i);
+    }
+
+    /// The nearest point that is accepted and nearer than this; among equally near ones the first. Null if
+    /// there is none.
+    template <class Accepted>
+    const SaddlePoint *nearest(Point2f to, float least, Accepted accepted) const
+    {
+        const int column = columnOf(to), row = rowOf(to);
+        std::size_t best = m_points.size();
+        for (int ring = 0; ring <= std::max(m_columns, m_rows); ++ring) {
+            if (static_cast<float>((ring - 1) * fieldPx) > least)
+                break;
+            visitRing(column, row, ring, [&](std::size_t i) {
+                const float distance = norm(m_points[i].position - to);
+                const bool isNearer = distance < least || (distance == least && i < best);
+                if (isNearer && accepted(m_points[i].position - to, distance)) {
+                    least = distance;
+                    best = i;
+                }
+            });
+        }
+        return best < m_points.size() ? &m_points[best] : nullptr;
+    }
+
+private:
+    static constexpr int fieldPx = 24;
+
+    int columnOf(Point2f position) const
+    {
+        return std::clamp(static_cast<int>(position.x) / fieldPx, 0, m_columns - 1);
+    }
+    int rowOf(Point2f position) const
+    {
+        return std::clamp(static_cast<int>(position.y) / fieldPx, 0, m_rows - 1);
+    }
+    std::size_t fieldAt(int column, int row) const
+    {
+        return static_cast<std::size_t>(row) * static_cast<std::size_t>(m_columns) +
+               static_cast<std::size_t>(column);
+    }
+    template <class Visit>
+    void visitRing(int column, int row, int ring, Visit visit) const
+    {
+        for (int y = std::max(row - ring, 0); y <= std::min(row + ring, m_rows - 1); ++y) {
+            const bool isWholeLine = std::abs(y - row) == ring;
+            for (int x = column - ring; x <= column + ring; x += isWholeLine || ring == 0 ? 1 : 2 * ring) {
+                if (x < 0 || x >= m_columns)
+                    continue;
+                for (const std::size_t i : m_fields[fieldAt(x, y)])
+                    visit(i);
+            }
+        }
+    }
+
+    const std::vector<SaddlePoint> &m_points;
+    int m_columns, m_rows;
+    std::vector<std::vector<std::size_t>> m_fields;
+};
+
 /// Grows one grid from one corner.
 class Grower
 {
 public:
     Grower(const cv::Mat &smoothed, const std::vector<SaddlePoint> &points)
-        : m_smoothed(smoothed), m_points(points)
+        : m_smoothed(smoothed), m_points(points, smoothed.size())
     {
     }
 
@@ -86,18 +157,10 @@ public:
 private:
     std::optional<Point2f> neighbour(const SaddlePoint &start, Point2f direction) const
     {
-        std::optional<Point2f> nearest;
-        float least = 1e9F;
-        for (const SaddlePoint &point : m_points) {
-            const Point2f away = point.position - start.position;
-            const float distance = norm(away);
-            if (distance < nearestNeighbour || distance >= least ||
-                away.dot(direction) < coneCosine * distance)
-                continue;
-            least = distance;
-            nearest = point.position;
-        }
-        return nearest;
+        const auto *nearest = m_points.nearest(start.position, 1e9F, [&](Point2f away, float distance) {
+            return distance >= nearestNeighbour && away.dot(direction) >= coneCosine * distance;
+        });
+        return nearest ? std::optional(nearest->position) : std::nullopt;
     }
 
     std::optional<Point2f> corner(const Cell &cell) const
@@ -150,10 +213,11 @@ private:
         if (expected.x < 1 || expected.y < 1 || expected.x > static_cast<float>(m_smoothed.cols - 2) ||
             expected.y > static_cast<float>(m_smoothed.rows - 2))
             return std::nullopt;
-        const auto nearest = std::ranges::min_element(
-            m_points, {}, [&](const SaddlePoint &point) { return norm(point.position - expected); });
-        if (nearest != m_points.end() && norm(nearest->position - expected) <= tolerance)
+        if (const auto *nearest = m_points.nearest(expected, std::nextafter(tolerance, HUGE_VALF),
+                                                   [](Point2f, float) { return true; }))
             return nearest->position;
+        if (++m_withoutSaddle > mostWithoutSaddle)
+            return std::nullopt;
         std::vector<Point2f> corner{expected};
         const int half = std::clamp(static_cast<int>(tolerance), 2, 11);
         cv::cornerSubPix(m_smoothed, corner, {half, half}, {-1, -1},
@@ -180,8 +244,10 @@ private:
     }
 
     const cv::Mat &m_smoothed;
-    const std::vector<SaddlePoint> &m_points;
+    const PointMap m_points;
     std::map<Cell, Point2f> m_cells;
+    mutable int m_withoutSaddle = 0; ///< corners sought where there is no saddle point, of all grids
+
     int m_brightSign = 1;
 };
 
@@ -200,18 +266,26 @@ Rectangle fullRectangle(const std::map<Cell, Point2f> &cells)
             high[axis] = std::max(high[axis], cell[axis]);
         }
     }
+    const int columns = high[0] - low[0] + 1, rows = high[1] - low[1] + 1;
+    std::vector<bool> there(static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows));
+    const auto index = [&](int x, int y) {
+        return static_cast<std::size_t>(y - low[1]) * static_cast<std::size_t>(columns) +
+               static_cast<std::size_t>(x - low[0]);
+    };
+    for (const auto &[cell, position] : cells)
+        there[index(cell[0], cell[1])] = true;
     Rectangle best;
     for (int top = low[1]; top <= high[1]; ++top) {
+        std::vector<bool> full(static_cast<std::size_t>(columns), true); // from the top row down to this one
         for (int bottom = top; bottom <= high[1]; ++bottom) {
             int run = 0;
             for (int x = low[0]; x <= high[0]; ++x) {
-                bool full = true;
-                for (int y = top; y <= bottom && full; ++y)
-                    full = cells.contains({x, y});
-                run = full ? run + 1 : 0;
-                const int rows = bottom - top + 1;
-                if (run * rows > best.columns * best.rows)
-                    best = {x - run + 1, top, run, rows};
+                const auto column = static_cast<std::size_t>(x - low[0]);
+                full[column] = full[column] && there[index(x, bottom)];
+                run = full[column] ? run + 1 : 0;
+                const int height = bottom - top + 1;
+                if (run * height > best.columns * best.rows)
+                    best = {x - run + 1, top, run, height};
             }
         }
     }
@@ -235,11 +309,6 @@ CornerGrid gridOf(const std::map<Cell, Point2f> &cells)
                          grid.corners.begin() + (y + 1) * grid.columns);
     }
     return grid;
-}
-
-bool isIn(const std::map<Cell, Point2f> &cells, Point2f position)
-{
-    return std::ranges::any_of(cells, [&](const auto &cell) { return cell.second == position; });
 }
 
 } // namespace
@@ -269,19 +338,20 @@ CornerGrid findCornerGrid(const cv::Mat &grey)
     const std::vector<SaddlePoint> points = findSaddlePoints(smoothed);
     Grower grower(smoothed, points);
     CornerGrid best;
-    std::vector<std::map<Cell, Point2f>> grown;
+    std::set<std::array<float, 2>> grown; // corners that belong to a grid already
     int seeds = 0;
     for (const SaddlePoint &start : points) {
         if (seeds >= mostSeeds)
             break;
-        if (std::ranges::any_of(grown, [&](const auto &cells) { return isIn(cells, start.position); }))
+        if (grown.contains({start.position.x, start.position.y}))
             continue;
         if (!grower.seed(start))
             continue;
         ++seeds;
         grower.grow();
-        grown.push_back(grower.cells());
-        CornerGrid grid = gridOf(grown.back());
+        for (const auto &[cell, position] : grower.cells())
+            grown.insert({position.x, position.y});
+        CornerGrid grid = gridOf(grower.cells());
         if (grid.corners.size() > best.corners.size())
             best = std::move(grid);
         if (2 * best.corners.size() > points.size()) // no larger one can be left

@@ -2,17 +2,25 @@
 #include "core/workflow/calibrate/calibrate_job.h"
 
 #include "core/base/error.h"
+#include "core/calibration/board_placement.h"
 #include "core/calibration/intrinsic_calibration.h"
 #include "core/calibration/repeated_views.h"
 #include "core/files/protected_files.h"
 #include "core/project/project.h"
 #include "core/project/records.h"
 #include "core/project/repositories.h"
+#include "core/video/frame_turn.h"
 #include "core/video/image.h"
+#include "core/video/image_reader.h"
 #include "core/workflow/calibrate/calibration_images.h"
 #include "core/workflow/calibrate/cameras.h"
+#include "core/workflow/calibrate/internal/board_vote.h"
+#include "core/workflow/calibrate/internal/clip_frames.h"
 
 #include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <tuple>
 
 namespace odo {
 
@@ -69,9 +77,48 @@ Result<IntrinsicsRecord> CalibrationStorage::commit(Project &project)
 
 namespace {
 
-// A hand-held board moves little between neighbouring frames: they would only repeat one position.
-constexpr int boardVideoStep = 15;
-constexpr std::size_t enoughVideoPositions = 60;
+constexpr std::size_t mostFramesOfClip = 60;
+/// So many images of one board, and the next is searched for it first: that is quicker, and finds parts of
+/// it.
+constexpr int enoughOfOneBoard = 3;
+constexpr double blurredBy = 1.5; // times the edges of the sharper frames of a clip
+
+/// The value that most have; among equals the first.
+template <class Value>
+Value mostFrequent(const std::vector<Value> &values)
+{
+    return *std::ranges::max_element(values, {},
+                                     [&](const Value &value) { return std::ranges::count(values, value); });
+}
+
+/// Those of a clip's views that are sharp, and of these at most so many that differ most from one another.
+std::vector<std::size_t> spreadViews(const std::vector<const BoardView *> &views, int widthPx, int heightPx)
+{
+    std::vector<double> widths;
+    for (const BoardView *view : views)
+        widths.push_back(view->edgeWidthPx);
+    std::ranges::sort(widths);
+    const double sharp = widths.empty() ? 0 : widths[widths.size() / 4];
+    std::vector<std::size_t> left, chosen;
+    std::vector<std::optional<BoardPlacement>> placements;
+    for (std::size_t i = 0; i < views.size(); ++i) {
+        placements.push_back(placementOf(*views[i], widthPx, heightPx));
+        if (views[i]->edgeWidthPx <= blurredBy * sharp && placements[i])
+            left.push_back(i);
+    }
+    while (!left.empty() && chosen.size() < mostFramesOfClip) {
+        const auto news = [&](std::size_t i) {
+            double least = HUGE_VAL;
+            for (const std::size_t before : chosen)
+                least = std::min(least, distanceOf(*placements[i], *placements[before]));
+            return least;
+        };
+        const auto next = std::ranges::max_element(left, {}, news);
+        chosen.push_back(*next);
+        left.erase(next);
+    }
+    return chosen;
+}
 
 } // namespace
 
@@ -93,17 +140,12 @@ Result<void> CalibrateJob::run(const JobControl &control)
                                 "detecting the board in %1")(Named::file(m_settings.files[i].filename())));
         ODO_TRY(searchFile(m_settings.files[i], control));
     }
-    if (m_views.empty()) {
-        const Message why = m_rejected.empty()
-                                ? Message(ODO_TEXT("workflow.no_picture_read", "no image could be read"))
-                                : m_rejected.front().reason;
-        return fail(
-            ErrorCode::Undetermined, calibrationOf(m_settings.camera),
-            ODO_TEXT("workflow.board_in_no_picture",
-                     "the board was found in none of %1 images (%2)")(m_rejected.size(), why),
-            ODO_TEXT("workflow.show_whole_board",
-                     "show the whole board, flat, sharp and evenly lit, and check --pattern and --board"));
-    }
+    settle(control);
+    if (control.isCancelled())
+        return cancelled(calibrationOf(m_settings.camera));
+    collect();
+    if (m_views.empty())
+        return tl::unexpected(noBoard());
     control.report(0.85, ODO_TEXT("workflow.computing_intrinsics", "computing the intrinsics"));
     auto calibration = calibrateIntrinsics(m_views, m_widthPx, m_heightPx, m_settings.model, control);
     if (!calibration) {
@@ -121,52 +163,210 @@ Result<void> CalibrateJob::run(const JobControl &control)
     return written;
 }
 
+Error CalibrateJob::noBoard() const
+{
+    const Message why = m_rejected.empty()
+                            ? Message(ODO_TEXT("workflow.no_picture_read", "no image could be read"))
+                            : m_rejected.front().reason;
+    return {ErrorCode::Undetermined, calibrationOf(m_settings.camera),
+            ODO_TEXT("workflow.board_in_no_picture",
+                     "the board was found in none of %1 images (%2)")(m_rejected.size(), why),
+            ODO_TEXT("workflow.show_whole_board",
+                     "show the whole board, flat, sharp and evenly lit, and check --pattern and --board")};
+}
+
 Result<void> CalibrateJob::searchFile(const std::filesystem::path &file, const JobControl &control)
 {
-    const auto visited = visitImages(
-        file, boardVideoStep,
-        [&](const Frame &frame, const std::string &name) {
-            searchImage(frame, name);
-            return !control.isCancelled() &&
-                   m_positions.size() < enoughVideoPositions + m_settings.files.size();
-        },
-        control.cancel);
+    const bool isStill = isStillImage(file);
+    const std::size_t first = m_searched.size();
+    const auto visit = [&](const Frame &frame, const std::string &name) {
+        searchImage(frame, name, isStill ? file : std::filesystem::path());
+        return !control.isCancelled();
+    };
+    const auto visited = isStill ? visitImages(file, 1, visit, control.cancel)
+                                 : visitSharpestFrames(file, visit, control.cancel);
     if (control.isCancelled())
         return cancelled(calibrationOf(m_settings.camera));
     // One unreadable image among many is refused like one without a board; it must not cost the others.
     if (!visited)
         m_rejected.push_back({file.filename().string(), visited.error().why});
+    if (!isStill)
+        searchClip(file, first);
     return {};
 }
 
-void CalibrateJob::searchImage(const Frame &frame, const std::string &name)
+/// Leaves of a clip's frames those that a calibration needs, and counts the others.
+void CalibrateJob::searchClip(const std::filesystem::path &file, std::size_t first)
 {
-    if (m_widthPx == 0) {
-        m_widthPx = frame.format.width;
-        m_heightPx = frame.format.height;
+    std::vector<const BoardView *> views;
+    std::vector<std::size_t> indices;
+    std::vector<std::pair<Message, int>> reasons;
+    for (std::size_t i = first; i < m_searched.size(); ++i) {
+        const Searched &image = m_searched[i];
+        if (image.view) {
+            views.push_back(&*image.view);
+            indices.push_back(i);
+            continue;
+        }
+        const auto known = std::ranges::find_if(
+            reasons, [&](const auto &one) { return one.first.code() == image.reason.code(); });
+        if (known == reasons.end())
+            reasons.emplace_back(image.reason, 1);
+        else
+            ++known->second;
     }
-    if (frame.format.width != m_widthPx || frame.format.height != m_heightPx) {
-        m_rejected.push_back({name, otherSizeThanFirst(frame.format, m_widthPx, m_heightPx)});
+    for (const auto &[reason, count] : reasons)
+        m_rejected.push_back({file.filename().string(),
+                              ODO_TEXT("workflow.frames_without_board", "%1 frames: %2")(count, reason)});
+    if (first == m_searched.size())
         return;
+    std::vector<std::size_t> chosen =
+        spreadViews(views, m_searched[first].widthPx, m_searched[first].heightPx);
+    std::ranges::sort(chosen);
+    std::vector<Searched> kept;
+    for (const std::size_t i : chosen)
+        kept.push_back(std::move(m_searched[indices[i]]));
+    m_searched.resize(first);
+    std::ranges::move(kept, std::back_inserter(m_searched));
+}
+
+void CalibrateJob::searchImage(const Frame &frame, const std::string &name,
+                               const std::filesystem::path &still)
+{
+    Searched image{name, still, 0, 0, 1, std::nullopt, {}};
+    std::vector<BoardView> before;
+    for (const Searched &other : m_searched) {
+        if (other.view)
+            before.push_back(*other.view);
     }
-    auto view = findBoard(frame, m_settings.board, name);
+    const BoardKind likely = votedBoard(before, frame.format.width, frame.format.height);
+    const bool isLikely = std::ranges::count_if(before, [&](const BoardView &view) {
+                              return kindOf(view) == likely;
+                          }) >= enoughOfOneBoard;
+    BoardSpec spec = m_settings.board;
+    if (isLikely && spec.columns == 0) {
+        spec.pattern = likely.pattern;
+        spec.columns = likely.columns;
+        spec.rows = likely.rows;
+    }
+    search(image, frame, spec);
+    if (!image.view && isLikely && m_settings.board.columns == 0) { // it may be another one
+        Searched other = image;
+        search(other, frame, m_settings.board);
+        if (other.view)
+            image = std::move(other);
+    }
+    m_searched.push_back(std::move(image));
+}
+
+void CalibrateJob::search(Searched &image, const Frame &frame, const BoardSpec &spec)
+{
+    image.widthPx = frame.format.width;
+    image.heightPx = frame.format.height;
+    image.orientation = frame.orientation;
+    auto view = findBoard(frame, spec, image.name);
     if (!view) {
-        m_rejected.push_back({name, view.error().why});
+        image.view.reset();
+        image.reason = view.error().why;
         return;
     }
-    // What the first board turned out to be holds for the rest: it is one board, and a known size is found
-    // faster.
-    m_settings.board.pattern = view->pattern;
-    m_settings.board.columns = view->columns;
-    m_settings.board.rows = view->rows;
-    const bool isNew = std::ranges::none_of(
-        m_positions, [&](std::size_t before) { return repeatsPosition(*view, m_views[before]); });
-    m_views.push_back(std::move(*view));
+    image.view = std::move(*view);
+    std::erase_if(m_images, [&](const BoardImage &before) { return before.source == image.name; });
+    const bool isNew = std::ranges::none_of(m_searched, [&](const Searched &before) {
+        return before.view && before.name != image.name && repeatsPosition(*image.view, *before.view);
+    });
     if (!isNew)
         return;
-    m_positions.push_back(m_views.size() - 1);
     if (auto png = greyPng(frame))
-        m_images.push_back({name, std::move(*png)});
+        m_images.push_back({image.name, std::move(*png)});
+}
+
+void CalibrateJob::searchAgain(Searched &image, const BoardSpec &spec, int orientation)
+{
+    if (const auto frame = readImage(image.still))
+        search(image, inOrientation(*frame, orientation), spec);
+}
+
+void CalibrateJob::settle(const JobControl &control)
+{
+    if (m_searched.empty())
+        return;
+    settleOrientation(control);
+    std::vector<std::pair<int, int>> all, withBoard;
+    for (const Searched &image : m_searched) {
+        all.emplace_back(image.widthPx, image.heightPx);
+        if (image.view)
+            withBoard.push_back(all.back());
+    }
+    std::tie(m_widthPx, m_heightPx) = mostFrequent(withBoard.empty() ? all : withBoard);
+    settleBoard(control);
+}
+
+/// The images of a camera that was turned share the rows and columns of its sensor.
+void CalibrateJob::settleOrientation(const JobControl &control)
+{
+    std::vector<int> orientations;
+    for (const Searched &image : m_searched) {
+        if (image.view)
+            orientations.push_back(image.orientation);
+    }
+    if (orientations.empty())
+        return;
+    const int most = mostFrequent(orientations);
+    for (Searched &image : m_searched) {
+        if (image.orientation != most && !image.still.empty() && !control.isCancelled())
+            searchAgain(image, m_settings.board, most);
+    }
+}
+
+std::vector<BoardView> CalibrateJob::viewsOfSize() const
+{
+    std::vector<BoardView> views;
+    for (const Searched &image : m_searched) {
+        if (image.view && image.widthPx == m_widthPx && image.heightPx == m_heightPx)
+            views.push_back(*image.view);
+    }
+    return views;
+}
+
+void CalibrateJob::settleBoard(const JobControl &control)
+{
+    BoardSpec &board = m_settings.board;
+    const BoardKind most = votedBoard(viewsOfSize(), m_widthPx, m_heightPx);
+    if (most.columns == 0)
+        return;
+    board.pattern = most.pattern;
+    if (board.columns == 0) {
+        board.columns = most.columns;
+        board.rows = most.rows;
+    }
+    for (Searched &image : m_searched) {
+        const bool isRight = image.view && kindOf(*image.view) == most;
+        if (isRight || image.widthPx != m_widthPx || image.heightPx != m_heightPx || control.isCancelled())
+            continue;
+        const std::optional<BoardView> before = image.view;
+        if (!image.still.empty()) {
+            searchAgain(image, board, image.orientation);
+        } else if (before) {
+            image.view.reset();
+            image.reason = boardOfOtherSize(*before, board);
+        }
+    }
+}
+
+void CalibrateJob::collect()
+{
+    std::vector<RejectedImage> refused;
+    for (Searched &image : m_searched) {
+        if (image.widthPx != m_widthPx || image.heightPx != m_heightPx)
+            refused.push_back(
+                {image.name, otherSizeThanMost(image.widthPx, image.heightPx, m_widthPx, m_heightPx)});
+        else if (image.view)
+            m_views.push_back(std::move(*image.view));
+        else
+            refused.push_back({image.name, image.reason});
+    }
+    m_rejected.insert(m_rejected.begin(), refused.begin(), refused.end());
 }
 
 Result<void> CalibrateJob::commit(Project &project)

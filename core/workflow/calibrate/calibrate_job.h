@@ -50,9 +50,11 @@ struct CalibrateSettings
     std::optional<LensModel> model; ///< nullopt: the one that predicts best
 };
 
-/// Finds the board in images, computes a camera's intrinsics and stores them as its newest ones. Of a video
-/// it takes two frames a second at 30 frames/s, until the board was in sixty positions. An image that shows
-/// the board in the same position as one before is not kept, only its corners.
+/// Finds the board in images, computes a camera's intrinsics and stores them as its newest ones. What the
+/// board is, how large the images are and which way up they are, most of the images decide; the others are
+/// searched again for that board, turned, or named with the reason. Of a video it takes the sharpest frame of
+/// each quarter of a second, and of those the sixty that differ most in position and tilt. An image that
+/// shows the board in the same position as one before is not kept, only its corners.
 class CalibrateJob : public Job
 {
 public:
@@ -65,14 +67,34 @@ public:
     const IntrinsicCalibration &calibration() const { return m_calibration; } ///< after run
 
 private:
+    /// An image that was read, with its board or the reason why it has none.
+    struct Searched
+    {
+        std::string name;
+        std::filesystem::path still; ///< empty: a frame of a video
+        int widthPx = 0, heightPx = 0, orientation = 1;
+        std::optional<BoardView> view;
+        Message reason;
+    };
+
     Result<void> searchFile(const std::filesystem::path &file, const JobControl &control);
-    void searchImage(const Frame &frame, const std::string &name);
+    void searchClip(const std::filesystem::path &file, std::size_t first);
+    void searchImage(const Frame &frame, const std::string &name, const std::filesystem::path &still);
+    void search(Searched &image, const Frame &frame, const BoardSpec &spec);
+    void searchAgain(Searched &image, const BoardSpec &spec, int orientation);
+    void settle(const JobControl &control);
+    void settleOrientation(const JobControl &control);
+    void settleBoard(const JobControl &control);
+    void collect();
+    std::vector<BoardView> viewsOfSize() const;
+    Error noBoard() const;
 
     CalibrateSettings m_settings;
+    std::vector<Searched> m_searched;
+    std::vector<RejectedImage> m_rejected; ///< what could not be read, and frames of videos by reason
     std::vector<BoardView> m_views;
-    std::vector<std::size_t> m_positions; ///< views that repeat none before them
-    std::vector<BoardImage> m_images;     ///< of those
-    std::vector<RejectedImage> m_rejected;
+    std::vector<BoardImage>
+        m_images; ///< of the views that repeat no position before them, and of some others
     int m_widthPx = 0, m_heightPx = 0;
     IntrinsicCalibration m_calibration;
     std::filesystem::path m_mediaFolder;

@@ -3,6 +3,7 @@
 
 #include "core/base/file_system.h"
 #include "core/base/sha256.h"
+#include "core/files/protected_files.h"
 #include "core/video/image.h"
 #include "core/video/image_reader.h"
 #include "core/video/video_reader.h"
@@ -11,6 +12,7 @@
 
 #include <algorithm>
 #include <array>
+#include <fstream>
 
 namespace odo {
 
@@ -62,14 +64,30 @@ Result<StoredImage> CalibrationMedia::writeFloor(const std::string &camera, cons
     return png ? write(camera + "_floor", *png) : tl::unexpected(png.error());
 }
 
+namespace {
+
+bool startsAsStill(const std::filesystem::path &file)
+{
+    if (!checkMayBeRead(file, fileSubject(file)))
+        return false;
+    std::array<char, 32> start{};
+    std::ifstream stream(file, std::ios::binary);
+    stream.read(start.data(), start.size());
+    return startsAsImage(
+        {reinterpret_cast<const std::uint8_t *>(start.data()), static_cast<std::size_t>(stream.gcount())});
+}
+
+} // namespace
+
 bool isStillImage(const std::filesystem::path &file)
 {
-    static constexpr std::array<std::string_view, 8> endings = {".png", ".jpg",  ".jpeg", ".bmp",
-                                                                ".tif", ".tiff", ".webp", ".pgm"};
+    static constexpr std::array<std::string_view, 15> endings = {".png", ".jpg",  ".jpeg", ".jpe", ".bmp",
+                                                                 ".tif", ".tiff", ".webp", ".pbm", ".pgm",
+                                                                 ".ppm", ".heic", ".heif", ".hif", ".avif"};
     std::string ending = file.extension().string();
     std::transform(ending.begin(), ending.end(), ending.begin(),
                    [](unsigned char c) { return std::tolower(c); });
-    return std::find(endings.begin(), endings.end(), ending) != endings.end();
+    return startsAsStill(file) || std::ranges::find(endings, ending) != endings.end();
 }
 
 Result<Frame> imageOf(const std::filesystem::path &file, std::int64_t frame)

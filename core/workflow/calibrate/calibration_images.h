@@ -43,7 +43,7 @@ private:
     std::size_t m_bytes = 0;
 };
 
-/// By the ending of its name.
+/// By its first bytes, or by the ending of its name where those are of no kind that is known.
 bool isStillImage(const std::filesystem::path &file);
 
 /// One image of a file, whole: of a video the frame of this index, of a still its only one. Errors: neither

@@ -175,7 +175,8 @@ void CameraPositionDialog::chooseImage(int row, int index)
     }
     const QString file = QFileDialog::getOpenFileName(
         this, tr("New image of camera %1").arg(m_rows[std::size_t(row)].camera.name), {},
-        tr("Images and videos (*.png *.jpg *.jpeg *.tif *.tiff *.bmp *.mp4 *.mkv *.avi *.mov *.webm);;All "
+        tr("Images and videos (*.png *.jpg *.jpeg *.heic *.heif *.hif *.webp *.tif *.tiff *.bmp *.mp4 *.mkv "
+           "*.avi *.mov *.webm);;All "
            "files (*)"));
     setImage(row, file.isEmpty() ? ImageOrigin() : ImageOrigin{file, {}});
 }

@@ -115,8 +115,10 @@ ImageChoice::ImageChoice(const LiveCameras &live, const QString &fileName, QWidg
     : QWidget(parent), m_fromRecording(new QRadioButton(tr("The camera's &newest recording"))),
       m_fromLive(new QRadioButton(tr("The current image of a &connected camera"))),
       m_fromFile(new QRadioButton(tr("An image or a &video"))), m_live(new LiveCameraBox(live)),
-      m_file(new PathField(fileName, tr("Images and videos (*.png *.jpg *.jpeg *.tif *.tiff *.bmp *.mp4 "
-                                        "*.mkv *.avi *.mov *.webm);;All files (*)")))
+      m_file(new PathField(
+          fileName,
+          tr("Images and videos (*.png *.jpg *.jpeg *.heic *.heif *.hif *.webp *.tif *.tiff *.bmp *.mp4 "
+             "*.mkv *.avi *.mov *.webm);;All files (*)")))
 {
     auto *layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);

@@ -205,9 +205,10 @@ QWidget *CalibrationSourcePage::makeFiles()
     m_files->setTextElideMode(Qt::ElideMiddle);
     auto *add = plainButton(tr("&Add…")), *remove = plainButton(tr("&Remove"));
     connect(add, &QPushButton::clicked, this, [this] {
-        addFiles(QFileDialog::getOpenFileNames(this, tr("Images and videos of the board"), {},
-                                               tr("Images and videos (*.png *.jpg *.jpeg *.tif *.tiff *.bmp "
-                                                  "*.mp4 *.mkv *.avi *.mov *.webm);;All files (*)")));
+        addFiles(QFileDialog::getOpenFileNames(
+            this, tr("Images and videos of the board"), {},
+            tr("Images and videos (*.png *.jpg *.jpeg *.heic *.heif *.hif *.webp *.tif *.tiff *.bmp "
+               "*.mp4 *.mkv *.avi *.mov *.webm);;All files (*)")));
     });
     connect(remove, &QPushButton::clicked, this, [this] {
         qDeleteAll(m_files->selectedItems());
