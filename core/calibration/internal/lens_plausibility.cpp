@@ -3,6 +3,7 @@
 
 #include "core/calibration/internal/calibration_checks.h"
 #include "core/calibration/internal/print_fit.h"
+#include "core/calibration/internal/wording.h"
 
 #include <cmath>
 

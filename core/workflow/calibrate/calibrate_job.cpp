@@ -183,8 +183,9 @@ Result<void> CalibrateJob::searchFile(const std::filesystem::path &file, const J
         searchImage(frame, name, isStill ? file : std::filesystem::path());
         return !control.isCancelled();
     };
-    const auto visited = isStill ? visitImages(file, 1, visit, control.cancel)
-                                 : visitSharpestFrames(file, visit, control.cancel);
+    const auto visitStill = [&](const Frame &image) { visit(image, file.filename().string()); };
+    const auto visited =
+        isStill ? readImage(file).map(visitStill) : visitSharpestFrames(file, visit, control.cancel);
     if (control.isCancelled())
         return cancelled(calibrationOf(m_settings.camera));
     // One unreadable image among many is refused like one without a board; it must not cost the others.

@@ -180,7 +180,8 @@ std::optional<BoardView> CalibratePairJob::findIn(const Frame &frame, const std:
                                                                        "calibrated at %3")(
                                    Named::file(name), sizeText(frame.format.width, frame.format.height),
                                    sizeText(side.widthPx, side.heightPx))
-                             : otherSizeThanFirst(frame.format, side.widthPx, side.heightPx);
+                             : otherSizeThanMost(frame.format.width, frame.format.height, side.widthPx,
+                                                 side.heightPx);
         return std::nullopt;
     }
     auto view = findBoard(frame, m_settings.board, name);
@@ -188,7 +189,7 @@ std::optional<BoardView> CalibratePairJob::findIn(const Frame &frame, const std:
         reason = odo::joined({quotedName(Named::file(name)), view.error().why}, Join::Colon);
         return std::nullopt;
     }
-    // One board in all images: what the first one shows holds for the rest (as in CalibrateJob).
+    // One board in all images: what the first one shows holds for the rest.
     m_settings.board.pattern = view->pattern;
     m_settings.board.columns = view->columns;
     m_settings.board.rows = view->rows;
