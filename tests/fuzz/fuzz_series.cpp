@@ -7,14 +7,16 @@ namespace {
 
 using namespace odo;
 
-/// Reads a series and, where it is one, packs it again, which must give the bytes it was read from where
-/// `isExact`.
+/// Reads a series and, where it is one, packs it again: into as many bytes, or fewer where columns hold
+/// nothing, that are read and packed as they are.
 template <class Value, class Unpack, class Pack>
-void roundTrip(const QByteArray &bytes, Unpack unpack, Pack pack, bool isExact)
+void roundTrip(const QByteArray &bytes, Unpack unpack, Pack pack)
 {
-    std::vector<Value> values;
-    if (unpack(bytes, Message(), values) &&
-        (pack(values).size() != bytes.size() || (isExact && pack(values) != bytes)))
+    std::vector<Value> values, again;
+    if (!unpack(bytes, Message(), values))
+        return;
+    const QByteArray packed = pack(values);
+    if (packed.size() > bytes.size() || !unpack(packed, Message(), again) || pack(again) != packed)
         std::abort();
 }
 
@@ -24,12 +26,12 @@ void roundTrip(const QByteArray &bytes, Unpack unpack, Pack pack, bool isExact)
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t *data, std::size_t count)
 {
     const QByteArray bytes(reinterpret_cast<const char *>(data), static_cast<qsizetype>(count));
-    roundTrip<Nanoseconds>(bytes, unpackTimes, packTimes, false);
-    roundTrip<RawTime>(bytes, unpackRawTimes, packRawTimes, false);
-    roundTrip<ClockReading>(bytes, unpackClockReadings, packClockReadings, false);
-    roundTrip<Observation>(bytes, unpackObservations, packObservations, false);
-    roundTrip<Sample>(bytes, unpackSamples, packSamples, false);
-    roundTrip<ProfilePoint>(bytes, unpackPoints, packPoints, false);
+    roundTrip<Nanoseconds>(bytes, unpackTimes, packTimes);
+    roundTrip<RawTime>(bytes, unpackRawTimes, packRawTimes);
+    roundTrip<ClockReading>(bytes, unpackClockReadings, packClockReadings);
+    roundTrip<Observation>(bytes, unpackObservations, packObservations);
+    roundTrip<Sample>(bytes, unpackSamples, packSamples);
+    roundTrip<ProfilePoint>(bytes, unpackPoints, packPoints);
     TruthSeries truth;
     static_cast<void>(unpackTruth(bytes, Message(), truth));
     CalibrationImage image;

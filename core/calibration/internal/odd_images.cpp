@@ -2,7 +2,7 @@
 #include "core/calibration/internal/odd_images.h"
 
 #include "core/base/percentile.h"
-#include "core/calibration/internal/lens_choice.h"
+#include "core/calibration/internal/outlier_corners.h"
 #include "core/calibration/internal/plane_pose.h"
 
 #include <algorithm>

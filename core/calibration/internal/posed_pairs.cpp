@@ -2,7 +2,7 @@
 #include "core/calibration/internal/posed_pairs.h"
 
 #include "core/base/percentile.h"
-#include "core/calibration/internal/lens_choice.h"
+#include "core/calibration/internal/outlier_corners.h"
 #include "core/calibration/internal/pair_verdict.h"
 #include "core/calibration/internal/plane_pose.h"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/calibration/internal/lens_choice.h"
+#include "core/calibration/internal/outlier_corners.h"
 
 #include <optional>
 

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/calibration/internal/lens_fit.h"
+
+#include <vector>
+
+namespace odo {
+
+/// Indices of corners, a list for each view, ascending.
+using CornerMarks = std::vector<std::vector<std::size_t>>;
+
+/// σ of one coordinate, from the median distance of the corners; what the fit took away by adapting is given
+/// back.
+double robustSigmaPx(const LensFit &fit);
+
+/// The outlier corners of a fit: farther from their prediction than 5 σ (and 0.1 px), with σ from the median
+/// distance (of normal errors one corner in 270 000 is so far). If the fit has any, it is repeated with
+/// Cauchy's loss, so they cannot bend it, and the corners are judged by that. Empty lists if there are none.
+CornerMarks outlyingCorners(const std::vector<BoardView> &views, const LensFit &fit,
+                            const JobControl &control);
+
+/// Those corners of the marks that are misread: the isolated ones, and all of an image whose other corners
+/// lie on a flat board as well as those of other images do; there also the whole of an outer row or column
+/// with many marks. Three or more near one another (two squares) beside a rest that does not are a sign of a
+/// bent board, for a person to check. A view that would keep fewer than six keeps all.
+CornerMarks misreadCorners(const std::vector<BoardView> &views, const LensFit &fit, const CornerMarks &marks);
+
+std::size_t countOf(const CornerMarks &marks);
+
+/// The views without the corners marked.
+std::vector<BoardView> withoutCorners(const std::vector<BoardView> &views, const CornerMarks &marks);
+
+} // namespace odo
