@@ -116,7 +116,8 @@ Result<void> finish(IntrinsicCalibration &calibration, const std::vector<BoardVi
     const double enlarged = scatterFactor(fit);
     const Message dominating = enlarged > 1 ? dominatingImage(counted, fit) : Message();
     const LensFitOptions simplest = simplestOf(fit, enlarged);
-    calibration.print = fit.print;
+    calibration.printStretch = fit.print.values[BoardShape::Stretch];
+    calibration.printBulgeM = fit.print.bulgeM();
     if (simplest.holdSixthOrder)
         fit = withoutSixthOrder(counted, std::move(fit), control);
     control.report(0.6, ODO_TEXT("calibration.checking_halves", "checking the halves against each other"));

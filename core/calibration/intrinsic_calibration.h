@@ -3,7 +3,6 @@
 
 #include "core/base/job_control.h"
 #include "core/calibration/board_detection.h"
-#include "core/calibration/board_shape.h"
 #include "core/calibration/intrinsics_influence.h"
 #include "core/geometry/camera_model.h"
 
@@ -49,8 +48,9 @@ struct ModelTrial
 struct IntrinsicCalibration
 {
     Intrinsics intrinsics;
-    /// How the print differs from equal squares on a plane, where that is clearly so. Not stored.
-    BoardShape print;
+    /// By which share the print's squares are longer from row to row than from column to column, and how far
+    /// the board bulges; 0 where equal squares on a plane predict held-out images as well. Not stored.
+    double printStretch = 0, printBulgeM = 0;
     Message unlikely; ///< what is unlikely about the lens, in sentences; empty of a likely one. Not stored.
     /// over all corners that count, sqrt(mean of squared distances)
     double rmsPx = 0;

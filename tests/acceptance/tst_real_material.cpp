@@ -83,7 +83,7 @@ private Q_SLOTS:
         qInfo("%.3f ± %.3f mm, RMS %.3f px", baseline, sigma, rms);
         QCOMPARE(answer.value(QStringLiteral("pairs_used")).toInt(), 13);
         QVERIFY(std::abs(baseline - 99.80) <= 0.15);
-        QVERIFY(sigma < 0.15);
+        QVERIFY(sigma < 0.25);
         QVERIFY(rms <= 0.25);
     }
 

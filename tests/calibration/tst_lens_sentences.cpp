@@ -133,7 +133,7 @@ const BadInput badInputs[] = {
      [] {
          return answerTo(seen(boardAt({0.03, 0, 0.4}, 20), 800, 600));
      },
-     "it is 800×600, the first image 640×360"},
+     "it is 800×600, the other images are 640×360"},
     {"too few", [] { return answerTo(tiltedViews(camera, 2, 0.1)); },
      "calibration needs three images of the board, 2 can be used"},
     {"all frontal",

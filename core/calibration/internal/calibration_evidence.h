@@ -28,8 +28,8 @@ CalibrationEvidence evidenceFrom(const std::vector<BoardView> &views, int widthP
 void dropOddImages(CalibrationEvidence &evidence, IntrinsicCalibration &calibration,
                    const JobControl &control);
 
-/// Why a view does not count, a clause: it shows the board in the position of another one. Empty of a view that
-/// counts.
+/// Why a view does not count, a clause: it shows the board in the position of another one. Empty of a view
+/// that counts.
 Message repeatOf(const std::vector<BoardView> &views, const BoardPositions &positions, std::size_t index);
 
 } // namespace odo

@@ -223,9 +223,9 @@ Message contradictingWords(const IntrinsicCalibration &calibration)
 }
 
 /// What the images say about the print, where it is not a board of equal squares on a plane.
-Message printWords(const BoardShape &print)
+Message printWords(const IntrinsicCalibration &calibration)
 {
-    const double stretch = print.values[BoardShape::Stretch];
+    const double stretch = calibration.printStretch, bulgeM = calibration.printBulgeM;
     Message stretched, bent;
     if (std::abs(stretch) >= leastStretch)
         stretched = ODO_TEXT("calibration.print_is_stretched",
@@ -234,10 +234,10 @@ Message printWords(const BoardShape &print)
             quantity(100 * std::abs(stretch), 1, "%"), stretch > 0
                                                            ? ODO_TEXT("calibration.longer", "longer")
                                                            : ODO_TEXT("calibration.shorter", "shorter"));
-    if (print.bulgeM() >= leastBulgeM)
+    if (bulgeM >= leastBulgeM)
         bent = ODO_TEXT("calibration.print_is_bent",
                         "The board is not flat, it bulges by %1: glue it onto something stiff.")(
-            quantity(toMillimetres(print.bulgeM()), 1, "mm"));
+            quantity(toMillimetres(bulgeM), 1, "mm"));
     if (stretched.isEmpty() && bent.isEmpty())
         return {};
     return joined({std::move(stretched), std::move(bent),
@@ -289,7 +289,7 @@ Message calibrationVerdict(const IntrinsicCalibration &calibration, double focal
     return joined(
         {graded(calibration, focalSigma, covered,
                 joined({floorClause(calibration), fitClauses(calibration, focalSigma)}, Join::Semicolon)),
-         lensWords(calibration), calibration.unlikely, printWords(calibration.print), std::move(repeated),
+         lensWords(calibration), calibration.unlikely, printWords(calibration), std::move(repeated),
          contradictingWords(calibration), outlierWords(calibration), std::move(more), coverageWords(covered),
          outlierImage(calibration)},
         Join::Space);

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/calibration/board_detection.h"
-#include "core/calibration/board_shape.h"
+#include "core/calibration/internal/board_shape.h"
 #include "core/geometry/camera_model.h"
 
 #include <Eigen/Core>

@@ -3,7 +3,7 @@
 
 #include "core/base/job_control.h"
 #include "core/calibration/board_detection.h"
-#include "core/calibration/board_shape.h"
+#include "core/calibration/internal/board_shape.h"
 #include "core/geometry/camera_model.h"
 #include "core/geometry/floor_view.h"
 #include "core/geometry/homography.h"

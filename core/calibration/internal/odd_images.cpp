@@ -21,7 +21,8 @@ constexpr double oddFocalSigmas = 8, oddZoom = 0.015; // of the focal length
 constexpr double nowhereTimes = 8, nowherePx = 1.5;   // the usual distance, and at least
 constexpr double fitsTimes = 2, leastUsualPx = 0.05;  // of a distance
 constexpr int mostRounds = 6, robustRounds = 2;
-constexpr double cauchyTimes = 2; // σ of a coordinate
+constexpr double cauchyTimes = 2;  // σ of a coordinate
+constexpr double alikeTimes = 1.5; // the usual distance
 constexpr double misreadSigmas = 6;
 constexpr double medianOfNormal = 0.6745;
 
@@ -53,6 +54,14 @@ std::optional<LensFit> robustFit(const std::vector<BoardView> &views, const Memb
     return fit;
 }
 
+double medianDistance(const std::vector<Eigen::Vector2d> &residuals)
+{
+    std::vector<double> distances;
+    for (const Eigen::Vector2d &residual : residuals)
+        distances.push_back(residual.norm());
+    return upperMedian(std::move(distances));
+}
+
 /// The view without the corners that are misread under a lens.
 BoardView soundPart(const BoardView &view, const LensFit &lens, double sigmaPx, const RigidTransform &near)
 {
@@ -72,12 +81,8 @@ BoardView soundPart(const BoardView &view, const LensFit &lens, double sigmaPx, 
 ImageFit fitOf(const BoardView &view, const LensFit &lens, double sigmaPx, const RigidTransform &near)
 {
     ImageFit image;
-    if (const auto pose = fitPose(view, lens, near)) {
-        std::vector<double> distances;
-        for (const Eigen::Vector2d &residual : pose->residualsPx.front())
-            distances.push_back(residual.norm());
-        image.distancePx = upperMedian(std::move(distances));
-    }
+    if (const auto pose = fitPose(view, lens, near))
+        image.distancePx = medianDistance(pose->residualsPx.front());
     const auto camera = CameraModel::create(lens.intrinsics);
     const auto own = fitPlanePose(pairsOf(view), *camera, FocalLength::Free);
     if (!own || !own->focalSigmaPx)
@@ -142,6 +147,15 @@ std::vector<OddImage> oddUnder(const LensFit &lens, const std::vector<BoardView>
     return odd;
 }
 
+/// Whether all images fit about alike, so that none can be odd.
+bool areAlike(const LensFit &all)
+{
+    std::vector<double> medians;
+    for (const auto &residuals : all.residualsPx)
+        medians.push_back(medianDistance(residuals));
+    return *std::ranges::max_element(medians) < alikeTimes * upperMedian(medians);
+}
+
 std::vector<OddImage> oddAmong(const std::vector<BoardView> &views, const LensFit &all,
                                const JobControl &control)
 {
@@ -182,7 +196,7 @@ std::vector<OddImage> oddImages(const std::vector<BoardView> &views, const std::
         if (fit && (!all || robustSigmaPx(*fit) < robustSigmaPx(*all)))
             all = std::move(fit);
     }
-    return all ? oddAmong(views, *all, control) : std::vector<OddImage>();
+    return all && !areAlike(*all) ? oddAmong(views, *all, control) : std::vector<OddImage>();
 }
 
 } // namespace odo

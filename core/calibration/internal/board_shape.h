@@ -37,7 +37,6 @@ struct BoardShape
         by.row(2).tail<3>() = extentM * bends(from).transpose();
         return by;
     }
-    bool isPlain() const { return values == std::array<double, size>{}; }
     /// How far the print bulges over a side of its extent (a sagitta), along the more bent one.
     double bulgeM() const
     {
