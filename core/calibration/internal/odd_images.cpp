@@ -54,7 +54,7 @@ std::optional<LensFit> robustFit(const std::vector<BoardView> &views, const Memb
     return fit;
 }
 
-double medianDistance(const std::vector<Eigen::Vector2d> &residuals)
+double medianResidualPx(const std::vector<Eigen::Vector2d> &residuals)
 {
     std::vector<double> distances;
     for (const Eigen::Vector2d &residual : residuals)
@@ -82,7 +82,7 @@ ImageFit fitOf(const BoardView &view, const LensFit &lens, double sigmaPx, const
 {
     ImageFit image;
     if (const auto pose = fitPose(view, lens, near))
-        image.distancePx = medianDistance(pose->residualsPx.front());
+        image.distancePx = medianResidualPx(pose->residualsPx.front());
     const auto camera = CameraModel::create(lens.intrinsics);
     const auto own = fitPlanePose(pairsOf(view), *camera, FocalLength::Free);
     if (!own || !own->focalSigmaPx)
@@ -152,7 +152,7 @@ bool areAlike(const LensFit &all)
 {
     std::vector<double> medians;
     for (const auto &residuals : all.residualsPx)
-        medians.push_back(medianDistance(residuals));
+        medians.push_back(medianResidualPx(residuals));
     return *std::ranges::max_element(medians) < alikeTimes * upperMedian(medians);
 }
 
