@@ -183,20 +183,27 @@ std::vector<OddImage> oddAmong(const std::vector<BoardView> &views, const LensFi
 
 } // namespace
 
-std::vector<OddImage> oddImages(const std::vector<BoardView> &views, const std::vector<LensStart> &starts,
+std::vector<OddImage> oddImages(const std::vector<BoardView> &views, std::vector<LensStart> &starts,
                                 const JobControl &control)
 {
     if (views.size() < leastForMajority)
         return {};
+    std::vector<LensStart> fitted = starts;
     std::optional<LensFit> all;
-    for (const LensStart &start : starts) {
+    for (LensStart &start : fitted) {
         auto fit = start.intrinsics.model == LensModel::Rational && starts.size() > 1
                        ? std::nullopt
                        : fitLens(views, start, {}, control);
-        if (fit && (!all || robustSigmaPx(*fit) < robustSigmaPx(*all)))
+        if (!fit)
+            continue;
+        start = {fit->intrinsics, fit->cameraFromBoard, fit->print};
+        if (!all || robustSigmaPx(*fit) < robustSigmaPx(*all))
             all = std::move(fit);
     }
-    return all && !areAlike(*all) ? oddAmong(views, *all, control) : std::vector<OddImage>();
+    if (all && !areAlike(*all))
+        return oddAmong(views, *all, control);
+    starts = std::move(fitted);
+    return {};
 }
 
 } // namespace odo

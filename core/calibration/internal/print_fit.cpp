@@ -33,7 +33,9 @@ std::optional<LensFit> fitWithPrint(const std::vector<BoardView> &views, const C
         return std::nullopt;
     const LensFitOptions options{.freePrint = true};
     const std::vector<BoardView> sound = withoutCorners(views, misread);
-    const auto plain = fitLens(sound, {flat.intrinsics, flat.cameraFromBoard}, {}, control);
+    const auto plain = countOf(misread) == 0
+                           ? std::optional(flat)
+                           : fitLens(sound, {flat.intrinsics, flat.cameraFromBoard}, {}, control);
     const auto shaped =
         fitLens(sound, {flat.intrinsics, flat.cameraFromBoard, plainPrintOf(views)}, options, control);
     if (!plain || !shaped || !isDetermined(*shaped) || shaped->squares > worthHoldingOut * plain->squares)
