@@ -88,9 +88,11 @@ LensFit withoutSixthOrder(const std::vector<BoardView> &views, LensFit fit, cons
 Result<void> finish(IntrinsicCalibration &calibration, const std::vector<BoardView> &views, LensFit fit,
                     CornerMarks outliers, const JobControl &control)
 {
-    if (auto shaped = fitWithPrint(views, misreadCorners(views, fit, outliers), fit, control)) {
+    CornerMarks misread = misreadCorners(views, fit, outliers);
+    if (auto shaped = fitWithPrint(views, misread, fit, control)) {
         fit = std::move(*shaped);
         outliers = outlyingCorners(views, fit, control);
+        misread = misreadCorners(views, fit, outliers);
     }
     ODO_TRY(checkOneCamera(views, fit, control));
     std::size_t corners = 0;
@@ -103,9 +105,8 @@ Result<void> finish(IntrinsicCalibration &calibration, const std::vector<BoardVi
                 percentOf(calibration.disagreeingPart)),
             ODO_TEXT("calibration.check_pictures", "check that all images are sharp, of one flat board and "
                                                    "of one camera at one zoom and focus"));
-    const CornerMarks leftOut = calibration.disagreeingPart <= mostLeftOut
-                                    ? misreadCorners(views, fit, outliers)
-                                    : CornerMarks(views.size());
+    const CornerMarks leftOut =
+        calibration.disagreeingPart <= mostLeftOut ? std::move(misread) : CornerMarks(views.size());
     const std::vector<BoardView> counted = withoutCorners(views, leftOut);
     if (countOf(leftOut) > 0) {
         auto again = fitLens(counted, {fit.intrinsics, fit.cameraFromBoard, fit.print},

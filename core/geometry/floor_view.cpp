@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/geometry/floor_view.h"
 
+#include "core/geometry/cross_matrix.h"
+
 #include <Eigen/LU>
 #include <cmath>
 
@@ -28,13 +30,6 @@ using Eigen::Vector2d;
 using Eigen::Vector3d;
 
 constexpr double sineOfGrazing = 0.017452406437283512; // 1°: nearer to the horizon a pixel covers metres
-
-Eigen::Matrix3d crossMatrix(const Vector3d &v)
-{
-    Eigen::Matrix3d matrix;
-    matrix << 0, -v.z(), v.y(), v.z(), 0, -v.x(), -v.y(), v.x(), 0;
-    return matrix;
-}
 
 /// Of (pose, lens), where the pose follows the lens.
 Eigen::MatrixXd jointCovariance(const Eigen::Matrix<double, 6, 6> &pose, const Eigen::MatrixXd &lens,

@@ -4,6 +4,7 @@
 #include "core/calibration/board_detection.h"
 #include "core/calibration/internal/board_shape.h"
 #include "core/geometry/camera_model.h"
+#include "core/geometry/cross_matrix.h"
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
@@ -179,8 +180,7 @@ private:
     /// How a rotation vector's change turns what it has turned already (Chirikjian 2012, 10.86).
     static Eigen::Matrix3d leftJacobian(const Eigen::Vector3d &turn, double angle)
     {
-        Eigen::Matrix3d cross;
-        cross << 0, -turn.z(), turn.y(), turn.z(), 0, -turn.x(), -turn.y(), turn.x(), 0;
+        const Eigen::Matrix3d cross = crossMatrix(turn);
         if (angle < 1e-5)
             return Eigen::Matrix3d::Identity() + 0.5 * cross;
         const double squared = angle * angle;

@@ -273,6 +273,16 @@ std::vector<PointPair> pairsOf(const BoardView &view)
     return pairs;
 }
 
+double squareSideM(const BoardView &view)
+{
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < view.pointsOnBoard.size(); ++i) {
+        for (std::size_t j = 0; j < i; ++j)
+            least = std::min(least, (view.pointsOnBoard[i] - view.pointsOnBoard[j]).norm());
+    }
+    return least;
+}
+
 double LensFit::rmsPx() const
 {
     std::size_t count = 0;

@@ -16,6 +16,9 @@ namespace odo {
 /// The corners of a view: on the board, and their pixels.
 std::vector<PointPair> pairsOf(const BoardView &view);
 
+/// The side of a board's squares: the smallest distance between two of its corners. Metres.
+double squareSideM(const BoardView &view);
+
 /// One lens and a pose for each image that together explain the corners seen.
 struct LensFit
 {

@@ -16,38 +16,14 @@ namespace odo {
 namespace {
 
 constexpr double cornerOutliers = 5, leastPx = 0.1;
-constexpr double medianOfRayleigh = 1.17741; // sqrt(2 ln 2): of distances whose coordinates have σ 1
 constexpr std::size_t leastTogether = 3;
 constexpr double manyOfRow = 1.0 / 3;
 constexpr double restTimes = 1.5; // the usual distance, of the rest of an image with misread corners
 
-CornerMarks beyond(const LensFit &fit, double limitPx)
-{
-    CornerMarks marks(fit.residualsPx.size());
-    for (std::size_t view = 0; view < marks.size(); ++view) {
-        for (std::size_t i = 0; i < fit.residualsPx[view].size(); ++i) {
-            if (fit.residualsPx[view][i].norm() > limitPx)
-                marks[view].push_back(i);
-        }
-    }
-    return marks;
-}
-
-/// The smallest distance between two corners of a board.
-double spacingM(const BoardView &view)
-{
-    double least = std::numeric_limits<double>::infinity();
-    for (std::size_t i = 0; i < view.pointsOnBoard.size(); ++i) {
-        for (std::size_t j = 0; j < i; ++j)
-            least = std::min(least, (view.pointsOnBoard[i] - view.pointsOnBoard[j]).norm());
-    }
-    return least;
-}
-
 /// Splits marked corners into groups connected by steps of two squares at most.
 std::vector<std::vector<std::size_t>> groupsOf(const BoardView &view, std::vector<std::size_t> marks)
 {
-    const double reachM = 2.1 * spacingM(view);
+    const double reachM = 2.1 * squareSideM(view);
     std::vector<std::vector<std::size_t>> groups;
     while (!marks.empty()) {
         std::vector<std::size_t> group{marks.back()};
@@ -98,40 +74,56 @@ std::vector<std::size_t> withOuterRows(const BoardView &view, const std::vector<
     return all;
 }
 
-double limitOf(const LensFit &fit)
-{
-    return std::max(leastPx, cornerOutliers * robustSigmaPx(fit));
-}
-
 } // namespace
 
-double robustSigmaPx(const LensFit &fit)
+double medianSigmaPx(const LensFit &fit)
 {
     std::vector<double> distances;
     for (const auto &residuals : fit.residualsPx) {
         for (const Eigen::Vector2d &residual : residuals)
             distances.push_back(residual.norm());
     }
-    if (distances.empty())
-        return 0;
-    const double values = 2.0 * static_cast<double>(distances.size());
+    return distances.empty() ? 0 : upperMedian(std::move(distances)) / medianOfRayleigh;
+}
+
+double robustSigmaPx(const LensFit &fit)
+{
+    double values = 0;
+    for (const auto &residuals : fit.residualsPx)
+        values += 2.0 * static_cast<double>(residuals.size());
     const double fitted =
         4.0 + static_cast<double>(fit.intrinsics.distortion.size() + 6 * fit.residualsPx.size());
-    return upperMedian(std::move(distances)) / medianOfRayleigh *
-           std::sqrt(values / std::max(1.0, values - fitted));
+    return medianSigmaPx(fit) * std::sqrt(values / std::max(1.0, values - fitted));
+}
+
+double outlierLimitPx(double sigmaPx)
+{
+    return std::max(leastPx, cornerOutliers * sigmaPx);
+}
+
+CornerMarks cornersBeyond(const LensFit &fit, double limitPx)
+{
+    CornerMarks marks(fit.residualsPx.size());
+    for (std::size_t view = 0; view < marks.size(); ++view) {
+        for (std::size_t i = 0; i < fit.residualsPx[view].size(); ++i) {
+            if (fit.residualsPx[view][i].norm() > limitPx)
+                marks[view].push_back(i);
+        }
+    }
+    return marks;
 }
 
 CornerMarks outlyingCorners(const std::vector<BoardView> &views, const LensFit &fit,
                             const JobControl &control)
 {
-    const double limitPx = limitOf(fit);
-    CornerMarks marks = beyond(fit, limitPx);
+    const double limitPx = outlierLimitPx(robustSigmaPx(fit));
+    CornerMarks marks = cornersBeyond(fit, limitPx);
     if (countOf(marks) == 0)
         return marks;
     const auto robust =
         fitLens(views, {fit.intrinsics, fit.cameraFromBoard, fit.print},
                 {.cauchyPx = 2 * limitPx / cornerOutliers, .freePrint = fit.estimatesPrint()}, control);
-    return robust ? beyond(*robust, limitOf(*robust)) : marks;
+    return robust ? cornersBeyond(*robust, outlierLimitPx(robustSigmaPx(*robust))) : marks;
 }
 
 CornerMarks misreadCorners(const std::vector<BoardView> &views, const LensFit &fit, const CornerMarks &marks)

@@ -10,12 +10,20 @@ namespace odo {
 /// Indices of corners, a list for each view, ascending.
 using CornerMarks = std::vector<std::vector<std::size_t>>;
 
-/// σ of one coordinate, from the median distance of the corners; what the fit took away by adapting is given
-/// back.
+/// sqrt(2 ln 2): the median distance of points whose coordinates have σ 1.
+inline constexpr double medianOfRayleigh = 1.17741;
+
+/// σ of one coordinate, from the median distance of the corners.
+double medianSigmaPx(const LensFit &fit);
+/// The same, what the fit took away by adapting given back.
 double robustSigmaPx(const LensFit &fit);
 
-/// The outlier corners of a fit: farther from their prediction than 5 σ (and 0.1 px), with σ from the median
-/// distance (of normal errors one corner in 270 000 is so far). If the fit has any, it is repeated with
+/// Beyond 5 σ (and 0.1 px) from its prediction a corner is an outlier: of normal errors one in 270 000.
+double outlierLimitPx(double sigmaPx);
+/// The corners farther than that from their prediction.
+CornerMarks cornersBeyond(const LensFit &fit, double limitPx);
+
+/// The outlier corners of a fit, by outlierLimitPx(robustSigmaPx). If the fit has any, it is repeated with
 /// Cauchy's loss, so they cannot bend it, and the corners are judged by that. Empty lists if there are none.
 CornerMarks outlyingCorners(const std::vector<BoardView> &views, const LensFit &fit,
                             const JobControl &control);

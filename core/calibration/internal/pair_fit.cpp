@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/calibration/internal/pair_fit.h"
 
+#include "core/geometry/cross_matrix.h"
+
 #include <Eigen/Cholesky>
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numeric>
 
 namespace odo {
@@ -40,18 +41,11 @@ struct PairsNormal
     double cost = 0;
 };
 
-Matrix3d crossOf(const Vector3d &v)
-{
-    Matrix3d cross;
-    cross << 0, -v.z(), v.y(), v.z(), 0, -v.x(), -v.y(), v.x(), 0;
-    return cross;
-}
-
 /// How a point moves with a left-applied turn of it, and a shift.
 Eigen::Matrix<double, 3, 6> byMotion(const Vector3d &turnedPoint)
 {
     Eigen::Matrix<double, 3, 6> motion;
-    motion << -crossOf(turnedPoint), Matrix3d::Identity();
+    motion << -crossMatrix(turnedPoint), Matrix3d::Identity();
     return motion;
 }
 
@@ -221,14 +215,6 @@ PairFitStart afterStep(const PairFitStart &state, const PairsNormal &normal, dou
 }
 
 } // namespace
-
-double squareSideM(const BoardView &view)
-{
-    double least = std::numeric_limits<double>::infinity();
-    for (std::size_t i = 1; i < view.pointsOnBoard.size(); ++i)
-        least = std::min(least, (view.pointsOnBoard[i] - view.pointsOnBoard[i - 1]).norm());
-    return least;
-}
 
 double PairFit::sumOfSquares() const
 {

@@ -18,9 +18,6 @@ struct PairedBoards
     BoardView a, b;
 };
 
-/// The side of a board's squares, from the nearest corners that follow one another. Metres.
-double squareSideM(const BoardView &view);
-
 /// A relation of two cameras and the board's pose in each pair, to start from.
 struct PairFitStart
 {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/calibration/internal/pair_start.h"
 
+#include "core/calibration/internal/lens_fit.h"
+
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>

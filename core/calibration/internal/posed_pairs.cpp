@@ -18,8 +18,6 @@ namespace {
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-constexpr double cornerSigmas = 5, leastOutlierPx = 0.1; // as a lens calibration judges corners
-constexpr double medianDistance = 1.17741;               // sqrt(2 ln 2)
 constexpr double samePixelPx = 1e-3;
 
 /// The pose of a board by one camera alone, its outlier corners hardly heeded.
@@ -35,7 +33,7 @@ std::optional<PlanePose> robustPose(const BoardView &view, const CameraModel &ca
                 camera.project(cameraFromBoard * Vector3d(pair.source.x(), pair.source.y(), 0));
             distances.push_back(pixel ? (*pixel - pair.target).norm() : 0);
         }
-        const double scale = std::max(1e-6, 2 * upperMedian(distances) / medianDistance);
+        const double scale = std::max(1e-6, 2 * upperMedian(distances) / medianOfRayleigh);
         std::vector<Eigen::Matrix2d> weights;
         for (const double distance : distances)
             weights.emplace_back(Eigen::Matrix2d::Identity() / std::hypot(1.0, distance / scale));
@@ -71,23 +69,6 @@ LensFit heldFit(const std::vector<BoardView> &views, const CameraModel &camera,
         fit.squares += fit.imageSquares.back();
     }
     return fit;
-}
-
-/// Misread corners of each view of one camera.
-CornerMarks misreadOf(const std::vector<BoardView> &views, const LensFit &fit)
-{
-    std::vector<double> distances;
-    for (const auto &residuals : fit.residualsPx)
-        for (const Vector2d &residual : residuals)
-            distances.push_back(residual.norm());
-    const double limitPx =
-        std::max(leastOutlierPx, cornerSigmas * upperMedian(std::move(distances)) / medianDistance);
-    CornerMarks marks(views.size());
-    for (std::size_t view = 0; view < views.size(); ++view)
-        for (std::size_t i = 0; i < fit.residualsPx[view].size(); ++i)
-            if (fit.residualsPx[view][i].norm() > limitPx)
-                marks[view].push_back(i);
-    return misreadCorners(views, fit, marks);
 }
 
 bool areOneImage(const BoardView &a, const BoardView &b)
@@ -132,7 +113,9 @@ PosedPairs withSoundCorners(std::vector<PosedPair> pairs, const CameraModel &a, 
             views.push_back(isB ? pair.boards.b : pair.boards.a);
             poses.push_back(isB ? pair.bFromBoard : pair.aFromBoard);
         }
-        const CornerMarks misread = misreadOf(views, heldFit(views, camera, poses));
+        const LensFit fit = heldFit(views, camera, poses);
+        const CornerMarks misread =
+            misreadCorners(views, fit, cornersBeyond(fit, outlierLimitPx(medianSigmaPx(fit))));
         const std::vector<BoardView> sound = withoutCorners(views, misread);
         for (std::size_t i = 0; i < pairs.size(); ++i) {
             posed.leftOut[i] += misread[i].size();

@@ -4,6 +4,7 @@
 #include "core/base/units.h"
 #include "core/calibration/internal/wording.h"
 #include "core/calibration/intrinsics_influence.h"
+#include "core/geometry/cross_matrix.h"
 #include "core/geometry/homography.h"
 
 #include <Eigen/Cholesky>
@@ -25,13 +26,6 @@ constexpr double gridMargin = 0.05;        // of the image
 constexpr double farthestHeights = 4;      // of the camera's height: beyond, a floor point says little
 constexpr double worstRelatedSigma = 0.03; // of the points' extent
 constexpr double mostChiSquared = 22.458;  // 99.9 % of six degrees of freedom
-
-Matrix3d crossProductOf(const Vector3d &v)
-{
-    Matrix3d cross;
-    cross << 0, -v.z(), v.y(), v.z(), 0, -v.x(), -v.y(), v.x(), 0;
-    return cross;
-}
 
 double sigmaAlong(const Vector3d &direction, const Matrix3d &covariance)
 {
@@ -88,7 +82,7 @@ CameraPair reversed(const CameraPair &pair)
     back.bFromA = pair.bFromA.inverse();
     const Matrix3d turn = pair.bFromA.rotation.toRotationMatrix().transpose();
     Matrix6d change;
-    change << -turn, Matrix3d::Zero(), -turn * crossProductOf(pair.bFromA.translation), -turn;
+    change << -turn, Matrix3d::Zero(), -turn * crossMatrix(pair.bFromA.translation), -turn;
     back.covariance = change * pair.covariance * change.transpose();
     return back;
 }
@@ -100,7 +94,7 @@ PoseOnFloor poseByRelation(const PoseOnFloor &a, const CameraPair &pair)
     // world from B = (world from A) · (A from B), each turned from the left.
     const Matrix3d axes = a.worldFromCamera.rotation.toRotationMatrix();
     Matrix6d byA = Matrix6d::Identity(), byRelation;
-    byA.bottomLeftCorner<3, 3>() = -crossProductOf(axes * back.bFromA.translation);
+    byA.bottomLeftCorner<3, 3>() = -crossMatrix(axes * back.bFromA.translation);
     byRelation << axes, Matrix3d::Zero(), Matrix3d::Zero(), axes;
     pose.covariance =
         byA * a.covariance * byA.transpose() + byRelation * back.covariance * byRelation.transpose();

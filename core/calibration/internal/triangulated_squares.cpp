@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/calibration/internal/triangulated_squares.h"
 
+#include "core/calibration/internal/lens_fit.h"
+
 #include <Eigen/Cholesky>
 #include <algorithm>
 #include <array>

@@ -13,11 +13,6 @@ namespace odo {
 
 namespace {
 
-bool startsWith(std::span<const std::uint8_t> file, std::string_view magic)
-{
-    return std::string_view(reinterpret_cast<const char *>(file.data()), file.size()).starts_with(magic);
-}
-
 /// Walks the segments up to the first start of frame (ITU-T T.81 §B.1). A stuffed zero (ff 00) is no marker:
 /// a decoder would search for the next one among the bytes that it would cover as a segment.
 StatedSize jpegSize(std::span<const std::uint8_t> file)
@@ -72,13 +67,13 @@ StatedSize bmpSize(std::span<const std::uint8_t> file)
 std::optional<ImageFormat> formatAtStart(std::span<const std::uint8_t> file)
 {
     using namespace std::string_view_literals;
-    if (startsWith(file, "\x89PNG\r\n\x1a\n"sv))
+    if (hasAt(file, 0, "\x89PNG\r\n\x1a\n"sv))
         return ImageFormat::Png;
-    if (startsWith(file, "\xff\xd8\xff"sv))
+    if (hasAt(file, 0, "\xff\xd8\xff"sv))
         return ImageFormat::Jpeg;
-    if (startsWith(file, "BM"sv))
+    if (hasAt(file, 0, "BM"sv))
         return ImageFormat::Bmp;
-    if (startsWith(file, "II*\0"sv) || startsWith(file, "MM\0*"sv))
+    if (hasAt(file, 0, "II*\0"sv) || hasAt(file, 0, "MM\0*"sv))
         return ImageFormat::Tiff;
     if (isWebp(file))
         return ImageFormat::Webp;

@@ -13,13 +13,6 @@ namespace {
 
 using ExifBytes = std::span<const std::uint8_t>;
 
-bool hasAt(ExifBytes file, std::size_t at, std::string_view text)
-{
-    return at <= file.size() && text.size() <= file.size() - at &&
-           std::equal(text.begin(), text.end(), file.begin() + std::ptrdiff_t(at),
-                      [](char a, std::uint8_t b) { return std::uint8_t(a) == b; });
-}
-
 /// Of a TIFF file, and of EXIF, which is one.
 int orientationOfTiff(ExifBytes file)
 {

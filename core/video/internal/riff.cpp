@@ -10,18 +10,11 @@ namespace {
 
 constexpr std::size_t firstChunkAt = 12, chunkHeaderBytes = 8;
 
-bool saysAt(std::span<const std::uint8_t> file, std::size_t at, std::string_view text)
-{
-    return at + text.size() <= file.size() &&
-           std::equal(text.begin(), text.end(), file.begin() + std::ptrdiff_t(at),
-                      [](char a, std::uint8_t b) { return std::uint8_t(a) == b; });
-}
-
 int chunksCalled(std::span<const std::uint8_t> file, std::string_view name)
 {
     int count = 0;
     for (std::size_t at = firstChunkAt; at + chunkHeaderBytes <= file.size();) {
-        count += saysAt(file, at, name) ? 1 : 0;
+        count += hasAt(file, at, name) ? 1 : 0;
         const std::size_t length = numberAt(file, at + 4, 4, false);
         at += chunkHeaderBytes + length + length % 2;
     }
@@ -32,7 +25,7 @@ int chunksCalled(std::span<const std::uint8_t> file, std::string_view name)
 
 bool isWebp(std::span<const std::uint8_t> file)
 {
-    return saysAt(file, 0, "RIFF") && saysAt(file, 8, "WEBP");
+    return hasAt(file, 0, "RIFF") && hasAt(file, 8, "WEBP");
 }
 
 bool isCutWebp(std::span<const std::uint8_t> file)
@@ -45,7 +38,7 @@ std::span<const std::uint8_t> riffChunk(std::span<const std::uint8_t> file, std:
     for (std::size_t at = firstChunkAt; at + chunkHeaderBytes <= file.size();) {
         const std::size_t length = numberAt(file, at + 4, 4, false);
         const bool isWhole = length <= file.size() - at - chunkHeaderBytes;
-        if (saysAt(file, at, name))
+        if (hasAt(file, at, name))
             return isWhole ? file.subspan(at + chunkHeaderBytes, length) : std::span<const std::uint8_t>();
         at += chunkHeaderBytes + length + length % 2;
     }
@@ -60,9 +53,9 @@ StatedSize webpSize(std::span<const std::uint8_t> file)
     StatedSize size;
     const auto lossy = riffChunk(file, "VP8 "), lossless = riffChunk(file, "VP8L");
     constexpr std::uint32_t fourteenBits = 0x3fff;
-    if (saysAt(lossy, 3, "\x9d\x01\x2a")) {
+    if (hasAt(lossy, 3, "\x9d\x01\x2a")) {
         size = {numberAt(lossy, 6, 2, false) & fourteenBits, numberAt(lossy, 8, 2, false) & fourteenBits};
-    } else if (saysAt(lossless, 0, "\x2f") && lossless.size() > 4) {
+    } else if (hasAt(lossless, 0, "\x2f") && lossless.size() > 4) {
         const std::uint32_t bits = numberAt(lossless, 1, 4, false);
         size = {(bits & fourteenBits) + 1, (bits >> 14 & fourteenBits) + 1};
     }

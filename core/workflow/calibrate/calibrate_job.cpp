@@ -235,6 +235,15 @@ void CalibrateJob::searchImage(const Frame &frame, const std::string &name,
                                const std::filesystem::path &still)
 {
     Searched image{name, still, 0, 0, 1, std::nullopt, {}};
+    if (m_settings.board.columns != 0)
+        search(image, frame, m_settings.board);
+    else
+        searchUnknownBoard(image, frame);
+    m_searched.push_back(std::move(image));
+}
+
+void CalibrateJob::searchUnknownBoard(Searched &image, const Frame &frame)
+{
     std::vector<BoardView> before;
     for (const Searched &other : m_searched) {
         if (other.view)
@@ -245,19 +254,18 @@ void CalibrateJob::searchImage(const Frame &frame, const std::string &name,
                               return kindOf(view) == likely;
                           }) >= enoughOfOneBoard;
     BoardSpec spec = m_settings.board;
-    if (isLikely && spec.columns == 0) {
+    if (isLikely) {
         spec.pattern = likely.pattern;
         spec.columns = likely.columns;
         spec.rows = likely.rows;
     }
     search(image, frame, spec);
-    if (!image.view && isLikely && m_settings.board.columns == 0) { // it may be another one
-        Searched other = image;
-        search(other, frame, m_settings.board);
-        if (other.view)
-            image = std::move(other);
-    }
-    m_searched.push_back(std::move(image));
+    if (image.view || !isLikely)
+        return;
+    Searched other = image; // it may be another one
+    search(other, frame, m_settings.board);
+    if (other.view)
+        image = std::move(other);
 }
 
 void CalibrateJob::search(Searched &image, const Frame &frame, const BoardSpec &spec)
