@@ -14,8 +14,44 @@ namespace odo {
 
 namespace {
 
+QString lensSourceName(LensSource source)
+{
+    switch (source) {
+    case LensSource::Calibration:
+        return QStringLiteral("calibration");
+    case LensSource::Floor:
+        return QStringLiteral("floor");
+    case LensSource::Assumed:
+        break;
+    }
+    return QStringLiteral("assumed");
+}
+
+QString patternName(ResidualPattern pattern)
+{
+    switch (pattern) {
+    case ResidualPattern::Lens:
+        return QStringLiteral("lens");
+    case ResidualPattern::Layout:
+        return QStringLiteral("layout");
+    case ResidualPattern::None:
+        break;
+    }
+    return QStringLiteral("none");
+}
+
+/// sigma_fx is null where the lens states no uncertainty.
+QJsonObject lensJson(const Intrinsics &lens, bool isCalibrated)
+{
+    QJsonObject json = intrinsicsJson(lens);
+    json.insert(QStringLiteral("source"), lensSourceName(lensSourceOf(lens, isCalibrated)));
+    json.insert(QStringLiteral("sigma_fx"),
+                lens.covariance.size() > 0 ? QJsonValue(std::sqrt(lens.covariance(0, 0))) : QJsonValue());
+    return json;
+}
+
 QJsonObject registrationJson(const std::string &cameraName, const std::string &layoutName,
-                             const FloorRegistration &registration)
+                             const FloorRegistration &registration, bool isLensCalibrated)
 {
     QJsonArray markers;
     for (const MarkerError &marker : registration.markers)
@@ -29,6 +65,8 @@ QJsonObject registrationJson(const std::string &cameraName, const std::string &l
             {QStringLiteral("camera_position_m"), vectorJson(position)},
             {QStringLiteral("height_above_floor_m"), position.z()},
             {QStringLiteral("markers"), markers},
+            {QStringLiteral("lens"), lensJson(registration.intrinsics, isLensCalibrated)},
+            {QStringLiteral("residual_pattern"), patternName(registration.residualPattern)},
             {QStringLiteral("verdict"), english(registration.verdict)}};
 }
 
@@ -63,7 +101,8 @@ Result<void> registerByMarkers(CommandCall &call)
     RegisterJob job(settings);
     ODO_TRY(runToEnd(job, *project, call.control()));
     const FloorRegistration &registration = job.record().registration;
-    call.answer(registrationJson(settings.camera, settings.layout, registration),
+    const bool isLensCalibrated = job.record().intrinsics != 0;
+    call.answer(registrationJson(settings.camera, settings.layout, registration, isLensCalibrated),
                 english(registration.verdict));
     return {};
 }
@@ -76,7 +115,8 @@ Result<void> startRegisterViaCamera(CommandCall &call)
     RegisterViaCameraJob job(settings);
     ODO_TRY(runToEnd(job, *project, call.control()));
     const FloorRegistration &registration = job.record().registration;
-    QJsonObject answer = registrationJson(settings.camera, job.layoutName(), registration);
+    QJsonObject answer =
+        registrationJson(settings.camera, job.layoutName(), registration, job.record().intrinsics != 0);
     answer.insert(QStringLiteral("through"), QString::fromStdString(settings.reference));
     call.answer(answer, english(registration.verdict));
     return {};
@@ -87,7 +127,7 @@ Result<void> registerAgain(CommandCall &call)
     const auto project = ODO_TRY(call.openProject(0, Project::Access::ReadWrite));
     const auto record = ODO_TRY(registerWithCurrentIntrinsics(*project, call.value(option::camera)));
     const auto used = ODO_TRY(project->layouts().get(record.layout));
-    call.answer(registrationJson(call.value(option::camera), used.layout.name, record.registration),
+    call.answer(registrationJson(call.value(option::camera), used.layout.name, record.registration, true),
                 english(record.registration.verdict));
     return {};
 }
@@ -106,7 +146,8 @@ Result<void> registerTogether(CommandCall &call)
     QStringList lines;
     for (std::size_t i = 0; i < outcome.registrations.size(); ++i) {
         const FloorRegistration &registration = outcome.registrations[i];
-        cameras.append(registrationJson(job.cameras()[i], settings.layout, registration));
+        cameras.append(registrationJson(job.cameras()[i], settings.layout, registration,
+                                        job.before()[i].intrinsics != 0));
         lines << QString::fromStdString(job.cameras()[i] + ": ±" +
                                         formatNumber(toMillimetres(registration.floorSigmaM), 1) +
                                         " mm among the markers, which fit to " +

@@ -29,10 +29,11 @@ struct LocatedPoint
 /// and of the reading itself. That of a pixel's coordinate is what the registration's own residuals say of a
 /// marker's (markSigmaPx), at least usualMarkSigmaPx: nobody reads a point better than a marker.
 ///
-/// A lens that was assumed gets a covariance as wide as ordinary lenses differ (assumedLensSpread), as far as
-/// the registration's markers still leave it open: given the pixels, of σ s, the lens keeps (Σ⁻¹ + JᵀPJ /
-/// s²)⁻¹, with J the markers' pixels by the lens and P the part of the residuals that no pose explains
-/// (Gaussian conditioning). Between the markers it adds little, away from them much.
+/// A lens estimated from the floor has its covariance. One that was assumed by an older version gets one as
+/// wide as ordinary lenses differ (assumedLensSpread), as far as the registration's markers still leave it
+/// open: given the pixels, of σ s, the lens keeps (Σ⁻¹ + JᵀPJ / s²)⁻¹, with J the markers' pixels by the lens
+/// and P the part of the residuals that no pose explains (Gaussian conditioning). Between the markers it adds
+/// little, away from them much.
 ///
 /// World axes as FloorView. Immutable, safe to share between threads.
 class FloorReading

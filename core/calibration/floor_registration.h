@@ -19,6 +19,13 @@ struct MarkerError
     double errorPx = 0; ///< in the image
 };
 
+/// What the markers' residuals follow beyond chance.
+enum class ResidualPattern {
+    None,
+    Lens,   ///< another lens than the one used
+    Layout, ///< its measures, or one marker
+};
+
 /// One camera to the floor.
 struct FloorRegistration
 {
@@ -29,10 +36,22 @@ struct FloorRegistration
     /// The largest σ of the floor at any marker, from the pose and, where its covariance is known, the lens.
     double floorSigmaM = 0;
     std::vector<MarkerError> markers;
-    Message verdict; ///< sentences; they say if no distortion was assumed
-    /// The lens that worldFromCamera belongs to: the one given, or with the focal length that was estimated.
+    Message verdict; ///< sentences; they say where the lens was estimated or assumed
+    /// The lens that worldFromCamera belongs to: the one given, or the one that was estimated.
     Intrinsics intrinsics;
+    /// Of the fit just made; a stored registration has it in its verdict only.
+    ResidualPattern residualPattern = ResidualPattern::None;
 };
+
+/// Where a registration's lens comes from.
+enum class LensSource {
+    Calibration,
+    Floor,   ///< estimated from the markers, its focal length to 10 % or better
+    Assumed, ///< the markers hardly determine it
+};
+
+/// lens: the registration's. isCalibrated: as it was made.
+LensSource lensSourceOf(const Intrinsics &lens, bool isCalibrated);
 
 /// Another camera of the testbed, whose markers may have been taken for this one's.
 struct OtherCamera
@@ -60,8 +79,12 @@ struct RegistrationContext
 /// wrong unit). The advice names the usual mistakes that explain the misfit (internal/registration_causes.h).
 /// The verdict is "Uncertain" where the floor may be mirrored.
 ///
-/// With intrinsicsKnown = false the focal length is estimated from the homography as well where it is
-/// determined to 10 %; elsewhere the one given stays. Use the registration's intrinsics with its pose.
+/// With intrinsicsKnown = false the lens is estimated along with the pose, as far as the markers determine
+/// it; for the rest it is as unsure as ordinary lenses differ (internal/floor_lens.h). Use the registration's
+/// intrinsics, which have a covariance, with its pose.
+///
+/// Residuals that follow a pattern (internal/residual_pattern.h) are named, and the verdict is then never
+/// "Good". Such errors do not average out over the markers: the pose's covariance is that of four of them.
 Result<FloorRegistration> registerFloor(const MarkerLayout &layout, const std::vector<MarkerPixel> &pixels,
                                         const CameraModel &camera, bool intrinsicsKnown,
                                         const RegistrationContext &context = {});
@@ -76,6 +99,7 @@ inline constexpr double usualMarkSigmaPx = 0.3;
 /// (Gelman et al., Bayesian Data Analysis, 2.6) of that mean and six degrees of freedom. Residuals beyond
 /// three times that belief refute it, and speak alone. It holds for tags as well: the program finds them
 /// better, but the layout was measured too. Any thread.
-double markSigmaPx(double squaresPx2, double freedom);
+/// believedPx: another belief.
+double markSigmaPx(double squaresPx2, double freedom, double believedPx = usualMarkSigmaPx);
 
 } // namespace odo

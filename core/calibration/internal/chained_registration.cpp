@@ -3,7 +3,9 @@
 
 #include "core/base/units.h"
 #include "core/calibration/internal/plane_pose.h"
+#include "core/calibration/internal/registration_words.h"
 #include "core/calibration/internal/wording.h"
+#include "core/calibration/intrinsics_influence.h"
 #include "core/geometry/homography.h"
 
 #include <Eigen/Eigenvalues>
@@ -277,10 +279,7 @@ Message verdictOf(const FloorRegistration &registration, const Message &referenc
         sentences.push_back(hardlyChecked(
             ODO_TEXT("calibration.four_points_unchecked", "Four points are too few to check each other")));
     if (!intrinsicsKnown) {
-        sentences.push_back(
-            ODO_TEXT("calibration.focal_length_taken",
-                     "The lens is not calibrated: no distortion and a focal length of %1 were assumed.")(
-                quantity(registration.intrinsics.fxPx, 0, "px")));
+        sentences.push_back(lensWords(registration.intrinsics));
         sentences.push_back(calibrateToRely());
     }
     return joined(std::move(sentences), Join::Space);
@@ -332,7 +331,8 @@ Result<ChainedRegistration> registerViaCamera(const FloorView &reference, const 
     registration.rmsPx = pose->rmsPx;
     const double worse = std::max(1.0, pose->sigmaPx);
     registration.poseCovariance = worse * worse * pose->inverseNormal + *common;
-    const FloorView view(lens, registration.worldFromCamera, registration.poseCovariance);
+    const FloorView view(lens, registration.worldFromCamera, registration.poseCovariance,
+                         poseByIntrinsics(lens, registration.worldFromCamera, positions));
     ODO_TRY(measure(pairs, view, registration));
     const double sigmaM = largestSigma(view, points), spanM = extentOf(positions);
     if (sigmaM > worstPointSigma * spanM)

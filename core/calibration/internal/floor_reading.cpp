@@ -39,12 +39,14 @@ MatrixXd conditioned(const MatrixXd &before, const MarkerDerivatives &markers, d
     return before - carried.transpose() * seen.ldlt().solve(carried);
 }
 
-/// The lens that was assumed with what is not known of it; the camera itself where that cannot be said.
+/// The lens that was assumed with what is not known of it; the camera itself where it says that already (a
+/// lens estimated from the floor), or where that cannot be said.
 CameraModel withSpread(const FloorRegistration &registration, const CameraModel &camera,
                        const std::vector<MarkerPixel> &pixels, double sigmaPx)
 {
     Intrinsics lens = camera.intrinsics();
-    if (lens.model != LensModel::Standard)
+    const bool isSpread = lens.covariance.rows() > 4 && !lens.distortion.empty();
+    if (lens.model != LensModel::Standard || isSpread)
         return camera;
     lens.distortion.resize(std::max(leastCoefficients, lens.distortion.size()), 0.0);
     lens.covariance = covarianceOf(lens, assumedLensSpread);

@@ -32,9 +32,14 @@ Message uncertainVerdict(Message clauses)
     return ODO_TEXT("calibration.uncertain", "Uncertain: %1.")(std::move(clauses));
 }
 
+bool isGoodRegistration(double worseM, double extentM)
+{
+    return worseM <= std::max(0.005, 0.0025 * extentM);
+}
+
 Message registrationVerdict(double worseM, double extentM, Message clauses)
 {
-    if (worseM <= std::max(0.005, 0.0025 * extentM))
+    if (isGoodRegistration(worseM, extentM))
         return goodVerdict(std::move(clauses));
     if (worseM <= std::max(0.015, 0.0075 * extentM))
         return usableVerdict(std::move(clauses));

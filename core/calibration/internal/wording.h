@@ -17,6 +17,7 @@ Message usableVerdict(Message clauses);
 Message uncertainVerdict(Message clauses);
 /// How a registration is judged by the larger of its misfit and its σ, both in metres, against the extent of
 /// its points.
+bool isGoodRegistration(double worseM, double extentM);
 Message registrationVerdict(double worseM, double extentM, Message clauses);
 
 // What several checks say.

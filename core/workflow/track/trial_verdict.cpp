@@ -194,14 +194,13 @@ void checkSynchronisation(const RecordingRecord &view, const RecordingRecord &fi
 
 void checkRegistration(const RegistrationRecord &registration, const std::string &camera, Checks &checks)
 {
-    if (registration.intrinsics == 0)
-        checks.add(
-            lensKnown, CheckLevel::Doubtful,
-            wholeMessage(cameraSubject(camera),
-                         ODO_TEXT("workflow.assumed_lens", "the registration assumes a lens without "
-                                                           "distortion, because the lens was not calibrated"),
-                         ODO_TEXT("workflow.calibrate_and_reanalyse",
-                                  "calibrate the lens, register the camera again and reanalyse")));
+    if (lensSourceOf(registration.assumedIntrinsics, registration.intrinsics != 0) == LensSource::Assumed)
+        checks.add(lensKnown, CheckLevel::Doubtful,
+                   wholeMessage(cameraSubject(camera),
+                                ODO_TEXT("workflow.assumed_lens", "its lens was neither calibrated nor "
+                                                                  "determined by the floor's markers"),
+                                ODO_TEXT("workflow.calibrate_and_reanalyse",
+                                         "calibrate the lens, register the camera again and reanalyse")));
     if (registration.lastCheck && registration.lastCheck->outcome == RegistrationCheck::Outcome::CameraMoved)
         checks.add(cameraStill, CheckLevel::Doubtful,
                    wholeMessage(cameraSubject(camera),
@@ -243,7 +242,8 @@ void passTheRest(bool isFilmed, std::size_t views, Checks &checks)
     checks.pass(nameKnown, ODO_TEXT("workflow.passed_names", "no robot could be another one"));
     checks.pass(framesRegular, ODO_TEXT("workflow.passed_frames", "the frames came at regular intervals"));
     checks.pass(framesDecoded, ODO_TEXT("workflow.passed_decoding", "all frames could be decoded"));
-    checks.pass(lensKnown, ODO_TEXT("workflow.passed_lens", "the lenses are calibrated"));
+    checks.pass(lensKnown, ODO_TEXT("workflow.passed_lens",
+                                    "the lenses are calibrated, or estimated from the floor's markers"));
     checks.pass(cameraStill, ODO_TEXT("workflow.passed_cameras", "no camera was found moved"));
     if (views < 2)
         return;
