@@ -21,11 +21,13 @@ struct MarkerSearch
     std::vector<MarkerPixel> hints;
 };
 
-/// Finds the floor markers of a layout in an image, in the layout's order. First tags, a tag's number is the
-/// index of its label in the layout (first marker: tag 0, ...); where fewer than four of them are seen, rings
-/// and dots as well, named by assignMarkers(). The pixel is the image of the marker's middle, not the middle
-/// of its image. Error Undetermined, naming how many of how many were found, when fewer than four are seen,
-/// and as assignMarkers; where they are found in the mirrored image, it says that instead.
+/// Finds the floor markers of a layout in an image, in the layout's order. First tags: those of the numbers
+/// in the labels, of any family, where the labels are numbers, or else AprilTags 36h11 with the label's index
+/// in the layout (first marker: tag 0, ...); see findLayoutTags() in layout_tags.h. Where fewer than four of
+/// them are seen, rings and dots as well, named by assignMarkers(). The pixel is the image of the marker's
+/// middle, not the middle of its image. Error Undetermined, naming how many of how many were found, when
+/// fewer than four are seen, and as findLayoutTags and assignMarkers; where they are found in the mirrored
+/// image, it says that instead.
 Result<std::vector<MarkerPixel>> findMarkers(const Frame &frame, const MarkerLayout &layout,
                                              const MarkerSearch &search = {});
 
@@ -34,7 +36,7 @@ struct SnappedMarker
 {
     enum class Kind {
         None,         ///< nothing found: the pixel is the click itself
-        Tag,          ///< where the diagonals of an AprilTag cross
+        Tag,          ///< where the diagonals of an AprilTag or ArUco tag cross
         Ring,         ///< middle of a ring, corrected for perspective
         Dot,          ///< middle of a dot's ellipse; registering corrects it (dotCentre in dot_centre.h)
         TapeCrossing, ///< where the middles of two strips of tape cross (or one ends upon the other)
