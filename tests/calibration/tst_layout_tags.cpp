@@ -140,7 +140,7 @@ private Q_SLOTS:
             const bool known = scene % 2 == 0;
             const auto found = findMarkers(drawTaggedFloor(view, floor), layout,
                                            {known ? std::optional(view.camera()) : std::nullopt, known, {}});
-            const auto worst = worstOf(found, view, layout, 5);
+            const auto worst = worstOf(found, view, layout, found ? found->size() : 0);
             if (worst && *worst < 0.3)
                 ++good;
             else

@@ -180,6 +180,9 @@ public:
     /// σ of one coordinate of the middle.
     double sigmaPx() const { return m_sigmaPx; }
 
+    /// White less black, in the middle of the image's part.
+    double contrast() const { return m_state.white.x(); }
+
 private:
     void sample()
     {
@@ -352,7 +355,8 @@ std::optional<TagAlignment> alignTag(const cv::Mat &luma, const TagCells &cells,
     Alignment alignment(part, cells, map, *rect, parts, 0);
     if (!alignment.run())
         return std::nullopt;
-    const TagAlignment aligned{alignment.map(), alignment.likeness(), alignment.sigmaPx()};
+    const TagAlignment aligned{alignment.map(), alignment.likeness(), alignment.sigmaPx(),
+                               alignment.contrast()};
     // Where the start's cells are is asked in the tag's own units.
     const Vector2d offInTag = (start.inverse() * aligned.middle().homogeneous()).hnormalized();
     if (!(offInTag.norm() * 0.5 * cells.side / cells.reach < mostMovedCells))

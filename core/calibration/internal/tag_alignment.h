@@ -26,6 +26,7 @@ struct TagAlignment
     Eigen::Matrix3d pixelFromTag;
     double likeness = 0; ///< correlation of the image with the tag as it would be seen, at most 1
     double sigmaPx = 0;  ///< of one coordinate of the tag's middle, from what is left of the image
+    double contrast = 0; ///< grey values between black and white, at its middle
 
     /// The image of the tag's middle.
     Eigen::Vector2d middle() const { return pixelFromTag.col(2).hnormalized(); }

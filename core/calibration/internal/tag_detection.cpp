@@ -60,7 +60,7 @@ std::vector<SeenTag> read(const cv::Mat &luma, image_u8_t image, double scale,
         const auto aligned = cells ? alignTag(luma, *cells, mapOf(*tag, scale)) : std::nullopt;
         if (aligned && aligned->likeness >= leastTagLikeness)
             tags.push_back({tag->id, family, aligned->middle(), std::max(leastTagSigmaPx, aligned->sigmaPx),
-                            aligned->pixelFromTag});
+                            aligned->pixelFromTag, aligned->contrast});
     }
     apriltag_detections_destroy(found);
     return tags;

@@ -19,6 +19,7 @@ struct SeenTag
     double sigmaPx = 0;    ///< of one coordinate of it
     /// From the tag's plane: its border square goes from (-1, -1) at the top left of its print to (1, 1).
     Eigen::Matrix3d pixelFromTag;
+    double contrast = 0; ///< grey values between black and white
 };
 
 /// All tags of these families in an image, or in a part of it, in luma pixels of the whole: read by

@@ -19,8 +19,9 @@ using Eigen::Matrix3d;
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-constexpr double nearOfHalfSide = 0.15; // of the prediction: 0.6 cells
-constexpr double worstFitPx = 1;        // RMS of the read tags' corners
+constexpr double nearOfHalfSide = 0.15;    // of the prediction: 0.6 cells
+constexpr double leastContrastShare = 0.3; // of the read tag with the least: where tiles meet, some tag fits
+constexpr double worstFitPx = 1;           // RMS of the read tags' corners
 
 const std::array<Vector2d, 4> corners{Vector2d(-1, -1), Vector2d(1, -1), Vector2d(1, 1), Vector2d(-1, 1)};
 
@@ -130,7 +131,8 @@ LeastSquaresProblem<Tags> problemOf(std::span<const FloorTag> floor, const std::
                                     const CameraModel &camera)
 {
     LeastSquaresProblem<Tags> problem;
-    problem.evaluate = [&camera, &read, floor](const Tags &tags, Eigen::VectorXd &residuals, Eigen::MatrixXd *byStep) {
+    problem.evaluate = [&camera, &read, floor](const Tags &tags, Eigen::VectorXd &residuals,
+                                               Eigen::MatrixXd *byStep) {
         const auto rows = static_cast<Eigen::Index>(8 * read.size());
         residuals.resize(rows);
         if (byStep)
@@ -246,6 +248,8 @@ std::vector<SeenTag> predictedTags(const Frame &frame, std::span<const FloorTag>
     const auto tags = fitted(floor, read, *lens);
     if (!tags)
         return {};
+    const double leastContrast =
+        leastContrastShare * std::ranges::min_element(read, {}, &SeenTag::contrast)->contrast;
     std::vector<SeenTag> found;
     for (const FloorTag &missing : floor) {
         const auto cells = tagCells(missing.name);
@@ -257,13 +261,13 @@ std::vector<SeenTag> predictedTags(const Frame &frame, std::span<const FloorTag>
             const auto map = mapAt(missing.pointInWorld, turn, *tags, *lens);
             const auto aligned = map ? alignTag(lumaMatrix(frame), *cells, *map) : std::nullopt;
             // A cut-off tag may look like itself a cell beside its position, but it cannot be there.
-            if (aligned && aligned->likeness >= leastTagLikeness && isNear(*map, aligned->middle()) &&
-                (!best || aligned->likeness > best->likeness))
+            if (aligned && aligned->likeness >= leastTagLikeness && aligned->contrast >= leastContrast &&
+                isNear(*map, aligned->middle()) && (!best || aligned->likeness > best->likeness))
                 best = aligned;
         }
         if (best)
             found.push_back({missing.name.number, missing.name.family, best->middle(), best->sigmaPx,
-                             best->pixelFromTag});
+                             best->pixelFromTag, best->contrast});
     }
     return found;
 }
