@@ -2,6 +2,7 @@
 #include "core/calibration/marker_detection.h"
 
 #include "core/calibration/floor_registration.h"
+#include "core/calibration/internal/layout_board.h"
 #include "core/calibration/internal/layout_tags.h"
 #include "core/calibration/internal/marker_assignment.h"
 #include "core/calibration/internal/round_markers.h"
@@ -91,6 +92,18 @@ Error tooFewMarkers(const LayoutTags &tags, const MarkerLayout &layout, const Me
                                     "or rings, or mark the markers by hand")};
 }
 
+/// Both in the layout's order.
+void addMarkers(LayoutTags &tags, std::vector<MarkerPixel> others, const MarkerLayout &layout)
+{
+    for (MarkerPixel &marker : others) {
+        std::erase(tags.missing, marker.label);
+        tags.markers.push_back(std::move(marker));
+    }
+    std::ranges::stable_sort(tags.markers, {}, [&](const MarkerPixel &marker) {
+        return std::ranges::find(layout.markers, marker.label, &Marker::label);
+    });
+}
+
 } // namespace
 
 Result<std::vector<MarkerPixel>> findMarkers(const Frame &frame, const MarkerLayout &layout,
@@ -101,8 +114,13 @@ Result<std::vector<MarkerPixel>> findMarkers(const Frame &frame, const MarkerLay
         return fail(ErrorCode::Undetermined, what,
                     ODO_TEXT("calibration.picture_too_small", "the image is too small"), useCameraImage());
     auto tags = ODO_TRY(findLayoutTags(frame, layout, search));
+    auto board = findBoardCorners(frame, layout);
+    if (board)
+        addMarkers(tags, std::move(*board), layout);
     if (tags.markers.size() >= 4)
         return std::move(tags.markers);
+    if (!board)
+        return fail(ErrorCode::Undetermined, what, board.error().why, board.error().advice);
     const auto shapes = findRoundMarkers(frame);
     std::vector<MarkerPixel> hints = tags.markers;
     for (const MarkerPixel &hint : search.hints) {

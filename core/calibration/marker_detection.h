@@ -23,7 +23,8 @@ struct MarkerSearch
 
 /// Finds the floor markers of a layout in an image, in the layout's order. First tags: those of the numbers
 /// in the labels, of any family, where the labels are numbers, or else AprilTags 36h11 with the label's index
-/// in the layout (first marker: tag 0, ...); see findLayoutTags() in layout_tags.h. Where fewer than four of
+/// in the layout (first marker: tag 0, ...); see findLayoutTags() in layout_tags.h; corners of a
+/// ChArUco board where labels name them (boardCorner() in layout_board.h). Where fewer than four of
 /// them are seen, rings and dots as well, named by assignMarkers(). The pixel is the image of the marker's
 /// middle, not the middle of its image. Error Undetermined, naming how many of how many were found, when
 /// fewer than four are seen, and as findLayoutTags and assignMarkers; where they are found in the mirrored

@@ -29,9 +29,17 @@ struct DrawnDot
     double radiusM = 0.03;
 };
 
+/// A dark square on the floor, along its axes.
+struct DrawnSquare
+{
+    Eigen::Vector2d middle;
+    double sideM = 0.1;
+};
+
 struct TaggedFloor
 {
     std::vector<DrawnTag> tags;
+    std::vector<DrawnSquare> squares;
     std::vector<DrawnDot> dots;
     double blurPx = 0.6, noiseSigma = 2;
     double darkest = 1; ///< at the image's left side, of the light at its right side
@@ -54,6 +62,10 @@ public:
     {
         for (const DrawnDot &dot : m_floor.dots) {
             if ((point - dot.middle).squaredNorm() < dot.radiusM * dot.radiusM)
+                return 30;
+        }
+        for (const DrawnSquare &square : m_floor.squares) {
+            if ((point - square.middle).cwiseAbs().maxCoeff() < square.sideM / 2)
                 return 30;
         }
         for (std::size_t i = 0; i < m_cells.size(); ++i) {

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/calibration/internal/layout_board.h"
 #include "core/calibration/internal/tag_labels.h"
 #include "core/calibration/marker_detection.h"
 #include "tests/calibration/tagged_floors.h"
@@ -300,6 +301,49 @@ private Q_SLOTS:
             const auto found = findMarkers(drawTaggedFloor(view, floor), numbered(all, grid));
             QVERIFY2(!found, said(found).constData());
         }
+    }
+    void cornersOfAChArUcoBoard()
+    {
+        const auto corner = boardCorner("ChArUco 9x6:12");
+        QVERIFY(corner && corner->columns == 9 && corner->rows == 6 && corner->number == 12);
+        for (const char *label : {"charuco", "charuco 9x6", "charuco 9x6:54", "charuco 9:12", "9x6:12",
+                                  "charuco 9x6:-1", "charuco 9x6:1a", "charuco 99x6:1"})
+            QVERIFY2(!boardCorner(label), label);
+        // A board of 5 × 4 squares on the floor, with tags that the layout does not mean beside it.
+        constexpr double squareM = 0.3, ratio = 0.7;
+        TaggedFloor floor;
+        floor.seed = 5;
+        int number = 0;
+        for (int row = 0; row < 5; ++row) {
+            for (int column = 0; column < 6; ++column) {
+                const Vector2d middle(squareM * (column + 0.5), squareM * (4.5 - row));
+                if ((row + column) % 2 == 0)
+                    floor.squares.push_back({middle, squareM});
+                else
+                    floor.tags.push_back({{TagFamily::Aruco6x6, number++}, middle, ratio * squareM, 0});
+            }
+        }
+        floor.tags.push_back({{TagFamily::AprilTag36h11, 0}, {-0.3, 0.5}, 0.15, 0.3});
+        std::vector<std::string> labels;
+        std::vector<Vector2d> points;
+        for (const int each : {0, 4, 15, 19}) {
+            labels.push_back("charuco 5x4:" + std::to_string(each));
+            points.emplace_back(squareM * (1 + each % 5), squareM * (4 - each / 5));
+        }
+        const MarkerLayout layout = layoutOf(labels, points);
+        for (int scene = 0; scene < scenes(); ++scene) {
+            const FloorView view =
+                someView({{-0.3, 0}, {1.8, 0}, {-0.3, 1.5}, {1.8, 1.5}}, std::uint32_t(500 + scene));
+            const auto found = findMarkers(drawTaggedFloor(view, floor), layout);
+            QVERIFY2(worstOf(found, view, layout, 4).value_or(9) < 0.3, said(found).constData());
+        }
+        // Another board.
+        auto other = layout;
+        for (Marker &marker : other.markers)
+            marker.label.replace(8, 3, "7x6");
+        const FloorView view = someView({{-0.3, 0}, {1.8, 0}, {-0.3, 1.5}, {1.8, 1.5}}, 500);
+        const auto wrong = findMarkers(drawTaggedFloor(view, floor), other);
+        QVERIFY2(!wrong && contains(wrong.error().message(), "ChArUco"), said(wrong).constData());
     }
     void aTagSeenTwiceIsRefused()
     {

@@ -3,20 +3,17 @@
 
 #include "core/base/job_control.h"
 #include "core/base/percentile.h"
+#include "core/calibration/internal/neighbours.h"
 
-#include <Eigen/Cholesky>
-#include <Eigen/Geometry>
 #include <Eigen/LU>
 #include <Eigen/SVD>
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <functional>
 #include <limits>
 #include <numeric>
 #include <optional>
 #include <queue>
-#include <set>
 #include <utility>
 
 namespace odo {
@@ -35,65 +32,15 @@ constexpr std::array<std::size_t, 3> seedSizes{6, 5, 4}; // of those neighbours 
 constexpr double mostUnround = 2;  // ratio of a seed's axes, in the plane in which its shape is round
 constexpr double seedReach = 0.3;  // of the distance to the neighbour
 constexpr double growReach = 0.25; // of the distance to the nearest neighbour
-constexpr double leastReachPx = 1.5;
+constexpr double leastGrowReachPx = 1.5;
 constexpr double mostAreaRatio = 2.5;                                   // of a marker and its neighbours
 constexpr double leastOutlier = 0.03, mostOutlier = 0.15, ofMedian = 4; // of the same, from the prediction
-constexpr double mostMisfit = 0.08;
-constexpr double perspectivePrior = 0.3; // of a map: how much the scale may change over a neighbourhood
-constexpr std::size_t spareMisses = 6;   // beyond half, before a growth ends
-
-/// The indices of the nearest positions, nearest first, without the one itself.
-std::vector<int> nearestTo(std::size_t of, std::size_t count, std::size_t most,
-                           const std::function<double(std::size_t)> &away)
-{
-    std::vector<std::pair<double, int>> order;
-    for (std::size_t i = 0; i < count; ++i) {
-        if (i != of)
-            order.emplace_back(away(i), static_cast<int>(i));
-    }
-    most = std::min(most, order.size());
-    std::ranges::partial_sort(order, order.begin() + static_cast<std::ptrdiff_t>(most));
-    std::vector<int> nearest;
-    for (std::size_t i = 0; i < most; ++i)
-        nearest.push_back(order[i].second);
-    return nearest;
-}
+constexpr double mostGrownMisfit = 0.08;
+constexpr std::size_t spareMisses = 6; // beyond half, before a growth ends
 
 double crossOf(const Vector2d &a, const Vector2d &b)
 {
     return a.x() * b.y() - a.y() * b.x();
-}
-
-/// The image of a position by the projective map that fits its neighbours' best; the perspective is held near
-/// none where they do not determine it. Three or more.
-std::optional<Vector2d> predicted(const Vector2d &position,
-                                  const std::vector<std::pair<Vector2d, Vector2d>> &pairs)
-{
-    double reach = 0, extent = 0;
-    const Vector2d origin = pairs.front().second;
-    for (const auto &[from, to] : pairs) {
-        reach = std::max(reach, (from - position).norm());
-        extent = std::max(extent, (to - origin).norm());
-    }
-    Eigen::Matrix<double, 8, 8> normal = Eigen::Matrix<double, 8, 8>::Zero();
-    Eigen::Matrix<double, 8, 1> right = Eigen::Matrix<double, 8, 1>::Zero();
-    for (const auto &[from, to] : pairs) {
-        const Vector2d p = (from - position) / reach, q = (to - origin) / extent;
-        const double weight = 1 / (0.2 + p.squaredNorm());
-        Eigen::Matrix<double, 8, 1> u, v;
-        u << p.x(), p.y(), 1, 0, 0, 0, -q.x() * p.x(), -q.x() * p.y();
-        v << 0, 0, 0, p.x(), p.y(), 1, -q.y() * p.x(), -q.y() * p.y();
-        normal += weight * (u * u.transpose() + v * v.transpose());
-        right += weight * (q.x() * u + q.y() * v);
-    }
-    // A pixel or so of noise against the scale's change.
-    const double stiff = std::pow(0.01 / perspectivePrior, 2);
-    normal.diagonal().head<6>().array() += 1e-9;
-    normal(6, 6) += stiff;
-    normal(7, 7) += stiff;
-    const Eigen::Matrix<double, 8, 1> map = normal.ldlt().solve(right);
-    const Vector2d image = origin + extent * Vector2d(map(2), map(5));
-    return image.allFinite() ? std::optional(image) : std::nullopt;
 }
 
 class Growth
@@ -281,7 +228,7 @@ std::optional<Vector2d> Growth::predictedPixel(int marker, const GrownAssignment
         };
         std::ranges::for_each(nearestTo(of, m_markers.size(), farNeighbours, away), add);
     }
-    return pairs.size() < leastSupport ? std::nullopt : predicted(at(m_markers, marker), pairs);
+    return pairs.size() < leastSupport ? std::nullopt : predictedByNeighbours(at(m_markers, marker), pairs);
 }
 
 /// Pixels to the nearest neighbour of a marker.
@@ -348,7 +295,7 @@ std::optional<GrownAssignment> Growth::grown(const Pairs &seed) const
         done[static_cast<std::size_t>(marker)] = true;
         if (!isInImage(*pixel))
             continue;
-        const double reachPx = std::max(leastReachPx, growReach * spacingAt(marker, state, *pixel));
+        const double reachPx = std::max(leastGrowReachPx, growReach * spacingAt(marker, state, *pixel));
         if (const auto shape = shapeNear(marker, state, used, *pixel, reachPx))
             give(marker, *shape);
         else if (++missed > state.matched + spareMisses || m_markers.size() - missed + 1 < m_most)
@@ -357,11 +304,11 @@ std::optional<GrownAssignment> Growth::grown(const Pairs &seed) const
     if (state.matched < leastMatched)
         return std::nullopt;
     judge(state);
-    if (state.matched < leastMatched || !(state.misfit < mostMisfit))
+    if (state.matched < leastMatched || !(state.misfit < mostGrownMisfit))
         return std::nullopt;
     complete(state, used);
     judge(state);
-    if (state.matched < leastMatched || !(state.misfit < mostMisfit))
+    if (state.matched < leastMatched || !(state.misfit < mostGrownMisfit))
         return std::nullopt;
     return state;
 }
@@ -376,7 +323,7 @@ void Growth::complete(GrownAssignment &state, std::vector<bool> &used) const
             const auto pixel = to == nothing ? predictedPixel(marker, state, true) : std::nullopt;
             if (!pixel || !isInImage(*pixel))
                 continue;
-            const double reachPx = std::max(leastReachPx, growReach * spacingAt(marker, state, *pixel));
+            const double reachPx = std::max(leastGrowReachPx, growReach * spacingAt(marker, state, *pixel));
             if (const auto shape = shapeNear(marker, state, used, *pixel, reachPx)) {
                 to = *shape;
                 used[static_cast<std::size_t>(to)] = true;
@@ -413,7 +360,7 @@ void Growth::judge(GrownAssignment &state) const
         const double squares = std::inner_product(shares.begin(), shares.end(), shares.begin(), 0.0);
         state.misfit = std::sqrt(squares / static_cast<double>(shares.size()));
         const double limit = std::clamp(ofMedian * upperMedian(std::move(shares)), leastOutlier, mostOutlier);
-        if (worst < limit || worstPx < leastReachPx)
+        if (worst < limit || worstPx < leastGrowReachPx)
             return;
         state.shapes[static_cast<std::size_t>(odd)] = nothing;
         --state.matched;
@@ -464,21 +411,6 @@ std::vector<GrownAssignment> growAssignments(const std::vector<Vector2d> &marker
     if (markers.size() < leastMatched || shapes.size() < leastMatched)
         return {};
     return Growth(markers, shapes, known, imageSizePx).run();
-}
-
-double chanceOf(const GrownAssignment &assignment, std::size_t visible, std::size_t shapes)
-{
-    constexpr double given = 3, leastMisfit = 0.01, reach = 2;
-    const double n = static_cast<double>(std::max(visible, assignment.matched)) - given,
-                 k = static_cast<double>(assignment.matched) - given;
-    if (!(k > 0))
-        return 0;
-    // As dense as the markers are, shapes have each one spacing squared for themselves.
-    const double dense = std::max(1.0, static_cast<double>(shapes) / (n + given));
-    const double within = reach * std::max(leastMisfit, assignment.misfit);
-    const double share = std::min(0.9, dense * double(EIGEN_PI) * within * within);
-    const double ways = std::lgamma(n + 1) - std::lgamma(k + 1) - std::lgamma(n - k + 1);
-    return (ways + k * std::log(share)) / std::log(10.0);
 }
 
 } // namespace odo

@@ -40,8 +40,4 @@ std::vector<GrownAssignment> growAssignments(const std::vector<Eigen::Vector2d> 
                                              const std::vector<int> &known,
                                              const Eigen::Vector2d &imageSizePx);
 
-/// The probability, as its decimal logarithm, that so many of the visible markers have a shape that near by
-/// chance: binomial, from three that are given. shapes: how many lie in the image.
-double chanceOf(const GrownAssignment &assignment, std::size_t visible, std::size_t shapes);
-
 } // namespace odo

@@ -103,6 +103,8 @@ private:
 
 Result<LayoutTags> TagSearch::run()
 {
+    if (m_rules.empty())
+        return complete({});
     // Many families read more by chance and take longer: they come where the printed one does not fit.
     const auto printed = familiesIn(m_rules, printedTagFamily()), all = familiesIn(m_rules, allTagFamilies());
     std::optional<Reading> chosen;
@@ -112,7 +114,7 @@ Result<LayoutTags> TagSearch::run()
         chosen = ODO_TRY(search(all));
     if (!chosen)
         chosen = ODO_TRY(bestWithoutFit());
-    return complete(chosen ? *chosen : Reading{&m_rules.back(), {}, {}});
+    return complete(chosen ? *chosen : Reading());
 }
 
 /// Those of a name that was not read yet.
@@ -264,9 +266,10 @@ Result<LayoutTags> TagSearch::complete(Reading reading) const
         reading.sightings = reading.fit.inliers;
     else if (const auto error = seenTwice(reading))
         return tl::unexpected(*error);
-    addPredicted(reading);
+    if (reading.rule)
+        addPredicted(reading);
     refineGroups(m_layout, reading.sightings, m_camera);
-    LayoutTags tags{{}, {}, reading.rule->byPlace};
+    LayoutTags tags{{}, {}, reading.rule && reading.rule->byPlace};
     for (std::size_t i = 0; i < m_layout.markers.size(); ++i) {
         const auto seen = std::ranges::find(reading.sightings, i, &TagSighting::marker);
         if (seen == reading.sightings.end())

@@ -9,6 +9,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <cmath>
 #include <functional>
 #include <iterator>
 #include <optional>
@@ -167,6 +168,23 @@ std::optional<std::size_t> visibleMarkers(const std::vector<MarkerPixel> &marker
         return pixel && pixel->x() > 0 && pixel->y() > 0 && pixel->x() < lens.widthPx &&
                pixel->y() < lens.heightPx;
     }));
+}
+
+/// The probability, as its decimal logarithm, that so many of the visible markers have a shape that near by
+/// chance: binomial, from three that are given. shapes: how many lie in the image.
+double chanceOf(const GrownAssignment &assignment, std::size_t visible, std::size_t shapes)
+{
+    constexpr double given = 3, leastMisfit = 0.01, reach = 2;
+    const double n = static_cast<double>(std::max(visible, assignment.matched)) - given,
+                 k = static_cast<double>(assignment.matched) - given;
+    if (!(k > 0))
+        return 0;
+    // As dense as the markers are, shapes have each one spacing squared for themselves.
+    const double dense = std::max(1.0, static_cast<double>(shapes) / (n + given));
+    const double within = reach * std::max(leastMisfit, assignment.misfit);
+    const double share = std::min(0.9, dense * double(EIGEN_PI) * within * within);
+    const double ways = std::lgamma(n + 1) - std::lgamma(k + 1) - std::lgamma(n - k + 1);
+    return (ways + k * std::log(share)) / std::log(10.0);
 }
 
 /// Of many markers: from neighbours.

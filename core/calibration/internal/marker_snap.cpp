@@ -7,6 +7,7 @@
 #include "core/calibration/marker_detection.h"
 
 #include <Eigen/Geometry>
+#include <Eigen/LU>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -20,6 +21,7 @@ namespace {
 using Eigen::Vector2d;
 
 constexpr int largestMarkerPx = 130; // from its middle to its rim
+constexpr double besideTag = 1.15;   // of its half side
 constexpr int tapeReachPx = 26;      // beyond the reach: how much of the strips counts
 constexpr double leastTapePx = 3, mostTapePx = 40;
 constexpr double antiparallel = -0.95; // 18°: perspective
@@ -27,7 +29,7 @@ constexpr double armPx = 5;            // of a strip beyond the crossing, to cou
 constexpr double roundedPx = 3;        // about a corner, where no points of edges are taken
 constexpr float fieldPx = 5;           // from a saddle into its fields
 constexpr double leastContrast = 24;   // between them: a floor's own grain has saddles as well
-constexpr double leastSigmaPx = 0.02, clickSigmaPx = 1, saddleSigmaPx = 0.1;
+constexpr double leastSnapSigmaPx = 0.02, clickSigmaPx = 1, saddleSigmaPx = 0.1;
 
 PixelRect around(const Vector2d &near, double reach)
 {
@@ -36,13 +38,21 @@ PixelRect around(const Vector2d &near, double reach)
             static_cast<int>(std::ceil(near.y() + reach)) + 1};
 }
 
+/// Beside a tag of a ChArUco board its corners are meant, beside others of ours the tag.
+bool isMeant(const SeenTag &tag, const Vector2d &click)
+{
+    const Vector2d inTag = (tag.pixelFromTag.inverse() * click.homogeneous()).hnormalized();
+    return tag.family == printedTagFamily().front() || inTag.cwiseAbs().maxCoeff() < besideTag;
+}
+
 std::optional<SnappedMarker> nearestTag(const Frame &frame, const Vector2d &near, double reachPx)
 {
     std::optional<SnappedMarker> best;
     for (const SeenTag &tag : findTags(frame, around(near, reachPx + largestMarkerPx), allTagFamilies())) {
-        if ((tag.pixel - near).norm() <= reachPx &&
+        if ((tag.pixel - near).norm() <= reachPx && isMeant(tag, near) &&
             (!best || (tag.pixel - near).norm() < (best->pixel - near).norm()))
-            best = SnappedMarker{SnappedMarker::Kind::Tag, tag.pixel, std::max(leastSigmaPx, tag.sigmaPx)};
+            best =
+                SnappedMarker{SnappedMarker::Kind::Tag, tag.pixel, std::max(leastSnapSigmaPx, tag.sigmaPx)};
     }
     return best;
 }
@@ -60,7 +70,7 @@ std::optional<SnappedMarker> nearestRound(const std::vector<RoundMarker> &shapes
         if (!best || (shape.centrePx - near).norm() < (best->pixel - near).norm())
             best = SnappedMarker{kind == RoundMarker::Kind::Ring ? SnappedMarker::Kind::Ring
                                                                  : SnappedMarker::Kind::Dot,
-                                 shape.centrePx, std::max(leastSigmaPx, shape.sigmaPx)};
+                                 shape.centrePx, std::max(leastSnapSigmaPx, shape.sigmaPx)};
     }
     return best;
 }
@@ -72,7 +82,7 @@ double sigmaOf(const StraightEdge &one, const StraightEdge &other, const Vector2
         std::abs(one.toBright.x() * other.toBright.y() - one.toBright.y() * other.toBright.x());
     const double a = one.sigmaAt(one.direction().dot(crossing - one.middle));
     const double b = other.sigmaAt(other.direction().dot(crossing - other.middle));
-    return std::max(leastSigmaPx, std::hypot(a, b) / sine / std::sqrt(2.0));
+    return std::max(leastSnapSigmaPx, std::hypot(a, b) / sine / std::sqrt(2.0));
 }
 
 /// Two edges with a strip of tape between them.
@@ -152,7 +162,8 @@ std::optional<SnappedMarker> nearestCrossing(const std::vector<StraightEdge> &ed
                 continue;
             const double sigma = 0.5 * std::hypot(sigmaOf(*strips[i].left, *strips[j].left, middle),
                                                   sigmaOf(*strips[i].right, *strips[j].right, middle));
-            best = SnappedMarker{SnappedMarker::Kind::TapeCrossing, middle, std::max(leastSigmaPx, sigma)};
+            best =
+                SnappedMarker{SnappedMarker::Kind::TapeCrossing, middle, std::max(leastSnapSigmaPx, sigma)};
         }
     }
     return best;

@@ -17,11 +17,11 @@ namespace {
 using Eigen::Vector2d;
 
 constexpr std::size_t leastMarkers = 4;
-constexpr double leastShare = 0.6; // of the markers seen
+constexpr double leastFitShare = 0.6; // of the markers seen
 constexpr std::size_t leastChanceTags = 4;
 constexpr int mostSamples = 300;
-constexpr double leastReachPx = 6, reachOfExtent = 0.03; // an unknown lens bends that much
-constexpr double mostStretch = 1.25;                     // of a tag's sides on the floor
+constexpr double leastFitReachPx = 6, reachOfExtent = 0.03; // an unknown lens bends that much
+constexpr double mostStretch = 1.25;                        // of a tag's sides on the floor
 constexpr int groupRounds = 4;
 
 const std::array<Vector2d, 4> tagCorners{Vector2d(-1, -1), Vector2d(1, -1), Vector2d(1, 1), Vector2d(-1, 1)};
@@ -160,7 +160,7 @@ std::vector<TagSighting> sightingsOf(const TagRule &rule, const std::vector<Seen
 bool TagFit::isAccepted() const
 {
     if (inliers.size() < leastMarkers ||
-        static_cast<double>(inliers.size()) < leastShare * static_cast<double>(seen))
+        static_cast<double>(inliers.size()) < leastFitShare * static_cast<double>(seen))
         return false;
     // One square that reads as a tag by chance gives four corners.
     std::set<TagName> byChance, others;
@@ -182,7 +182,7 @@ TagFit fitTags(const MarkerLayout &layout, const TagRule &rule, const std::vecto
     std::vector<Vector2d> pixels;
     for (const PointPair &pair : pairsOf(layout, sightings, ideal))
         pixels.push_back(pair.target);
-    const double reachPx = std::max(leastReachPx, reachOfExtent * extentOf(pixels));
+    const double reachPx = std::max(leastFitReachPx, reachOfExtent * extentOf(pixels));
     std::mt19937 random(1);
     std::vector<std::size_t> best;
     const auto tryMap = [&](const std::vector<TagSighting> &some) {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/calibration/internal/tag_labels.h"
 
+#include "core/calibration/internal/layout_board.h"
+
 #include <algorithm>
 #include <array>
 #include <cctype>
@@ -123,8 +125,10 @@ std::vector<TagRule> tagRules(const MarkerLayout &layout)
     const bool allNamed =
         std::ranges::all_of(labels, [](const auto &label) { return label && label->family; });
     TagRule byPlace{true, false, {}};
-    for (std::size_t i = 0; i < layout.markers.size(); ++i)
-        byPlace.points.push_back({i, {{printedTagFamily().front(), static_cast<int>(i)}}, std::nullopt});
+    for (std::size_t i = 0; i < layout.markers.size(); ++i) {
+        if (!boardCorner(layout.markers[i].label))
+            byPlace.points.push_back({i, {{printedTagFamily().front(), static_cast<int>(i)}}, std::nullopt});
+    }
     std::vector<TagRule> rules;
     const auto add = [&](TagRule rule) {
         if (!rule.points.empty() && std::ranges::find(rules, rule.points, &TagRule::points) == rules.end())
