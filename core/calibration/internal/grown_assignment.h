@@ -32,8 +32,8 @@ struct GrownAssignment
 /// a marker and two neighbours are given a shape and two of its neighbours, and from there each next marker
 /// is predicted by a projective map through those around it, so that a lens that bends the image by tens of
 /// pixels does not matter. Markers may be hidden, and shapes may be none. Kept are assignments with eight
-/// markers or more that are seen from above, each once; most markers first. With few markers some fit by
-/// chance: see chanceOf(). known: the shape of each marker whose shape is known, or nothing. Best for 12 to
+/// markers or more that are seen from above, each once; most markers first. Few markers may fit by chance.
+/// known: the shape of each marker whose shape is known, or nothing. Best for 12 to
 /// 400 markers. Thread-safe.
 std::vector<GrownAssignment> growAssignments(const std::vector<Eigen::Vector2d> &markers,
                                              const std::vector<MarkerShapeSeen> &shapes,

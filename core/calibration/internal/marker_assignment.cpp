@@ -26,6 +26,7 @@ using Solution = AssignmentSearch::Solution;
 
 constexpr double clearlyBetter = 3, leastDifferencePx = 0.7;
 constexpr std::size_t leastToGrow = 12;        // markers; fewer have too few neighbours
+constexpr std::size_t mostToSearch = 24;       // markers; of more there are too many fours
 constexpr std::size_t mostGrown = 400;         // shapes, the largest ones
 constexpr std::size_t mostPosed = 40;          // assignments
 constexpr double mostChance = -9;              // decimal logarithm; thousands of beginnings are tried
@@ -236,13 +237,16 @@ Result<std::vector<MarkerPixel>> assignMarkers(const std::vector<RoundMarker> &s
     std::vector<RoundMarker> rings;
     std::ranges::copy_if(shapes, std::back_inserter(rings),
                          [](const RoundMarker &shape) { return shape.kind == RoundMarker::Kind::Ring; });
-    const auto assign = layout.markers.size() >= leastToGrow ? grownFrom : searched;
     std::optional<Result<std::vector<MarkerPixel>>> best;
     std::size_t most = 0;
     for (const std::vector<RoundMarker> &some : {rings, shapes}) {
         if (best && (most == layout.markers.size() || some.size() == rings.size()))
             break;
-        auto outcome = assign(some, layout, camera, intrinsicsKnown, hints);
+        std::optional<Outcome> outcome;
+        if (layout.markers.size() >= leastToGrow)
+            outcome = grownFrom(some, layout, camera, intrinsicsKnown, hints);
+        if (!outcome && layout.markers.size() <= mostToSearch)
+            outcome = searched(some, layout, camera, intrinsicsKnown, hints);
         if (!outcome || outcome->matched <= most)
             continue;
         most = outcome->matched;
