@@ -49,7 +49,8 @@ struct SnappedMarker
 };
 
 /// Moves a click to the marker that was meant: the first of the kinds above of which there is one within
-/// reachPx; a dot only where the click lies in it, a corner or a saddle by which is nearer. Thread-safe.
+/// reachPx; a dot only where the click lies in it, an ArUco tag likewise, a corner or a saddle by which is
+/// nearer. Thread-safe.
 SnappedMarker snapToMarker(const Frame &frame, const Eigen::Vector2d &near, double reachPx = 20);
 
 } // namespace odo

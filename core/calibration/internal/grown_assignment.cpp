@@ -25,7 +25,7 @@ using Eigen::Vector2d;
 
 constexpr int nothing = GrownAssignment::nothing;
 constexpr std::size_t markerNeighbours = 12, shapeNeighbours = 10, basisNeighbours = 6;
-constexpr std::size_t mostSeedMarkers = 12, mostBases = 4;
+constexpr std::size_t mostSeedMarkers = 12, mostBases = 4, fewSeedMarkers = 6; // few, of small seeds
 constexpr std::size_t fewNeighbours = 5, farNeighbours = 8; // of a marker about which many are hidden
 constexpr std::size_t leastMatched = 8, leastSupport = 3;
 constexpr std::array<std::size_t, 3> seedSizes{6, 5, 4}; // of those neighbours and the marker, tried in turn
@@ -36,7 +36,7 @@ constexpr double leastGrowReachPx = 1.5;
 constexpr double mostAreaRatio = 2.5;                                   // of a marker and its neighbours
 constexpr double leastOutlier = 0.03, mostOutlier = 0.15, ofMedian = 4; // of the same, from the prediction
 constexpr double mostGrownMisfit = 0.08;
-constexpr std::size_t spareMisses = 6; // beyond half, before a growth ends
+constexpr std::size_t spareMisses = 5; // beyond half of the steps, before a growth ends
 
 double crossOf(const Vector2d &a, const Vector2d &b)
 {
@@ -298,7 +298,8 @@ std::optional<GrownAssignment> Growth::grown(const Pairs &seed) const
         const double reachPx = std::max(leastGrowReachPx, growReach * spacingAt(marker, state, *pixel));
         if (const auto shape = shapeNear(marker, state, used, *pixel, reachPx))
             give(marker, *shape);
-        else if (++missed > state.matched + spareMisses || m_markers.size() - missed + 1 < m_most)
+        else if (++missed > state.matched - seed.size() + spareMisses ||
+                 m_markers.size() - missed + 1 < m_most)
             return std::nullopt;
     }
     if (state.matched < leastMatched)
@@ -369,7 +370,10 @@ void Growth::judge(GrownAssignment &state) const
 
 void Growth::trySeeds(std::size_t seedSize)
 {
-    for (const int marker : seedMarkers()) {
+    std::vector<int> seeds = seedMarkers();
+    if (seedSize == seedSizes.back() && seeds.size() > fewSeedMarkers)
+        seeds.resize(fewSeedMarkers);
+    for (const int marker : seeds) {
         for (const auto &basis : basesOf(marker)) {
             for (int shape = 0; shape < static_cast<int>(m_shapes.size()); ++shape) {
                 endIfCancelled();

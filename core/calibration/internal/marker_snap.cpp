@@ -20,9 +20,9 @@ namespace {
 
 using Eigen::Vector2d;
 
-constexpr int largestMarkerPx = 130; // from its middle to its rim
-constexpr double besideTag = 1.15;   // of its half side
-constexpr int tapeReachPx = 26;      // beyond the reach: how much of the strips counts
+constexpr int largestMarkerPx = 130;               // from its middle to its rim
+constexpr double inMiddle = 0.5, besideTag = 1.15; // of its half side
+constexpr int tapeReachPx = 26;                    // beyond the reach: how much of the strips counts
 constexpr double leastTapePx = 3, mostTapePx = 40;
 constexpr double antiparallel = -0.95; // 18°: perspective
 constexpr double armPx = 5;            // of a strip beyond the crossing, to count as one
@@ -38,19 +38,22 @@ PixelRect around(const Vector2d &near, double reach)
             static_cast<int>(std::ceil(near.y() + reach)) + 1};
 }
 
-/// Beside a tag of a ChArUco board its corners are meant, beside others of ours the tag.
+/// Beside a tag of a ChArUco board its corners are meant, beside the printed ones the tag; what reads by
+/// chance is a tag only in its middle.
 bool isMeant(const SeenTag &tag, const Vector2d &click)
 {
     const Vector2d inTag = (tag.pixelFromTag.inverse() * click.homogeneous()).hnormalized();
-    return tag.family == printedTagFamily().front() || inTag.cwiseAbs().maxCoeff() < besideTag;
+    return tag.family == printedTagFamily().front() ||
+           inTag.cwiseAbs().maxCoeff() < (isReadByChance(tag.family) ? inMiddle : besideTag);
 }
 
-std::optional<SnappedMarker> nearestTag(const Frame &frame, const Vector2d &near, double reachPx)
+std::optional<SnappedMarker> nearestTag(const std::vector<SeenTag> &tags, bool byChance, const Vector2d &near,
+                                        double reachPx)
 {
     std::optional<SnappedMarker> best;
-    for (const SeenTag &tag : findTags(frame, around(near, reachPx + largestMarkerPx), allTagFamilies())) {
-        if ((tag.pixel - near).norm() <= reachPx && isMeant(tag, near) &&
-            (!best || (tag.pixel - near).norm() < (best->pixel - near).norm()))
+    for (const SeenTag &tag : tags) {
+        if (isReadByChance(tag.family) == byChance && (tag.pixel - near).norm() <= reachPx &&
+            isMeant(tag, near) && (!best || (tag.pixel - near).norm() < (best->pixel - near).norm()))
             best =
                 SnappedMarker{SnappedMarker::Kind::Tag, tag.pixel, std::max(leastSnapSigmaPx, tag.sigmaPx)};
     }
@@ -255,13 +258,16 @@ SnappedMarker snapToMarker(const Frame &frame, const Vector2d &near, double reac
     if (frame.y.data == nullptr || !near.allFinite() || near.x() < 0 || near.y() < 0 ||
         near.x() > frame.y.width - 1 || near.y() > frame.y.height - 1)
         return click;
-    if (const auto tag = nearestTag(frame, near, reachPx))
+    const auto tags = findTags(frame, around(near, reachPx + largestMarkerPx), allTagFamilies());
+    if (const auto tag = nearestTag(tags, false, near, reachPx))
         return *tag;
     const auto shapes = findRoundMarkers(frame, around(near, reachPx + largestMarkerPx));
     if (const auto ring = nearestRound(shapes, RoundMarker::Kind::Ring, near, reachPx))
         return *ring;
     if (const auto dot = nearestRound(shapes, RoundMarker::Kind::Dot, near, reachPx))
         return *dot;
+    if (const auto tag = nearestTag(tags, true, near, reachPx))
+        return *tag;
     return nearestOfEdges(frame, near, reachPx).value_or(click);
 }
 
