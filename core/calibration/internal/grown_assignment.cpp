@@ -36,7 +36,7 @@ constexpr double leastGrowReachPx = 1.5;
 constexpr double mostAreaRatio = 2.5;                                   // of a marker and its neighbours
 constexpr double leastOutlier = 0.03, mostOutlier = 0.15, ofMedian = 4; // of the same, from the prediction
 constexpr double mostGrownMisfit = 0.08;
-constexpr std::size_t spareMisses = 5; // beyond half of the steps, before a growth ends
+constexpr std::size_t spareMisses = 8; // beyond half of the steps, before a growth ends
 
 double crossOf(const Vector2d &a, const Vector2d &b)
 {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/calibration/internal/marker_assignment.h"
 
+#include "core/base/percentile.h"
 #include "core/calibration/internal/assignment_search.h"
 #include "core/calibration/internal/grown_assignment.h"
 #include "core/calibration/internal/plane_pose.h"
@@ -12,6 +13,7 @@
 #include <cmath>
 #include <functional>
 #include <iterator>
+#include <limits>
 #include <optional>
 #include <set>
 #include <string>
@@ -33,6 +35,8 @@ constexpr double mostChance = -9;              // decimal logarithm; thousands o
 constexpr double leastMisfitDifference = 0.02; // of the markers' spacing
 constexpr double grownHintReachPx = 20;
 constexpr double leastPoseFitPx = 1.5, worstPoseFit = 0.004; // of the extent, of a lens that is known
+constexpr std::size_t mostStrays = 3;                        // a third
+constexpr double leastStrayPx = 3, strayOfMedian = 10;       // of the misfits: one is astray
 constexpr double worstBentFit = 0.03;                        // of one that is not
 
 tl::unexpected<Error> refuseAssignment(Message why, Message advice)
@@ -145,25 +149,50 @@ std::vector<int> knownShapes(std::vector<MarkerShapeSeen> &shapes, const MarkerL
     return known;
 }
 
-/// How many of the layout's markers lie in the image of a camera that sees these ones; nullopt where no
-/// camera above the floor can.
-std::optional<std::size_t> visibleMarkers(const std::vector<MarkerPixel> &markers, const MarkerLayout &layout,
-                                          const CameraModel &camera, bool intrinsicsKnown)
+/// A pose that fits the markers, without those that do not fit it: growth over a gap may have gone astray.
+/// nullopt where no camera above the floor sees most of them so.
+std::optional<PlanePose> posedWithoutStrays(GrownAssignment &one, const std::vector<MarkerShapeSeen> &seen,
+                                            const MarkerLayout &layout, const CameraModel &camera,
+                                            bool intrinsicsKnown)
 {
-    std::vector<PointPair> pairs;
-    std::vector<Vector2d> pixels;
-    for (const MarkerPixel &marker : markers) {
-        pixels.push_back(marker.pixel);
-        pairs.push_back({std::ranges::find(layout.markers, marker.label, &Marker::label)->pointInWorld,
-                         marker.pixel, marker.label});
+    const double share = intrinsicsKnown ? worstPoseFit : worstBentFit;
+    for (const std::size_t least = one.matched - one.matched / mostStrays; one.matched >= least;) {
+        std::vector<PointPair> pairs;
+        std::vector<Vector2d> pixels;
+        std::vector<std::size_t> labels;
+        for (std::size_t label = 0; label < layout.markers.size(); ++label) {
+            if (one.shapes[label] < 0)
+                continue;
+            pixels.push_back(seen[static_cast<std::size_t>(one.shapes[label])].pixel);
+            pairs.push_back({layout.markers[label].pointInWorld, pixels.back(), layout.markers[label].label});
+            labels.push_back(label);
+        }
+        const auto pose =
+            fitPlanePose(pairs, camera, intrinsicsKnown ? FocalLength::Known : FocalLength::Free);
+        if (!pose || !(pose->worldFromCamera.translation.z() > 0))
+            return std::nullopt;
+        const FloorView view(pose->camera, pose->worldFromCamera, Eigen::Matrix<double, 6, 6>::Zero());
+        std::vector<double> away;
+        for (const PointPair &pair : pairs) {
+            const auto pixel = view.pixelFromWorld({pair.source.x(), pair.source.y(), 0});
+            away.push_back(pixel ? (*pixel - pair.target).norm() : std::numeric_limits<double>::infinity());
+        }
+        const auto worst = std::ranges::max_element(away) - away.begin();
+        const double worstPx = away[static_cast<std::size_t>(worst)];
+        if (pose->rmsPx < std::max(leastPoseFitPx, share * extentOf(pixels)) &&
+            worstPx < std::max(leastStrayPx, strayOfMedian * upperMedian(std::move(away))))
+            return *pose;
+        one.shapes[labels[static_cast<std::size_t>(worst)]] = GrownAssignment::nothing;
+        --one.matched;
     }
-    const auto pose = fitPlanePose(pairs, camera, intrinsicsKnown ? FocalLength::Known : FocalLength::Free);
-    const double worst = (intrinsicsKnown ? worstPoseFit : worstBentFit) * extentOf(pixels);
-    if (!pose || !(pose->worldFromCamera.translation.z() > 0) ||
-        !(pose->rmsPx < std::max(leastPoseFitPx, worst)))
-        return std::nullopt;
-    const FloorView view(pose->camera, pose->worldFromCamera, Eigen::Matrix<double, 6, 6>::Zero());
-    const Intrinsics &lens = camera.intrinsics();
+    return std::nullopt;
+}
+
+/// How many of the layout's markers lie in the image.
+std::size_t visibleMarkers(const PlanePose &pose, const MarkerLayout &layout)
+{
+    const FloorView view(pose.camera, pose.worldFromCamera, Eigen::Matrix<double, 6, 6>::Zero());
+    const Intrinsics &lens = pose.camera.intrinsics();
     return static_cast<std::size_t>(std::ranges::count_if(layout.markers, [&](const Marker &marker) {
         const auto pixel = view.pixelFromWorld({marker.pointInWorld.x(), marker.pointInWorld.y(), 0});
         return pixel && pixel->x() > 0 && pixel->y() > 0 && pixel->x() < lens.widthPx &&
@@ -208,10 +237,12 @@ std::optional<Outcome> grownFrom(const std::vector<RoundMarker> &shapes, const M
         return pixelsOf(one.shapes, layout,
                         [&](int shape) { return seen[static_cast<std::size_t>(shape)].pixel; });
     };
-    std::erase_if(grown, [&](const GrownAssignment &one) {
-        const auto visible = visibleMarkers(markersOf(one), layout, camera, intrinsicsKnown);
-        return !visible || 2 * one.matched < *visible || chanceOf(one, *visible, seen.size()) > mostChance;
+    std::erase_if(grown, [&](GrownAssignment &one) {
+        const auto pose = posedWithoutStrays(one, seen, layout, camera, intrinsicsKnown);
+        const std::size_t visible = pose ? visibleMarkers(*pose, layout) : 0;
+        return !pose || 2 * one.matched < visible || chanceOf(one, visible, seen.size()) > mostChance;
     });
+    std::ranges::stable_sort(grown, std::greater(), &GrownAssignment::matched);
     if (grown.empty())
         return std::nullopt;
     const GrownAssignment &best = grown.front();
