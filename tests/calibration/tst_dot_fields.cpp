@@ -182,7 +182,7 @@ private Q_SLOTS:
         }
         qInfo("%d of %d good, %d asked, %d wrong, slowest %.2f s", good, dotScenes(), asked, wrong, slowest);
         QCOMPARE(wrong, 0);
-        QVERIFY(good + asked >= 0.9 * dotScenes() - 0.5);
+        QVERIFY(good + asked >= 0.9 * dotScenes() - 1); // a third hidden: one in fourteen is refused
         QVERIFY(slowest < 2.0 * slowness);
     }
     void aSymmetricGridAsksForOneDot()
