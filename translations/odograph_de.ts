@@ -3959,6 +3959,13 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
 </context>
 <context>
+    <name>calibration.check_tag_places</name>
+    <message>
+        <source>check the layout&apos;s positions and their unit, or mark the markers by hand</source>
+        <translation>prüfen Sie die Positionen des Plans und ihre Einheit, oder markieren Sie die Marker von Hand</translation>
+    </message>
+</context>
+<context>
     <name>calibration.check_unit</name>
     <message>
         <source>check the unit of the layout</source>
@@ -5107,6 +5114,13 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
 </context>
 <context>
+    <name>calibration.name_tag_family</name>
+    <message>
+        <source>write the family into the labels, such as 36h11:7, or mark a marker by hand</source>
+        <translation>schreiben Sie die Familie in die Bezeichnungen, etwa 36h11:7, oder markieren Sie einen Marker von Hand</translation>
+    </message>
+</context>
+<context>
     <name>calibration.name_two_apart</name>
     <message>
         <source>name two at different positions</source>
@@ -5926,6 +5940,13 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
 </context>
 <context>
+    <name>calibration.show_numbered_tags</name>
+    <message>
+        <source>show the missing tags (of one family, with the numbers of the labels) or rings, or mark the markers by hand</source>
+        <translation>zeigen Sie die fehlenden Tags (einer Familie, mit den Nummern der Bezeichnungen) oder Ringe, oder markieren Sie die Marker von Hand</translation>
+    </message>
+</context>
+<context>
     <name>calibration.show_one_charuco</name>
     <message>
         <source>show one ChArUco board</source>
@@ -6010,10 +6031,31 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
 </context>
 <context>
+    <name>calibration.tags_fit_by_place_too</name>
+    <message>
+        <source>the tags fit the layout by the numbers in its labels and, numbered from 0, by its order</source>
+        <translation>die Tags passen zum Plan nach den Nummern in seinen Bezeichnungen und, ab 0 nummeriert, nach seiner Reihenfolge</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.tags_fit_nowhere</name>
+    <message>
+        <source>tags with the layout&apos;s numbers are there (%1), but not at its positions</source>
+        <translation>Tags mit den Nummern des Plans sind da (%1), aber nicht an seinen Positionen</translation>
+    </message>
+</context>
+<context>
     <name>calibration.tags_mirrored</name>
     <message>
         <source>%1 tags were found, mirrored</source>
         <translation>%1 Tags wurden gespiegelt gefunden</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.tags_of_two_families</name>
+    <message>
+        <source>tags of two families, %1 and %2, fit the layout</source>
+        <translation>Tags zweier Familien, %1 und %2, passen zum Plan</translation>
     </message>
 </context>
 <context>

@@ -3959,6 +3959,13 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     </message>
 </context>
 <context>
+    <name>calibration.check_tag_places</name>
+    <message>
+        <source>check the layout&apos;s positions and their unit, or mark the markers by hand</source>
+        <translation>compruebe las posiciones del plano y su unidad, o marque los marcadores a mano</translation>
+    </message>
+</context>
+<context>
     <name>calibration.check_unit</name>
     <message>
         <source>check the unit of the layout</source>
@@ -5107,6 +5114,13 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     </message>
 </context>
 <context>
+    <name>calibration.name_tag_family</name>
+    <message>
+        <source>write the family into the labels, such as 36h11:7, or mark a marker by hand</source>
+        <translation>escriba la familia en las etiquetas, por ejemplo 36h11:7, o marque un marcador a mano</translation>
+    </message>
+</context>
+<context>
     <name>calibration.name_two_apart</name>
     <message>
         <source>name two at different positions</source>
@@ -5926,6 +5940,13 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     </message>
 </context>
 <context>
+    <name>calibration.show_numbered_tags</name>
+    <message>
+        <source>show the missing tags (of one family, with the numbers of the labels) or rings, or mark the markers by hand</source>
+        <translation>muestre los tags que faltan (de una familia, con los números de las etiquetas) o anillos, o marque los marcadores a mano</translation>
+    </message>
+</context>
+<context>
     <name>calibration.show_one_charuco</name>
     <message>
         <source>show one ChArUco board</source>
@@ -6010,10 +6031,31 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     </message>
 </context>
 <context>
+    <name>calibration.tags_fit_by_place_too</name>
+    <message>
+        <source>the tags fit the layout by the numbers in its labels and, numbered from 0, by its order</source>
+        <translation>los tags se ajustan al plano por los números de sus etiquetas y, numerados desde 0, por su orden</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.tags_fit_nowhere</name>
+    <message>
+        <source>tags with the layout&apos;s numbers are there (%1), but not at its positions</source>
+        <translation>hay tags con los números del plano (%1), pero no en sus posiciones</translation>
+    </message>
+</context>
+<context>
     <name>calibration.tags_mirrored</name>
     <message>
         <source>%1 tags were found, mirrored</source>
         <translation>se encontraron %1 etiquetas, reflejadas</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.tags_of_two_families</name>
+    <message>
+        <source>tags of two families, %1 and %2, fit the layout</source>
+        <translation>tags de dos familias, %1 y %2, se ajustan al plano</translation>
     </message>
 </context>
 <context>

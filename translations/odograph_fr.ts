@@ -3959,6 +3959,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
 </context>
 <context>
+    <name>calibration.check_tag_places</name>
+    <message>
+        <source>check the layout&apos;s positions and their unit, or mark the markers by hand</source>
+        <translation>vérifiez les positions du plan et leur unité, ou pointez les marqueurs à la main</translation>
+    </message>
+</context>
+<context>
     <name>calibration.check_unit</name>
     <message>
         <source>check the unit of the layout</source>
@@ -5107,6 +5114,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
 </context>
 <context>
+    <name>calibration.name_tag_family</name>
+    <message>
+        <source>write the family into the labels, such as 36h11:7, or mark a marker by hand</source>
+        <translation>écrivez la famille dans les libellés, par exemple 36h11:7, ou pointez un marqueur à la main</translation>
+    </message>
+</context>
+<context>
     <name>calibration.name_two_apart</name>
     <message>
         <source>name two at different positions</source>
@@ -5926,6 +5940,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
 </context>
 <context>
+    <name>calibration.show_numbered_tags</name>
+    <message>
+        <source>show the missing tags (of one family, with the numbers of the labels) or rings, or mark the markers by hand</source>
+        <translation>montrez les tags manquants (d’une même famille, avec les numéros des libellés) ou des anneaux, ou pointez les marqueurs à la main</translation>
+    </message>
+</context>
+<context>
     <name>calibration.show_one_charuco</name>
     <message>
         <source>show one ChArUco board</source>
@@ -6010,10 +6031,31 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
 </context>
 <context>
+    <name>calibration.tags_fit_by_place_too</name>
+    <message>
+        <source>the tags fit the layout by the numbers in its labels and, numbered from 0, by its order</source>
+        <translation>les tags s’ajustent au plan par les numéros de ses libellés et, numérotés à partir de 0, par son ordre</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.tags_fit_nowhere</name>
+    <message>
+        <source>tags with the layout&apos;s numbers are there (%1), but not at its positions</source>
+        <translation>des tags portant les numéros du plan sont là (%1), mais pas à ses positions</translation>
+    </message>
+</context>
+<context>
     <name>calibration.tags_mirrored</name>
     <message>
         <source>%1 tags were found, mirrored</source>
         <translation>%1 tags ont été trouvés, en miroir</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.tags_of_two_families</name>
+    <message>
+        <source>tags of two families, %1 and %2, fit the layout</source>
+        <translation>des tags de deux familles, %1 et %2, s’ajustent au plan</translation>
     </message>
 </context>
 <context>

@@ -3950,6 +3950,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>calibration.check_tag_places</name>
+    <message>
+        <source>check the layout&apos;s positions and their unit, or mark the markers by hand</source>
+        <translation>배치의 위치와 단위를 확인하거나 마커를 손으로 표시하십시오</translation>
+    </message>
+</context>
+<context>
     <name>calibration.check_unit</name>
     <message>
         <source>check the unit of the layout</source>
@@ -5098,6 +5105,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>calibration.name_tag_family</name>
+    <message>
+        <source>write the family into the labels, such as 36h11:7, or mark a marker by hand</source>
+        <translation>이름표에 종류를 적거나(예: 36h11:7) 마커 하나를 손으로 표시하십시오</translation>
+    </message>
+</context>
+<context>
     <name>calibration.name_two_apart</name>
     <message>
         <source>name two at different positions</source>
@@ -5917,6 +5931,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>calibration.show_numbered_tags</name>
+    <message>
+        <source>show the missing tags (of one family, with the numbers of the labels) or rings, or mark the markers by hand</source>
+        <translation>없는 태그(한 종류, 이름표의 번호)나 고리를 보여 주거나 마커를 손으로 표시하십시오</translation>
+    </message>
+</context>
+<context>
     <name>calibration.show_one_charuco</name>
     <message>
         <source>show one ChArUco board</source>
@@ -6001,10 +6022,31 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>calibration.tags_fit_by_place_too</name>
+    <message>
+        <source>the tags fit the layout by the numbers in its labels and, numbered from 0, by its order</source>
+        <translation>태그가 이름표의 번호로도, 0부터 매긴 배치 순서로도 배치에 맞습니다</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.tags_fit_nowhere</name>
+    <message>
+        <source>tags with the layout&apos;s numbers are there (%1), but not at its positions</source>
+        <translation>배치의 번호를 가진 태그(%1)가 있지만 그 위치에 있지 않습니다</translation>
+    </message>
+</context>
+<context>
     <name>calibration.tags_mirrored</name>
     <message>
         <source>%1 tags were found, mirrored</source>
         <translation>태그 %1개가 좌우로 뒤집힌 채 검출되었습니다</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.tags_of_two_families</name>
+    <message>
+        <source>tags of two families, %1 and %2, fit the layout</source>
+        <translation>두 종류의 태그 %1, %2이(가) 배치에 맞습니다</translation>
     </message>
 </context>
 <context>

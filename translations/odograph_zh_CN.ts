@@ -3950,6 +3950,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>calibration.check_tag_places</name>
+    <message>
+        <source>check the layout&apos;s positions and their unit, or mark the markers by hand</source>
+        <translation>请检查布局的位置及其单位，或手动标出标记</translation>
+    </message>
+</context>
+<context>
     <name>calibration.check_unit</name>
     <message>
         <source>check the unit of the layout</source>
@@ -5098,6 +5105,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>calibration.name_tag_family</name>
+    <message>
+        <source>write the family into the labels, such as 36h11:7, or mark a marker by hand</source>
+        <translation>请在标签中写明标签码族，例如 36h11:7，或手动标出一个标记</translation>
+    </message>
+</context>
+<context>
     <name>calibration.name_two_apart</name>
     <message>
         <source>name two at different positions</source>
@@ -5917,6 +5931,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>calibration.show_numbered_tags</name>
+    <message>
+        <source>show the missing tags (of one family, with the numbers of the labels) or rings, or mark the markers by hand</source>
+        <translation>请展示缺少的标签码（同一族，编号与标签一致）或圆环，或手动标出标记</translation>
+    </message>
+</context>
+<context>
     <name>calibration.show_one_charuco</name>
     <message>
         <source>show one ChArUco board</source>
@@ -6001,10 +6022,31 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>calibration.tags_fit_by_place_too</name>
+    <message>
+        <source>the tags fit the layout by the numbers in its labels and, numbered from 0, by its order</source>
+        <translation>标签码按布局标签中的编号吻合，按布局顺序从 0 编号也吻合</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.tags_fit_nowhere</name>
+    <message>
+        <source>tags with the layout&apos;s numbers are there (%1), but not at its positions</source>
+        <translation>存在带有布局编号的标签码（%1），但不在布局的位置上</translation>
+    </message>
+</context>
+<context>
     <name>calibration.tags_mirrored</name>
     <message>
         <source>%1 tags were found, mirrored</source>
         <translation>找到 %1 个镜像的标签</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.tags_of_two_families</name>
+    <message>
+        <source>tags of two families, %1 and %2, fit the layout</source>
+        <translation>%1 和 %2 两族标签码都与布局吻合</translation>
     </message>
 </context>
 <context>

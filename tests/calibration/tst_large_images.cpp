@@ -202,7 +202,7 @@ private Q_SLOTS:
     {
         constexpr int cellPx = 30, tagAt = 2000, ringAt = 5000;
         cv::Mat image(height, width, CV_8UC1, cv::Scalar(200));
-        const TagCells cells = tagCells(3);
+        const TagCells cells = *tagCells({TagFamily::AprilTag36h11, 3});
         for (int y = 0; y < cells.side; ++y)
             for (int x = 0; x < cells.side; ++x)
                 image(cv::Rect(tagAt + x * cellPx, tagAt + y * cellPx, cellPx, cellPx)) =

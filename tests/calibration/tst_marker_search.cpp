@@ -2,7 +2,7 @@
 #include "core/calibration/internal/image_edges.h"
 #include "core/calibration/internal/marker_assignment.h"
 #include "core/calibration/internal/round_markers.h"
-#include "core/calibration/internal/tag_detection.h"
+#include "core/calibration/internal/tag_prediction.h"
 #include "core/calibration/marker_detection.h"
 #include "tests/calibration/floor_views.h"
 #include "tests/support/contains.h"
@@ -25,6 +25,15 @@ MarkerLayout layout()
 MarkerLayout rectangle()
 {
     return {"floor", {{"O", {0, 0}}, {"U", {2.4, 0}}, {"V", {0, 1.8}}, {"D", {2.4, 1.8}}}};
+}
+
+/// Its tags, numbered in the layout's order.
+std::vector<FloorTag> byPlace(const MarkerLayout &layout)
+{
+    std::vector<FloorTag> tags;
+    for (const Marker &marker : layout.markers)
+        tags.push_back({{TagFamily::AprilTag36h11, static_cast<int>(tags.size())}, marker.pointInWorld});
+    return tags;
 }
 
 /// RMS of the distances, or nullopt where a marker is missing or another was taken for it.
@@ -212,7 +221,7 @@ private Q_SLOTS:
         QVERIFY(!tags.empty());
         more.markers[5].pointInWorld = layout().markers[std::size_t(tags.front().number)].pointInWorld;
         for (const SeenTag &tag :
-             predictedTags(drawn.frame, more, tags, drawn.scene.cameras[0].view.camera()))
+             predictedTags(drawn.frame, byPlace(more), tags, drawn.scene.cameras[0].view.camera()))
             QVERIFY(tag.number != 5);
     }
     void ringsTooSmallForTheirHolesAreTakenForDots()
@@ -231,10 +240,12 @@ private Q_SLOTS:
         auto tags = findTags(drawn.frame);
         QVERIFY(tags.size() >= 3);
         tags.resize(3);
-        QVERIFY(predictedTags(drawn.frame, layout(), tags, std::nullopt).empty());
-        QVERIFY(!predictedTags(drawn.frame, layout(), tags, drawn.scene.cameras[0].view.camera()).empty());
+        QVERIFY(predictedTags(drawn.frame, byPlace(layout()), tags, std::nullopt).empty());
+        QVERIFY(!predictedTags(drawn.frame, byPlace(layout()), tags, drawn.scene.cameras[0].view.camera())
+                     .empty());
         tags.resize(1);
-        QVERIFY(predictedTags(drawn.frame, layout(), tags, drawn.scene.cameras[0].view.camera()).empty());
+        QVERIFY(predictedTags(drawn.frame, byPlace(layout()), tags, drawn.scene.cameras[0].view.camera())
+                    .empty());
     }
 };
 

@@ -34,7 +34,7 @@ Matrix3d mapOf(double halfPx, const Vector2d &position, double flatness = 0.6)
 cv::Mat imageOf(const Matrix3d &map, double blurPx, double noise, unsigned seed)
 {
     constexpr int parts = 16;
-    const TagCells cells = tagCells(number);
+    const TagCells cells = *tagCells({TagFamily::AprilTag36h11, number});
     const Matrix3d back = map.inverse();
     cv::Mat image(160, 200, CV_32F);
     for (int y = 0; y < image.rows; ++y) {
@@ -94,7 +94,7 @@ private Q_SLOTS:
             Matrix3d start =
                 mapOf(halfPx * 1.03, position + halfPx / 8 * Vector2d(0.5, -0.4 * flatness), flatness);
             start(0, 1) += 0.02 * halfPx;
-            const auto aligned = alignTag(image, tagCells(number), start);
+            const auto aligned = alignTag(image, *tagCells({TagFamily::AprilTag36h11, number}), start);
             QVERIFY(aligned.has_value());
             const double error = (aligned->middle() - position).norm();
             QVERIFY2(error < mostPx, qPrintable(QString::number(error)));
@@ -107,25 +107,32 @@ private Q_SLOTS:
     void isNotLikeAnotherTagOrABareFloor()
     {
         const Matrix3d truth = mapOf(30, {98, 80});
-        const auto other = alignTag(imageOf(truth, 0.5, 2, 1), tagCells(number + 1), truth);
+        const auto other =
+            alignTag(imageOf(truth, 0.5, 2, 1), *tagCells({TagFamily::AprilTag36h11, number + 1}), truth);
         QVERIFY2(!other || other->likeness < 0.7, qPrintable(QString::number(other->likeness)));
         cv::Mat bare(160, 200, CV_8U);
         cv::randn(bare, 128, 6);
-        const auto none = alignTag(bare, tagCells(number), truth);
+        const auto none = alignTag(bare, *tagCells({TagFamily::AprilTag36h11, number}), truth);
         QVERIFY2(!none || none->likeness < 0.5, qPrintable(QString::number(none->likeness)));
-        const auto flat = alignTag(cv::Mat(160, 200, CV_8U, cv::Scalar(128)), tagCells(number), truth);
+        const auto flat = alignTag(cv::Mat(160, 200, CV_8U, cv::Scalar(128)),
+                                   *tagCells({TagFamily::AprilTag36h11, number}), truth);
         QVERIFY(!flat || flat->likeness < 0.5);
     }
     void refusesWhatReachesBeyondThePictureOrIsNoMap()
     {
         const cv::Mat image = imageOf(mapOf(30, {98, 80}), 0.5, 2, 1);
-        QVERIFY(!alignTag(image, tagCells(number), mapOf(30, {20, 80})).has_value());
-        QVERIFY(!alignTag(image, tagCells(number), mapOf(1, {98, 80})).has_value());
-        QVERIFY(!alignTag(image, tagCells(number), Matrix3d::Zero()).has_value());
-        QVERIFY(!alignTag(image, tagCells(number), Matrix3d::Constant(std::nan(""))).has_value());
+        QVERIFY(
+            !alignTag(image, *tagCells({TagFamily::AprilTag36h11, number}), mapOf(30, {20, 80})).has_value());
+        QVERIFY(
+            !alignTag(image, *tagCells({TagFamily::AprilTag36h11, number}), mapOf(1, {98, 80})).has_value());
+        QVERIFY(
+            !alignTag(image, *tagCells({TagFamily::AprilTag36h11, number}), Matrix3d::Zero()).has_value());
+        QVERIFY(
+            !alignTag(image, *tagCells({TagFamily::AprilTag36h11, number}), Matrix3d::Constant(std::nan("")))
+                 .has_value());
         Matrix3d beyond = mapOf(30, {98, 80});
         beyond(2, 0) = 1.2; // its left side lies beyond the horizon
-        QVERIFY(!alignTag(image, tagCells(number), beyond).has_value());
+        QVERIFY(!alignTag(image, *tagCells({TagFamily::AprilTag36h11, number}), beyond).has_value());
     }
 };
 

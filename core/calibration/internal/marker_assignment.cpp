@@ -1,399 +1,43 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/calibration/internal/marker_assignment.h"
 
+#include "core/base/percentile.h"
+#include "core/calibration/internal/assignment_search.h"
+#include "core/calibration/internal/grown_assignment.h"
 #include "core/calibration/internal/plane_pose.h"
-#include "core/calibration/internal/round_markers.h"
-#include "core/calibration/marker_layout.h"
-#include "core/geometry/camera_model.h"
 #include "core/geometry/floor_view.h"
 #include "core/geometry/homography.h"
 
-#include <Eigen/Core>
-#include <Eigen/LU>
+#include <Eigen/Geometry>
 #include <algorithm>
-#include <array>
 #include <cmath>
+#include <functional>
 #include <iterator>
 #include <limits>
 #include <optional>
 #include <set>
-#include <tuple>
+#include <string>
 #include <vector>
 
 namespace odo {
 
-struct PlanePose;
-
-/// The ways to give the shapes of an image to the labels of a layout that a camera above the floor can have
-/// seen: each four labels that span much with each four shapes in the right sense of rotation, as a pose; the
-/// other labels are given the shapes that this pose puts near them, and the pose is refined to all. For one
-/// image, one thread.
-class AssignmentSearch
-{
-public:
-    static constexpr int nothing = -1;
-    using Assignment = std::vector<int>; ///< a candidate for each label of the layout, or nothing
-
-    struct Solution
-    {
-        Assignment assignment;
-        std::size_t matched = 0;
-        bool sizesAgree = true; ///< the markers have one size on the floor
-        double rmsPx = 0;
-    };
-
-    /// Both must outlive this. intrinsicsKnown: false leaves the focal length free.
-    AssignmentSearch(const MarkerLayout &layout, const CameraModel &camera, bool intrinsicsKnown);
-
-    /// The largest of the shapes become candidates.
-    void addShapes(const std::vector<RoundMarker> &shapes);
-    /// Labels that are known: the candidate near the pixel, or the pixel itself.
-    void fix(const std::vector<MarkerPixel> &hints);
-
-    std::size_t count() const { return m_candidates.size(); }
-    const Eigen::Vector2d &pixel(int candidate) const
-    {
-        return m_candidates[static_cast<std::size_t>(candidate)].pixel;
-    }
-
-    /// All assignments that fit, best first: by the number of markers, then by sizes that agree, then by the
-    /// misfit.
-    std::vector<Solution> solutions();
-
-private:
-    using Four = std::array<int, 4>;
-    struct Candidate
-    {
-        Eigen::Vector2d pixel, ray;
-        double areaPx = 0; ///< 0: not known
-    };
-
-    const Eigen::Vector2d &position(int label) const
-    {
-        return m_layout.markers[static_cast<std::size_t>(label)].pointInWorld;
-    }
-    bool add(const Eigen::Vector2d &pixel, double areaPx);
-    double flatness(const Four &four) const;
-    std::vector<Four> labelQuadruples() const;
-    bool mayBe(int label, int candidate) const;
-    void tryShapes(const Four &labels);
-    bool isSeenFromAbove(const Four &labels, const Four &chosen, std::size_t i, std::size_t j,
-                         std::size_t k) const;
-    void tryPose(const Four &labels, const Four &chosen);
-    bool isPoseLike(const Eigen::Matrix3d &map, const std::array<Eigen::Vector2d, 4> &from,
-                    const std::array<Eigen::Vector2d, 4> &to) const;
-    Assignment completed(const Eigen::Matrix3d &map, const Four &labels, const Four &chosen) const;
-    static std::size_t matchedBy(const Assignment &assignment);
-    void refine();
-    bool sizesAgree(const Assignment &assignment, const PlanePose &pose) const;
-
-    const MarkerLayout &m_layout;
-    const CameraModel &m_camera;
-    const bool m_known;
-    double m_extentPx = 0;
-    std::vector<Candidate> m_candidates;
-    Assignment m_fixed;
-    std::set<Assignment> m_seen;
-    std::vector<Assignment> m_rough;
-    std::vector<Solution> m_solutions;
-};
-
 namespace {
 
-using Eigen::Matrix3d;
 using Eigen::Vector2d;
-using Eigen::Vector3d;
-
-constexpr std::size_t mostShapes = 20;     // the largest ones; four of 20 in order are 116280
-constexpr std::size_t mostQuadruples = 12; // of labels, in case some are hidden
-constexpr std::size_t mostRefined = 1200;
-constexpr double hintReachPx = 20;
-constexpr double leastFitPx = 1.5, worstFit = 0.004; // of the markers' extent in the image
-constexpr double roughly = 0.05;                     // of the same: the closed form, before it is refined
-constexpr double mostSizes = 1.35;                   // of the largest marker on the floor, of the smallest
-
-double turn(const Vector2d &a, const Vector2d &b, const Vector2d &c)
-{
-    return (b - a).x() * (c - a).y() - (b - a).y() * (c - a).x();
-}
-
-/// The map of four points onto four, third row's last value 1; nullopt where they do not determine one.
-std::optional<Matrix3d> exactMap(const std::array<Vector2d, 4> &from, const std::array<Vector2d, 4> &to)
-{
-    Eigen::Matrix<double, 8, 8> matrix;
-    Eigen::Matrix<double, 8, 1> right;
-    for (int i = 0; i < 4; ++i) {
-        const Vector2d &p = from[static_cast<std::size_t>(i)], &q = to[static_cast<std::size_t>(i)];
-        matrix.row(2 * i) << p.x(), p.y(), 1, 0, 0, 0, -q.x() * p.x(), -q.x() * p.y();
-        matrix.row(2 * i + 1) << 0, 0, 0, p.x(), p.y(), 1, -q.y() * p.x(), -q.y() * p.y();
-        right.segment<2>(2 * i) = q;
-    }
-    const Eigen::Matrix<double, 8, 1> h = matrix.partialPivLu().solve(right);
-    if (!h.allFinite())
-        return std::nullopt;
-    Matrix3d map;
-    map << h(0), h(1), h(2), h(3), h(4), h(5), h(6), h(7), 1;
-    return map;
-}
-
-} // namespace
-
-AssignmentSearch::AssignmentSearch(const MarkerLayout &layout, const CameraModel &camera,
-                                   bool intrinsicsKnown)
-    : m_layout(layout), m_camera(camera), m_known(intrinsicsKnown), m_fixed(layout.markers.size(), nothing)
-{
-}
-
-void AssignmentSearch::addShapes(const std::vector<RoundMarker> &shapes)
-{
-    for (const RoundMarker &shape : shapes) {
-        if (m_candidates.size() < mostShapes)
-            add(shape.centrePx, shape.outline.area());
-    }
-}
-
-void AssignmentSearch::fix(const std::vector<MarkerPixel> &hints)
-{
-    for (const MarkerPixel &hint : hints) {
-        const auto label = std::ranges::find(m_layout.markers, hint.label, &Marker::label);
-        if (label == m_layout.markers.end())
-            continue;
-        int nearest = nothing;
-        double nearestPx = hintReachPx;
-        for (std::size_t i = 0; i < m_candidates.size(); ++i) {
-            const double away = (m_candidates[i].pixel - hint.pixel).norm();
-            if (away < nearestPx) {
-                nearestPx = away;
-                nearest = static_cast<int>(i);
-            }
-        }
-        if (nearest == nothing && add(hint.pixel, 0))
-            nearest = static_cast<int>(m_candidates.size()) - 1;
-        m_fixed[static_cast<std::size_t>(label - m_layout.markers.begin())] = nearest;
-    }
-}
-
-/// All assignments that fit, best first.
-std::vector<AssignmentSearch::Solution> AssignmentSearch::solutions()
-{
-    std::vector<Vector2d> pixels;
-    for (const Candidate &candidate : m_candidates)
-        pixels.push_back(candidate.pixel);
-    m_extentPx = extentOf(pixels);
-    for (const auto &labels : labelQuadruples())
-        tryShapes(labels);
-    refine();
-    std::ranges::sort(m_solutions, [](const Solution &a, const Solution &b) {
-        return std::tuple(-static_cast<int>(a.matched), !a.sizesAgree, a.rmsPx) <
-               std::tuple(-static_cast<int>(b.matched), !b.sizesAgree, b.rmsPx);
-    });
-    return m_solutions;
-}
-
-bool AssignmentSearch::add(const Vector2d &pixel, double areaPx)
-{
-    const auto ray = m_camera.unproject(pixel);
-    if (!ray || !(ray->z() > 0.1))
-        return false;
-    m_candidates.push_back({pixel, ray->hnormalized(), areaPx});
-    return true;
-}
-
-double AssignmentSearch::flatness(const Four &four) const
-{
-    double least = std::numeric_limits<double>::infinity();
-    for (std::size_t left = 0; left < 4; ++left) {
-        const auto at = [&](std::size_t i) { return position(four[(left + i) % 4]); };
-        least = std::min(least, std::abs(turn(at(1), at(2), at(3))));
-    }
-    return least;
-}
-
-/// Labels to begin with, those that span the most first.
-std::vector<AssignmentSearch::Four> AssignmentSearch::labelQuadruples() const
-{
-    std::vector<Four> all;
-    const int count = static_cast<int>(m_layout.markers.size());
-    for (int a = 0; a < count; ++a)
-        for (int b = a + 1; b < count; ++b)
-            for (int c = b + 1; c < count; ++c)
-                for (int d = c + 1; d < count; ++d)
-                    all.push_back({a, b, c, d});
-    std::ranges::sort(all, std::greater(), [this](const Four &four) { return flatness(four); });
-    std::erase_if(all, [this](const Four &four) { return !(flatness(four) > 0); });
-    if (all.size() > mostQuadruples)
-        all.resize(mostQuadruples);
-    return all;
-}
-
-bool AssignmentSearch::mayBe(int label, int candidate) const
-{
-    const int fixed = m_fixed[static_cast<std::size_t>(label)];
-    if (fixed != nothing)
-        return fixed == candidate;
-    return std::ranges::find(m_fixed, candidate) == m_fixed.end();
-}
-
-void AssignmentSearch::tryShapes(const Four &labels)
-{
-    const int count = static_cast<int>(m_candidates.size());
-    Four chosen{};
-    for (chosen[0] = 0; chosen[0] < count; ++chosen[0]) {
-        if (!mayBe(labels[0], chosen[0]))
-            continue;
-        for (chosen[1] = 0; chosen[1] < count; ++chosen[1]) {
-            if (chosen[1] == chosen[0] || !mayBe(labels[1], chosen[1]))
-                continue;
-            for (chosen[2] = 0; chosen[2] < count; ++chosen[2]) {
-                if (chosen[2] == chosen[0] || chosen[2] == chosen[1] || !mayBe(labels[2], chosen[2]) ||
-                    !isSeenFromAbove(labels, chosen, 0, 1, 2))
-                    continue;
-                for (chosen[3] = 0; chosen[3] < count; ++chosen[3]) {
-                    if (chosen[3] == chosen[0] || chosen[3] == chosen[1] || chosen[3] == chosen[2] ||
-                        !mayBe(labels[3], chosen[3]) || !isSeenFromAbove(labels, chosen, 0, 1, 3) ||
-                        !isSeenFromAbove(labels, chosen, 0, 2, 3) ||
-                        !isSeenFromAbove(labels, chosen, 1, 2, 3))
-                        continue;
-                    tryPose(labels, chosen);
-                }
-            }
-        }
-    }
-}
-
-/// Rows of an image run down: what turns left on the floor turns right in it, whatever the perspective.
-bool AssignmentSearch::isSeenFromAbove(const Four &labels, const Four &chosen, std::size_t i, std::size_t j,
-                                       std::size_t k) const
-{
-    const auto ray = [&](std::size_t n) { return m_candidates[static_cast<std::size_t>(chosen[n])].ray; };
-    return turn(position(labels[i]), position(labels[j]), position(labels[k])) *
-               turn(ray(i), ray(j), ray(k)) <
-           0;
-}
-
-void AssignmentSearch::tryPose(const Four &labels, const Four &chosen)
-{
-    std::array<Vector2d, 4> from, to;
-    for (std::size_t i = 0; i < 4; ++i) {
-        from[i] = position(labels[i]);
-        to[i] = m_candidates[static_cast<std::size_t>(chosen[i])].ray;
-    }
-    auto map = exactMap(from, to);
-    if (!map)
-        return;
-    if ((*map * from[0].homogeneous()).z() < 0)
-        *map = -*map;
-    for (const Vector2d &point : from) {
-        if (!((*map * point.homogeneous()).z() > 0))
-            return;
-    }
-    if (m_known && !isPoseLike(*map, from, to))
-        return;
-    const Assignment assignment = completed(*map, labels, chosen);
-    if (m_seen.insert(assignment).second)
-        m_rough.push_back(assignment);
-}
-
-/// A camera of this lens can have made the map: within what the refinement can correct.
-bool AssignmentSearch::isPoseLike(const Matrix3d &map, const std::array<Vector2d, 4> &from,
-                                  const std::array<Vector2d, 4> &to) const
-{
-    const RigidTransform pose = poseFromHomography(Homography(map));
-    if (!(pose.translation.z() > 0))
-        return false;
-    const RigidTransform cameraFromWorld = pose.inverse();
-    double squares = 0;
-    for (std::size_t i = 0; i < 4; ++i) {
-        const Vector3d point = cameraFromWorld * Vector3d(from[i].x(), from[i].y(), 0);
-        if (!(point.z() > 0))
-            return false;
-        squares += (Vector2d(point.hnormalized()) - to[i]).squaredNorm() / 4;
-    }
-    return std::sqrt(squares) * m_camera.intrinsics().fxPx < std::max(4.0, roughly * m_extentPx);
-}
-
-/// The other labels' candidates, near their projected positions.
-AssignmentSearch::Assignment AssignmentSearch::completed(const Matrix3d &map, const Four &labels,
-                                                         const Four &chosen) const
-{
-    Assignment assignment(m_layout.markers.size(), nothing);
-    for (std::size_t i = 0; i < 4; ++i)
-        assignment[static_cast<std::size_t>(labels[i])] = chosen[i];
-    const double reach = std::max(3.0, 5 * worstFit * m_extentPx) / m_camera.intrinsics().fxPx;
-    for (int label = 0; label < static_cast<int>(assignment.size()); ++label) {
-        int &to = assignment[static_cast<std::size_t>(label)];
-        const Vector3d mapped = map * position(label).homogeneous();
-        if (to != nothing || !(mapped.z() > 0))
-            continue;
-        double nearest = reach;
-        for (int i = 0; i < static_cast<int>(m_candidates.size()); ++i) {
-            const double away =
-                (m_candidates[static_cast<std::size_t>(i)].ray - Vector2d(mapped.hnormalized())).norm();
-            if (away < nearest && mayBe(label, i) && std::ranges::find(assignment, i) == assignment.end()) {
-                nearest = away;
-                to = i;
-            }
-        }
-    }
-    return assignment;
-}
-
-std::size_t AssignmentSearch::matchedBy(const Assignment &assignment)
-{
-    return static_cast<std::size_t>(std::ranges::count_if(assignment, [](int to) { return to != nothing; }));
-}
-
-void AssignmentSearch::refine()
-{
-    std::ranges::stable_sort(m_rough, std::greater(), matchedBy);
-    if (m_rough.size() > mostRefined)
-        m_rough.resize(mostRefined);
-    for (const Assignment &assignment : m_rough) {
-        // Fewer markers than what has fitted already cannot win.
-        if (!m_solutions.empty() && matchedBy(assignment) < m_solutions.front().matched)
-            break;
-        std::vector<PointPair> pairs;
-        std::vector<Vector2d> pixels;
-        for (std::size_t label = 0; label < assignment.size(); ++label) {
-            if (assignment[label] == nothing)
-                continue;
-            pixels.push_back(pixel(assignment[label]));
-            pairs.push_back(
-                {position(static_cast<int>(label)), pixels.back(), m_layout.markers[label].label});
-        }
-        const auto pose = fitPlanePose(pairs, m_camera, m_known ? FocalLength::Known : FocalLength::Free);
-        if (!pose || !(pose->worldFromCamera.translation.z() > 0) ||
-            pose->rmsPx > std::max(leastFitPx, worstFit * extentOf(pixels)))
-            continue;
-        m_solutions.push_back({assignment, pairs.size(), sizesAgree(assignment, *pose), pose->rmsPx});
-    }
-}
-
-/// Markers are printed in one size.
-bool AssignmentSearch::sizesAgree(const Assignment &assignment, const PlanePose &pose) const
-{
-    const FloorView view(pose.camera, pose.worldFromCamera, Eigen::Matrix<double, 6, 6>::Zero());
-    double least = std::numeric_limits<double>::infinity(), most = 0;
-    for (int to : assignment) {
-        if (to == nothing || m_candidates[static_cast<std::size_t>(to)].areaPx == 0)
-            continue;
-        // Of one pixel's square; its root's root is the side that a pixel has on the floor.
-        const auto at = view.locate(pixel(to), Eigen::Matrix2d::Identity(), 0);
-        if (!at)
-            return false;
-        const double floorPerPixel = std::sqrt(std::max(0.0, at->pixelCovariance.determinant()));
-        const double size = std::sqrt(m_candidates[static_cast<std::size_t>(to)].areaPx * floorPerPixel);
-        least = std::min(least, size);
-        most = std::max(most, size);
-    }
-    return !(most > mostSizes * least);
-}
-
-namespace {
-
 using Solution = AssignmentSearch::Solution;
 
 constexpr double clearlyBetter = 3, leastDifferencePx = 0.7;
+constexpr std::size_t leastToGrow = 12;        // markers; fewer have too few neighbours
+constexpr std::size_t mostToSearch = 24;       // markers; of more there are too many fours
+constexpr std::size_t mostGrown = 400;         // shapes, the largest ones
+constexpr std::size_t mostPosed = 40;          // assignments
+constexpr double mostChance = -9;              // decimal logarithm; thousands of beginnings are tried
+constexpr double leastMisfitDifference = 0.02; // of the markers' spacing
+constexpr double grownHintReachPx = 20;
+constexpr double leastPoseFitPx = 1.5, worstPoseFit = 0.004; // of the extent, of a lens that is known
+constexpr std::size_t mostStrays = 3;                        // a third
+constexpr double leastStrayPx = 3, strayOfMedian = 10;       // of the misfits: one is astray
+constexpr double worstBentFit = 0.03;                        // of one that is not
 
 tl::unexpected<Error> refuseAssignment(Message why, Message advice)
 {
@@ -402,39 +46,40 @@ tl::unexpected<Error> refuseAssignment(Message why, Message advice)
                 std::move(why), std::move(advice));
 }
 
-std::vector<MarkerPixel> pixelsOf(const AssignmentSearch &search, const Solution &solution,
-                                  const MarkerLayout &layout)
+/// Those of an assignment; pixel: of a shape by its index.
+std::vector<MarkerPixel> pixelsOf(const std::vector<int> &assignment, const MarkerLayout &layout,
+                                  const std::function<Vector2d(int)> &pixel)
 {
     std::vector<MarkerPixel> pixels;
     for (std::size_t label = 0; label < layout.markers.size(); ++label) {
-        if (solution.assignment[label] != AssignmentSearch::nothing)
-            pixels.push_back({layout.markers[label].label, search.pixel(solution.assignment[label])});
+        if (assignment[label] >= 0)
+            pixels.push_back({layout.markers[label].label, pixel(assignment[label])});
     }
     return pixels;
 }
 
 /// Solutions that are as good as the first one.
-std::vector<Solution> rivals(const std::vector<Solution> &solutions)
+std::vector<std::vector<int>> rivals(const std::vector<Solution> &solutions)
 {
-    std::vector<Solution> rivals;
+    std::vector<std::vector<int>> rivals;
     const Solution &best = solutions.front();
     for (const Solution &other : solutions) {
         if (other.matched == best.matched && other.sizesAgree == best.sizesAgree &&
             other.rmsPx < std::max(clearlyBetter * best.rmsPx, best.rmsPx + leastDifferencePx))
-            rivals.push_back(other);
+            rivals.push_back(other.assignment);
     }
     return rivals;
 }
 
-tl::unexpected<Error> askForOne(const MarkerLayout &layout, const std::vector<Solution> &equal)
+tl::unexpected<Error> askForOne(const MarkerLayout &layout, const std::vector<std::vector<int>> &equal)
 {
     // The label whose shape differs most often says the most.
     std::string best;
     std::size_t most = 0;
     for (std::size_t label = 0; label < layout.markers.size(); ++label) {
         std::set<int> shapes;
-        for (const Solution &solution : equal)
-            shapes.insert(solution.assignment[label]);
+        for (const std::vector<int> &assignment : equal)
+            shapes.insert(assignment[label]);
         if (shapes.size() > most) {
             most = shapes.size();
             best = layout.markers[label].label;
@@ -445,6 +90,173 @@ tl::unexpected<Error> askForOne(const MarkerLayout &layout, const std::vector<So
                  "they fit the layout equally well in %1 ways, because it looks the same from several sides")(
             equal.size()),
         ODO_TEXT("calibration.tell_by_hand", "mark by hand which of them is %1")(Named::marker(best)));
+}
+
+/// What one way of assigning found: the markers, or why they cannot be told apart.
+struct Outcome
+{
+    std::size_t matched = 0;
+    Result<std::vector<MarkerPixel>> markers;
+};
+
+std::optional<Outcome> searched(const std::vector<RoundMarker> &shapes, const MarkerLayout &layout,
+                                const CameraModel &camera, bool intrinsicsKnown,
+                                const std::vector<MarkerPixel> &hints)
+{
+    AssignmentSearch search(layout, camera, intrinsicsKnown);
+    search.addShapes(shapes);
+    search.fix(hints);
+    if (search.count() < 4)
+        return std::nullopt;
+    const auto solutions = search.solutions();
+    if (solutions.empty())
+        return std::nullopt;
+    const Solution &best = solutions.front();
+    const auto equal = rivals(solutions);
+    if (equal.size() > 1)
+        return Outcome{best.matched, askForOne(layout, equal)};
+    return Outcome{best.matched,
+                   pixelsOf(best.assignment, layout, [&](int shape) { return search.pixel(shape); })};
+}
+
+MarkerShapeSeen seenShape(const RoundMarker &shape)
+{
+    MarkerShapeSeen seen{shape.centrePx, shape.outline.area(), Eigen::Matrix2d::Identity()};
+    if (seen.areaPx > 0)
+        seen.round = shape.outline.semiAxes.cwiseInverse().asDiagonal() *
+                     Eigen::Rotation2Dd(-shape.outline.angleRad).toRotationMatrix();
+    return seen;
+}
+
+/// The shape of each marker that is known; a pixel without one becomes a shape.
+std::vector<int> knownShapes(std::vector<MarkerShapeSeen> &shapes, const MarkerLayout &layout,
+                             const std::vector<MarkerPixel> &hints)
+{
+    std::vector<int> known(layout.markers.size(), GrownAssignment::nothing);
+    for (const MarkerPixel &hint : hints) {
+        const auto label = std::ranges::find(layout.markers, hint.label, &Marker::label);
+        if (label == layout.markers.end())
+            continue;
+        const auto away = [&](const MarkerShapeSeen &shape) { return (shape.pixel - hint.pixel).norm(); };
+        auto nearest = std::ranges::min_element(shapes, {}, away);
+        if (nearest == shapes.end() || away(*nearest) > grownHintReachPx) {
+            shapes.push_back({hint.pixel, 0, Eigen::Matrix2d::Identity()});
+            nearest = shapes.end() - 1;
+        }
+        known[static_cast<std::size_t>(label - layout.markers.begin())] =
+            static_cast<int>(nearest - shapes.begin());
+    }
+    return known;
+}
+
+/// A pose that fits the markers, without those that do not fit it: growth over a gap may have gone astray.
+/// nullopt where no camera above the floor sees most of them so.
+std::optional<PlanePose> posedWithoutStrays(GrownAssignment &one, const std::vector<MarkerShapeSeen> &seen,
+                                            const MarkerLayout &layout, const CameraModel &camera,
+                                            bool intrinsicsKnown)
+{
+    const double share = intrinsicsKnown ? worstPoseFit : worstBentFit;
+    for (const std::size_t least = one.matched - one.matched / mostStrays; one.matched >= least;) {
+        std::vector<PointPair> pairs;
+        std::vector<Vector2d> pixels;
+        std::vector<std::size_t> labels;
+        for (std::size_t label = 0; label < layout.markers.size(); ++label) {
+            if (one.shapes[label] < 0)
+                continue;
+            pixels.push_back(seen[static_cast<std::size_t>(one.shapes[label])].pixel);
+            pairs.push_back({layout.markers[label].pointInWorld, pixels.back(), layout.markers[label].label});
+            labels.push_back(label);
+        }
+        const auto pose =
+            fitPlanePose(pairs, camera, intrinsicsKnown ? FocalLength::Known : FocalLength::Free);
+        if (!pose || !(pose->worldFromCamera.translation.z() > 0))
+            return std::nullopt;
+        const FloorView view(pose->camera, pose->worldFromCamera, Eigen::Matrix<double, 6, 6>::Zero());
+        std::vector<double> away;
+        for (const PointPair &pair : pairs) {
+            const auto pixel = view.pixelFromWorld({pair.source.x(), pair.source.y(), 0});
+            away.push_back(pixel ? (*pixel - pair.target).norm() : std::numeric_limits<double>::infinity());
+        }
+        const auto worst = std::ranges::max_element(away) - away.begin();
+        const double worstPx = away[static_cast<std::size_t>(worst)];
+        if (pose->rmsPx < std::max(leastPoseFitPx, share * extentOf(pixels)) &&
+            worstPx < std::max(leastStrayPx, strayOfMedian * upperMedian(std::move(away))))
+            return *pose;
+        one.shapes[labels[static_cast<std::size_t>(worst)]] = GrownAssignment::nothing;
+        --one.matched;
+    }
+    return std::nullopt;
+}
+
+/// How many of the layout's markers lie in the image.
+std::size_t visibleMarkers(const PlanePose &pose, const MarkerLayout &layout)
+{
+    const FloorView view(pose.camera, pose.worldFromCamera, Eigen::Matrix<double, 6, 6>::Zero());
+    const Intrinsics &lens = pose.camera.intrinsics();
+    return static_cast<std::size_t>(std::ranges::count_if(layout.markers, [&](const Marker &marker) {
+        const auto pixel = view.pixelFromWorld({marker.pointInWorld.x(), marker.pointInWorld.y(), 0});
+        return pixel && pixel->x() > 0 && pixel->y() > 0 && pixel->x() < lens.widthPx &&
+               pixel->y() < lens.heightPx;
+    }));
+}
+
+/// The probability, as its decimal logarithm, that so many of the visible markers have a shape that near by
+/// chance: binomial, from three that are given. shapes: how many lie in the image.
+double chanceOf(const GrownAssignment &assignment, std::size_t visible, std::size_t shapes)
+{
+    constexpr double given = 3, leastMisfit = 0.01, reach = 2;
+    const double n = static_cast<double>(std::max(visible, assignment.matched)) - given,
+                 k = static_cast<double>(assignment.matched) - given;
+    if (!(k > 0))
+        return 0;
+    // As dense as the markers are, shapes have each one spacing squared for themselves.
+    const double dense = std::max(1.0, static_cast<double>(shapes) / (n + given));
+    const double within = reach * std::max(leastMisfit, assignment.misfit);
+    const double share = std::min(0.9, dense * double(EIGEN_PI) * within * within);
+    const double ways = std::lgamma(n + 1) - std::lgamma(k + 1) - std::lgamma(n - k + 1);
+    return (ways + k * std::log(share)) / std::log(10.0);
+}
+
+/// Of many markers: from neighbours.
+std::optional<Outcome> grownFrom(const std::vector<RoundMarker> &shapes, const MarkerLayout &layout,
+                                 const CameraModel &camera, bool intrinsicsKnown,
+                                 const std::vector<MarkerPixel> &hints)
+{
+    std::vector<MarkerShapeSeen> seen;
+    for (std::size_t i = 0; i < std::min(mostGrown, shapes.size()); ++i)
+        seen.push_back(seenShape(shapes[i]));
+    const auto known = knownShapes(seen, layout, hints);
+    std::vector<Vector2d> positions;
+    for (const Marker &marker : layout.markers)
+        positions.push_back(marker.pointInWorld);
+    const Intrinsics &lens = camera.intrinsics();
+    auto grown = growAssignments(positions, seen, known, Vector2d(lens.widthPx, lens.heightPx));
+    if (grown.size() > mostPosed)
+        grown.resize(mostPosed);
+    const auto markersOf = [&](const GrownAssignment &one) {
+        return pixelsOf(one.shapes, layout,
+                        [&](int shape) { return seen[static_cast<std::size_t>(shape)].pixel; });
+    };
+    std::erase_if(grown, [&](GrownAssignment &one) {
+        const auto pose = posedWithoutStrays(one, seen, layout, camera, intrinsicsKnown);
+        const std::size_t visible = pose ? visibleMarkers(*pose, layout) : 0;
+        return !pose || 2 * one.matched < visible || chanceOf(one, visible, seen.size()) > mostChance;
+    });
+    std::ranges::stable_sort(grown, std::greater(), &GrownAssignment::matched);
+    if (grown.empty())
+        return std::nullopt;
+    const GrownAssignment &best = grown.front();
+    // Where some are hidden, one that is none may stand for one that is.
+    const std::size_t spare = best.matched == layout.markers.size() ? 0 : 1;
+    std::vector<std::vector<int>> equal;
+    for (const GrownAssignment &other : grown) {
+        if (other.matched + spare >= best.matched &&
+            other.misfit < std::max(clearlyBetter * best.misfit, best.misfit + leastMisfitDifference))
+            equal.push_back(other.shapes);
+    }
+    if (equal.size() > 1)
+        return Outcome{best.matched, askForOne(layout, equal)};
+    return Outcome{best.matched, markersOf(best)};
 }
 
 } // namespace
@@ -461,20 +273,15 @@ Result<std::vector<MarkerPixel>> assignMarkers(const std::vector<RoundMarker> &s
     for (const std::vector<RoundMarker> &some : {rings, shapes}) {
         if (best && (most == layout.markers.size() || some.size() == rings.size()))
             break;
-        AssignmentSearch search(layout, camera, intrinsicsKnown);
-        search.addShapes(some);
-        search.fix(hints);
-        if (search.count() < 4)
+        std::optional<Outcome> outcome;
+        if (layout.markers.size() >= leastToGrow)
+            outcome = grownFrom(some, layout, camera, intrinsicsKnown, hints);
+        if (!outcome && layout.markers.size() <= mostToSearch)
+            outcome = searched(some, layout, camera, intrinsicsKnown, hints);
+        if (!outcome || outcome->matched <= most)
             continue;
-        const auto solutions = search.solutions();
-        if (solutions.empty() || solutions.front().matched <= most)
-            continue;
-        most = solutions.front().matched;
-        const auto equal = rivals(solutions);
-        if (equal.size() > 1)
-            best = askForOne(layout, equal);
-        else
-            best = pixelsOf(search, solutions.front(), layout);
+        most = outcome->matched;
+        best = std::move(outcome->markers);
     }
     if (best)
         return *best;

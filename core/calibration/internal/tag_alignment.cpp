@@ -38,6 +38,12 @@ constexpr int mapValues = 8, values = 13; // map, variance of the blur, black, w
 
 using Row = Eigen::Matrix<double, values, 1>;
 
+/// How far from the middle a tag is compared, in its own units.
+double withRim(const TagCells &cells)
+{
+    return cells.reach * (1 + 2 * rimCells / cells.side);
+}
+
 /// What a tag looks like under a map, and how that changes.
 class TagImage
 {
@@ -92,10 +98,11 @@ public:
 private:
     float whiteAt(double u, double v) const
     {
-        if (!(std::abs(u) < 1 && std::abs(v) < 1))
+        const double reach = m_cells.reach;
+        if (!(std::abs(u) < reach && std::abs(v) < reach))
             return 1;
-        const int column = std::min(m_cells.side - 1, static_cast<int>(0.5 * (u + 1) * m_cells.side));
-        const int row = std::min(m_cells.side - 1, static_cast<int>(0.5 * (v + 1) * m_cells.side));
+        const int column = std::min(m_cells.side - 1, static_cast<int>(0.5 * (u / reach + 1) * m_cells.side));
+        const int row = std::min(m_cells.side - 1, static_cast<int>(0.5 * (v / reach + 1) * m_cells.side));
         return m_cells.white[static_cast<std::size_t>(row * m_cells.side + column)] ? 1.F : 0.F;
     }
 
@@ -126,7 +133,7 @@ public:
     /// part: the image in rect, blurred beforehand by addedPx.
     Alignment(const cv::Mat &part, const TagCells &cells, const Matrix3d &start, const cv::Rect &rect,
               int parts, double addedPx)
-        : m_part(part), m_rect(rect), m_added(addedPx * addedPx), m_side(1 + 2 * rimCells / cells.side),
+        : m_part(part), m_rect(rect), m_added(addedPx * addedPx), m_side(withRim(cells)),
           m_image(cells, rect, parts)
     {
         // Pixels are counted from the tag, or the map's last row would be tangled up with the others.
@@ -172,6 +179,9 @@ public:
 
     /// σ of one coordinate of the middle.
     double sigmaPx() const { return m_sigmaPx; }
+
+    /// White less black, in the middle of the image's part.
+    double contrast() const { return m_state.white.x(); }
 
 private:
     void sample()
@@ -323,7 +333,7 @@ std::optional<TagAlignment> alignTag(const cv::Mat &luma, const TagCells &cells,
     if (!start.allFinite() || !(std::abs(start(2, 2)) > 0))
         return std::nullopt;
     Matrix3d map = start / start(2, 2);
-    const auto rect = rectOf(map, 1 + 2 * rimCells / cells.side, luma.size());
+    const auto rect = rectOf(map, withRim(cells), luma.size());
     if (!rect)
         return std::nullopt;
     if (std::max(rect->width, rect->height) > mostSidePx)
@@ -345,10 +355,11 @@ std::optional<TagAlignment> alignTag(const cv::Mat &luma, const TagCells &cells,
     Alignment alignment(part, cells, map, *rect, parts, 0);
     if (!alignment.run())
         return std::nullopt;
-    const TagAlignment aligned{alignment.map(), alignment.likeness(), alignment.sigmaPx()};
+    const TagAlignment aligned{alignment.map(), alignment.likeness(), alignment.sigmaPx(),
+                               alignment.contrast()};
     // Where the start's cells are is asked in the tag's own units.
     const Vector2d offInTag = (start.inverse() * aligned.middle().homogeneous()).hnormalized();
-    if (!(offInTag.norm() * 0.5 * cells.side < mostMovedCells))
+    if (!(offInTag.norm() * 0.5 * cells.side / cells.reach < mostMovedCells))
         return std::nullopt;
     return aligned;
 }

@@ -8,21 +8,25 @@
 
 namespace odo {
 
-/// The cells of a tag's black square, from the top left, row by row: true where they are printed white.
+/// The cells of a tag, from the top left, row by row: true where they are printed white.
 struct TagCells
 {
     int side = 0;
     std::vector<bool> white;
+    /// Where they end in the tag's plane, in which its border square goes from (-1, -1) to (1, 1): a tag with
+    /// cells outside its border goes beyond.
+    double reach = 1;
 };
 
 /// A tag aligned with an image.
 struct TagAlignment
 {
-    /// Pixel from the tag's plane: its black square goes from (-1, -1) at the top left of its print to (1,
+    /// Pixel from the tag's plane: its border square goes from (-1, -1) at the top left of its print to (1,
     /// 1).
     Eigen::Matrix3d pixelFromTag;
     double likeness = 0; ///< correlation of the image with the tag as it would be seen, at most 1
     double sigmaPx = 0;  ///< of one coordinate of the tag's middle, from what is left of the image
+    double contrast = 0; ///< grey values between black and white, at its middle
 
     /// The image of the tag's middle.
     Eigen::Vector2d middle() const { return pixelFromTag.col(2).hnormalized(); }

@@ -43,6 +43,7 @@ private Q_SLOTS:
     void byMouseFromACamera();
     void takesMarkersByMouseAndKeys();
     void staysOpenWhenTheDiskIsFull();
+    void oneClickTellsAllOthersApart();
     void takesOutAndUndoes();
     void namesExchangedMarkers();
     void cancelsAtEveryPage_data();
@@ -225,6 +226,26 @@ void TestFloorWizard::takesMarkersByMouseAndKeys()
     QTest::keyClick(&canvas, Qt::Key_Right);
     QTest::keyClick(&canvas, Qt::Key_Up, Qt::ShiftModifier);
     QVERIFY((pixel() - before - Eigen::Vector2d(0.1, -1)).norm() < 1e-9);
+}
+
+void TestFloorWizard::oneClickTellsAllOthersApart()
+{
+    // Rings in a rectangle look the same from two sides.
+    SimulatedScene rings = m_scene;
+    rings.floor.markerShape = MarkerShape::Ring;
+    const QString image = m_folder.filePath(QStringLiteral("rings.png"));
+    QVERIFY(writeImage(SceneRenderer(rings, 0).render(0), image.toStdString()));
+    const auto wizard = makeWizard(image);
+    walkToMarkers(*wizard);
+    QTRY_VERIFY_WITH_TIMEOUT(says(*wizard, "in 2 ways"), patienceMs);
+    MarkerCanvas &canvas = wizard->markers().canvas();
+    auto *table = wizard->findChild<QTableWidget *>();
+    const QByteArray label = table->item(table->currentRow(), 0)->text().toUtf8();
+    QTest::mouseClick(&canvas, Qt::LeftButton, {}, canvas.fromPixel(truth(label.constData())).toPoint());
+    QTRY_COMPARE_WITH_TIMEOUT(wizard->markers().pixels().size(), std::size_t(4), patienceMs);
+    for (const MarkerPixel &marker : wizard->markers().pixels())
+        QVERIFY((marker.pixel - truth(marker.label.c_str())).norm() < 0.5);
+    QVERIFY(button(*wizard, "Save")->isEnabled());
 }
 
 void TestFloorWizard::takesOutAndUndoes()

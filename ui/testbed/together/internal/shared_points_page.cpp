@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/testbed/together/internal/shared_points_page.h"
 #include "ui/models/shown_message.h"
-#include "ui/testbed/floor/floor_wizard.h"
+#include "ui/testbed/floor/marker_page.h"
 
 #include "core/base/units.h"
 #include "core/calibration/intrinsics_influence.h"
