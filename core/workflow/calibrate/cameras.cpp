@@ -4,6 +4,7 @@
 #include "core/base/error.h"
 #include "core/capture/camera_source.h"
 #include "core/exchange/calibration_file.h"
+#include "core/geometry/lens_format.h"
 #include "core/project/project.h"
 #include "core/project/recording_rows.h"
 #include "core/project/records.h"
@@ -293,7 +294,8 @@ Result<std::vector<Message>> calibrationWarnings(Project &project, const CameraR
                  ODO_TEXT("workflow.calibrate_if_touched",
                           "if zoom, focus or the camera's settings have changed since, calibrate it again."));
         const Intrinsics &lens = intrinsics->calibration.intrinsics;
-        if (recording && (recording->widthPx != lens.widthPx || recording->heightPx != lens.heightPx))
+        if (recording &&
+            !determinedFormat(lens.widthPx, lens.heightPx, recording->widthPx, recording->heightPx))
             warn(ODO_TEXT("workflow.recorded_at_another_size",
                           "The newest recording of camera '%1' is %2, its lens was calibrated at %3")(
                      name, sizeText(recording->widthPx, recording->heightPx),
