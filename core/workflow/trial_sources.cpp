@@ -4,7 +4,7 @@
 #include "core/base/error.h"
 #include "core/base/file_system.h"
 #include "core/calibration/intrinsics_influence.h"
-#include "core/geometry/lens_format.h"
+#include "core/geometry/sensor_format.h"
 #include "core/project/project.h"
 #include "core/project/recording_rows.h"
 #include "core/project/repositories.h"
@@ -15,6 +15,11 @@ namespace odo {
 ViewClock clockOf(const RecordingRecord &recording)
 {
     return {fromSeconds(recording.startOffsetS), recording.clockRate};
+}
+
+std::filesystem::path imageFileOf(const Project &project, const StoredImage &image)
+{
+    return image.path.empty() ? std::filesystem::path() : absolutePath(project.file(), image.path);
 }
 
 KnownRecording knownRecording(const RecordingRecord &recording)
@@ -124,6 +129,7 @@ Result<std::vector<RegisteredView>> registeredViews(Project &project, const Tria
             if (lens.widthPx != recording.widthPx || lens.heightPx != recording.heightPx)
                 view.convertedFromPx = {lens.widthPx, lens.heightPx};
             view.floorView = std::move(floorView);
+            view.registrationImage = imageFileOf(project, registration->image);
             view.registration = std::move(*registration);
         }
         view.recording = std::move(recording);

@@ -24,6 +24,7 @@ struct RegisteredView
     std::optional<FloorView> floorView; ///< empty: not registered, or registered at another frame shape
     /// at which the camera was registered, where that is not the recording's and floorView was converted
     std::optional<std::pair<int, int>> convertedFromPx = {};
+    std::filesystem::path registrationImage = {}; ///< in which its markers were seen; empty: none is kept
 };
 
 /// Clock of a trial's recording against the first view's.
@@ -32,6 +33,9 @@ ViewClock clockOf(const RecordingRecord &recording);
 /// With what a recording is to be opened, so that its frames are those that were measured.
 KnownRecording knownRecording(const RecordingRecord &recording);
 
+/// The file of an image of the project; empty where none was kept. Looks at the disk.
+std::filesystem::path imageFileOf(const Project &project, const StoredImage &image);
+
 /// The camera registered to the floor, from the stored registration and the intrinsics that it was made with,
 /// whose uncertainty it carries to the floor.
 Result<FloorView> floorViewOf(Project &project, const RegistrationRecord &registration);
@@ -39,15 +43,15 @@ Result<FloorView> floorViewOf(Project &project, const RegistrationRecord &regist
 /// The same for frames of a size, which the lens that it was made with is converted to where that is
 /// determined (determinedFormat); nullopt where it is not: the camera has to be registered in such a frame.
 /// Any thread.
-Result<std::optional<FloorView>> floorViewAt(const RegistrationRecord &registration, const Intrinsics &lens,
-                                             int widthPx, int heightPx);
+Result<std::optional<FloorView>> floorViewAt(const RegistrationRecord &registration,
+                                             const Intrinsics &intrinsics, int widthPx, int heightPx);
 /// For the frames of a recording.
 Result<std::optional<FloorView>> floorViewAt(Project &project, const RegistrationRecord &registration,
                                              const RecordingRecord &recording);
 
 /// What is said where floorViewAt gives none.
 Error registeredAtOtherSize(const std::string &trialName, const RecordingRecord &recording,
-                            const Intrinsics &lens);
+                            const Intrinsics &intrinsics);
 
 /// Whole sentences on views whose frames have another size than their camera was registered at, and how that
 /// was dealt with. Any thread.

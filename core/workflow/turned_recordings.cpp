@@ -2,7 +2,11 @@
 #include "core/workflow/turned_recordings.h"
 
 #include "core/project/repositories.h"
+#include "core/video/frame_turn.h"
+#include "core/video/image_reader.h"
 #include "core/workflow/shared_words.h"
+
+#include <Eigen/Core>
 
 #include <map>
 
@@ -38,10 +42,48 @@ Message storedFrameWarning(const std::string &trialName, const RecordingRecord &
                         importToTurn());
 }
 
-Message oldRegistrationWarning(const std::string &trialName, const RecordingRecord &recording,
-                               const RegistrationRecord &registration)
+namespace {
+
+/// A frame at a coarse grid, with mean 0 and norm 1.
+Eigen::VectorXd coarse(const Frame &frame)
 {
-    if (registration.isUpright || recording.orientation <= 1)
+    constexpr int columns = 32, rows = 24, samples = 8;
+    Eigen::VectorXd grid = Eigen::VectorXd::Zero(Eigen::Index(columns) * rows);
+    for (int y = 0; y < rows * samples; ++y)
+        for (int x = 0; x < columns * samples; ++x)
+            grid[Eigen::Index(y / samples) * columns + x / samples] +=
+                frame.y.at(x * frame.y.width / (columns * samples), y * frame.y.height / (rows * samples));
+    grid.array() -= grid.mean();
+    return grid.normalized();
+}
+
+/// Whether the image that a camera was registered by shows the scene as the frames do, and not as those of
+/// the file are stored.
+bool isSeenUpright(const RegisteredView &view)
+{
+    constexpr double clearly = 0.1; // of a correlation
+    if (view.registrationImage.empty())
+        return false;
+    const auto image = readImage(view.registrationImage);
+    const auto reader = VideoReader::open(view.file, {}, knownRecording(view.recording));
+    const auto frame = reader ? (*reader)->frameAt(0) : tl::unexpected(reader.error());
+    if (!image || !frame)
+        return false;
+    const Eigen::VectorXd seen = coarse(*frame), upright = coarse(*image),
+                          stored = coarse(turned(*image, view.recording.orientation));
+    return seen.dot(upright) > seen.dot(stored) + clearly;
+}
+
+} // namespace
+
+Message oldRegistrationWarning(const std::string &trialName, const RegisteredView &view)
+{
+    const RecordingRecord &recording = view.recording;
+    if (!view.registration || view.registration->isUpright || recording.orientation <= 1)
+        return {};
+    // frames turned by 90° have another shape than as stored, and the sizes are compared elsewhere
+    const bool isOtherShape = recording.orientation > 4 && recording.widthPx != recording.heightPx;
+    if (isOtherShape || isSeenUpright(view))
         return {};
     return wholeMessage(
         viewInTrialSubject(recording.cameraName, trialName),
@@ -60,8 +102,7 @@ std::vector<Message> turnedWarnings(const std::string &trialName, const std::vec
     };
     for (const RegisteredView &view : views) {
         add(storedFrameWarning(trialName, view.recording, view.file));
-        if (view.registration)
-            add(oldRegistrationWarning(trialName, view.recording, *view.registration));
+        add(oldRegistrationWarning(trialName, view));
     }
     return sentences;
 }

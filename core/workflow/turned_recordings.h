@@ -19,9 +19,10 @@ Message storedFrameWarning(const std::string &trialName, const RecordingRecord &
 /// camera may belong to frames as stored. Any thread.
 std::vector<Message> turnedWarnings(const std::string &trialName, const std::vector<RegisteredView> &views);
 
-/// The same of one view; its recording may be new.
-Message oldRegistrationWarning(const std::string &trialName, const RecordingRecord &recording,
-                               const RegistrationRecord &registration);
+/// Of one view whose recording may be new: that an earlier version registered its camera, perhaps by frames
+/// as stored, while its frames are turned. Nothing where the size of the frames or what the registration's
+/// image shows tells that they were upright. Reads a frame of the recording. Any thread.
+Message oldRegistrationWarning(const std::string &trialName, const RegisteredView &view);
 
 /// All recordings of a project that storedFrameWarning warns of, for its check. Project's thread; opens every
 /// recording of earlier versions.

@@ -4,6 +4,8 @@
 #include "core/geometry/camera_model.h"
 #include "core/project/project.h"
 #include "core/project/repositories.h"
+#include "core/video/frame_turn.h"
+#include "core/video/image.h"
 #include "core/workflow/import/import_trial_job.h"
 #include "core/workflow/turned_recordings.h"
 #include "tests/support/registered_test.h"
@@ -62,7 +64,7 @@ class TestTurnedRecordings : public QObject
             qFatal("not added");
         return recordingOf(trial);
     }
-    void registerCamera(const std::string &name, bool isUpright)
+    void registerCamera(const std::string &name, bool isUpright, const StoredImage &image)
     {
         CameraRecord camera;
         camera.name = name;
@@ -72,11 +74,12 @@ class TestTurnedRecordings : public QObject
         RegistrationRecord record;
         record.camera = m_project->cameras().add(camera)->id;
         record.layout = m_project->layouts().add(layout)->id;
-        record.assumedIntrinsics = CameraModel::assumed(96, 192).intrinsics();
+        record.assumedIntrinsics = CameraModel::assumed(192, 96).intrinsics();
         record.registration.intrinsics = record.assumedIntrinsics;
         record.registration.worldFromCamera.translation = {0, 0, 2};
         record.registration.poseCovariance.setZero();
         record.isUpright = isUpright;
+        record.image = image;
         if (!m_project->cameras().addRegistration(record))
             qFatal("not registered");
     }
@@ -124,19 +127,62 @@ private Q_SLOTS:
         QCOMPARE(turnedWarnings("old", {view}).size(), std::size_t(1));
     }
 
+    void anOldRegistrationMayBeOfFramesAsStored_data()
+    {
+        QTest::addColumn<bool>("isUpright");
+        QTest::addColumn<int>("seenIn"); ///< orientation of its image; 0: none is kept
+        QTest::addColumn<bool>("isDoubtful");
+        QTest::newRow("by this version") << true << 0 << false;
+        QTest::newRow("without an image") << false << 0 << true;
+        QTest::newRow("by an upright image") << false << 1 << false;
+        QTest::newRow("by frames as stored") << false << 3 << true;
+    }
     void anOldRegistrationMayBeOfFramesAsStored()
     {
-        registerCamera("old", false);
-        registerCamera("new", true);
+        QFETCH(bool, isUpright);
+        QFETCH(int, seenIn);
+        QFETCH(bool, isDoubtful);
+        QVERIFY(remux(path("plain.mkv"), path("half.mov"), {-1, 0, 0, -1}));
+        const Frame upright = (*VideoReader::open(path("half.mov")))->frameAt(0).value();
+        const std::string camera = QTest::currentDataTag();
+        StoredImage image;
+        if (seenIn != 0) {
+            image.path = path(camera + ".png").string();
+            QVERIFY(writeImage(turned(upright, seenIn), path(camera + ".png")));
+        }
+        registerCamera(camera, isUpright, image);
+        std::vector<std::string> expected;
+        if (isDoubtful)
+            expected = {"view '" + camera + "' in trial '" + camera +
+                        "': its frames are turned or mirrored as its file says, but an earlier version "
+                        "registered camera '" +
+                        camera + "', perhaps by frames as stored; register the camera again"};
+        QCOMPARE(imported(camera, camera, "half.mov"), expected);
+        const RecordId id = m_project->cameras().find(camera)->id;
+        QCOMPARE(m_project->cameras().currentRegistration(id).value()->isUpright, isUpright);
+    }
+
+    /// Told at once, and what to do; the window and the command line show the same.
+    void aLensOfAnotherSizeIsTold()
+    {
+        CameraRecord camera;
+        camera.name = "stills";
+        IntrinsicsRecord lens;
+        lens.camera = m_project->cameras().add(camera)->id;
+        lens.calibration.intrinsics = CameraModel::assumed(4032, 3024).intrinsics();
+        QVERIFY(m_project->cameras().addIntrinsics(lens));
         QCOMPARE(
-            imported("by old", "old", "portrait.mov"),
+            imported("by stills", "stills", "plain.mkv"),
             std::vector<std::string>{
-                "view 'old' in trial 'by old': its frames are turned or mirrored as its file says, but an "
-                "earlier version registered camera 'old', perhaps by frames as stored; register the "
-                "camera again"});
-        QVERIFY(imported("by new", "new", "portrait.mov").empty());
-        const RecordId camera = m_project->cameras().find("old")->id;
-        QVERIFY(!m_project->cameras().currentRegistration(camera).value()->isUpright);
+                "view 'stills' in trial 'by stills': its frames are 192×96, but the lens was calibrated at "
+                "4032×3024; register the camera in a frame of this video, to which its lens calibration "
+                "is then fitted"});
+        registerCamera("other", true, {});
+        QCOMPARE(
+            imported("by other", "other", "portrait.mov").front(),
+            std::string("view 'other' in trial 'by other': its frames are 96×192, but the camera was "
+                        "registered at 192×96; register the camera in a frame of this video, to which its "
+                        "lens calibration is then fitted"));
     }
 };
 

@@ -8,7 +8,7 @@
 #include "core/project/repositories.h"
 #include "core/workflow/calibrate/calibration_images.h"
 #include "core/workflow/calibrate/cameras.h"
-#include "core/workflow/calibrate/fitted_lens.h"
+#include "core/workflow/calibrate/fitted_intrinsics.h"
 #include "core/workflow/shared_words.h"
 #include "core/workflow/trial_sources.h"
 
@@ -92,7 +92,7 @@ Result<void> RegisterJob::run(const JobControl &control)
     }
     if (m_settings.pixels.empty() || !m_settings.imageFile.empty())
         ODO_TRY(findInImages(control));
-    fitLens();
+    fitIntrinsics();
     auto camera = ODO_TRY(cameraModel());
     auto registration = registerFloor(m_layout, m_settings.pixels, camera, m_intrinsicsKnown, m_context);
     if (!registration) {
@@ -167,7 +167,7 @@ Result<void> RegisterJob::findInImages(const JobControl &control)
 void RegisterJob::takeSize(int widthPx, int heightPx)
 {
     const Intrinsics &stored = m_stored.calibration.intrinsics;
-    const auto formats = lensFormats(stored.widthPx, stored.heightPx, widthPx, heightPx);
+    const auto formats = sensorFormats(stored.widthPx, stored.heightPx, widthPx, heightPx);
     const bool isSame = widthPx == stored.widthPx && heightPx == stored.heightPx;
     m_intrinsics = isSame || formats.empty() ? stored : inFormat(stored, formats.front());
 }
@@ -191,7 +191,7 @@ Result<MarkerSearch> RegisterJob::searchIn(const Frame &frame)
 }
 
 /// Where the image has another size than the lens was calibrated at.
-void RegisterJob::fitLens()
+void RegisterJob::fitIntrinsics()
 {
     const Intrinsics &stored = m_stored.calibration.intrinsics;
     if (!m_intrinsicsKnown ||
@@ -208,8 +208,8 @@ void RegisterJob::fitLens()
             squares += marker.errorPx * marker.errorPx;
         return squares;
     };
-    auto [lens, how] =
-        fittedLens(stored, m_intrinsics.widthPx, m_intrinsics.heightPx, m_settings.pixels.size(), misfit);
+    auto [lens, how] = fittedIntrinsics(stored, m_intrinsics.widthPx, m_intrinsics.heightPx,
+                                        m_settings.pixels.size(), misfit);
     m_intrinsics = std::move(lens);
     m_fitting = std::move(how);
 }
@@ -262,7 +262,7 @@ Result<RegistrationRecord> registerWithCurrentIntrinsics(Project &project, const
     const auto stored = project.note(
         ODO_TEXT("workflow.register_camera_again", "register camera %1 again")(Named::camera(camera)),
         [&]() -> Result<void> {
-            RegistrationRecord again = ODO_TRY(job.withStoredLens(project));
+            RegistrationRecord again = ODO_TRY(job.withStoredIntrinsics(project));
             again.isUpright = registered.registration.isUpright;
             record = ODO_TRY(storeFromOldMarkers(project, camera, again, registered.registration.lastCheck));
             return {};
@@ -272,7 +272,7 @@ Result<RegistrationRecord> registerWithCurrentIntrinsics(Project &project, const
     return *record;
 }
 
-Result<RegistrationRecord> RegisterJob::withStoredLens(Project &project) const
+Result<RegistrationRecord> RegisterJob::withStoredIntrinsics(Project &project) const
 {
     RegistrationRecord record = m_record;
     if (m_fitting.isEmpty())
@@ -291,7 +291,7 @@ Result<RegistrationRecord> RegisterJob::withStoredLens(Project &project) const
 Result<void> RegisterJob::commit(Project &project)
 {
     auto committed = project.note(registerChange(m_settings.camera), [&]() -> Result<void> {
-        m_record = ODO_TRY(withStoredLens(project));
+        m_record = ODO_TRY(withStoredIntrinsics(project));
         m_record = ODO_TRY(storeRegistration(project, m_settings.camera, m_record));
         return {};
     });

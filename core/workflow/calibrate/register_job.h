@@ -34,8 +34,8 @@ struct RegisterSettings
 
 /// Registers one camera to the floor by the markers of a layout and stores the registration as its newest
 /// one, with the image in which the markers were seen. Where that image has another size than the lens was
-/// calibrated at, the lens is fitted to it (fittedLens), stored as the camera's newest, and the verdict says
-/// so. Without an image, it detects the markers in the camera's newest recording.
+/// calibrated at, the lens is fitted to it (fittedIntrinsics), stored as the camera's newest, and the verdict
+/// says so. Without an image, it detects the markers in the camera's newest recording.
 class RegisterJob : public Job
 {
 public:
@@ -47,14 +47,14 @@ public:
     const RegisterSettings &settings() const { return m_settings; }
     const RegistrationRecord &record() const { return m_record; } ///< after run
     /// The record, with its lens stored first where that was fitted. For a commit, inside its transaction.
-    Result<RegistrationRecord> withStoredLens(Project &project) const;
+    Result<RegistrationRecord> withStoredIntrinsics(Project &project) const;
 
 private:
     void takeSize(int widthPx, int heightPx);
     Result<void> findOtherCameras(Project &project, RecordId layout);
     Result<void> findInImages(const JobControl &control);
     Result<MarkerSearch> searchIn(const Frame &frame);
-    void fitLens();
+    void fitIntrinsics();
     Result<CameraModel> cameraModel() const;
     Result<void> keepImage();
 

@@ -206,12 +206,13 @@ Result<void> ImportTrialJob::prepare(Project &project)
             view.registration = ODO_TRY(project.cameras().currentRegistration(camera.id));
             if (view.registration) {
                 view.floorView = ODO_TRY(floorViewOf(project, *view.registration));
+                view.registrationImage = imageFileOf(project, view.registration->image);
                 lens = view.floorView->camera().intrinsics();
             } else if (auto stored = ODO_TRY(project.cameras().currentIntrinsics(camera.id))) {
                 lens = std::move(stored->calibration.intrinsics);
             }
         }
-        m_lenses.push_back(std::move(lens));
+        m_viewIntrinsics.push_back(std::move(lens));
         m_views.push_back(std::move(view));
     }
     return {};
@@ -303,7 +304,7 @@ Result<void> ImportTrialJob::readVideo(std::size_t view, const CancelToken &canc
         recording.framesPerSecond = *m_settings.rate;
     }
     m_views[view].recording = recording;
-    ODO_TRY(fitView(m_views[view], m_lenses[view]));
+    ODO_TRY(fitView(m_views[view], m_viewIntrinsics[view]));
     m_recordings.push_back(std::move(recording));
     return {};
 }
@@ -313,11 +314,8 @@ Result<void> ImportTrialJob::readVideo(std::size_t view, const CancelToken &canc
 Result<void> ImportTrialJob::fitView(RegisteredView &view, const std::optional<Intrinsics> &lens)
 {
     const RecordingRecord &recording = view.recording;
-    if (view.registration) {
-        Message old = oldRegistrationWarning(m_settings.trial, recording, *view.registration);
-        if (!old.isEmpty())
-            m_warnings.push_back(std::move(old));
-    }
+    if (Message old = oldRegistrationWarning(m_settings.trial, view); !old.isEmpty())
+        m_warnings.push_back(std::move(old));
     if (!lens || (lens->widthPx == recording.widthPx && lens->heightPx == recording.heightPx))
         return {};
     if (!view.registration) {

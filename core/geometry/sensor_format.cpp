@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/geometry/lens_format.h"
+#include "core/geometry/sensor_format.h"
 
 #include <algorithm>
 #include <cmath>
@@ -63,20 +63,20 @@ bool isSameShape(const Size &from, const Size &to)
            std::abs(double(to.height) * from.width / from.height - to.width) < rounding;
 }
 
-LensFormat whole(const Size &from, const Size &to)
+SensorFormat whole(const Size &from, const Size &to)
 {
-    LensFormat format;
+    SensorFormat format;
     format.scaleX = double(to.width) / from.width;
     format.scaleY = double(to.height) / from.height;
     return format;
 }
 
 /// As much of the sensor as this shape can show.
-LensFormat cropped(const Size &from, const Size &to)
+SensorFormat cropped(const Size &from, const Size &to)
 {
-    LensFormat format;
+    SensorFormat format;
     const bool isWider = double(to.width) * from.height > double(to.height) * from.width;
-    format.kind = isWider ? LensFormat::Kind::WholeWidth : LensFormat::Kind::WholeHeight;
+    format.kind = isWider ? SensorFormat::Kind::WholeWidth : SensorFormat::Kind::WholeHeight;
     format.scaleX = format.scaleY = isWider ? double(to.width) / from.width : double(to.height) / from.height;
     format.cropLeftPx = isWider ? 0 : (from.width - to.width / format.scaleX) / 2;
     format.cropTopPx = isWider ? (from.height - to.height / format.scaleY) / 2 : 0;
@@ -84,7 +84,7 @@ LensFormat cropped(const Size &from, const Size &to)
 }
 
 /// All of it, with padding in either or in none.
-std::optional<LensFormat> wholeWithPadding(const Size &from, const Size &to)
+std::optional<SensorFormat> wholeWithPadding(const Size &from, const Size &to)
 {
     const Size fromRead{from.width, rowsRead(from.height)}, toRead{to.width, rowsRead(to.height)};
     for (const auto &[one, other] : {std::pair{from, to}, std::pair{fromRead, toRead},
@@ -97,7 +97,7 @@ std::optional<LensFormat> wholeWithPadding(const Size &from, const Size &to)
 
 } // namespace
 
-std::vector<LensFormat> lensFormats(int fromWidthPx, int fromHeightPx, int toWidthPx, int toHeightPx)
+std::vector<SensorFormat> sensorFormats(int fromWidthPx, int fromHeightPx, int toWidthPx, int toHeightPx)
 {
     const Size from{fromWidthPx, fromHeightPx}, to{toWidthPx, toHeightPx};
     if (!from.isPositive() || !to.isPositive())
@@ -105,26 +105,26 @@ std::vector<LensFormat> lensFormats(int fromWidthPx, int fromHeightPx, int toWid
     const bool isTurned = (from.width > from.height && to.width < to.height) ||
                           (from.width < from.height && to.width > to.height);
     const Size upright = isTurned ? Size{from.height, from.width} : from;
-    LensFormat format = wholeWithPadding(upright, to).value_or(cropped(upright, to));
+    SensorFormat format = wholeWithPadding(upright, to).value_or(cropped(upright, to));
     format.widthPx = to.width;
     format.heightPx = to.height;
     if (!isTurned)
         return {format};
-    std::vector<LensFormat> formats{format, format};
+    std::vector<SensorFormat> formats{format, format};
     formats[0].clockwiseDeg = 90;
     formats[1].clockwiseDeg = 270;
     return formats;
 }
 
-std::optional<LensFormat> determinedFormat(int fromWidthPx, int fromHeightPx, int toWidthPx, int toHeightPx)
+std::optional<SensorFormat> determinedFormat(int fromWidthPx, int fromHeightPx, int toWidthPx, int toHeightPx)
 {
-    const auto formats = lensFormats(fromWidthPx, fromHeightPx, toWidthPx, toHeightPx);
+    const auto formats = sensorFormats(fromWidthPx, fromHeightPx, toWidthPx, toHeightPx);
     return formats.size() == 1 && formats.front().isDetermined() ? std::optional(formats.front())
                                                                  : std::nullopt;
 }
 
 Eigen::Vector2d inFormat(const Eigen::Vector2d &pixel, int fromWidthPx, int fromHeightPx,
-                         const LensFormat &format)
+                         const SensorFormat &format)
 {
     Eigen::Vector2d upright = pixel;
     if (format.clockwiseDeg == 90)
@@ -135,7 +135,7 @@ Eigen::Vector2d inFormat(const Eigen::Vector2d &pixel, int fromWidthPx, int from
             format.scaleY * (upright.y() + 0.5 - format.cropTopPx) - 0.5};
 }
 
-Intrinsics inFormat(const Intrinsics &given, const LensFormat &format)
+Intrinsics inFormat(const Intrinsics &given, const SensorFormat &format)
 {
     Intrinsics lens = given;
     lens.widthPx = format.widthPx;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/geometry/lens_format.h"
+#include "core/geometry/sensor_format.h"
 
 #include "tests/support/registered_test.h"
 
@@ -7,7 +7,7 @@
 
 using namespace odo;
 using Eigen::Vector2d, Eigen::Vector3d;
-using Kind = LensFormat::Kind;
+using Kind = SensorFormat::Kind;
 
 namespace {
 
@@ -50,7 +50,7 @@ Vector3d turnedAxes(const Vector3d &point, int clockwiseDeg)
 
 } // namespace
 
-class TestLensFormat : public QObject
+class TestSensorFormat : public QObject
 {
     Q_OBJECT
 
@@ -86,7 +86,7 @@ private Q_SLOTS:
         QFETCH(int, ways);
         QFETCH(double, scale);
         QFETCH(Vector2d, crop);
-        const auto formats = lensFormats(from.width(), from.height(), to.width(), to.height());
+        const auto formats = sensorFormats(from.width(), from.height(), to.width(), to.height());
         QCOMPARE(int(formats.size()), ways);
         QCOMPARE(int(formats.front().kind), kind);
         QCOMPARE(formats.front().scaleX, scale);
@@ -99,8 +99,8 @@ private Q_SLOTS:
 
     void noFormatOfNothing()
     {
-        QVERIFY(lensFormats(0, 0, 1920, 1080).empty());
-        QVERIFY(lensFormats(1920, 1080, 1920, -1).empty());
+        QVERIFY(sensorFormats(0, 0, 1920, 1080).empty());
+        QVERIFY(sensorFormats(1920, 1080, 1920, -1).empty());
         QVERIFY(!determinedFormat(0, 0, 0, 0));
     }
 
@@ -111,9 +111,9 @@ private Q_SLOTS:
         const auto format = determinedFormat(4000, 3000, 1000, 750).value();
         QCOMPARE(inFormat(Vector2d(-0.5, -0.5), 4000, 3000, format), Vector2d(-0.5, -0.5));
         QCOMPARE(inFormat(Vector2d(3999.5, 2999.5), 4000, 3000, format), Vector2d(999.5, 749.5));
-        const LensFormat wide = lensFormats(4000, 3000, 1920, 1080).front();
+        const SensorFormat wide = sensorFormats(4000, 3000, 1920, 1080).front();
         QCOMPARE(inFormat(Vector2d(1999.5, 1499.5), 4000, 3000, wide), Vector2d(959.5, 539.5));
-        for (const LensFormat &turned : lensFormats(4000, 3000, 750, 1000))
+        for (const SensorFormat &turned : sensorFormats(4000, 3000, 750, 1000))
             QCOMPARE(inFormat(Vector2d(1999.5, 1499.5), 4000, 3000, turned), Vector2d(374.5, 499.5));
     }
 
@@ -134,7 +134,7 @@ private Q_SLOTS:
         QFETCH(QSize, to);
         const Intrinsics lens = lensOf(LensModel(model));
         const auto camera = CameraModel::create(lens);
-        for (const LensFormat &format : lensFormats(4032, 3024, to.width(), to.height())) {
+        for (const SensorFormat &format : sensorFormats(4032, 3024, to.width(), to.height())) {
             const Intrinsics other = inFormat(lens, format);
             QCOMPARE(QSize(other.widthPx, other.heightPx), to);
             const auto otherCamera = CameraModel::create(other);
@@ -183,5 +183,5 @@ private Q_SLOTS:
     }
 };
 
-ODOGRAPH_TEST(TestLensFormat, QCoreApplication)
-#include "tst_lens_format.moc"
+ODOGRAPH_TEST(TestSensorFormat, QCoreApplication)
+#include "tst_sensor_format.moc"

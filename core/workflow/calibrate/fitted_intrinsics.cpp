@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/workflow/calibrate/fitted_lens.h"
+#include "core/workflow/calibrate/fitted_intrinsics.h"
 
 #include "core/base/units.h"
 #include "core/calibration/floor_registration.h"
@@ -29,7 +29,7 @@ class Scan
 public:
     /// The misfit is taken to have one minimum. Far from it each evaluation takes long, so the search begins
     /// where nothing is enlarged and goes downhill.
-    Scan(const Intrinsics &calibrated, const LensFormat &format, const MarkerMisfit &misfit)
+    Scan(const Intrinsics &calibrated, const SensorFormat &format, const MarkerMisfit &misfit)
         : m_lens(inFormat(calibrated, format)), m_format(format), m_misfit(misfit), m_atOne(squaresAt(1)),
           m_least(m_atOne)
     {
@@ -42,7 +42,7 @@ public:
     }
 
     const Intrinsics &lens() const { return m_lens; }
-    const LensFormat &format() const { return m_format; }
+    const SensorFormat &format() const { return m_format; }
     double best() const { return m_best; }
     double leastSquares() const { return m_least; } ///< px²
     bool fits() const { return std::isfinite(m_least); }
@@ -81,7 +81,7 @@ private:
     }
 
     Intrinsics m_lens;
-    LensFormat m_format;
+    SensorFormat m_format;
     const MarkerMisfit &m_misfit;
     double m_atOne, m_least; ///< px²
     double m_best = 1;
@@ -106,9 +106,9 @@ public:
     {
     }
 
-    FittedLens of(const Scan &scan, double variance) const
+    FittedIntrinsics of(const Scan &scan, double variance) const
     {
-        const bool isWhole = scan.format().kind == LensFormat::Kind::Whole;
+        const bool isWhole = scan.format().kind == SensorFormat::Kind::Whole;
         const auto isExcluded = [&](double enlargement) {
             return !(scan.excess(enlargement, variance) <= (isWhole ? fiveSigma : threeSigma));
         };
@@ -135,10 +135,10 @@ public:
     }
 
     /// Of two scans that fit alike.
-    FittedLens eitherWay(const FittedLens &one, const FittedLens &other) const
+    FittedIntrinsics eitherWay(const FittedIntrinsics &one, const FittedIntrinsics &other) const
     {
         return {
-            meanOf(one.lens, other.lens),
+            meanOf(one.intrinsics, other.intrinsics),
             joined({one.how, ODO_TEXT("workflow.lens_turned_either_way",
                                       "Which way the camera was turned since is not known, so the centre of "
                                       "its images is less certain.")},
@@ -146,18 +146,18 @@ public:
     }
 
 private:
-    Message exact(const LensFormat &format) const
+    Message exact(const SensorFormat &format) const
     {
         switch (format.kind) {
-        case LensFormat::Kind::WholeWidth:
+        case SensorFormat::Kind::WholeWidth:
             return ODO_TEXT("workflow.lens_cropped_rows",
                             "The lens calibration at %1 was cropped above and below to %2, as the markers "
                             "confirm.")(m_before, m_now);
-        case LensFormat::Kind::WholeHeight:
+        case SensorFormat::Kind::WholeHeight:
             return ODO_TEXT("workflow.lens_cropped_columns",
                             "The lens calibration at %1 was cropped on both sides to %2, as the markers "
                             "confirm.")(m_before, m_now);
-        case LensFormat::Kind::Whole:
+        case SensorFormat::Kind::Whole:
             break;
         }
         return ODO_TEXT("workflow.lens_scaled", "The lens calibration at %1 was converted to %2.")(m_before,
@@ -169,16 +169,17 @@ private:
 
 } // namespace
 
-FittedLens fittedLens(const Intrinsics &calibrated, int widthPx, int heightPx, std::size_t markers,
-                      const MarkerMisfit &misfit)
+FittedIntrinsics fittedIntrinsics(const Intrinsics &calibrated, int widthPx, int heightPx,
+                                  std::size_t markers, const MarkerMisfit &misfit)
 {
     std::vector<Scan> scans;
-    for (const LensFormat &format : lensFormats(calibrated.widthPx, calibrated.heightPx, widthPx, heightPx))
+    for (const SensorFormat &format :
+         sensorFormats(calibrated.widthPx, calibrated.heightPx, widthPx, heightPx))
         scans.emplace_back(calibrated, format, misfit);
     const auto best = std::ranges::min_element(scans, {}, &Scan::leastSquares);
     const Judgement judgement(calibrated, widthPx, heightPx);
     const double variance = varianceOf(*best, markers);
-    FittedLens fitted = judgement.of(*best, variance);
+    FittedIntrinsics fitted = judgement.of(*best, variance);
     for (const Scan &other : scans) {
         if (&other != &*best && !(other.leastSquares() - best->leastSquares() > threeSigma * variance))
             fitted = judgement.eitherWay(fitted, judgement.of(other, variance));

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A lens calibrated at 4:3 in images of other sizes of the same sensor, by markers at exactly projected
 // pixels with noise.
-#include "core/workflow/calibrate/fitted_lens.h"
+#include "core/workflow/calibrate/fitted_intrinsics.h"
 
 #include "core/calibration/floor_registration.h"
 #include "core/simulation/demo_testbed.h"
@@ -38,7 +38,7 @@ Sensor sensorOf(const Intrinsics &clip)
 
 } // namespace
 
-class TestFittedLens : public QObject
+class TestFittedIntrinsics : public QObject
 {
     Q_OBJECT
 
@@ -80,21 +80,21 @@ class TestFittedLens : public QObject
     }
 
     /// The 4:3 lens as fitted to what a camera of this true lens sees.
-    FittedLens fitted(const Intrinsics &truth, int columns, int rows, double sigmaPx, double part = 1)
+    FittedIntrinsics fitted(const Intrinsics &truth, int columns, int rows, double sigmaPx, double part = 1)
     {
         const MarkerLayout layout = layoutOf(columns, rows, part);
         const auto pixels = seen(layout, *CameraModel::create(truth), sigmaPx);
-        return fittedLens(sensor().stills, truth.widthPx, truth.heightPx, pixels.size(),
-                          [&](const Intrinsics &lens) -> std::optional<double> {
-                              const auto fit =
-                                  registerFloor(layout, pixels, *CameraModel::create(lens), true);
-                              if (!fit)
-                                  return std::nullopt;
-                              double squares = 0;
-                              for (const MarkerError &marker : fit->markers)
-                                  squares += marker.errorPx * marker.errorPx;
-                              return squares;
-                          });
+        return fittedIntrinsics(sensor().stills, truth.widthPx, truth.heightPx, pixels.size(),
+                                [&](const Intrinsics &lens) -> std::optional<double> {
+                                    const auto fit =
+                                        registerFloor(layout, pixels, *CameraModel::create(lens), true);
+                                    if (!fit)
+                                        return std::nullopt;
+                                    double squares = 0;
+                                    for (const MarkerError &marker : fit->markers)
+                                        squares += marker.errorPx * marker.errorPx;
+                                    return squares;
+                                });
     }
     static double focalSigma(const Intrinsics &lens) { return std::sqrt(lens.covariance(0, 0)) / lens.fxPx; }
 
@@ -102,11 +102,11 @@ private Q_SLOTS:
     void stillsAtFourToThreeServeAWideClip()
     {
         for (int draw = 0; draw < 5; ++draw) {
-            const FittedLens lens = fitted(sensor().clip, 5, 4, 0.1);
+            const FittedIntrinsics lens = fitted(sensor().clip, 5, 4, 0.1);
             QVERIFY2(lens.how.code() == "workflow.lens_cropped_rows", lens.how.english().c_str());
-            QVERIFY(std::abs(lens.lens.fxPx / sensor().clip.fxPx - 1) < 1e-9);
-            QVERIFY(std::abs(lens.lens.cyPx - sensor().clip.cyPx) < 1e-9);
-            QVERIFY(focalSigma(lens.lens) < 0.001);
+            QVERIFY(std::abs(lens.intrinsics.fxPx / sensor().clip.fxPx - 1) < 1e-9);
+            QVERIFY(std::abs(lens.intrinsics.cyPx - sensor().clip.cyPx) < 1e-9);
+            QVERIFY(focalSigma(lens.intrinsics) < 0.001);
         }
     }
 
@@ -115,11 +115,11 @@ private Q_SLOTS:
     {
         for (const double factor : {1.1, 1.25, 1.6}) {
             const Intrinsics truth = enlarged(sensor().clip, factor);
-            const FittedLens lens = fitted(truth, 7, 6, 0.1);
+            const FittedIntrinsics lens = fitted(truth, 7, 6, 0.1);
             QVERIFY2(lens.how.code() == "workflow.lens_enlarged", lens.how.english().c_str());
-            QVERIFY2(std::abs(lens.lens.fxPx / truth.fxPx - 1) < 3 * focalSigma(lens.lens),
+            QVERIFY2(std::abs(lens.intrinsics.fxPx / truth.fxPx - 1) < 3 * focalSigma(lens.intrinsics),
                      lens.how.english().c_str());
-            QVERIFY(focalSigma(lens.lens) < 0.02);
+            QVERIFY(focalSigma(lens.intrinsics) < 0.02);
         }
     }
 
@@ -129,9 +129,9 @@ private Q_SLOTS:
         for (const double factor : {1.0, 1.1}) {
             const Intrinsics truth = enlarged(sensor().clip, factor);
             for (const auto &[columns, rows, part] : {std::tuple{2, 2, 0.6}, std::tuple{4, 3, 0.15}}) {
-                const FittedLens lens = fitted(truth, columns, rows, 0.3, part);
+                const FittedIntrinsics lens = fitted(truth, columns, rows, 0.3, part);
                 QVERIFY2(lens.how.code() == "workflow.lens_part_unknown", lens.how.english().c_str());
-                QVERIFY(std::abs(lens.lens.fxPx / truth.fxPx - 1) < 2 * focalSigma(lens.lens));
+                QVERIFY(std::abs(lens.intrinsics.fxPx / truth.fxPx - 1) < 2 * focalSigma(lens.intrinsics));
                 QVERIFY(lens.how.english().find("is known only to 10 %") != std::string::npos);
             }
         }
@@ -142,25 +142,26 @@ private Q_SLOTS:
     {
         int wrong = 0;
         for (int draw = 0; draw < 20; ++draw) {
-            const FittedLens lens = fitted(sensor().clip, 4, 3, 1.5);
-            wrong += std::abs(lens.lens.fxPx / sensor().clip.fxPx - 1) > 2 * focalSigma(lens.lens) + 1e-9;
+            const FittedIntrinsics lens = fitted(sensor().clip, 4, 3, 1.5);
+            wrong += std::abs(lens.intrinsics.fxPx / sensor().clip.fxPx - 1) >
+                     2 * focalSigma(lens.intrinsics) + 1e-9;
         }
         QVERIFY2(wrong <= 1, qPrintable(QString::number(wrong)));
     }
 
     void scalingNeedsNoMarkers()
     {
-        const FittedLens lens = fittedLens(sensor().stills, 1280, 960, 4,
-                                           [](const Intrinsics &) { return std::optional<double>(1.0); });
+        const FittedIntrinsics lens = fittedIntrinsics(
+            sensor().stills, 1280, 960, 4, [](const Intrinsics &) { return std::optional<double>(1.0); });
         QCOMPARE(lens.how.english(),
                  std::string("The lens calibration at 2560×1920 was converted to 1280×960."));
-        QCOMPARE(lens.lens.fxPx, sensor().clip.fxPx);
-        QCOMPARE(lens.lens.covariance(0, 0), 0.125);
+        QCOMPARE(lens.intrinsics.fxPx, sensor().clip.fxPx);
+        QCOMPARE(lens.intrinsics.covariance(0, 0), 0.125);
     }
 
     void aTurnedCameraIsTurnedBack()
     {
-        for (const LensFormat &format : lensFormats(2560, 1920, 1920, 2560)) {
+        for (const SensorFormat &format : sensorFormats(2560, 1920, 1920, 2560)) {
             Intrinsics truth = inFormat(sensor().stills, format);
             // seen by a camera in the same place, turned about its axis: markers all over the image
             const MarkerLayout layout = layoutOf(7, 6);
@@ -177,15 +178,16 @@ private Q_SLOTS:
                     squares += marker.errorPx * marker.errorPx;
                 return squares;
             };
-            const FittedLens lens = fittedLens(sensor().stills, 1920, 2560, pixels.size(), misfit);
-            const double sigmaX = std::sqrt(lens.lens.covariance(2, 2)),
-                         sigmaY = std::sqrt(lens.lens.covariance(3, 3));
-            QVERIFY2(std::abs(lens.lens.cxPx - truth.cxPx) < 3 * sigmaX, lens.how.english().c_str());
-            QVERIFY2(std::abs(lens.lens.cyPx - truth.cyPx) < 3 * sigmaY, lens.how.english().c_str());
-            QVERIFY(std::abs(lens.lens.fxPx - truth.fxPx) < 0.003 * truth.fxPx);
+            const FittedIntrinsics lens =
+                fittedIntrinsics(sensor().stills, 1920, 2560, pixels.size(), misfit);
+            const double sigmaX = std::sqrt(lens.intrinsics.covariance(2, 2)),
+                         sigmaY = std::sqrt(lens.intrinsics.covariance(3, 3));
+            QVERIFY2(std::abs(lens.intrinsics.cxPx - truth.cxPx) < 3 * sigmaX, lens.how.english().c_str());
+            QVERIFY2(std::abs(lens.intrinsics.cyPx - truth.cyPx) < 3 * sigmaY, lens.how.english().c_str());
+            QVERIFY(std::abs(lens.intrinsics.fxPx - truth.fxPx) < 0.003 * truth.fxPx);
         }
     }
 };
 
-ODOGRAPH_TEST(TestFittedLens, QCoreApplication)
-#include "tst_fitted_lens.moc"
+ODOGRAPH_TEST(TestFittedIntrinsics, QCoreApplication)
+#include "tst_fitted_intrinsics.moc"
