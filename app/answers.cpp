@@ -3,6 +3,7 @@
 
 #include "core/analysis/gate_passages.h"
 #include "core/project/message_json.h"
+#include "core/video/frame_turn.h"
 
 #include <QDateTime>
 #include <QJsonArray>
@@ -102,7 +103,9 @@ QJsonObject recordingJson(const RecordingRecord &recording)
             {QStringLiteral("start_offset_s"), recording.startOffsetS},
             {QStringLiteral("start_offset_sigma_s"), recording.startOffsetSigmaS},
             {QStringLiteral("sync_method"), QString::fromStdString(recording.syncMethod)},
-            {QStringLiteral("clock_rate_ppm"), recording.clockRate * 1e6}};
+            {QStringLiteral("clock_rate_ppm"), recording.clockRate * 1e6},
+            {QStringLiteral("rotation_deg"), clockwiseDegreesOf(recording.orientation)},
+            {QStringLiteral("mirrored"), isMirroring(recording.orientation)}};
 }
 
 QJsonArray vectorJson(const Eigen::VectorXd &vector)

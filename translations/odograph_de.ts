@@ -16690,6 +16690,13 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
 </context>
 <context>
+    <name>project.format_18</name>
+    <message>
+        <source>how the frames of recordings are turned</source>
+        <translation>wie die Bilder von Aufnahmen gedreht werden</translation>
+    </message>
+</context>
+<context>
     <name>project.format_2</name>
     <message>
         <source>manual overrides of samples</source>
@@ -20654,8 +20661,8 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
 <context>
     <name>workflow.another_picture_size</name>
     <message>
-        <source>its frames are %1 but the camera was calibrated at %2</source>
-        <translation>ihre Bilder haben %1, aber die Kamera wurde bei %2 kalibriert</translation>
+        <source>its frames are %1, but the camera was registered at %2</source>
+        <translation>ihre Bilder haben %1, aber die Kamera wurde bei %2 eingemessen</translation>
     </message>
 </context>
 <context>
@@ -20712,13 +20719,6 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>calibrate it at the size it records.</source>
         <translation>kalibrieren Sie sie bei der Größe, in der sie aufnimmt.</translation>
-    </message>
-</context>
-<context>
-    <name>workflow.calibrate_at_recorded_size</name>
-    <message>
-        <source>calibrate and register the camera at the size it records</source>
-        <translation>kalibrieren und messen Sie die Kamera bei der Größe ein, in der sie aufnimmt</translation>
     </message>
 </context>
 <context>
@@ -21478,13 +21478,6 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
 </context>
 <context>
-    <name>workflow.give_picture_of_size</name>
-    <message>
-        <source>give an image of that size, or calibrate the camera at the size it records</source>
-        <translation>ein Bild dieser Größe angeben oder die Kamera in der Größe kalibrieren, in der sie aufnimmt</translation>
-    </message>
-</context>
-<context>
     <name>workflow.give_picture_of_that_size</name>
     <message>
         <source>give an image of that size</source>
@@ -21583,6 +21576,13 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
 </context>
 <context>
+    <name>workflow.import_to_turn</name>
+    <message>
+        <source>import the video again to measure it upright</source>
+        <translation>importieren Sie das Video neu, um es aufrecht zu messen</translation>
+    </message>
+</context>
+<context>
     <name>workflow.import_trial</name>
     <message>
         <source>import trial %1</source>
@@ -21653,6 +21653,34 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
 </context>
 <context>
+    <name>workflow.lens_at_other_size</name>
+    <message>
+        <source>its frames are %1, but the lens was calibrated at %2</source>
+        <translation>ihre Bilder haben %1, aber das Objektiv wurde bei %2 kalibriert</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.lens_cropped_columns</name>
+    <message>
+        <source>The lens calibration at %1 was cropped on both sides to %2, as the markers confirm.</source>
+        <translation>Die Objektivkalibrierung bei %1 wurde auf beiden Seiten auf %2 beschnitten, wie die Marker bestätigen.</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.lens_cropped_rows</name>
+    <message>
+        <source>The lens calibration at %1 was cropped above and below to %2, as the markers confirm.</source>
+        <translation>Die Objektivkalibrierung bei %1 wurde oben und unten auf %2 beschnitten, wie die Marker bestätigen.</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.lens_enlarged</name>
+    <message>
+        <source>The lens calibration at %1 was fitted to %2 by the markers, which show that the image is enlarged by a factor of %3 (± %4).</source>
+        <translation>Die Objektivkalibrierung bei %1 wurde anhand der Marker an %2 angepasst; sie zeigen, dass das Bild um den Faktor %3 (± %4) vergrößert ist.</translation>
+    </message>
+</context>
+<context>
     <name>workflow.lens_imported_from</name>
     <message>
         <source>imported from %1</source>
@@ -21664,6 +21692,27 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>The lens of camera &apos;%1&apos; is not calibrated, so no distortion is assumed</source>
         <translation>Das Objektiv der Kamera &apos;%1&apos; wurde nie kalibriert, seine Verzeichnung wird als null angenommen</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.lens_part_unknown</name>
+    <message>
+        <source>The lens calibration at %1 was cropped to %2, but the markers do not show whether the image is enlarged as well, so its focal length is known only to %3: calibrate the lens at %2, or use more markers.</source>
+        <translation>Die Objektivkalibrierung bei %1 wurde auf %2 beschnitten, aber die Marker zeigen nicht, ob das Bild außerdem vergrößert ist; die Brennweite ist daher nur auf %3 bekannt: kalibrieren Sie das Objektiv bei %2, oder verwenden Sie mehr Marker.</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.lens_scaled</name>
+    <message>
+        <source>The lens calibration at %1 was converted to %2.</source>
+        <translation>Die Objektivkalibrierung bei %1 wurde auf %2 umgerechnet.</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.lens_turned_either_way</name>
+    <message>
+        <source>Which way the camera was turned since is not known, so the centre of its images is less certain.</source>
+        <translation>In welche Richtung die Kamera seitdem gedreht wurde, ist nicht bekannt, daher ist die Mitte ihrer Bilder weniger sicher.</translation>
     </message>
 </context>
 <context>
@@ -21860,6 +21909,13 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>repeat the analysis</source>
         <translation>messen Sie ihn neu</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.measured_as_stored</name>
+    <message>
+        <source>an earlier version measured its frames as stored, but its file says to turn or mirror them</source>
+        <translation>eine frühere Version hat ihre Bilder gemessen, wie sie gespeichert sind, aber ihre Datei verlangt, sie zu drehen oder zu spiegeln</translation>
     </message>
 </context>
 <context>
@@ -22437,13 +22493,6 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
 </context>
 <context>
-    <name>workflow.picture_of_other_size</name>
-    <message>
-        <source>%1 is %2, but the lens was calibrated at %3</source>
-        <translation>%1 hat %2, aber das Objektiv wurde bei %3 kalibriert</translation>
-    </message>
-</context>
-<context>
     <name>workflow.picture_size_not_known</name>
     <message>
         <source>the size of its images is not known</source>
@@ -22654,6 +22703,20 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
 </context>
 <context>
+    <name>workflow.register_if_other_part</name>
+    <message>
+        <source>if the camera shows another part of the scene at that size, register it again in a frame of this video</source>
+        <translation>wenn die Kamera bei dieser Größe einen anderen Ausschnitt zeigt, messen Sie sie in einem Bild dieses Videos neu ein</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.register_in_its_video</name>
+    <message>
+        <source>register the camera in a frame of this video, to which its lens calibration is then fitted</source>
+        <translation>messen Sie die Kamera in einem Bild dieses Videos ein, an das ihre Objektivkalibrierung dann angepasst wird</translation>
+    </message>
+</context>
+<context>
     <name>workflow.register_it_again</name>
     <message>
         <source>register it again.</source>
@@ -22689,6 +22752,20 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
 </context>
 <context>
+    <name>workflow.register_upright</name>
+    <message>
+        <source>register the camera again</source>
+        <translation>messen Sie die Kamera neu ein</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.registered_as_stored</name>
+    <message>
+        <source>its frames are turned or mirrored as its file says, but an earlier version registered camera &apos;%1&apos;, perhaps by frames as stored</source>
+        <translation>ihre Bilder werden gedreht oder gespiegelt, wie ihre Datei verlangt, aber eine frühere Version hat Kamera &apos;%1&apos; eingemessen, vielleicht nach Bildern, wie sie gespeichert sind</translation>
+    </message>
+</context>
+<context>
     <name>workflow.registered_at_another_size</name>
     <message>
         <source>the image is %1, the camera was registered at %2</source>
@@ -22721,6 +22798,13 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>registration %1</source>
         <translation>Einmessung %1</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.registration_converted</name>
+    <message>
+        <source>its frames are %1, so the camera&apos;s registration at %2 was converted</source>
+        <translation>ihre Bilder haben %1, daher wurde die Einmessung der Kamera bei %2 umgerechnet</translation>
     </message>
 </context>
 <context>
@@ -23232,13 +23316,6 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>it recorded nothing and was left out</source>
         <translation>sie wird weggelassen, weil nichts von ihr aufgenommen wurde</translation>
-    </message>
-</context>
-<context>
-    <name>workflow.view_of_trial</name>
-    <message>
-        <source>view &apos;%1&apos; of trial &apos;%2&apos;</source>
-        <translation>Sicht &apos;%1&apos; des Versuchs &apos;%2&apos;</translation>
     </message>
 </context>
 <context>

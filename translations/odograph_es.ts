@@ -16690,6 +16690,13 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     </message>
 </context>
 <context>
+    <name>project.format_18</name>
+    <message>
+        <source>how the frames of recordings are turned</source>
+        <translation>cómo se giran los fotogramas de las grabaciones</translation>
+    </message>
+</context>
+<context>
     <name>project.format_2</name>
     <message>
         <source>manual overrides of samples</source>
@@ -20654,8 +20661,8 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
 <context>
     <name>workflow.another_picture_size</name>
     <message>
-        <source>its frames are %1 but the camera was calibrated at %2</source>
-        <translation>sus imágenes son de %1 pero la cámara se calibró a %2</translation>
+        <source>its frames are %1, but the camera was registered at %2</source>
+        <translation>sus fotogramas son de %1, pero la cámara se registró a %2</translation>
     </message>
 </context>
 <context>
@@ -20712,13 +20719,6 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <message>
         <source>calibrate it at the size it records.</source>
         <translation>calíbrela con el tamaño con que graba.</translation>
-    </message>
-</context>
-<context>
-    <name>workflow.calibrate_at_recorded_size</name>
-    <message>
-        <source>calibrate and register the camera at the size it records</source>
-        <translation>calibre y registre la cámara con el tamaño con que graba</translation>
     </message>
 </context>
 <context>
@@ -21478,13 +21478,6 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     </message>
 </context>
 <context>
-    <name>workflow.give_picture_of_size</name>
-    <message>
-        <source>give an image of that size, or calibrate the camera at the size it records</source>
-        <translation>indique una imagen de ese tamaño o calibre la cámara con el tamaño al que graba</translation>
-    </message>
-</context>
-<context>
     <name>workflow.give_picture_of_that_size</name>
     <message>
         <source>give an image of that size</source>
@@ -21583,6 +21576,13 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     </message>
 </context>
 <context>
+    <name>workflow.import_to_turn</name>
+    <message>
+        <source>import the video again to measure it upright</source>
+        <translation>importe el vídeo de nuevo para medirlo derecho</translation>
+    </message>
+</context>
+<context>
     <name>workflow.import_trial</name>
     <message>
         <source>import trial %1</source>
@@ -21653,6 +21653,34 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     </message>
 </context>
 <context>
+    <name>workflow.lens_at_other_size</name>
+    <message>
+        <source>its frames are %1, but the lens was calibrated at %2</source>
+        <translation>sus fotogramas son de %1, pero la lente se calibró a %2</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.lens_cropped_columns</name>
+    <message>
+        <source>The lens calibration at %1 was cropped on both sides to %2, as the markers confirm.</source>
+        <translation>La calibración de la lente a %1 se recortó por ambos lados a %2, como confirman los marcadores.</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.lens_cropped_rows</name>
+    <message>
+        <source>The lens calibration at %1 was cropped above and below to %2, as the markers confirm.</source>
+        <translation>La calibración de la lente a %1 se recortó por arriba y por abajo a %2, como confirman los marcadores.</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.lens_enlarged</name>
+    <message>
+        <source>The lens calibration at %1 was fitted to %2 by the markers, which show that the image is enlarged by a factor of %3 (± %4).</source>
+        <translation>La calibración de la lente a %1 se ajustó a %2 con los marcadores, que muestran que la imagen está ampliada por un factor de %3 (± %4).</translation>
+    </message>
+</context>
+<context>
     <name>workflow.lens_imported_from</name>
     <message>
         <source>imported from %1</source>
@@ -21664,6 +21692,27 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <message>
         <source>The lens of camera &apos;%1&apos; is not calibrated, so no distortion is assumed</source>
         <translation>La lente de la cámara &apos;%1&apos; nunca se calibró, su distorsión se toma como nula</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.lens_part_unknown</name>
+    <message>
+        <source>The lens calibration at %1 was cropped to %2, but the markers do not show whether the image is enlarged as well, so its focal length is known only to %3: calibrate the lens at %2, or use more markers.</source>
+        <translation>La calibración de la lente a %1 se recortó a %2, pero los marcadores no muestran si la imagen está además ampliada, así que su distancia focal solo se conoce con un %3: calibre la lente a %2 o use más marcadores.</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.lens_scaled</name>
+    <message>
+        <source>The lens calibration at %1 was converted to %2.</source>
+        <translation>La calibración de la lente a %1 se convirtió a %2.</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.lens_turned_either_way</name>
+    <message>
+        <source>Which way the camera was turned since is not known, so the centre of its images is less certain.</source>
+        <translation>No se sabe hacia qué lado se giró la cámara desde entonces, así que el centro de sus imágenes es menos seguro.</translation>
     </message>
 </context>
 <context>
@@ -21860,6 +21909,13 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <message>
         <source>repeat the analysis</source>
         <translation>mídalo de nuevo</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.measured_as_stored</name>
+    <message>
+        <source>an earlier version measured its frames as stored, but its file says to turn or mirror them</source>
+        <translation>una versión anterior midió sus fotogramas tal como están guardados, pero su archivo indica girarlos o reflejarlos</translation>
     </message>
 </context>
 <context>
@@ -22437,13 +22493,6 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     </message>
 </context>
 <context>
-    <name>workflow.picture_of_other_size</name>
-    <message>
-        <source>%1 is %2, but the lens was calibrated at %3</source>
-        <translation>%1 es de %2, pero el objetivo se calibró a %3</translation>
-    </message>
-</context>
-<context>
     <name>workflow.picture_size_not_known</name>
     <message>
         <source>the size of its images is not known</source>
@@ -22654,6 +22703,20 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     </message>
 </context>
 <context>
+    <name>workflow.register_if_other_part</name>
+    <message>
+        <source>if the camera shows another part of the scene at that size, register it again in a frame of this video</source>
+        <translation>si la cámara muestra otra parte de la escena a ese tamaño, regístrela de nuevo en un fotograma de este vídeo</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.register_in_its_video</name>
+    <message>
+        <source>register the camera in a frame of this video, to which its lens calibration is then fitted</source>
+        <translation>registre la cámara en un fotograma de este vídeo, al que se ajusta entonces la calibración de su lente</translation>
+    </message>
+</context>
+<context>
     <name>workflow.register_it_again</name>
     <message>
         <source>register it again.</source>
@@ -22689,6 +22752,20 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     </message>
 </context>
 <context>
+    <name>workflow.register_upright</name>
+    <message>
+        <source>register the camera again</source>
+        <translation>registre de nuevo la cámara</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.registered_as_stored</name>
+    <message>
+        <source>its frames are turned or mirrored as its file says, but an earlier version registered camera &apos;%1&apos;, perhaps by frames as stored</source>
+        <translation>sus fotogramas se giran o se reflejan como indica su archivo, pero una versión anterior registró la cámara &apos;%1&apos;, quizá con fotogramas tal como están guardados</translation>
+    </message>
+</context>
+<context>
     <name>workflow.registered_at_another_size</name>
     <message>
         <source>the image is %1, the camera was registered at %2</source>
@@ -22721,6 +22798,13 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <message>
         <source>registration %1</source>
         <translation>registro %1</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.registration_converted</name>
+    <message>
+        <source>its frames are %1, so the camera&apos;s registration at %2 was converted</source>
+        <translation>sus fotogramas son de %1, así que el registro de la cámara a %2 se convirtió</translation>
     </message>
 </context>
 <context>
@@ -23232,13 +23316,6 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <message>
         <source>it recorded nothing and was left out</source>
         <translation>se omite, porque no se grabó nada de ella</translation>
-    </message>
-</context>
-<context>
-    <name>workflow.view_of_trial</name>
-    <message>
-        <source>view &apos;%1&apos; of trial &apos;%2&apos;</source>
-        <translation>vista &apos;%1&apos; del ensayo &apos;%2&apos;</translation>
     </message>
 </context>
 <context>

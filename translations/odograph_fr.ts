@@ -16690,6 +16690,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
 </context>
 <context>
+    <name>project.format_18</name>
+    <message>
+        <source>how the frames of recordings are turned</source>
+        <translation>la rotation des images des enregistrements</translation>
+    </message>
+</context>
+<context>
     <name>project.format_2</name>
     <message>
         <source>manual overrides of samples</source>
@@ -20654,8 +20661,8 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>workflow.another_picture_size</name>
     <message>
-        <source>its frames are %1 but the camera was calibrated at %2</source>
-        <translation>ses images sont en %1 mais la caméra a été étalonnée en %2</translation>
+        <source>its frames are %1, but the camera was registered at %2</source>
+        <translation>ses images sont en %1, mais la caméra a été localisée en %2</translation>
     </message>
 </context>
 <context>
@@ -20712,13 +20719,6 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>calibrate it at the size it records.</source>
         <translation>étalonnez-la à la taille à laquelle elle filme.</translation>
-    </message>
-</context>
-<context>
-    <name>workflow.calibrate_at_recorded_size</name>
-    <message>
-        <source>calibrate and register the camera at the size it records</source>
-        <translation>étalonnez et localisez la caméra à la taille à laquelle elle filme</translation>
     </message>
 </context>
 <context>
@@ -21478,13 +21478,6 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
 </context>
 <context>
-    <name>workflow.give_picture_of_size</name>
-    <message>
-        <source>give an image of that size, or calibrate the camera at the size it records</source>
-        <translation>donner une image de cette taille, ou étalonner la caméra à la taille qu’elle enregistre</translation>
-    </message>
-</context>
-<context>
     <name>workflow.give_picture_of_that_size</name>
     <message>
         <source>give an image of that size</source>
@@ -21583,6 +21576,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
 </context>
 <context>
+    <name>workflow.import_to_turn</name>
+    <message>
+        <source>import the video again to measure it upright</source>
+        <translation>importez de nouveau la vidéo pour la mesurer à l’endroit</translation>
+    </message>
+</context>
+<context>
     <name>workflow.import_trial</name>
     <message>
         <source>import trial %1</source>
@@ -21653,6 +21653,34 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
 </context>
 <context>
+    <name>workflow.lens_at_other_size</name>
+    <message>
+        <source>its frames are %1, but the lens was calibrated at %2</source>
+        <translation>ses images sont en %1, mais l’objectif a été étalonné en %2</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.lens_cropped_columns</name>
+    <message>
+        <source>The lens calibration at %1 was cropped on both sides to %2, as the markers confirm.</source>
+        <translation>L’étalonnage de l’objectif en %1 a été rogné des deux côtés en %2, comme les marqueurs le confirment.</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.lens_cropped_rows</name>
+    <message>
+        <source>The lens calibration at %1 was cropped above and below to %2, as the markers confirm.</source>
+        <translation>L’étalonnage de l’objectif en %1 a été rogné en haut et en bas en %2, comme les marqueurs le confirment.</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.lens_enlarged</name>
+    <message>
+        <source>The lens calibration at %1 was fitted to %2 by the markers, which show that the image is enlarged by a factor of %3 (± %4).</source>
+        <translation>L’étalonnage de l’objectif en %1 a été ajusté à %2 par les marqueurs, qui montrent que l’image est agrandie d’un facteur %3 (± %4).</translation>
+    </message>
+</context>
+<context>
     <name>workflow.lens_imported_from</name>
     <message>
         <source>imported from %1</source>
@@ -21664,6 +21692,27 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>The lens of camera &apos;%1&apos; is not calibrated, so no distortion is assumed</source>
         <translation>L’objectif de la caméra &apos;%1&apos; n’a jamais été étalonné, sa distorsion est prise comme nulle</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.lens_part_unknown</name>
+    <message>
+        <source>The lens calibration at %1 was cropped to %2, but the markers do not show whether the image is enlarged as well, so its focal length is known only to %3: calibrate the lens at %2, or use more markers.</source>
+        <translation>L’étalonnage de l’objectif en %1 a été rogné en %2, mais les marqueurs ne montrent pas si l’image est aussi agrandie ; sa distance focale n’est donc connue qu’à %3 : étalonnez l’objectif en %2, ou utilisez plus de marqueurs.</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.lens_scaled</name>
+    <message>
+        <source>The lens calibration at %1 was converted to %2.</source>
+        <translation>L’étalonnage de l’objectif en %1 a été converti en %2.</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.lens_turned_either_way</name>
+    <message>
+        <source>Which way the camera was turned since is not known, so the centre of its images is less certain.</source>
+        <translation>On ignore dans quel sens la caméra a été tournée depuis ; le centre de ses images est donc moins sûr.</translation>
     </message>
 </context>
 <context>
@@ -21860,6 +21909,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>repeat the analysis</source>
         <translation>mesurez-le à nouveau</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.measured_as_stored</name>
+    <message>
+        <source>an earlier version measured its frames as stored, but its file says to turn or mirror them</source>
+        <translation>une version antérieure a mesuré ses images telles qu’elles sont stockées, mais son fichier demande de les tourner ou de les refléter</translation>
     </message>
 </context>
 <context>
@@ -22437,13 +22493,6 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
 </context>
 <context>
-    <name>workflow.picture_of_other_size</name>
-    <message>
-        <source>%1 is %2, but the lens was calibrated at %3</source>
-        <translation>%1 est en %2, mais l’objectif a été étalonné en %3</translation>
-    </message>
-</context>
-<context>
     <name>workflow.picture_size_not_known</name>
     <message>
         <source>the size of its images is not known</source>
@@ -22654,6 +22703,20 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
 </context>
 <context>
+    <name>workflow.register_if_other_part</name>
+    <message>
+        <source>if the camera shows another part of the scene at that size, register it again in a frame of this video</source>
+        <translation>si la caméra montre une autre partie de la scène à cette taille, localisez-la de nouveau dans une image de cette vidéo</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.register_in_its_video</name>
+    <message>
+        <source>register the camera in a frame of this video, to which its lens calibration is then fitted</source>
+        <translation>localisez la caméra dans une image de cette vidéo, à laquelle l’étalonnage de son objectif est alors ajusté</translation>
+    </message>
+</context>
+<context>
     <name>workflow.register_it_again</name>
     <message>
         <source>register it again.</source>
@@ -22689,6 +22752,20 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
 </context>
 <context>
+    <name>workflow.register_upright</name>
+    <message>
+        <source>register the camera again</source>
+        <translation>localisez de nouveau la caméra</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.registered_as_stored</name>
+    <message>
+        <source>its frames are turned or mirrored as its file says, but an earlier version registered camera &apos;%1&apos;, perhaps by frames as stored</source>
+        <translation>ses images sont tournées ou reflétées comme son fichier le demande, mais une version antérieure a localisé la caméra &apos;%1&apos;, peut-être d’après des images telles qu’elles sont stockées</translation>
+    </message>
+</context>
+<context>
     <name>workflow.registered_at_another_size</name>
     <message>
         <source>the image is %1, the camera was registered at %2</source>
@@ -22721,6 +22798,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>registration %1</source>
         <translation>localisation %1</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.registration_converted</name>
+    <message>
+        <source>its frames are %1, so the camera&apos;s registration at %2 was converted</source>
+        <translation>ses images sont en %1, la localisation de la caméra en %2 a donc été convertie</translation>
     </message>
 </context>
 <context>
@@ -23232,13 +23316,6 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>it recorded nothing and was left out</source>
         <translation>elle est écartée, car rien n’en a été enregistré</translation>
-    </message>
-</context>
-<context>
-    <name>workflow.view_of_trial</name>
-    <message>
-        <source>view &apos;%1&apos; of trial &apos;%2&apos;</source>
-        <translation>vue &apos;%1&apos; de l’essai &apos;%2&apos;</translation>
     </message>
 </context>
 <context>

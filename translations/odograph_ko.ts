@@ -16651,6 +16651,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>project.format_18</name>
+    <message>
+        <source>how the frames of recordings are turned</source>
+        <translation>녹화 프레임의 회전 방식</translation>
+    </message>
+</context>
+<context>
     <name>project.format_2</name>
     <message>
         <source>manual overrides of samples</source>
@@ -20615,8 +20622,8 @@ Much more than expected means that a setting is wrong: the views are not synchro
 <context>
     <name>workflow.another_picture_size</name>
     <message>
-        <source>its frames are %1 but the camera was calibrated at %2</source>
-        <translation>영상은 %1인데 카메라는 %2에서 보정되었습니다</translation>
+        <source>its frames are %1, but the camera was registered at %2</source>
+        <translation>프레임은 %1인데 카메라는 %2에서 정합되었습니다</translation>
     </message>
 </context>
 <context>
@@ -20673,13 +20680,6 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>calibrate it at the size it records.</source>
         <translation>녹화하는 크기로 보정하십시오.</translation>
-    </message>
-</context>
-<context>
-    <name>workflow.calibrate_at_recorded_size</name>
-    <message>
-        <source>calibrate and register the camera at the size it records</source>
-        <translation>녹화하는 크기로 카메라를 보정하고 정합하십시오</translation>
     </message>
 </context>
 <context>
@@ -21439,13 +21439,6 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
-    <name>workflow.give_picture_of_size</name>
-    <message>
-        <source>give an image of that size, or calibrate the camera at the size it records</source>
-        <translation>그 크기의 이미지를 지정하거나 카메라가 녹화하는 크기로 보정하십시오</translation>
-    </message>
-</context>
-<context>
     <name>workflow.give_picture_of_that_size</name>
     <message>
         <source>give an image of that size</source>
@@ -21544,6 +21537,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>workflow.import_to_turn</name>
+    <message>
+        <source>import the video again to measure it upright</source>
+        <translation>바로 세워 측정하려면 동영상을 다시 가져오십시오</translation>
+    </message>
+</context>
+<context>
     <name>workflow.import_trial</name>
     <message>
         <source>import trial %1</source>
@@ -21614,6 +21614,34 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>workflow.lens_at_other_size</name>
+    <message>
+        <source>its frames are %1, but the lens was calibrated at %2</source>
+        <translation>프레임은 %1인데 렌즈는 %2에서 보정되었습니다</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.lens_cropped_columns</name>
+    <message>
+        <source>The lens calibration at %1 was cropped on both sides to %2, as the markers confirm.</source>
+        <translation>%1에서의 렌즈 보정을 양옆을 잘라 %2에 맞췄으며, 마커가 이를 확인합니다.</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.lens_cropped_rows</name>
+    <message>
+        <source>The lens calibration at %1 was cropped above and below to %2, as the markers confirm.</source>
+        <translation>%1에서의 렌즈 보정을 위아래를 잘라 %2에 맞췄으며, 마커가 이를 확인합니다.</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.lens_enlarged</name>
+    <message>
+        <source>The lens calibration at %1 was fitted to %2 by the markers, which show that the image is enlarged by a factor of %3 (± %4).</source>
+        <translation>%1에서의 렌즈 보정을 마커로 %2에 맞췄습니다. 마커에 따르면 이미지가 %3배(± %4) 확대되어 있습니다.</translation>
+    </message>
+</context>
+<context>
     <name>workflow.lens_imported_from</name>
     <message>
         <source>imported from %1</source>
@@ -21625,6 +21653,27 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>The lens of camera &apos;%1&apos; is not calibrated, so no distortion is assumed</source>
         <translation>카메라 &apos;%1&apos;의 렌즈는 보정된 적이 없어 왜곡이 없는 것으로 봅니다</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.lens_part_unknown</name>
+    <message>
+        <source>The lens calibration at %1 was cropped to %2, but the markers do not show whether the image is enlarged as well, so its focal length is known only to %3: calibrate the lens at %2, or use more markers.</source>
+        <translation>%1에서의 렌즈 보정을 %2에 맞게 잘랐지만, 이미지가 더 확대되었는지는 마커로 알 수 없어 초점 거리는 %3까지만 알려져 있습니다. %2에서 렌즈를 보정하거나 마커를 더 사용하십시오.</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.lens_scaled</name>
+    <message>
+        <source>The lens calibration at %1 was converted to %2.</source>
+        <translation>%1에서의 렌즈 보정을 %2로 변환했습니다.</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.lens_turned_either_way</name>
+    <message>
+        <source>Which way the camera was turned since is not known, so the centre of its images is less certain.</source>
+        <translation>그 후 카메라를 어느 쪽으로 돌렸는지 알 수 없어 이미지의 중심이 덜 확실합니다.</translation>
     </message>
 </context>
 <context>
@@ -21821,6 +21870,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>repeat the analysis</source>
         <translation>다시 재십시오</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.measured_as_stored</name>
+    <message>
+        <source>an earlier version measured its frames as stored, but its file says to turn or mirror them</source>
+        <translation>이전 버전은 프레임을 저장된 그대로 측정했지만, 파일은 프레임을 회전하거나 좌우로 뒤집으라고 합니다</translation>
     </message>
 </context>
 <context>
@@ -22398,13 +22454,6 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
-    <name>workflow.picture_of_other_size</name>
-    <message>
-        <source>%1 is %2, but the lens was calibrated at %3</source>
-        <translation>%1은(는) %2인데 렌즈는 %3에서 보정되었습니다</translation>
-    </message>
-</context>
-<context>
     <name>workflow.picture_size_not_known</name>
     <message>
         <source>the size of its images is not known</source>
@@ -22615,6 +22664,20 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>workflow.register_if_other_part</name>
+    <message>
+        <source>if the camera shows another part of the scene at that size, register it again in a frame of this video</source>
+        <translation>그 크기에서 카메라가 장면의 다른 부분을 보여 준다면 이 동영상의 프레임에서 카메라를 다시 정합하십시오</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.register_in_its_video</name>
+    <message>
+        <source>register the camera in a frame of this video, to which its lens calibration is then fitted</source>
+        <translation>이 동영상의 프레임에서 카메라를 정합하십시오. 그러면 렌즈 보정이 거기에 맞춰집니다</translation>
+    </message>
+</context>
+<context>
     <name>workflow.register_it_again</name>
     <message>
         <source>register it again.</source>
@@ -22650,6 +22713,20 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>workflow.register_upright</name>
+    <message>
+        <source>register the camera again</source>
+        <translation>카메라를 다시 정합하십시오</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.registered_as_stored</name>
+    <message>
+        <source>its frames are turned or mirrored as its file says, but an earlier version registered camera &apos;%1&apos;, perhaps by frames as stored</source>
+        <translation>프레임은 파일에 따라 회전되거나 뒤집히지만, 카메라 &apos;%1&apos;은(는) 이전 버전에서, 아마도 저장된 그대로의 프레임으로 정합되었습니다</translation>
+    </message>
+</context>
+<context>
     <name>workflow.registered_at_another_size</name>
     <message>
         <source>the image is %1, the camera was registered at %2</source>
@@ -22682,6 +22759,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>registration %1</source>
         <translation>정합 %1</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.registration_converted</name>
+    <message>
+        <source>its frames are %1, so the camera&apos;s registration at %2 was converted</source>
+        <translation>프레임이 %1이므로 %2에서의 카메라 정합을 변환했습니다</translation>
     </message>
 </context>
 <context>
@@ -23193,13 +23277,6 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>it recorded nothing and was left out</source>
         <translation>녹화된 것이 없어 제외됩니다</translation>
-    </message>
-</context>
-<context>
-    <name>workflow.view_of_trial</name>
-    <message>
-        <source>view &apos;%1&apos; of trial &apos;%2&apos;</source>
-        <translation>시행 &apos;%2&apos;의 뷰 &apos;%1&apos;</translation>
     </message>
 </context>
 <context>

@@ -16651,6 +16651,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>project.format_18</name>
+    <message>
+        <source>how the frames of recordings are turned</source>
+        <translation>录像帧的旋转方式</translation>
+    </message>
+</context>
+<context>
     <name>project.format_2</name>
     <message>
         <source>manual overrides of samples</source>
@@ -20615,8 +20622,8 @@ Much more than expected means that a setting is wrong: the views are not synchro
 <context>
     <name>workflow.another_picture_size</name>
     <message>
-        <source>its frames are %1 but the camera was calibrated at %2</source>
-        <translation>其画面为 %1，而相机在 %2 下标定</translation>
+        <source>its frames are %1, but the camera was registered at %2</source>
+        <translation>其帧为 %1，而相机在 %2 下配准</translation>
     </message>
 </context>
 <context>
@@ -20673,13 +20680,6 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>calibrate it at the size it records.</source>
         <translation>请按录制的尺寸标定。</translation>
-    </message>
-</context>
-<context>
-    <name>workflow.calibrate_at_recorded_size</name>
-    <message>
-        <source>calibrate and register the camera at the size it records</source>
-        <translation>请按录制尺寸标定并配准相机</translation>
     </message>
 </context>
 <context>
@@ -21439,13 +21439,6 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
-    <name>workflow.give_picture_of_size</name>
-    <message>
-        <source>give an image of that size, or calibrate the camera at the size it records</source>
-        <translation>提供该尺寸的图像，或按摄像机的录制尺寸进行标定</translation>
-    </message>
-</context>
-<context>
     <name>workflow.give_picture_of_that_size</name>
     <message>
         <source>give an image of that size</source>
@@ -21544,6 +21537,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>workflow.import_to_turn</name>
+    <message>
+        <source>import the video again to measure it upright</source>
+        <translation>请重新导入视频，以便按正立方向测量</translation>
+    </message>
+</context>
+<context>
     <name>workflow.import_trial</name>
     <message>
         <source>import trial %1</source>
@@ -21614,6 +21614,34 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>workflow.lens_at_other_size</name>
+    <message>
+        <source>its frames are %1, but the lens was calibrated at %2</source>
+        <translation>其帧为 %1，而镜头在 %2 下标定</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.lens_cropped_columns</name>
+    <message>
+        <source>The lens calibration at %1 was cropped on both sides to %2, as the markers confirm.</source>
+        <translation>%1 下的镜头标定已在左右两侧裁剪为 %2，标记证实了这一点。</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.lens_cropped_rows</name>
+    <message>
+        <source>The lens calibration at %1 was cropped above and below to %2, as the markers confirm.</source>
+        <translation>%1 下的镜头标定已在上下裁剪为 %2，标记证实了这一点。</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.lens_enlarged</name>
+    <message>
+        <source>The lens calibration at %1 was fitted to %2 by the markers, which show that the image is enlarged by a factor of %3 (± %4).</source>
+        <translation>%1 下的镜头标定已根据标记适配到 %2，标记表明图像放大了 %3 倍（± %4）。</translation>
+    </message>
+</context>
+<context>
     <name>workflow.lens_imported_from</name>
     <message>
         <source>imported from %1</source>
@@ -21625,6 +21653,27 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>The lens of camera &apos;%1&apos; is not calibrated, so no distortion is assumed</source>
         <translation>相机“%1”的镜头从未标定，按无畸变处理</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.lens_part_unknown</name>
+    <message>
+        <source>The lens calibration at %1 was cropped to %2, but the markers do not show whether the image is enlarged as well, so its focal length is known only to %3: calibrate the lens at %2, or use more markers.</source>
+        <translation>%1 下的镜头标定已裁剪为 %2，但标记无法表明图像是否另有放大，因此焦距只能确定到 %3：请在 %2 下标定镜头，或使用更多标记。</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.lens_scaled</name>
+    <message>
+        <source>The lens calibration at %1 was converted to %2.</source>
+        <translation>%1 下的镜头标定已换算为 %2。</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.lens_turned_either_way</name>
+    <message>
+        <source>Which way the camera was turned since is not known, so the centre of its images is less certain.</source>
+        <translation>此后相机朝哪个方向旋转不得而知，因此其图像中心不太确定。</translation>
     </message>
 </context>
 <context>
@@ -21821,6 +21870,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>repeat the analysis</source>
         <translation>请重新测量</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.measured_as_stored</name>
+    <message>
+        <source>an earlier version measured its frames as stored, but its file says to turn or mirror them</source>
+        <translation>早期版本按存储方向测量其帧，但其文件要求旋转或镜像这些帧</translation>
     </message>
 </context>
 <context>
@@ -22398,13 +22454,6 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
-    <name>workflow.picture_of_other_size</name>
-    <message>
-        <source>%1 is %2, but the lens was calibrated at %3</source>
-        <translation>%1 为 %2，而镜头是在 %3 下标定的</translation>
-    </message>
-</context>
-<context>
     <name>workflow.picture_size_not_known</name>
     <message>
         <source>the size of its images is not known</source>
@@ -22615,6 +22664,20 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>workflow.register_if_other_part</name>
+    <message>
+        <source>if the camera shows another part of the scene at that size, register it again in a frame of this video</source>
+        <translation>如果相机在该尺寸下显示场景的另一部分，请在此视频的某一帧中重新配准</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.register_in_its_video</name>
+    <message>
+        <source>register the camera in a frame of this video, to which its lens calibration is then fitted</source>
+        <translation>请在此视频的某一帧中配准相机，其镜头标定随后会适配到该帧</translation>
+    </message>
+</context>
+<context>
     <name>workflow.register_it_again</name>
     <message>
         <source>register it again.</source>
@@ -22650,6 +22713,20 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>workflow.register_upright</name>
+    <message>
+        <source>register the camera again</source>
+        <translation>请重新配准相机</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.registered_as_stored</name>
+    <message>
+        <source>its frames are turned or mirrored as its file says, but an earlier version registered camera &apos;%1&apos;, perhaps by frames as stored</source>
+        <translation>其帧按文件要求旋转或镜像，但相机“%1”由早期版本配准，可能是按存储方向的帧</translation>
+    </message>
+</context>
+<context>
     <name>workflow.registered_at_another_size</name>
     <message>
         <source>the image is %1, the camera was registered at %2</source>
@@ -22682,6 +22759,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>registration %1</source>
         <translation>配准 %1</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.registration_converted</name>
+    <message>
+        <source>its frames are %1, so the camera&apos;s registration at %2 was converted</source>
+        <translation>其帧为 %1，因此 %2 下的相机配准已换算</translation>
     </message>
 </context>
 <context>
@@ -23193,13 +23277,6 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>it recorded nothing and was left out</source>
         <translation>它被舍去，因为没有录到任何内容</translation>
-    </message>
-</context>
-<context>
-    <name>workflow.view_of_trial</name>
-    <message>
-        <source>view &apos;%1&apos; of trial &apos;%2&apos;</source>
-        <translation>试验“%2”的视角“%1”</translation>
     </message>
 </context>
 <context>

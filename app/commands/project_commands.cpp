@@ -15,6 +15,7 @@
 #include "core/workflow/track/trial_occlusions.h"
 #include "core/workflow/track/trial_verdict.h"
 #include "core/workflow/trial_sources.h"
+#include "core/workflow/turned_recordings.h"
 
 #include <QDateTime>
 #include <QJsonArray>
@@ -191,9 +192,11 @@ Result<void> runCheck(const QStringList &arguments, const CancelToken &cancel)
     const auto repaired = repairs ? repairMedia(call, *project) : MediaRepairs();
     if (!repaired)
         return stopped(repaired.error(), repairs);
-    const auto problems = project->check(!call.isSet(quick), call.control());
+    auto problems = project->check(!call.isSet(quick), call.control());
     if (!problems)
         return stopped(problems.error(), repairs);
+    if (const auto turned = turnedRecordings(*project))
+        problems->insert(problems->end(), turned->begin(), turned->end());
     const auto unproved = ODO_TRY(project->analyses().countWithoutDigest());
     QJsonArray list;
     QStringList lines = repaired->lines;
@@ -390,6 +393,10 @@ Result<void> runShow(const QStringList &arguments, const CancelToken &cancel)
         for (const std::size_t view : usedViews(analyses.front(), recordings.size()))
             used.push_back(all[view]);
     warnings = stepWarnings(trial.name, used);
+    for (const RecordingRecord &recording : recordings)
+        if (Message sentence = storedFrameWarning(trial.name, recording, project.resolve(recording));
+            !sentence.isEmpty())
+            warnings.push_back(std::move(sentence));
     const auto verdict = ODO_TRY(verdictOn(project, trial, all, analyses));
     lines << verdictLines(verdict);
     const auto occlusions = ODO_TRY(trialOcclusions(project, trial.id, analyses));

@@ -76,7 +76,7 @@ LensFit withoutSixthOrder(const std::vector<BoardView> &views, LensFit fit, cons
 {
     LensStart start{fit.intrinsics, fit.cameraFromBoard, fit.print};
     start.intrinsics.distortion[sixthOrder] = 0;
-    auto simpler = fitLens(views, start, {.holdSixthOrder = true}, control);
+    auto simpler = fitIntrinsics(views, start, {.holdSixthOrder = true}, control);
     if (!simpler)
         return fit;
     simpler->intrinsics.covariance = std::move(fit.intrinsics.covariance);
@@ -109,8 +109,8 @@ Result<void> finish(IntrinsicCalibration &calibration, const std::vector<BoardVi
         calibration.disagreeingPart <= mostLeftOut ? std::move(misread) : CornerMarks(views.size());
     const std::vector<BoardView> counted = withoutCorners(views, leftOut);
     if (countOf(leftOut) > 0) {
-        auto again = fitLens(counted, {fit.intrinsics, fit.cameraFromBoard, fit.print},
-                             {.freePrint = fit.estimatesPrint()}, control);
+        auto again = fitIntrinsics(counted, {fit.intrinsics, fit.cameraFromBoard, fit.print},
+                                   {.freePrint = fit.estimatesPrint()}, control);
         if (again)
             fit = std::move(*again);
     }
@@ -244,7 +244,7 @@ Result<void> solveAgain(IntrinsicCalibration &calibration, const std::vector<std
     }
     if (used.size() < leastViews)
         return tooFew(used.size());
-    auto fit = fitLens(used, start, {}, control);
+    auto fit = fitIntrinsics(used, start, {}, control);
     if (control.isCancelled())
         return cancelled(cannotBeCalibrated());
     if (!fit)

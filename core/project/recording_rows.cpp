@@ -20,11 +20,13 @@ namespace odo {
 namespace {
 
 constexpr int largestSidePx = 32'000; // of an image that is read at all
+constexpr int lastOrientation = 8;
 constexpr const char *mediaEnding = ".media";
 
 const QString recordingColumns = QStringLiteral(
     "SELECT recording.id, trial_id, camera_id, camera.name, position, path, sha256, bytes, width_px, "
-    "height_px, frames_per_second, start_offset_s, clock_rate, recording.sync_method, start_offset_sigma_s ");
+    "height_px, frames_per_second, start_offset_s, clock_rate, recording.sync_method, start_offset_sigma_s, "
+    "orientation ");
 
 /// The folder of the project, absolute and without "." and "..".
 std::filesystem::path projectFolder(const std::filesystem::path &projectFile)
@@ -90,6 +92,7 @@ RecordingRecord recordingOf(const Statement &row)
     recording.clockRate = row.real(12);
     recording.syncMethod = row.text(13);
     recording.startOffsetSigmaS = row.real(14);
+    recording.orientation = std::clamp(row.smallInteger(15), 0, lastOrientation);
     return recording;
 }
 
@@ -135,12 +138,13 @@ Result<RecordId> addRecording(ProjectConnection &connection, const RecordingReco
         connection,
         QStringLiteral("INSERT INTO recording (trial_id, camera_id, position, path, sha256, bytes, "
                        "width_px, height_px, frames_per_second, start_offset_s, clock_rate, sync_method, "
-                       "start_offset_sigma_s) VALUES (?,?,?,?,?,?,?,?,?,?,?,?,?)"));
+                       "start_offset_sigma_s, orientation) VALUES (?,?,?,?,?,?,?,?,?,?,?,?,?,?)"));
     insert.bind(recording.trial).bind(recording.camera).bind(recording.position);
     insert.bind(path.is_absolute() ? storedPath(connection.file(), path) : recording.path);
     insert.bind(recording.sha256).bind(recording.bytes).bind(recording.widthPx).bind(recording.heightPx);
     insert.bind(recording.framesPerSecond).bind(recording.startOffsetS).bind(recording.clockRate);
-    ODO_TRY(insert.bind(recording.syncMethod).bind(recording.startOffsetSigmaS).run());
+    insert.bind(recording.syncMethod).bind(recording.startOffsetSigmaS);
+    ODO_TRY(insert.bind(recording.orientation).run());
     const RecordId id = insert.insertedId();
     ODO_TRY(addFrameTimes(connection, id, recording.frameTimes));
     return id;

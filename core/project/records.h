@@ -76,8 +76,10 @@ struct RegistrationRecord
     Intrinsics assumedIntrinsics; ///< what was used when intrinsics is 0
     std::vector<MarkerPixel> pixels;
     FloorRegistration registration;
-    std::string softwareVersion;                ///< that made it; empty: not known
-    StoredImage image;                          ///< in which the markers were seen
+    std::string softwareVersion; ///< that made it; empty: not known
+    StoredImage image;           ///< in which the markers were seen
+    /// The pixels belong to upright frames. False: made by a version that took the frames of clips as stored.
+    bool isUpright = true;
     std::optional<RegistrationCheck> lastCheck; ///< read only; added by addCheck
 };
 
@@ -174,7 +176,10 @@ struct RecordingRecord
     std::string path;       ///< relative to the project's folder when beside it, else absolute
     std::string sha256;     ///< empty: not made yet
     std::int64_t bytes = 0;
-    int widthPx = 0, heightPx = 0;
+    int widthPx = 0, heightPx = 0; ///< of the frames as they are measured
+    /// How stored frames are turned to be measured, numbered as in EXIF (core/video/frame_turn.h). 0: not at
+    /// all, by a version of the program that did not ask whether the file demands it.
+    int orientation = 1;
     double framesPerSecond = 0;
     std::string syncMethod;       ///< how startOffsetS is known, as in TrialRecord; empty: the first view
     double startOffsetS = 0;      ///< against the first view

@@ -26,16 +26,20 @@ bool sameLayout(const FrameFormat &a, const FrameFormat &b)
 
 double FrameFormat::chromaOffsetX() const
 {
-    if (chromaShiftX == 0 || siting != ChromaSiting::Center)
+    using enum ChromaSiting;
+    if (chromaShiftX == 0)
         return 0.0;
-    return 0.5;
+    if (siting == Center || siting == Top || siting == Bottom)
+        return 0.5;
+    return siting == Right || siting == TopRight || siting == BottomRight ? 1.0 : 0.0;
 }
 
 double FrameFormat::chromaOffsetY() const
 {
-    if (chromaShiftY == 0 || siting == ChromaSiting::TopLeft)
+    using enum ChromaSiting;
+    if (chromaShiftY == 0 || siting == TopLeft || siting == Top || siting == TopRight)
         return 0.0;
-    return 0.5;
+    return siting == BottomLeft || siting == Bottom || siting == BottomRight ? 1.0 : 0.5;
 }
 
 FrameBuffer::FrameBuffer(const FrameFormat &format)
@@ -71,7 +75,7 @@ struct PlanePool::Shelf
 
 PlanePool::PlanePool(std::size_t bytes) : m_shelf(std::make_shared<Shelf>(bytes)) {}
 
-std::shared_ptr<std::uint8_t[]> PlanePool::take()
+std::shared_ptr<std::uint8_t[]> PlanePool::take() const
 {
     std::unique_ptr<std::uint8_t[]> memory;
     {

@@ -47,8 +47,19 @@ struct PixelRect
 };
 
 /// Where a chroma sample lies among the luma samples it covers (H.273 §8.7). Left: MPEG-2 and H.264's
-/// default; Center: MPEG-1 and JPEG; TopLeft: HEVC and DV.
-enum class ChromaSiting { Unknown, Left, Center, TopLeft };
+/// default; Center: MPEG-1 and JPEG; TopLeft: HEVC and DV. Those after Bottom occur in turned frames only.
+enum class ChromaSiting {
+    Unknown,
+    Left,
+    Center,
+    TopLeft,
+    Top,
+    BottomLeft,
+    Bottom,
+    TopRight,
+    Right,
+    BottomRight
+};
 
 /// How luma and chroma were made from RGB.
 enum class YuvMatrix { Bt601, Bt709 };
@@ -105,7 +116,7 @@ struct Frame
     /// Set when only a part was decoded: samples outside it are of no meaning, wholeFrame() gives the rest.
     std::optional<PixelRect> validRegion;
     std::shared_ptr<const CodedImage> coded; ///< set together with validRegion
-    /// Of a still: how its file said that it is to be turned (EXIF, 1 to 8), which has been done
+    /// How its file said that it is to be turned (1 to 8, as EXIF numbers it), which has been done
     /// (frame_turn.h).
     int orientation = 1;
 };
@@ -141,7 +152,7 @@ class PlanePool
 public:
     explicit PlanePool(std::size_t bytes);
     /// As many bytes as given to the constructor; their content is undefined.
-    std::shared_ptr<std::uint8_t[]> take();
+    std::shared_ptr<std::uint8_t[]> take() const;
 
 private:
     struct Shelf;

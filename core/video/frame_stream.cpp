@@ -80,9 +80,9 @@ FrameStream::FrameStream(std::unique_ptr<VideoReader> reader, std::size_t ahead)
 FrameStream::~FrameStream() = default;
 
 Result<std::unique_ptr<FrameStream>> FrameStream::open(const std::filesystem::path &file, std::size_t ahead,
-                                                       const CancelToken &cancel, std::size_t knownFrames)
+                                                       const CancelToken &cancel, const KnownRecording &known)
 {
-    auto reader = ODO_TRY(VideoReader::open(file, cancel, knownFrames));
+    auto reader = ODO_TRY(VideoReader::open(file, cancel, known));
     return std::make_unique<FrameStream>(std::move(reader), std::max<std::size_t>(ahead, 1));
 }
 

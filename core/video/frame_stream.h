@@ -14,10 +14,10 @@ namespace odo {
 class FrameStream
 {
 public:
-    /// `ahead`: frames kept ready at most. knownFrames and errors: those of VideoReader::open.
+    /// `ahead`: frames kept ready at most. known and errors: those of VideoReader::open.
     static Result<std::unique_ptr<FrameStream>> open(const std::filesystem::path &file, std::size_t ahead = 8,
                                                      const CancelToken &cancel = {},
-                                                     std::size_t knownFrames = 0);
+                                                     const KnownRecording &known = {});
     /// Takes over a reader. With `ahead` 0 there is no thread: pop() decodes, and only the region that it
     /// receives.
     explicit FrameStream(std::unique_ptr<VideoReader> reader, std::size_t ahead);

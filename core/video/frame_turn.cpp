@@ -25,9 +25,9 @@ Turn turnOf(int orientation)
     return orientation >= 1 && orientation <= 8 ? turns[orientation - 1] : turns[0];
 }
 
-bool swapsSides(const Turn &turn)
+bool turnsNothing(const Turn &turn)
 {
-    return turn.mode == libyuv::kRotate90 || turn.mode == libyuv::kRotate270;
+    return !turn.isMirrored && turn.mode == libyuv::kRotate0;
 }
 
 void turnPlane(const PlaneView &plane, const Turn &turn, std::uint8_t *to, int toStride)
@@ -41,6 +41,12 @@ void turnPlane(const PlaneView &plane, const Turn &turn, std::uint8_t *to, int t
         from = {mirrored.data(), plane.width, plane.height, plane.width};
     }
     libyuv::RotatePlane(from.data, int(from.stride), to, toStride, from.width, from.height, turn.mode);
+}
+
+bool hasOddChroma(const FrameFormat &format)
+{
+    return (format.chromaShiftX == 1 && format.width % 2 != 0) ||
+           (format.chromaShiftY == 1 && format.height % 2 != 0);
 }
 
 /// Each chroma sample at all the pixels that it covers.
@@ -60,29 +66,106 @@ Frame withChromaAtEachPixel(const Frame &frame)
     return FrameBuffer::toFrame(std::move(buffer), frame.index, frame.time);
 }
 
+/// The siting with these offsets (FrameFormat::chromaOffsetX).
+ChromaSiting sitingAt(double x, double y)
+{
+    using enum ChromaSiting;
+    constexpr ChromaSiting sitings[3][3] = {
+        {TopLeft, Top, TopRight}, {Left, Center, Right}, {BottomLeft, Bottom, BottomRight}};
+    return sitings[std::size_t(2 * y)][std::size_t(2 * x)];
+}
+
+/// Of chroma whose columns and rows are all whole. Siting that is not stated is turned as what it is taken
+/// for.
+ChromaSiting turnedSiting(const FrameFormat &format, const Turn &turn)
+{
+    if (format.chromaShiftX == 0 && format.chromaShiftY == 0)
+        return format.siting;
+    double x = format.chromaShiftX != 0 ? format.chromaOffsetX() : 0.5,
+           y = format.chromaShiftY != 0 ? format.chromaOffsetY() : 0.5;
+    if (turn.isMirrored)
+        x = 1 - x;
+    switch (turn.mode) {
+    case libyuv::kRotate90:
+        return sitingAt(1 - y, x);
+    case libyuv::kRotate180:
+        return sitingAt(1 - x, 1 - y);
+    case libyuv::kRotate270:
+        return sitingAt(y, 1 - x);
+    default:
+        return sitingAt(x, y);
+    }
+}
+
+struct ChromaSize
+{
+    int width = 0, height = 0;
+
+    std::size_t bytes() const { return std::size_t(width) * std::size_t(height); }
+};
+
+ChromaSize chromaSizeOf(const FrameFormat &format)
+{
+    return {(format.width + (1 << format.chromaShiftX) - 1) >> format.chromaShiftX,
+            (format.height + (1 << format.chromaShiftY) - 1) >> format.chromaShiftY};
+}
+
+std::size_t lumaBytesOf(const FrameFormat &format)
+{
+    return std::size_t(format.width) * std::size_t(format.height);
+}
+
 } // namespace
 
-Frame turned(const Frame &frame, int orientation)
+FrameFormat turnedFormat(const FrameFormat &given, int orientation)
 {
     const Turn turn = turnOf(orientation);
-    if (!turn.isMirrored && turn.mode == libyuv::kRotate0)
-        return frame;
-    const FrameFormat &given = frame.format;
-    if ((given.chromaShiftX == 1 && given.width % 2 != 0) ||
-        (given.chromaShiftY == 1 && given.height % 2 != 0))
-        return turned(withChromaAtEachPixel(frame), orientation);
     FrameFormat format = given;
-    if (swapsSides(turn)) {
+    if (turnsNothing(turn))
+        return format;
+    if (hasOddChroma(format))
+        format.chromaShiftX = format.chromaShiftY = 0;
+    format.siting = turnedSiting(format, turn);
+    if (turn.mode == libyuv::kRotate90 || turn.mode == libyuv::kRotate270) {
         std::swap(format.width, format.height);
         std::swap(format.chromaShiftX, format.chromaShiftY);
     }
-    auto buffer = std::make_shared<FrameBuffer>(format);
-    turnPlane(frame.y, turn, buffer->yRow(0), format.width);
-    turnPlane(frame.u, turn, buffer->uRow(0), buffer->chromaWidth());
-    turnPlane(frame.v, turn, buffer->vRow(0), buffer->chromaWidth());
-    Frame result = FrameBuffer::toFrame(std::move(buffer), frame.index, frame.time);
-    result.orientation = orientation;
+    return format;
+}
+
+FrameTurner::FrameTurner(const FrameFormat &format, int orientation)
+    : m_orientation(orientation), m_format(turnedFormat(format, orientation)),
+      m_pool(lumaBytesOf(m_format) + 2 * chromaSizeOf(m_format).bytes())
+{
+}
+
+Frame FrameTurner::turned(const Frame &given) const
+{
+    const Turn turn = turnOf(m_orientation);
+    if (turnsNothing(turn))
+        return given;
+    const Frame frame = hasOddChroma(given.format) ? withChromaAtEachPixel(given) : given;
+    const ChromaSize chroma = chromaSizeOf(m_format);
+    const std::shared_ptr<std::uint8_t[]> memory = m_pool.take();
+    std::uint8_t *y = memory.get(), *u = y + lumaBytesOf(m_format), *v = u + chroma.bytes();
+    turnPlane(frame.y, turn, y, m_format.width);
+    turnPlane(frame.u, turn, u, chroma.width);
+    turnPlane(frame.v, turn, v, chroma.width);
+    Frame result;
+    result.format = m_format;
+    result.y = {y, m_format.width, m_format.height, m_format.width};
+    result.u = {u, chroma.width, chroma.height, chroma.width};
+    result.v = {v, chroma.width, chroma.height, chroma.width};
+    result.index = given.index;
+    result.time = given.time;
+    result.owner = memory;
+    result.orientation = m_orientation;
     return result;
+}
+
+Frame turned(const Frame &frame, int orientation)
+{
+    return FrameTurner(frame.format, orientation).turned(frame);
 }
 
 Frame inOrientation(const Frame &frame, int orientation)
@@ -94,6 +177,16 @@ Frame inOrientation(const Frame &frame, int orientation)
     Frame result = turned(turned(frame, back), orientation);
     result.orientation = orientation;
     return result;
+}
+
+int clockwiseDegreesOf(int orientation)
+{
+    return int(turnOf(orientation).mode); // libyuv names them by their degrees
+}
+
+bool isMirroring(int orientation)
+{
+    return turnOf(orientation).isMirrored;
 }
 
 } // namespace odo

@@ -5,10 +5,12 @@
 #include "core/files/file_words.h"
 #include "core/files/protected_files.h"
 #include "core/video/internal/libav.h"
+#include "core/video/internal/orientation.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstring>
 #include <span>
 #include <string_view>
 #include <vector>
@@ -170,6 +172,17 @@ std::optional<AVRational> VideoInput::statedRate() const
     if (rate.num <= 0 || rate.den <= 0 || av_cmp_q(rate, unstated) == 0 || !isOrdinaryRate(av_q2d(rate)))
         return std::nullopt;
     return rate;
+}
+
+int VideoInput::orientation() const
+{
+    std::size_t bytes = 0;
+    const std::uint8_t *data = av_stream_get_side_data(m_stream, AV_PKT_DATA_DISPLAYMATRIX, &bytes);
+    std::array<std::int32_t, 9> matrix{};
+    if (!data || bytes < sizeof(matrix))
+        return 1;
+    std::memcpy(matrix.data(), data, sizeof(matrix));
+    return orientationOfMatrix(matrix[0], matrix[1], matrix[3], matrix[4]);
 }
 
 int VideoInput::read(AVPacket &packet)

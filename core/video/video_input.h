@@ -44,6 +44,10 @@ public:
     /// assumed.
     AVChromaLocation containerChromaLocation() const { return m_containerChromaLocation; }
 
+    /// How a decoded frame is to be turned before it is shown, as the container's display matrix says,
+    /// numbered as in EXIF (frame_turn.h); 1 where it says nothing.
+    int orientation() const;
+
     /// The next packet of the video stream. 0, AVERROR_EOF or another error of libav.
     int read(AVPacket &packet);
     /// Whether the headers of the packet read last say that it holds two fields, of two moments. Of codecs

@@ -4,6 +4,7 @@
 #include "core/base/shortage.h"
 #include "core/video/field_motion.h"
 #include "core/video/frame_times.h"
+#include "core/video/frame_turn.h"
 #include "core/video/internal/fields.h"
 #include "core/video/internal/libav.h"
 #include "core/video/internal/stream_format.h"
@@ -108,7 +109,9 @@ struct VideoReader::Impl
     libav::CodecPtr decoder;
     std::shared_ptr<JpegDecoder> jpegDecoder; ///< of MJPEG; `decoder` then does what it leaves
     PacketIndex index;
-    VideoInfo info;
+    VideoInfo info;                    ///< of the frames as given
+    FrameFormat coded;                 ///< of the frames as decoded
+    std::optional<FrameTurner> turner; ///< of frames that are not given as decoded
     AVPixelFormat pixelFormat = AV_PIX_FMT_NONE;
 
     std::size_t nextIndex = 0;       ///< of the frame that next() gives
@@ -150,6 +153,7 @@ struct VideoReader::Impl
     void decodeTo(std::size_t frame);
     Result<void> decodeExactly(std::size_t coded);
     Result<std::optional<Frame>> decoded(std::size_t wanted);
+    Result<std::optional<Frame>> upright(std::size_t wanted);
     Result<void> judgeFields(bool isStated);
     std::size_t codedFrameOf(std::size_t frame) const { return info.areFields ? frame / 2 : frame; }
     bool isAhead(std::size_t frame) const
@@ -272,10 +276,10 @@ libav::FramePtr VideoReader::Impl::decodeNextFrame()
 std::optional<Frame> VideoReader::Impl::frameFrom(libav::FramePtr avFrame, std::int64_t frameNumber)
 {
     if (frameNumber < 0 || frameNumber >= static_cast<std::int64_t>(index.frames.size()) ||
-        !isSound(*avFrame) || !fits(*avFrame, info.format, pixelFormat))
+        !isSound(*avFrame) || !fits(*avFrame, coded, pixelFormat))
         return std::nullopt;
     statedFirst = firstFieldOf(*avFrame, input->stream().codecpar->field_order);
-    Frame frame = frameOf(std::move(avFrame), info.format);
+    Frame frame = frameOf(std::move(avFrame), coded);
     frame.index = frameNumber;
     frame.time = index.times[static_cast<std::size_t>(frameNumber)];
     return frame;
@@ -364,6 +368,14 @@ Result<std::optional<Frame>> VideoReader::Impl::decoded(std::size_t wanted)
     return frame;
 }
 
+Result<std::optional<Frame>> VideoReader::Impl::upright(std::size_t wanted)
+{
+    auto frame = decoded(wanted);
+    if (turner && frame && *frame)
+        **frame = turner->turned(**frame);
+    return frame;
+}
+
 /// Gives fields from now on if the frames hold two of different moments, by what moves in them; where too
 /// little does, by what the file says. Begins anew.
 Result<void> VideoReader::Impl::judgeFields(bool isStated)
@@ -398,14 +410,14 @@ VideoReader::VideoReader(std::unique_ptr<Impl> impl) : m_impl(std::move(impl)) {
 VideoReader::~VideoReader() = default;
 
 Result<std::unique_ptr<VideoReader>> VideoReader::open(const std::filesystem::path &file,
-                                                       const CancelToken &cancel, std::size_t knownFrames)
+                                                       const CancelToken &cancel, const KnownRecording &known)
 {
-    return orShortage(cannotOpenVideo(file), [&] { return openChecked(file, cancel, knownFrames); });
+    return orShortage(cannotOpenVideo(file), [&] { return openChecked(file, cancel, known); });
 }
 
 Result<std::unique_ptr<VideoReader>> VideoReader::openChecked(const std::filesystem::path &file,
                                                               const CancelToken &cancel,
-                                                              std::size_t knownFrames)
+                                                              const KnownRecording &known)
 {
     auto impl = std::make_unique<Impl>();
     impl->file = file;
@@ -418,8 +430,14 @@ Result<std::unique_ptr<VideoReader>> VideoReader::openChecked(const std::filesys
     index.firstJpegs.clear();
     const bool isStated = holdsFields(*input, index);
     const std::size_t frames = index.frames.size();
-    const bool mayBeFields = isStated ? knownFrames != frames : knownFrames == 2 * frames;
+    const bool mayBeFields = isStated ? known.frames != frames : known.frames == 2 * frames;
+    impl->coded = format;
     impl->info = describe(*input, index, format);
+    impl->info.orientation = known.orientation.value_or(input->orientation());
+    if (impl->info.orientation != 1) {
+        impl->turner.emplace(format, impl->info.orientation);
+        impl->info.format = impl->turner->format();
+    }
     impl->input = std::move(input);
     impl->index = std::move(index);
     impl->decoder = std::move(decoder);
@@ -437,6 +455,12 @@ bool VideoReader::lacksTimes(const std::filesystem::path &file)
     return input && (*input)->isBareStream() && !(*input)->statedRate();
 }
 
+int VideoReader::statedOrientation(const std::filesystem::path &file)
+{
+    const auto input = orShortage(cannotOpenVideo(file), [&] { return VideoInput::open(file); });
+    return input ? (*input)->orientation() : 1;
+}
+
 const VideoInfo &VideoReader::info() const
 {
     return m_impl->info;
@@ -444,18 +468,18 @@ const VideoInfo &VideoReader::info() const
 
 bool VideoReader::decodesRegions() const
 {
-    return m_impl->jpegDecoder && !m_impl->info.areFields;
+    return m_impl->jpegDecoder && !m_impl->info.areFields && !m_impl->turner;
 }
 
 Result<std::optional<Frame>> VideoReader::next(const std::optional<PixelRect> &region)
 {
     Impl &d = *m_impl;
-    d.region = d.info.areFields ? std::nullopt : region;
+    d.region = decodesRegions() ? region : std::nullopt;
     if (d.nextIndex >= d.info.frameTimes.size())
         return std::nullopt;
     const std::size_t wanted = d.nextIndex++;
     return orShortage([&d, wanted] { return d.cannotDecode(wanted); },
-                      [&d, wanted] { return d.decoded(wanted); });
+                      [&d, wanted] { return d.upright(wanted); });
 }
 
 Result<void> VideoReader::seek(std::int64_t frameIndex)

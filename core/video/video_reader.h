@@ -32,24 +32,35 @@ struct VideoInfo
     /// fields, at half the vertical resolution, in the order in which they were taken. frameTimes has both;
     /// the rate is that of coded frames.
     bool areFields = false;
+    /// How the stored frames were turned (frame_turn.h) to be those given here: as the container's display
+    /// matrix says, or as the project knows that they were measured.
+    int orientation = 1;
     Message warning; ///< empty, or such as "ends early at 12.40 s: …" of a truncated file
 };
 
-/// Decodes one local video file to planes, exactly as coded (of interlaced ones field by field),
-/// frame-accurately; MJPEG by libjpeg-turbo, all else by libavcodec. Only ordinary container formats and the
-/// file protocol are allowed, so that a playlist dressed up as a video cannot open another file. Not
-/// thread-safe: one thread at a time uses a reader. See FrameStream for reading ahead on its own thread.
+/// What a project knows of a recording that it has measured, whatever readers take its file for today.
+struct KnownRecording
+{
+    std::size_t frames = 0;         ///< 0: not known
+    std::optional<int> orientation; ///< by which its frames were turned; none: as the file says
+};
+
+/// Decodes one local video file to planes, exactly as coded (of interlaced ones field by field) but upright
+/// (turned as the container says that it is to be shown), frame-accurately; MJPEG by libjpeg-turbo, all else
+/// by libavcodec. Only ordinary container formats and the file protocol are allowed, so that a playlist
+/// dressed up as a video cannot open another file. Not thread-safe: one thread at a time uses a reader. See
+/// FrameStream for reading ahead on its own thread.
 class VideoReader
 {
 public:
     /// Opens the file and indexes its packets. Errors: missing file, not a video, unsupported
     /// pixel format, no video stream. cancel: ends this, and every later search for a frame, with Cancelled;
-    /// a large file on a slow disk takes its time. knownFrames: of the file, as a project has it; 0 where it
-    /// has none. Of a file that says it is interlaced the first frames are decoded to see whether and in
-    /// which order it is (FieldMotion), unless the project counts its frames whole: then they are given so.
-    /// Of any other the same if the project counts two for each.
+    /// a large file on a slow disk takes its time. known: of the file, as a project has it. Of a file that
+    /// says it is interlaced the first frames are decoded to see whether and in which order it is
+    /// (FieldMotion), unless the project counts its frames whole: then they are given so. Of any other the
+    /// same if the project counts two for each.
     static Result<std::unique_ptr<VideoReader>>
-    open(const std::filesystem::path &file, const CancelToken &cancel = {}, std::size_t knownFrames = 0);
+    open(const std::filesystem::path &file, const CancelToken &cancel = {}, const KnownRecording &known = {});
     ~VideoReader();
     VideoReader(const VideoReader &) = delete;
     VideoReader &operator=(const VideoReader &) = delete;
@@ -57,6 +68,9 @@ public:
     /// Whether a file without time stamps states no frame rate either (TimeSource::Nowhere), from its
     /// headers alone. False also where it cannot be opened.
     static bool lacksTimes(const std::filesystem::path &file);
+    /// How a file says that its frames are to be turned (frame_turn.h), from its headers alone. 1 also where
+    /// it cannot be opened.
+    static int statedOrientation(const std::filesystem::path &file);
 
     const VideoInfo &info() const;
     /// The next frame in order of presentation; nullopt at the end. A damaged frame is an Error that can be
@@ -64,7 +78,7 @@ public:
     /// than this part; where decodesRegions() the frame may then hold only that (Frame::validRegion), in all
     /// else it is whole.
     Result<std::optional<Frame>> next(const std::optional<PixelRect> &region = std::nullopt);
-    /// Whether asking for a region saves time: in MJPEG it does.
+    /// Whether asking for a region saves time: in MJPEG that needs no turning it does.
     bool decodesRegions() const;
     /// Makes next() give the frame of this index. Exact for every codec: seeks to a key frame before it and
     /// decodes on.
@@ -78,7 +92,7 @@ private:
     struct Impl;
     explicit VideoReader(std::unique_ptr<Impl> impl);
     static Result<std::unique_ptr<VideoReader>>
-    openChecked(const std::filesystem::path &file, const CancelToken &cancel, std::size_t knownFrames);
+    openChecked(const std::filesystem::path &file, const CancelToken &cancel, const KnownRecording &known);
     std::unique_ptr<Impl> m_impl;
 };
 

@@ -4,6 +4,7 @@
 #include "core/base/error.h"
 #include "core/base/file_system.h"
 #include "core/calibration/intrinsics_influence.h"
+#include "core/geometry/sensor_format.h"
 #include "core/project/project.h"
 #include "core/project/recording_rows.h"
 #include "core/project/repositories.h"
@@ -16,15 +17,92 @@ ViewClock clockOf(const RecordingRecord &recording)
     return {fromSeconds(recording.startOffsetS), recording.clockRate};
 }
 
+std::filesystem::path imageFileOf(const Project &project, const StoredImage &image)
+{
+    return image.path.empty() ? std::filesystem::path() : absolutePath(project.file(), image.path);
+}
+
+KnownRecording knownRecording(const RecordingRecord &recording)
+{
+    return {recording.frameTimes.size(), std::max(recording.orientation, 1)};
+}
+
+namespace {
+
+/// That a registration was made with.
+Result<Intrinsics> lensOf(Project &project, const RegistrationRecord &registration)
+{
+    if (registration.intrinsics == 0)
+        return registration.assumedIntrinsics;
+    auto stored = ODO_TRY(project.cameras().intrinsics(registration.intrinsics));
+    return std::move(stored.calibration.intrinsics);
+}
+
+} // namespace
+
+Message registerInItsVideo()
+{
+    return ODO_TEXT(
+        "workflow.register_in_its_video",
+        "register the camera in a frame of this video, to which its lens calibration is then fitted");
+}
+
 Result<FloorView> floorViewOf(Project &project, const RegistrationRecord &registration)
 {
-    Intrinsics intrinsics = registration.assumedIntrinsics;
-    if (registration.intrinsics != 0) {
-        auto stored = ODO_TRY(project.cameras().intrinsics(registration.intrinsics));
-        intrinsics = stored.calibration.intrinsics;
-    }
-    auto camera = ODO_TRY(CameraModel::create(std::move(intrinsics)));
+    auto lens = ODO_TRY(lensOf(project, registration));
+    const auto camera = ODO_TRY(CameraModel::create(std::move(lens)));
     return floorViewOf(registration.registration, camera, registration.pixels);
+}
+
+Result<std::optional<FloorView>> floorViewAt(const RegistrationRecord &registration, const Intrinsics &lens,
+                                             int widthPx, int heightPx)
+{
+    const auto format = determinedFormat(lens.widthPx, lens.heightPx, widthPx, heightPx);
+    if (!format)
+        return std::nullopt;
+    const auto camera = ODO_TRY(CameraModel::create(inFormat(lens, *format)));
+    std::vector<MarkerPixel> pixels = registration.pixels;
+    for (MarkerPixel &marker : pixels)
+        marker.pixel = inFormat(marker.pixel, lens.widthPx, lens.heightPx, *format);
+    return floorViewOf(registration.registration, camera, pixels);
+}
+
+Result<std::optional<FloorView>> floorViewAt(Project &project, const RegistrationRecord &registration,
+                                             const RecordingRecord &recording)
+{
+    const Intrinsics lens = ODO_TRY(lensOf(project, registration));
+    return floorViewAt(registration, lens, recording.widthPx, recording.heightPx);
+}
+
+Error registeredAtOtherSize(const std::string &trialName, const RecordingRecord &recording,
+                            const Intrinsics &lens)
+{
+    return {
+        ErrorCode::InvalidInput, viewInTrialSubject(recording.cameraName, trialName),
+        ODO_TEXT("workflow.another_picture_size", "its frames are %1, but the camera was registered at %2")(
+            sizeText(recording.widthPx, recording.heightPx), sizeText(lens.widthPx, lens.heightPx)),
+        registerInItsVideo()};
+}
+
+std::vector<Message> convertedViewWarnings(const std::string &trialName,
+                                           const std::vector<RegisteredView> &views)
+{
+    std::vector<Message> sentences;
+    for (const RegisteredView &view : views) {
+        if (!view.convertedFromPx)
+            continue;
+        const auto &[widthPx, heightPx] = *view.convertedFromPx;
+        sentences.push_back(wholeMessage(
+            viewInTrialSubject(view.recording.cameraName, trialName),
+            ODO_TEXT("workflow.registration_converted",
+                     "its frames are %1, so the camera's registration at %2 was converted")(
+                sizeText(view.recording.widthPx, view.recording.heightPx), sizeText(widthPx, heightPx)),
+            ODO_TEXT(
+                "workflow.register_if_other_part",
+                "if the camera shows another part of the scene at that size, register it again in a frame "
+                "of this video")));
+    }
+    return sentences;
 }
 
 Result<std::optional<FloorView>> floorViewInForce(Project &project, RecordId camera)
@@ -44,19 +122,14 @@ Result<std::vector<RegisteredView>> registeredViews(Project &project, const Tria
         view.file = project.resolve(recording);
         auto registration = ODO_TRY(project.cameras().currentRegistration(recording.camera));
         if (registration) {
-            auto floorView = ODO_TRY(floorViewOf(project, *registration));
-            const Intrinsics &lens = floorView.camera().intrinsics();
+            const Intrinsics lens = ODO_TRY(lensOf(project, *registration));
+            auto floorView = ODO_TRY(floorViewAt(*registration, lens, recording.widthPx, recording.heightPx));
+            if (!floorView)
+                return tl::unexpected(registeredAtOtherSize(trial.name, recording, lens));
             if (lens.widthPx != recording.widthPx || lens.heightPx != recording.heightPx)
-                return fail(ErrorCode::InvalidInput,
-                            ODO_TEXT("workflow.view_of_trial", "view '%1' of trial '%2'")(
-                                Named::camera(recording.cameraName), Named::trial(trial.name)),
-                            ODO_TEXT("workflow.another_picture_size",
-                                     "its frames are %1 but the camera was calibrated at %2")(
-                                sizeText(recording.widthPx, recording.heightPx),
-                                sizeText(lens.widthPx, lens.heightPx)),
-                            ODO_TEXT("workflow.calibrate_at_recorded_size",
-                                     "calibrate and register the camera at the size it records"));
+                view.convertedFromPx = {lens.widthPx, lens.heightPx};
             view.floorView = std::move(floorView);
+            view.registrationImage = imageFileOf(project, registration->image);
             view.registration = std::move(*registration);
         }
         view.recording = std::move(recording);

@@ -5,6 +5,7 @@
 #include "core/geometry/floor_view.h"
 #include "core/project/records.h"
 #include "core/trajectory/analyser.h"
+#include "core/video/video_reader.h"
 
 #include <filesystem>
 #include <optional>
@@ -21,20 +22,51 @@ struct RegisteredView
     std::filesystem::path file;
     std::optional<RegistrationRecord> registration;
     std::optional<FloorView> floorView; ///< empty: not registered, or registered at another frame shape
+    /// at which the camera was registered, where that is not the recording's and floorView was converted
+    std::optional<std::pair<int, int>> convertedFromPx = {};
+    std::filesystem::path registrationImage = {}; ///< in which its markers were seen; empty: none is kept
 };
 
 /// Clock of a trial's recording against the first view's.
 ViewClock clockOf(const RecordingRecord &recording);
 
+/// With what a recording is to be opened, so that its frames are those that were measured.
+KnownRecording knownRecording(const RecordingRecord &recording);
+
+/// The file of an image of the project; empty where none was kept. Looks at the disk.
+std::filesystem::path imageFileOf(const Project &project, const StoredImage &image);
+
 /// The camera registered to the floor, from the stored registration and the intrinsics that it was made with,
 /// whose uncertainty it carries to the floor.
 Result<FloorView> floorViewOf(Project &project, const RegistrationRecord &registration);
 
+/// The same for frames of a size, which the lens that it was made with is converted to where that is
+/// determined (determinedFormat); nullopt where it is not: the camera has to be registered in such a frame.
+/// Any thread.
+Result<std::optional<FloorView>> floorViewAt(const RegistrationRecord &registration,
+                                             const Intrinsics &intrinsics, int widthPx, int heightPx);
+/// For the frames of a recording.
+Result<std::optional<FloorView>> floorViewAt(Project &project, const RegistrationRecord &registration,
+                                             const RecordingRecord &recording);
+
+/// What is said where floorViewAt gives none.
+Error registeredAtOtherSize(const std::string &trialName, const RecordingRecord &recording,
+                            const Intrinsics &intrinsics);
+
+/// Whole sentences on views whose frames have another size than their camera was registered at, and how that
+/// was dealt with. Any thread.
+std::vector<Message> convertedViewWarnings(const std::string &trialName,
+                                           const std::vector<RegisteredView> &views);
+
+/// The advice to do so.
+Message registerInItsVideo();
+
 /// The camera as it is registered now; nullopt where it is not. Project's thread.
 Result<std::optional<FloorView>> floorViewInForce(Project &project, RecordId camera);
 
-/// The views of a trial in their order. A recording of another frame size than its camera was calibrated at
-/// is an Error: the results would be silently wrong. Project's thread.
+/// The views of a trial in their order. A recording of another frame size than its camera was registered at
+/// is an Error where the lens cannot be converted to it for sure (floorViewAt): the results would be silently
+/// wrong. Project's thread.
 Result<std::vector<RegisteredView>> registeredViews(Project &project, const TrialRecord &trial);
 
 /// Whether the recordings are what they were when they were imported or made, by their sizes and by their

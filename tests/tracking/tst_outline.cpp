@@ -159,6 +159,7 @@ void TestOutline::wrongSiting_data()
     row("left said centre", ChromaSiting::Left, ChromaSiting::Center);
     row("centre said left", ChromaSiting::Center, ChromaSiting::Left);
     row("centre not said", ChromaSiting::Center, ChromaSiting::Unknown);
+    row("right said left", ChromaSiting::Right, ChromaSiting::Left);
     row("top left not said", ChromaSiting::TopLeft, ChromaSiting::Unknown);
 }
 

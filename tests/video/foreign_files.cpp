@@ -4,6 +4,7 @@
 #include "core/video/internal/libav.h"
 
 #include <algorithm>
+#include <cstring>
 #include <functional>
 
 extern "C" {
@@ -79,7 +80,20 @@ bool encodeTo(Output &out, AVCodecContext &encoder, AVFrame *image)
 
 } // namespace
 
-bool remux(const std::filesystem::path &from, const std::filesystem::path &to)
+namespace {
+
+void setDisplayMatrix(AVStream &stream, const std::array<int, 4> &turn)
+{
+    constexpr std::int32_t one = 1 << 16, last = 1 << 30; // fixed point, 16 and 30 bits behind it
+    const std::array<std::int32_t, 9> matrix{
+        one * turn[0], one * turn[1], 0, one * turn[2], one * turn[3], 0, 0, 0, last};
+    if (std::uint8_t *data = av_stream_new_side_data(&stream, AV_PKT_DATA_DISPLAYMATRIX, sizeof(matrix)))
+        std::memcpy(data, matrix.data(), sizeof(matrix));
+}
+
+} // namespace
+
+bool remux(const std::filesystem::path &from, const std::filesystem::path &to, const std::array<int, 4> &turn)
 {
     AVFormatContext *input = nullptr;
     if (avformat_open_input(&input, from.c_str(), nullptr, nullptr) < 0)
@@ -93,6 +107,8 @@ bool remux(const std::filesystem::path &from, const std::filesystem::path &to)
         stream->codecpar->codec_tag = 0;
         stream->avg_frame_rate = input->streams[0]->avg_frame_rate;
         stream->time_base = av_inv_q(stream->avg_frame_rate);
+        if (turn != std::array<int, 4>{})
+            setDisplayMatrix(*stream, turn);
         good = avformat_write_header(out.container, nullptr) >= 0;
         const libav::FilterPtr startCodes =
             annexBFilter(*input->streams[0]->codecpar, to.extension() == ".avi");

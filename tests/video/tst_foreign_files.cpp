@@ -219,7 +219,7 @@ void TestForeignFiles::eachFieldIsAFrame()
         }
         QVERIFY(!(*reader)->seek(6));
         // a project that counts them whole
-        const auto whole = VideoReader::open(path("fields.mkv"), {}, 3);
+        const auto whole = VideoReader::open(path("fields.mkv"), {}, {3, {}});
         QVERIFY(!(*whole)->info().areFields);
         const Frame frame = (*whole)->frameAt(2).value();
         QCOMPARE(int(frame.y.at(5, 6)), 42);
@@ -227,14 +227,14 @@ void TestForeignFiles::eachFieldIsAFrame()
     }
     QVERIFY(writeRaw(path("whole.mkv"), "ffv1", "yuv420p", 3));
     QVERIFY(!(*VideoReader::open(path("whole.mkv")))->info().areFields);
-    QVERIFY(!(*VideoReader::open(path("whole.mkv"), {}, 6))->info().areFields);
+    QVERIFY(!(*VideoReader::open(path("whole.mkv"), {}, {6, {}}))->info().areFields);
 }
 
 void TestForeignFiles::whatMovesSaysWhetherThereAreFields()
 {
     const auto fieldsIn = [&](FieldOrder order, bool isStated, std::size_t known) {
         writeLuma(path("moving.mkv"), movingSquare(order, 20), isStated);
-        auto reader = VideoReader::open(path("moving.mkv"), {}, known);
+        auto reader = VideoReader::open(path("moving.mkv"), {}, {known, {}});
         return reader && (*reader)->info().areFields ? std::move(*reader) : nullptr;
     };
     QVERIFY(writeLuma(path("moving.mkv"), movingSquare(FieldOrder::TopFirst, 2), true));

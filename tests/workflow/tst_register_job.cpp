@@ -135,6 +135,72 @@ private Q_SLOTS:
         QVERIFY(runToEnd(without, *m_project, {}).has_value());
         QVERIFY(inForce().image.path.empty());
     }
+
+    /// A lens of 4:3 stills of the same sensor, for an image in 16:9.
+    void theLensIsFittedToTheImage()
+    {
+        const Intrinsics truth = m_scene.cameras[0].view.camera().intrinsics();
+        IntrinsicsRecord stills;
+        stills.camera = m_project->cameras().add({0, "A/1", {}})->id;
+        stills.made = Instant(std::chrono::hours(1));
+        Intrinsics &lens = stills.calibration.intrinsics = truth;
+        lens.widthPx = 2 * truth.widthPx;
+        lens.heightPx = lens.widthPx * 3 / 4;
+        lens.fxPx *= 2;
+        lens.fyPx *= 2;
+        lens.cxPx = 2 * (truth.cxPx + 0.5) - 0.5;
+        lens.cyPx = 2 * (truth.cyPx + 0.5) - 0.5 + (lens.heightPx - 2 * truth.heightPx) / 2;
+        lens.covariance.resize(0, 0);
+        QVERIFY(m_project->cameras().addIntrinsics(stills));
+
+        RegisterJob job(byImage());
+        const auto done = runToEnd(job, *m_project, {});
+        QVERIFY2(done.has_value(), done ? "" : done.error().message().c_str());
+        const auto inForceLens = m_project->cameras().currentIntrinsics(stills.camera)->value();
+        QCOMPARE(inForceLens.calibration.intrinsics.widthPx, truth.widthPx);
+        QCOMPARE(inForceLens.calibration.intrinsics.heightPx, truth.heightPx);
+        QVERIFY(std::abs(inForceLens.calibration.intrinsics.fxPx / truth.fxPx - 1) < 0.003);
+        QVERIFY(std::abs(inForceLens.calibration.intrinsics.cyPx - truth.cyPx) < 1e-9);
+        QVERIFY(inForceLens.made == stills.made); // it is as old as those images
+        QCOMPARE(inForce().intrinsics, inForceLens.id);
+        const std::string verdict = inForce().registration.verdict.english();
+        QVERIFY2(
+            verdict.ends_with("The lens calibration at 2560×1920 was cropped above and below to 1280×720, as "
+                              "the markers confirm."),
+            verdict.c_str());
+        const auto &position = inForce().registration.worldFromCamera.translation;
+        QVERIFY((position - m_scene.cameras[0].view.cameraInWorld()).norm() < 0.02);
+
+        // a better calibration of the stills serves as well, from the same markers
+        QVERIFY(m_project->cameras().addIntrinsics(stills));
+        const auto again = registerWithCurrentIntrinsics(*m_project, "A/1");
+        QVERIFY2(again.has_value(), again ? "" : again.error().message().c_str());
+        QCOMPARE(m_project->cameras().currentIntrinsics(stills.camera)->value().id, again->intrinsics);
+        QCOMPARE(m_project->cameras().currentIntrinsics(stills.camera)->value().calibration.intrinsics.fxPx,
+                 inForceLens.calibration.intrinsics.fxPx);
+    }
+
+    void aScaledLensIsConverted()
+    {
+        IntrinsicsRecord half;
+        half.camera = m_project->cameras().add({0, "A/1", {}})->id;
+        Intrinsics &lens = half.calibration.intrinsics = m_scene.cameras[0].view.camera().intrinsics();
+        lens.widthPx *= 2;
+        lens.heightPx *= 2;
+        lens.fxPx *= 2;
+        lens.fyPx *= 2;
+        lens.cxPx = 2 * (lens.cxPx + 0.5) - 0.5;
+        lens.cyPx = 2 * (lens.cyPx + 0.5) - 0.5;
+        lens.covariance.resize(0, 0);
+        QVERIFY(m_project->cameras().addIntrinsics(half));
+        RegisterJob job(byImage());
+        QVERIFY(runToEnd(job, *m_project, {}).has_value());
+        const std::string verdict = inForce().registration.verdict.english();
+        QVERIFY2(verdict.ends_with("The lens calibration at 2560×1440 was converted to 1280×720."),
+                 verdict.c_str());
+        const auto &position = inForce().registration.worldFromCamera.translation;
+        QVERIFY((position - m_scene.cameras[0].view.cameraInWorld()).norm() < 0.02);
+    }
 };
 
 ODOGRAPH_TEST(TestRegisterJob, QCoreApplication)

@@ -29,28 +29,64 @@ private Q_SLOTS:
     }
 
     /// Its figures would be wrong in silence.
-    void picturesOfAnotherSizeAreRefused()
+    void framesOfAnotherShapeAreRefused()
     {
-        const auto trial = m_project->trials().find("Trial 1");
-        auto recordings = *m_project->trials().recordings(trial->id);
-        for (RecordingRecord &recording : recordings) {
-            recording.id = 0;
-            recording.widthPx *= 2;
-            recording.heightPx *= 2;
-        }
-        TrialRecord larger;
-        larger.name = "larger";
-        QVERIFY(m_project->trials().add(larger, recordings));
-        TrackJob job("larger", {});
+        addOfSize("taller", 640, 480);
+        TrackJob job("taller", {});
         const auto tracked = runToEnd(job, *m_project, {});
         QVERIFY(!tracked);
+        QCOMPARE(tracked.error().message(),
+                 std::string(
+                     "view 'A' in trial 'taller': its frames are 640×480, but the camera was registered at "
+                     "320×180; register the camera in a frame of this video, to which its lens "
+                     "calibration is then fitted"));
+    }
+
+    /// A pixel of twice the size is where it was.
+    void framesOfTheSameShapeAreConverted()
+    {
+        addOfSize("larger", 640, 360);
+        const auto before = registeredViews(*m_project, *m_project->trials().find("Trial 1")),
+                   views = registeredViews(*m_project, *m_project->trials().find("larger"));
+        QVERIFY2(views, views ? "" : views.error().message().c_str());
+        QVERIFY(!before->front().convertedFromPx);
+        QVERIFY((views->front().convertedFromPx == std::pair{320, 180}));
+        const Eigen::Matrix2d noise = 0.01 * Eigen::Matrix2d::Identity();
+        for (const Eigen::Vector2d pixel : {Eigen::Vector2d(100, 80), Eigen::Vector2d(250.3, 170)}) {
+            const auto one = before->front().floorView->locate(pixel, noise, 0.05);
+            const auto two = views->front().floorView->locate(
+                {2 * (pixel.x() + 0.5) - 0.5, 2 * (pixel.y() + 0.5) - 0.5}, 4 * noise, 0.05);
+            QVERIFY(one && two);
+            QVERIFY((one->pointInWorld - two->pointInWorld).norm() < 1e-9);
+            QVERIFY((one->pixelCovariance - two->pixelCovariance).norm() <
+                    1e-9 * one->pixelCovariance.norm());
+            QVERIFY((one->calibrationCovariance - two->calibrationCovariance).norm() <=
+                    1e-6 * one->calibrationCovariance.norm());
+        }
+        const auto words = convertedViewWarnings("larger", *views);
+        QCOMPARE(words.size(), std::size_t(2));
         QCOMPARE(
-            tracked.error().message(),
-            std::string("view 'A' of trial 'larger': its frames are 640×360 but the camera was calibrated at "
-                        "320×180; calibrate and register the camera at the size it records"));
+            words.front().english(),
+            std::string("view 'A' in trial 'larger': its frames are 640×360, so the camera's registration "
+                        "at 320×180 was converted; if the camera shows another part of the scene at that "
+                        "size, register it again in a frame of this video"));
+        QVERIFY(convertedViewWarnings("Trial 1", *before).empty());
     }
 
 private:
+    void addOfSize(const char *name, int widthPx, int heightPx)
+    {
+        auto recordings = *m_project->trials().recordings(m_project->trials().find("Trial 1")->id);
+        for (RecordingRecord &recording : recordings) {
+            recording.id = 0;
+            recording.widthPx = widthPx;
+            recording.heightPx = heightPx;
+        }
+        TrialRecord trial;
+        trial.name = name;
+        QVERIFY(m_project->trials().add(trial, recordings));
+    }
+
     QTemporaryDir m_folder;
     std::unique_ptr<Project> m_project;
 };

@@ -69,7 +69,7 @@ Result<void> loadViews(Project &project, const std::vector<AnalysisRecord> &anal
         if (registration) {
             if (const auto axes = ODO_TRY(presentAxesOf(project, *registration)); axes && axes->scale == 1)
                 registration->registration = inAxes(registration->registration, *axes);
-            view.floorView = ODO_TRY(floorViewOf(project, *registration));
+            view.floorView = ODO_TRY(floorViewAt(project, *registration, recording));
             view.registration = registration->registration;
             if (!scene.layout) {
                 auto layout = ODO_TRY(project.layouts().get(registration->layout));

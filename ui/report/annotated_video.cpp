@@ -8,6 +8,7 @@
 #include "core/video/frame_stream.h"
 #include "core/video/image.h"
 #include "core/video/video_writer.h"
+#include "core/workflow/trial_sources.h"
 #include "ui/report/internal/annotated_frame.h"
 #include "ui/views/image/image_overlay.h"
 #include "ui/views/widgets/theme.h"
@@ -24,7 +25,7 @@ public:
     static Result<ViewFilm> open(const SceneView &view, QSize sizePx, const CancelToken &cancel)
     {
         constexpr std::size_t ahead = 4;
-        auto stream = ODO_TRY(FrameStream::open(view.file, ahead, cancel, view.recording.frameTimes.size()));
+        auto stream = ODO_TRY(FrameStream::open(view.file, ahead, cancel, knownRecording(view.recording)));
         return ViewFilm(std::move(stream), sizePx);
     }
     /// The image of a frame at or after the one before; null where it is damaged or the file has ended.

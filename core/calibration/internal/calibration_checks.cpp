@@ -25,7 +25,7 @@ std::optional<LensFit> fitHalf(const std::vector<BoardView> &views, const LensFi
         some.push_back(views[i]);
         start.cameraFromBoard.push_back(all.cameraFromBoard[i]);
     }
-    return fitLens(some, start, options, control);
+    return fitIntrinsics(some, start, options, control);
 }
 
 } // namespace
@@ -132,7 +132,7 @@ double focalSigma(const std::vector<BoardView> &views, const LensFit &fit, const
         start.intrinsics.fyPx *= factor;
         for (RigidTransform &pose : start.cameraFromBoard)
             pose.translation.z() *= factor; // the same size in the image
-        const auto other = fitLens(views, start, {true, 0}, control);
+        const auto other = fitIntrinsics(views, start, {true, 0}, control);
         if (!other)
             continue;
         const double worse =
@@ -188,7 +188,7 @@ std::optional<LensFit> fitGroup(const std::vector<BoardView> &views, const LensF
         some.push_back(views[own.view]);
     const auto start =
         startLens(some, fit.intrinsics.widthPx, fit.intrinsics.heightPx, fit.intrinsics.model, withoutPose);
-    return start && withoutPose.empty() ? fitLens(some, *start, {}, control) : std::nullopt;
+    return start && withoutPose.empty() ? fitIntrinsics(some, *start, {}, control) : std::nullopt;
 }
 
 } // namespace

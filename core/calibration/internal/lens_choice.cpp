@@ -114,7 +114,7 @@ std::optional<LensChoice> chooseLens(const std::vector<BoardView> &views,
 {
     std::vector<LensCandidate> candidates;
     for (const LensStart &start : starts) {
-        auto fit = fitLens(views, start, {}, control);
+        auto fit = fitIntrinsics(views, start, {}, control);
         if (!fit)
             continue;
         CornerMarks outliers = outlyingCorners(views, *fit, control);

@@ -291,8 +291,8 @@ double LensFit::rmsPx() const
     return count == 0 ? 0 : std::sqrt(squares / static_cast<double>(count));
 }
 
-std::optional<LensFit> fitLens(const std::vector<BoardView> &views, const LensStart &start,
-                               const LensFitOptions &options, const JobControl &control)
+std::optional<LensFit> fitIntrinsics(const std::vector<BoardView> &views, const LensStart &start,
+                                     const LensFitOptions &options, const JobControl &control)
 {
     switch (start.intrinsics.model) {
     case LensModel::Standard:
@@ -323,7 +323,8 @@ std::optional<LensFit> fitPose(const BoardView &view, const LensFit &known,
                                const RigidTransform &cameraFromBoard)
 {
     const auto from = [&](const RigidTransform &pose) {
-        return fitLens({view}, {known.intrinsics, {pose}, known.print}, {.holdLens = true}, JobControl());
+        return fitIntrinsics({view}, {known.intrinsics, {pose}, known.print}, {.holdLens = true},
+                             JobControl());
     };
     if (auto near = from(cameraFromBoard))
         return near;

@@ -73,8 +73,8 @@ std::optional<LensStart> startLens(const std::vector<BoardView> &views, int widt
 
 /// Levenberg–Marquardt over lens and poses (Ceres, Schur complement over the poses). nullopt where it was
 /// cancelled or led nowhere.
-std::optional<LensFit> fitLens(const std::vector<BoardView> &views, const LensStart &start,
-                               const LensFitOptions &options, const JobControl &control);
+std::optional<LensFit> fitIntrinsics(const std::vector<BoardView> &views, const LensStart &start,
+                                     const LensFitOptions &options, const JobControl &control);
 
 /// The pose of one view under the lens and print of a fit, from a pose that is nearly right, or any where
 /// that leads nowhere; nullopt where there is none.

@@ -23,8 +23,8 @@ bool provesPrint(const std::vector<BoardView> &views, const LensFit &fit, double
 {
     if (fit.estimatesPrint())
         return true;
-    const auto shaped = fitLens(views, {fit.intrinsics, fit.cameraFromBoard, plainPrintOf(views)},
-                                {.freePrint = true}, control);
+    const auto shaped = fitIntrinsics(views, {fit.intrinsics, fit.cameraFromBoard, plainPrintOf(views)},
+                                      {.freePrint = true}, control);
     if (!shaped)
         return false;
     const double sigma = std::sqrt(shaped->printCovariance(BoardShape::Stretch, BoardShape::Stretch));

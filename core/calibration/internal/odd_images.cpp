@@ -47,10 +47,10 @@ std::optional<LensFit> robustFit(const std::vector<BoardView> &views, const Memb
         some.push_back(views[view]);
         start.cameraFromBoard.push_back(all.cameraFromBoard[view]);
     }
-    auto fit = fitLens(some, start, {}, control);
+    auto fit = fitIntrinsics(some, start, {}, control);
     for (int round = 0; fit && round < robustRounds; ++round)
-        fit = fitLens(some, {fit->intrinsics, fit->cameraFromBoard, fit->print},
-                      {.cauchyPx = cauchyTimes * robustSigmaPx(*fit)}, control);
+        fit = fitIntrinsics(some, {fit->intrinsics, fit->cameraFromBoard, fit->print},
+                            {.cauchyPx = cauchyTimes * robustSigmaPx(*fit)}, control);
     return fit;
 }
 
@@ -67,7 +67,7 @@ BoardView soundPart(const BoardView &view, const LensFit &lens, double sigmaPx, 
 {
     const LensStart start{lens.intrinsics, {near}, lens.print};
     const auto pose =
-        fitLens({view}, start, {.cauchyPx = cauchyTimes * sigmaPx, .holdLens = true}, JobControl());
+        fitIntrinsics({view}, start, {.cauchyPx = cauchyTimes * sigmaPx, .holdLens = true}, JobControl());
     if (!pose)
         return view;
     std::vector<std::size_t> far;
@@ -193,7 +193,7 @@ std::vector<OddImage> oddImages(const std::vector<BoardView> &views, std::vector
     for (LensStart &start : fitted) {
         auto fit = start.intrinsics.model == LensModel::Rational && starts.size() > 1
                        ? std::nullopt
-                       : fitLens(views, start, {}, control);
+                       : fitIntrinsics(views, start, {}, control);
         if (!fit)
             continue;
         start = {fit->intrinsics, fit->cameraFromBoard, fit->print};

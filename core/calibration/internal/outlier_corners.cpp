@@ -121,8 +121,8 @@ CornerMarks outlyingCorners(const std::vector<BoardView> &views, const LensFit &
     if (countOf(marks) == 0)
         return marks;
     const auto robust =
-        fitLens(views, {fit.intrinsics, fit.cameraFromBoard, fit.print},
-                {.cauchyPx = 2 * limitPx / cornerOutliers, .freePrint = fit.estimatesPrint()}, control);
+        fitIntrinsics(views, {fit.intrinsics, fit.cameraFromBoard, fit.print},
+                      {.cauchyPx = 2 * limitPx / cornerOutliers, .freePrint = fit.estimatesPrint()}, control);
     return robust ? cornersBeyond(*robust, outlierLimitPx(robustSigmaPx(*robust))) : marks;
 }
 

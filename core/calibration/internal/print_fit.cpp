@@ -35,16 +35,17 @@ std::optional<LensFit> fitWithPrint(const std::vector<BoardView> &views, const C
     const std::vector<BoardView> sound = withoutCorners(views, misread);
     const auto plain = countOf(misread) == 0
                            ? std::optional(flat)
-                           : fitLens(sound, {flat.intrinsics, flat.cameraFromBoard}, {}, control);
+                           : fitIntrinsics(sound, {flat.intrinsics, flat.cameraFromBoard}, {}, control);
     const auto shaped =
-        fitLens(sound, {flat.intrinsics, flat.cameraFromBoard, plainPrintOf(views)}, options, control);
+        fitIntrinsics(sound, {flat.intrinsics, flat.cameraFromBoard, plainPrintOf(views)}, options, control);
     if (!plain || !shaped || !isDetermined(*shaped) || shaped->squares > worthHoldingOut * plain->squares)
         return std::nullopt;
     const auto worse = holdOut(sound, *plain, {}, control),
                better = holdOut(sound, *shaped, options, control);
     if (!worse || !better || !predictsClearlyWorse(*worse, *better))
         return std::nullopt;
-    return fitLens(views, {shaped->intrinsics, shaped->cameraFromBoard, shaped->print}, options, control);
+    return fitIntrinsics(views, {shaped->intrinsics, shaped->cameraFromBoard, shaped->print}, options,
+                         control);
 }
 
 double scatterFactor(const LensFit &fit)

@@ -245,7 +245,7 @@ namespace {
 const QString registrationColumns = QStringLiteral(
     "SELECT id, camera_id, layout_id, intrinsics_id, assumed_lens_id, made_ms, qw, qx, qy, qz, "
     "x_m, y_m, z_m, pose_covariance, rms_px, rms_m, verdict, software_version, picture_path, picture_sha256, "
-    "picture_bytes FROM registration ");
+    "picture_bytes, upright FROM registration ");
 
 Result<RecordId> addRow(ProjectConnection &connection, const RegistrationRecord &record,
                         RecordId intrinsicsId)
@@ -256,8 +256,8 @@ Result<RecordId> addRow(ProjectConnection &connection, const RegistrationRecord 
         connection,
         QStringLiteral("INSERT INTO registration (camera_id, layout_id, intrinsics_id, assumed_lens_id, "
                        "made_ms, qw, qx, qy, qz, x_m, y_m, z_m, pose_covariance, rms_px, rms_m, verdict, "
-                       "software_version, picture_path, picture_sha256, picture_bytes) "
-                       "VALUES (?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?)"));
+                       "software_version, picture_path, picture_sha256, picture_bytes, upright) "
+                       "VALUES (?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?)"));
     const FloorRegistration &registration = record.registration;
     const Eigen::Quaterniond &q = registration.worldFromCamera.rotation;
     const Eigen::Vector3d &t = registration.worldFromCamera.translation;
@@ -271,7 +271,7 @@ Result<RecordId> addRow(ProjectConnection &connection, const RegistrationRecord 
     insert.bind(path.is_absolute() ? storedPath(connection.file(), path) : image.path)
         .bind(image.sha256)
         .bind(image.bytes);
-    ODO_TRY(insert.run());
+    ODO_TRY(insert.bind(record.isUpright ? 1 : 0).run());
     return insert.insertedId();
 }
 
@@ -358,6 +358,7 @@ Result<RegistrationRecord> readRegistration(const ProjectConnection &connection,
     registration.verdict = row.message(16);
     record.softwareVersion = row.name(17);
     record.image = {row.text(18), row.text(19), row.integer(20)};
+    record.isUpright = row.integer(21) != 0;
     const Message what = registrationOfProject(record.id);
     const auto covariance = ODO_TRY(unpackSquare(row.blob(13), what));
     if (covariance.rows() != 6)

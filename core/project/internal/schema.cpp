@@ -72,6 +72,8 @@ std::vector<Migration> projectMigrations()
                      step("15_pointed_out_robots")),
         {ODO_TEXT("project.format_16", "messages as codes with their arguments"), storeMessages},
         sqlMigration(ODO_TEXT("project.format_17", "verdicts, and their acceptance"), step("17_verdicts")),
+        sqlMigration(ODO_TEXT("project.format_18", "how the frames of recordings are turned"),
+                     step("18_upright_frames")),
     };
 }
 

@@ -11,7 +11,7 @@ namespace odo {
 namespace {
 
 constexpr int enoughOutlines = 100;
-constexpr double leastLag = 0.25, wrongSiting = 0.5; ///< luma pixels
+constexpr double sitingStep = 0.5, mostSitingLag = 1; ///< luma pixels
 
 /// By how much a lag of the chroma plane moves the chroma's edge along a line.
 Eigen::Vector2d alongLine(const ScanLine &line)
@@ -38,7 +38,8 @@ void SitingCheck::learn(const std::vector<ScanLine> &lines, std::vector<LineEdge
         return;
     const Eigen::Vector2d mean = m_normal.inverse() * m_right, before = m_lag;
     for (int axis = 0; axis < 2; ++axis)
-        m_lag[axis] = std::abs(mean[axis]) > leastLag ? std::copysign(wrongSiting, mean[axis]) : 0.0;
+        m_lag[axis] =
+            std::clamp(sitingStep * std::round(mean[axis] / sitingStep), -mostSitingLag, mostSitingLag);
     if (m_lag == before)
         return;
     for (std::size_t i = 0; i < lines.size(); ++i) {

@@ -9,8 +9,9 @@
 namespace odo {
 
 /// Finds from the edges of a robot whether the chroma samples have another siting than the stream says: then
-/// its edges are shifted from the luma's, everywhere in the same direction. A siting is wrong by half a pixel
-/// or not at all; less is shading. Learns from the first hundred outlines.
+/// its edges are shifted from the luma's, everywhere in the same direction. A siting is wrong by half a
+/// pixel, by a whole one (of a clip that a program has mirrored since), or not at all; less is shading.
+/// Learns from the first hundred outlines.
 class SitingCheck
 {
 public:

@@ -97,4 +97,20 @@ int statedOrientation(ImageFormat format, std::span<const std::uint8_t> file)
     }
 }
 
+int orientationOfMatrix(std::int64_t a, std::int64_t b, std::int64_t c, std::int64_t d)
+{
+    const auto size = [](std::int64_t value) { return value < 0 ? -value : value; };
+    const bool mirrors = a * d - b * c < 0;
+    if (size(a) + size(d) >= size(b) + size(c)) {
+        if (a == 0 && d == 0)
+            return 1;
+        if (mirrors)
+            return a < d ? 2 : 4;
+        return a + d > 0 ? 1 : 3;
+    }
+    if (mirrors)
+        return b + c > 0 ? 5 : 7;
+    return b > c ? 6 : 8;
+}
+
 } // namespace odo

@@ -14,4 +14,9 @@ namespace odo {
 /// turns by the file's own boxes. Never reads outside `file`.
 int statedOrientation(ImageFormat format, std::span<const std::uint8_t> file);
 
+/// The same for the display matrix of a video (ISO/IEC 14496-12 §8.3.2; libavutil/display.h), the first two
+/// columns a, b, c, d of which show pixel (p, q) at (a p + c q, b p + d q): its nearest quarter turn,
+/// mirrored or not. 1 of one that shows nothing.
+int orientationOfMatrix(std::int64_t a, std::int64_t b, std::int64_t c, std::int64_t d);
+
 } // namespace odo

@@ -53,6 +53,12 @@ ChromaSiting sitingOf(AVChromaLocation location)
         return ChromaSiting::Center;
     case AVCHROMA_LOC_TOPLEFT:
         return ChromaSiting::TopLeft;
+    case AVCHROMA_LOC_TOP:
+        return ChromaSiting::Top;
+    case AVCHROMA_LOC_BOTTOMLEFT:
+        return ChromaSiting::BottomLeft;
+    case AVCHROMA_LOC_BOTTOM:
+        return ChromaSiting::Bottom;
     default:
         return ChromaSiting::Unknown;
     }

@@ -51,10 +51,15 @@ AVChromaLocation locationOf(ChromaSiting siting)
         return AVCHROMA_LOC_CENTER;
     case ChromaSiting::TopLeft:
         return AVCHROMA_LOC_TOPLEFT;
-    case ChromaSiting::Unknown:
-        break;
+    case ChromaSiting::Top:
+        return AVCHROMA_LOC_TOP;
+    case ChromaSiting::BottomLeft:
+        return AVCHROMA_LOC_BOTTOMLEFT;
+    case ChromaSiting::Bottom:
+        return AVCHROMA_LOC_BOTTOM;
+    default: // no container has a word for it
+        return AVCHROMA_LOC_UNSPECIFIED;
     }
-    return AVCHROMA_LOC_UNSPECIFIED;
 }
 
 Result<void> checkFormat(const FrameFormat &format, VideoCodec codec)

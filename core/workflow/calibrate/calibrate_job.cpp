@@ -301,17 +301,37 @@ void CalibrateJob::settle(const JobControl &control)
     if (m_searched.empty())
         return;
     settleOrientation(control);
-    std::vector<std::pair<int, int>> all, withBoard;
-    for (const Searched &image : m_searched) {
-        all.emplace_back(image.widthPx, image.heightPx);
-        if (image.view)
-            withBoard.push_back(all.back());
-    }
-    std::tie(m_widthPx, m_heightPx) = mostFrequent(withBoard.empty() ? all : withBoard);
+    settleSize();
     settleBoard(control);
 }
 
-/// The images of a camera that was turned share the rows and columns of its sensor.
+namespace {
+
+/// How well images agree on one lens: by how many do, then by their RMS.
+struct Agreement
+{
+    std::size_t images = 0;
+    double rmsPx = 0;
+
+    bool operator<(const Agreement &other) const
+    {
+        return images != other.images ? images < other.images : rmsPx > other.rmsPx;
+    }
+};
+
+Agreement agreementOf(const std::vector<BoardView> &views, int widthPx, int heightPx,
+                      const JobControl &control)
+{
+    const JobControl quiet{control.cancel, {}};
+    const auto fit = calibrateIntrinsics(views, widthPx, heightPx, LensModel::Standard, quiet);
+    return fit ? Agreement{fit->imagesUsed(), fit->rmsPx} : Agreement();
+}
+
+} // namespace
+
+/// The images of a camera that was turned share the rows and columns of its sensor, and their files say how
+/// they are turned; of images that were turned afterwards, the upright ones belong together. Where both may
+/// be, those are taken that agree better on one lens.
 void CalibrateJob::settleOrientation(const JobControl &control)
 {
     std::vector<int> orientations;
@@ -322,10 +342,33 @@ void CalibrateJob::settleOrientation(const JobControl &control)
     if (orientations.empty())
         return;
     const int most = mostFrequent(orientations);
+    if (std::ranges::all_of(m_searched, [&](const Searched &one) { return one.orientation == most; }))
+        return;
+    settleSize();
+    const Agreement upright = agreementOf(viewsOfSize(), m_widthPx, m_heightPx, control);
+    const std::vector<Searched> uprightImages = m_searched;
+    const std::vector<BoardImage> uprightFiles = m_images;
     for (Searched &image : m_searched) {
         if (image.orientation != most && !image.still.empty() && !control.isCancelled())
             searchAgain(image, m_settings.board, most);
     }
+    settleSize();
+    if (agreementOf(viewsOfSize(), m_widthPx, m_heightPx, control) < upright) {
+        m_searched = uprightImages;
+        m_images = uprightFiles;
+    }
+}
+
+/// The size of most images with a board.
+void CalibrateJob::settleSize()
+{
+    std::vector<std::pair<int, int>> all, withBoard;
+    for (const Searched &image : m_searched) {
+        all.emplace_back(image.widthPx, image.heightPx);
+        if (image.view)
+            withBoard.push_back(all.back());
+    }
+    std::tie(m_widthPx, m_heightPx) = mostFrequent(withBoard.empty() ? all : withBoard);
 }
 
 std::vector<BoardView> CalibrateJob::viewsOfSize() const

@@ -85,6 +85,7 @@ private:
     void searchAgain(Searched &image, const BoardSpec &spec, int orientation);
     void settle(const JobControl &control);
     void settleOrientation(const JobControl &control);
+    void settleSize();
     void settleBoard(const JobControl &control);
     void collect();
     std::vector<BoardView> viewsOfSize() const;

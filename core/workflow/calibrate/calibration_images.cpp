@@ -4,7 +4,6 @@
 #include "core/base/file_system.h"
 #include "core/base/sha256.h"
 #include "core/files/protected_files.h"
-#include "core/video/frame_turn.h"
 #include "core/video/image.h"
 #include "core/video/image_reader.h"
 #include "core/video/video_reader.h"
@@ -121,7 +120,7 @@ Result<void> visitImages(const std::filesystem::path &file, int videoStep,
     const std::string name = file.filename().string();
     if (isStillImage(file)) {
         const auto image = ODO_TRY(readImage(file));
-        visit(inOrientation(image, 1), name);
+        visit(image, name);
         return {};
     }
     auto reader = ODO_TRY(VideoReader::open(file, cancel));

@@ -51,8 +51,7 @@ bool isStillImage(const std::filesystem::path &file);
 Result<Frame> imageOf(const std::filesystem::path &file, std::int64_t frame);
 
 /// Gives the images of a file one after another, named "file" or "file@frame": one for a still, every step-th
-/// for a video, each as it is stored: a video is measured so, whatever its header says of its orientation,
-/// and an image of the floor has to be seen alike. Stops early when visit returns false. Errors: neither an
+/// for a video, each upright. Stops early when visit returns false. Errors: neither an
 /// image nor a video; Cancelled.
 Result<void> visitImages(const std::filesystem::path &file, int videoStep,
                          const std::function<bool(const Frame &, const std::string &)> &visit,

@@ -4,6 +4,7 @@
 #include "core/base/error.h"
 #include "core/capture/camera_source.h"
 #include "core/exchange/calibration_file.h"
+#include "core/geometry/sensor_format.h"
 #include "core/project/project.h"
 #include "core/project/recording_rows.h"
 #include "core/project/records.h"
@@ -118,11 +119,6 @@ void addName(std::vector<std::string> &names, const std::string &name)
         names.push_back(name);
 }
 
-std::filesystem::path imageOf(Project &project, const StoredImage &image)
-{
-    return image.path.empty() ? std::filesystem::path() : absolutePath(project.file(), image.path);
-}
-
 Revision revisionOf(Project &project, const IntrinsicsRecord &record)
 {
     Revision revision;
@@ -137,7 +133,7 @@ Revision revisionOf(Project &project, const IntrinsicsRecord &record)
     const auto kept =
         std::ranges::find_if(record.files, [](const StoredImage &file) { return !file.path.empty(); });
     if (kept != record.files.end())
-        revision.image = imageOf(project, *kept);
+        revision.image = imageFileOf(project, *kept);
     return revision;
 }
 
@@ -158,7 +154,7 @@ Result<Revision> revisionOf(Project &project, const RegistrationRecord &record)
     revision.evidence = static_cast<int>(record.registration.markers.size());
     revision.rmsPx = record.registration.rmsPx;
     revision.verdict = record.registration.verdict;
-    revision.image = imageOf(project, record.image);
+    revision.image = imageFileOf(project, record.image);
     revision.markers = record.pixels;
     return revision;
 }
@@ -293,7 +289,8 @@ Result<std::vector<Message>> calibrationWarnings(Project &project, const CameraR
                  ODO_TEXT("workflow.calibrate_if_touched",
                           "if zoom, focus or the camera's settings have changed since, calibrate it again."));
         const Intrinsics &lens = intrinsics->calibration.intrinsics;
-        if (recording && (recording->widthPx != lens.widthPx || recording->heightPx != lens.heightPx))
+        if (recording &&
+            !determinedFormat(lens.widthPx, lens.heightPx, recording->widthPx, recording->heightPx))
             warn(ODO_TEXT("workflow.recorded_at_another_size",
                           "The newest recording of camera '%1' is %2, its lens was calibrated at %3")(
                      name, sizeText(recording->widthPx, recording->heightPx),

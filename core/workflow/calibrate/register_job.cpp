@@ -8,6 +8,7 @@
 #include "core/project/repositories.h"
 #include "core/workflow/calibrate/calibration_images.h"
 #include "core/workflow/calibrate/cameras.h"
+#include "core/workflow/calibrate/fitted_intrinsics.h"
 #include "core/workflow/shared_words.h"
 #include "core/workflow/trial_sources.h"
 
@@ -52,8 +53,11 @@ Result<void> RegisterJob::prepare(Project &project)
         const auto intrinsics = ODO_TRY(project.cameras().currentIntrinsics(camera.id));
         if (intrinsics) {
             m_intrinsicsKnown = true;
+            m_stored = *intrinsics;
             m_intrinsics = intrinsics->calibration.intrinsics;
             m_record.intrinsics = intrinsics->id;
+            if (m_settings.widthPx > 0)
+                takeSize(m_settings.widthPx, m_settings.heightPx);
         }
         const auto recording = ODO_TRY(project.trials().newestRecording(camera.id));
         if (recording && m_settings.imageFile.empty() && m_settings.pixelsFile.empty() &&
@@ -88,6 +92,7 @@ Result<void> RegisterJob::run(const JobControl &control)
     }
     if (m_settings.pixels.empty() || !m_settings.imageFile.empty())
         ODO_TRY(findInImages(control));
+    fitIntrinsics();
     auto camera = ODO_TRY(cameraModel());
     auto registration = registerFloor(m_layout, m_settings.pixels, camera, m_intrinsicsKnown, m_context);
     if (!registration) {
@@ -98,6 +103,9 @@ Result<void> RegisterJob::run(const JobControl &control)
     m_record.pixels = m_settings.pixels;
     m_record.assumedIntrinsics = registration->intrinsics;
     m_record.registration = std::move(*registration);
+    if (!m_fitting.isEmpty())
+        m_record.registration.verdict =
+            joined({std::move(m_record.registration.verdict), m_fitting}, Join::Space);
     return keepImage();
 }
 
@@ -121,32 +129,21 @@ Result<void> RegisterJob::findInImages(const JobControl &control)
                     ODO_TEXT("workflow.give_pixels_or_picture",
                              "give the markers' pixels, or an image or a video of the floor"));
     const bool wanted = m_settings.pixels.empty();
-    MarkerSearch search{std::nullopt, m_intrinsicsKnown, m_settings.hints};
-    if (m_intrinsicsKnown) {
-        auto camera = ODO_TRY(cameraModel());
-        search.camera = std::move(camera);
-    }
     tl::unexpected<Error> lastProblem =
         fail(ErrorCode::Undetermined, what,
              ODO_TEXT("workflow.video_without_picture", "the video has no frame"), giveAnotherFile());
     int looked = 0;
-    Result<void> rightSize;
+    Result<MarkerSearch> search = MarkerSearch();
     auto visited = visitImages(
         m_settings.imageFile, markerVideoStep,
         [&](const Frame &frame, const std::string &name) {
             control.report(double(looked) / mostImages, detectingMarkersIn(name));
-            if (!m_intrinsicsKnown) {
-                m_intrinsics.widthPx = frame.format.width;
-                m_intrinsics.heightPx = frame.format.height;
-            }
-            if (!wanted) {
+            search = searchIn(frame);
+            if (!wanted)
                 m_seenIn = frame;
+            if (!wanted || !search)
                 return false;
-            }
-            rightSize = checkSizeOf(frame, name);
-            if (!rightSize)
-                return false;
-            auto pixels = findMarkers(frame, m_layout, search);
+            auto pixels = findMarkers(frame, m_layout, *search);
             if (!pixels)
                 lastProblem = tl::unexpected(pixels.error());
             else if (pixels->size() > m_settings.pixels.size()) {
@@ -159,23 +156,62 @@ Result<void> RegisterJob::findInImages(const JobControl &control)
         control.cancel);
     if (control.isCancelled())
         return cancelled(what);
-    if (!visited || !rightSize)
-        return visited ? rightSize : visited;
+    if (!visited || !search)
+        return visited ? tl::unexpected(search.error()) : visited;
     if (m_settings.pixels.empty())
         return lastProblem;
     return {};
 }
 
-Result<void> RegisterJob::checkSizeOf(const Frame &frame, const std::string &name) const
+/// The lens serves images of this size until it is fitted to one.
+void RegisterJob::takeSize(int widthPx, int heightPx)
 {
-    if (frame.format.width == m_intrinsics.widthPx && frame.format.height == m_intrinsics.heightPx)
-        return {};
-    return fail(ErrorCode::InvalidInput, registrationOf(m_settings.camera),
-                ODO_TEXT("workflow.picture_of_other_size", "%1 is %2, but the lens was calibrated at %3")(
-                    Named::file(name), sizeText(frame.format.width, frame.format.height),
-                    sizeText(m_intrinsics.widthPx, m_intrinsics.heightPx)),
-                ODO_TEXT("workflow.give_picture_of_size",
-                         "give an image of that size, or calibrate the camera at the size it records"));
+    const Intrinsics &stored = m_stored.calibration.intrinsics;
+    const auto formats = sensorFormats(stored.widthPx, stored.heightPx, widthPx, heightPx);
+    const bool isSame = widthPx == stored.widthPx && heightPx == stored.heightPx;
+    m_intrinsics = isSame || formats.empty() ? stored : inFormat(stored, formats.front());
+}
+
+/// What is known of the markers of an image, whose size the lens takes.
+Result<MarkerSearch> RegisterJob::searchIn(const Frame &frame)
+{
+    const int widthPx = frame.format.width, heightPx = frame.format.height;
+    MarkerSearch search{std::nullopt, m_intrinsicsKnown, m_settings.hints};
+    if (!m_intrinsicsKnown) {
+        m_intrinsics.widthPx = widthPx;
+        m_intrinsics.heightPx = heightPx;
+        return search;
+    }
+    takeSize(widthPx, heightPx);
+    const Intrinsics &stored = m_stored.calibration.intrinsics;
+    search.intrinsicsKnown = determinedFormat(stored.widthPx, stored.heightPx, widthPx, heightPx).has_value();
+    if (search.intrinsicsKnown)
+        search.camera = ODO_TRY(cameraModel());
+    return search;
+}
+
+/// Where the image has another size than the lens was calibrated at.
+void RegisterJob::fitIntrinsics()
+{
+    const Intrinsics &stored = m_stored.calibration.intrinsics;
+    if (!m_intrinsicsKnown ||
+        (m_intrinsics.widthPx == stored.widthPx && m_intrinsics.heightPx == stored.heightPx))
+        return;
+    const auto misfit = [this](const Intrinsics &lens) -> std::optional<double> {
+        const auto camera = CameraModel::create(lens);
+        const auto fit = camera ? registerFloor(m_layout, m_settings.pixels, *camera, true)
+                                : tl::unexpected(camera.error());
+        if (!fit)
+            return std::nullopt;
+        double squares = 0;
+        for (const MarkerError &marker : fit->markers)
+            squares += marker.errorPx * marker.errorPx;
+        return squares;
+    };
+    auto [lens, how] = fittedIntrinsics(stored, m_intrinsics.widthPx, m_intrinsics.heightPx,
+                                        m_settings.pixels.size(), misfit);
+    m_intrinsics = std::move(lens);
+    m_fitting = std::move(how);
 }
 
 Result<CameraModel> RegisterJob::cameraModel() const
@@ -216,6 +252,9 @@ Result<RegistrationRecord> registerWithCurrentIntrinsics(Project &project, const
                     ODO_TEXT("workflow.register_through_it_again", "register it via that camera again"));
     RegisterSettings settings{
         camera, layout.layout.name, {}, {}, registered.registration.pixels, registered.registration.image};
+    const FloorView before = ODO_TRY(floorViewOf(project, registered.registration));
+    settings.widthPx = before.camera().intrinsics().widthPx;
+    settings.heightPx = before.camera().intrinsics().heightPx;
     RegisterJob job(std::move(settings));
     ODO_TRY(job.prepare(project));
     ODO_TRY(job.run({}));
@@ -223,8 +262,9 @@ Result<RegistrationRecord> registerWithCurrentIntrinsics(Project &project, const
     const auto stored = project.note(
         ODO_TEXT("workflow.register_camera_again", "register camera %1 again")(Named::camera(camera)),
         [&]() -> Result<void> {
-            record = ODO_TRY(
-                storeFromOldMarkers(project, camera, job.record(), registered.registration.lastCheck));
+            RegistrationRecord again = ODO_TRY(job.withStoredIntrinsics(project));
+            again.isUpright = registered.registration.isUpright;
+            record = ODO_TRY(storeFromOldMarkers(project, camera, again, registered.registration.lastCheck));
             return {};
         });
     if (!stored)
@@ -232,9 +272,26 @@ Result<RegistrationRecord> registerWithCurrentIntrinsics(Project &project, const
     return *record;
 }
 
+Result<RegistrationRecord> RegisterJob::withStoredIntrinsics(Project &project) const
+{
+    RegistrationRecord record = m_record;
+    if (m_fitting.isEmpty())
+        return record;
+    IntrinsicsRecord fitted;
+    fitted.camera = m_stored.camera;
+    fitted.made = m_stored.made;
+    fitted.origin = m_fitting;
+    fitted.calibration.intrinsics = m_intrinsics;
+    fitted.softwareVersion = ODOGRAPH_VERSION;
+    fitted = ODO_TRY(project.cameras().addIntrinsics(fitted));
+    record.intrinsics = fitted.id;
+    return record;
+}
+
 Result<void> RegisterJob::commit(Project &project)
 {
     auto committed = project.note(registerChange(m_settings.camera), [&]() -> Result<void> {
+        m_record = ODO_TRY(withStoredIntrinsics(project));
         m_record = ODO_TRY(storeRegistration(project, m_settings.camera, m_record));
         return {};
     });

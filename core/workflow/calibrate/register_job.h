@@ -3,6 +3,7 @@
 
 #include "core/calibration/chained_registration.h"
 #include "core/calibration/joint_registration.h"
+#include "core/calibration/marker_detection.h"
 #include "core/project/records.h"
 #include "core/workflow/calibrate/calibration_images.h"
 #include "core/workflow/job.h"
@@ -27,11 +28,14 @@ struct RegisterSettings
     StoredImage image = {};          ///< in which the pixels were picked, if the project has it already
     /// markers marked by hand, to find the others in the image (MarkerSearch)
     std::vector<MarkerPixel> hints = {};
+    /// of the image that `pixels` belong to; 0: that at which the lens was calibrated
+    int widthPx = 0, heightPx = 0;
 };
 
 /// Registers one camera to the floor by the markers of a layout and stores the registration as its newest
-/// one, with the image in which the markers were seen. Without an image, it detects the markers in the
-/// camera's newest recording.
+/// one, with the image in which the markers were seen. Where that image has another size than the lens was
+/// calibrated at, the lens is fitted to it (fittedIntrinsics), stored as the camera's newest, and the verdict
+/// says so. Without an image, it detects the markers in the camera's newest recording.
 class RegisterJob : public Job
 {
 public:
@@ -42,18 +46,24 @@ public:
 
     const RegisterSettings &settings() const { return m_settings; }
     const RegistrationRecord &record() const { return m_record; } ///< after run
+    /// The record, with its lens stored first where that was fitted. For a commit, inside its transaction.
+    Result<RegistrationRecord> withStoredIntrinsics(Project &project) const;
 
 private:
+    void takeSize(int widthPx, int heightPx);
     Result<void> findOtherCameras(Project &project, RecordId layout);
     Result<void> findInImages(const JobControl &control);
-    Result<void> checkSizeOf(const Frame &frame, const std::string &name) const;
+    Result<MarkerSearch> searchIn(const Frame &frame);
+    void fitIntrinsics();
     Result<CameraModel> cameraModel() const;
     Result<void> keepImage();
 
     RegisterSettings m_settings;
     MarkerLayout m_layout;
     bool m_intrinsicsKnown = false;
-    Intrinsics m_intrinsics; ///< stored ones, or only the image's size
+    Intrinsics m_intrinsics; ///< stored ones or as fitted to the image, or only the image's size
+    IntrinsicsRecord m_stored;
+    Message m_fitting; ///< how m_intrinsics were fitted; empty: they are as stored
     RegistrationContext m_context;
     std::optional<Frame> m_seenIn; ///< the image that the markers were found in
     std::filesystem::path m_mediaFolder;

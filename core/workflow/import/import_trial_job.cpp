@@ -21,6 +21,7 @@
 #include "core/workflow/track/settled_views.h"
 #include "core/workflow/track/track_warnings.h"
 #include "core/workflow/trial_sources.h"
+#include "core/workflow/turned_recordings.h"
 
 #include <algorithm>
 #include <cmath>
@@ -196,14 +197,22 @@ Result<void> ImportTrialJob::prepare(Project &project)
     const auto cameras = ODO_TRY(project.cameras().all());
     for (const auto &[name, file] : m_settings.videos) {
         RegisteredView view;
+        std::optional<Intrinsics> lens;
         view.file = file;
         view.recording.cameraName = name;
         for (const CameraRecord &camera : cameras) {
             if (camera.name != name)
                 continue;
-            auto floorView = ODO_TRY(floorViewInForce(project, camera.id));
-            view.floorView = std::move(floorView);
+            view.registration = ODO_TRY(project.cameras().currentRegistration(camera.id));
+            if (view.registration) {
+                view.floorView = ODO_TRY(floorViewOf(project, *view.registration));
+                view.registrationImage = imageFileOf(project, view.registration->image);
+                lens = view.floorView->camera().intrinsics();
+            } else if (auto stored = ODO_TRY(project.cameras().currentIntrinsics(camera.id))) {
+                lens = std::move(stored->calibration.intrinsics);
+            }
         }
+        m_viewIntrinsics.push_back(std::move(lens));
         m_views.push_back(std::move(view));
     }
     return {};
@@ -284,6 +293,7 @@ Result<void> ImportTrialJob::readVideo(std::size_t view, const CancelToken &canc
     recording.position = static_cast<int>(view);
     recording.widthPx = info.format.width;
     recording.heightPx = info.format.height;
+    recording.orientation = info.orientation;
     recording.framesPerSecond = info.framesPerSecond;
     recording.frameTimes = info.frameTimes;
     if (m_settings.rate && info.framesPerSecond > 0) {
@@ -294,7 +304,36 @@ Result<void> ImportTrialJob::readVideo(std::size_t view, const CancelToken &canc
         recording.framesPerSecond = *m_settings.rate;
     }
     m_views[view].recording = recording;
+    ODO_TRY(fitView(m_views[view], m_viewIntrinsics[view]));
     m_recordings.push_back(std::move(recording));
+    return {};
+}
+
+/// Says what the size and the orientation of a view's frames mean for its camera's calibration, and converts
+/// that where it can be.
+Result<void> ImportTrialJob::fitView(RegisteredView &view, const std::optional<Intrinsics> &lens)
+{
+    const RecordingRecord &recording = view.recording;
+    if (Message old = oldRegistrationWarning(m_settings.trial, view); !old.isEmpty())
+        m_warnings.push_back(std::move(old));
+    if (!lens || (lens->widthPx == recording.widthPx && lens->heightPx == recording.heightPx))
+        return {};
+    if (!view.registration) {
+        m_warnings.push_back(wholeMessage(
+            viewInTrialSubject(recording.cameraName, m_settings.trial),
+            ODO_TEXT("workflow.lens_at_other_size", "its frames are %1, but the lens was calibrated at %2")(
+                sizeText(recording.widthPx, recording.heightPx), sizeText(lens->widthPx, lens->heightPx)),
+            registerInItsVideo()));
+        return {};
+    }
+    view.floorView = ODO_TRY(floorViewAt(*view.registration, *lens, recording.widthPx, recording.heightPx));
+    if (view.floorView) {
+        view.convertedFromPx = {lens->widthPx, lens->heightPx};
+        std::ranges::move(convertedViewWarnings(m_settings.trial, {view}), std::back_inserter(m_warnings));
+    } else {
+        const Error other = registeredAtOtherSize(m_settings.trial, recording, *lens);
+        m_warnings.push_back(wholeMessage(other.what, other.why, other.advice));
+    }
     return {};
 }
 

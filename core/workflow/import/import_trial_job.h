@@ -58,6 +58,7 @@ public:
 
 private:
     Result<void> readVideo(std::size_t view, const CancelToken &cancel);
+    Result<void> fitView(RegisteredView &view, const std::optional<Intrinsics> &intrinsics);
     Result<void> copyVideo(std::size_t view, const JobControl &control);
     Result<void> checkSteps();
     Result<void> synchronise(const JobControl &control);
@@ -70,6 +71,8 @@ private:
     bool m_folderWasThere = true;
     std::vector<RobotRecord> m_robots;
     std::vector<RegisteredView> m_views; ///< only to synchronise
+    std::vector<std::optional<Intrinsics>>
+        m_viewIntrinsics; ///< of each view: that of its registration, or in force
     TrialRecord m_trial;
     std::vector<RecordingRecord> m_recordings;
     std::vector<ClaimedFile> m_files; ///< until they are the trial's

@@ -13,6 +13,7 @@
 #include "core/workflow/track/trial_occlusions.h"
 #include "core/workflow/track/view_tracking.h"
 #include "core/workflow/trial_sources.h"
+#include "core/workflow/turned_recordings.h"
 
 #include <algorithm>
 #include <chrono>
@@ -254,6 +255,10 @@ Result<void> TrackJob::run(const JobControl &control)
     if (!tracked)
         return tl::unexpected(tracked.error());
     d.outcome.warnings = stepWarnings(d.trialName, d.views);
+    for (Message &warning : turnedWarnings(d.trialName, d.views))
+        d.outcome.warnings.push_back(std::move(warning));
+    for (Message &warning : convertedViewWarnings(d.trialName, d.views))
+        d.outcome.warnings.push_back(std::move(warning));
     for (Message &warning : frameStepWarnings(d.trialName, d.views, tracked->views))
         d.outcome.warnings.push_back(std::move(warning));
     for (Message &warning : damageWarnings(d.trialName, d.views, tracked->views))

@@ -12,8 +12,8 @@ namespace odo {
 namespace {
 
 /// A view as the analyses used it; without a floor view where none did.
-Result<std::optional<FloorView>> floorViewUsed(Project &project, std::size_t view,
-                                               const std::vector<AnalysisRecord> &analyses)
+Result<std::optional<FloorView>> floorViewUsed(Project &project, const RecordingRecord &recording,
+                                               std::size_t view, const std::vector<AnalysisRecord> &analyses)
 {
     const auto user = std::ranges::find_if(analyses, [view](const AnalysisRecord &one) {
         return view < one.registrations.size() && one.registrations[view] != 0;
@@ -21,7 +21,7 @@ Result<std::optional<FloorView>> floorViewUsed(Project &project, std::size_t vie
     if (user == analyses.end())
         return std::nullopt;
     const auto registration = ODO_TRY(project.cameras().registration(user->registrations[view]));
-    return ODO_TRY(floorViewOf(project, registration));
+    return floorViewAt(project, registration, recording);
 }
 
 } // namespace
@@ -34,7 +34,7 @@ Result<std::vector<std::vector<Occlusion>>> trialOcclusions(Project &project, Re
     // of each view, a series for each analysis
     std::vector<std::vector<ObservationSeries>> seen(recordings.size());
     for (std::size_t v = 0; v < recordings.size(); ++v) {
-        floorViews.push_back(ODO_TRY(floorViewUsed(project, v, analyses)));
+        floorViews.push_back(ODO_TRY(floorViewUsed(project, recordings[v], v, analyses)));
         for (const AnalysisRecord &analysis : analyses) {
             auto series = ODO_TRY(project.trials().currentObservations(recordings[v].id, analysis.robot));
             seen[v].push_back(std::move(series).value_or(ObservationSeries()));

@@ -269,7 +269,7 @@ withContradiction(Project &project, const AnalysisRecord &analysis,
         view.startOffsetSigmaS = recording.startOffsetSigmaS;
         if (analysis.registrations[v] != 0) {
             const auto registration = ODO_TRY(project.cameras().registration(analysis.registrations[v]));
-            view.floorView = ODO_TRY(floorViewOf(project, registration));
+            view.floorView = ODO_TRY(floorViewAt(project, registration, recording));
         }
         auto series = ODO_TRY(project.trials().currentObservations(recording.id, analysis.robot));
         if (series)

@@ -43,8 +43,7 @@ constexpr std::size_t learnedAhead = 4;
 Result<std::optional<Background>> learnBackground(const RegisteredView &view, const CancelToken &cancel,
                                                   const std::function<void()> &onImage)
 {
-    auto stream =
-        ODO_TRY(FrameStream::open(view.file, learnedAhead, cancel, view.recording.frameTimes.size()));
+    auto stream = ODO_TRY(FrameStream::open(view.file, learnedAhead, cancel, knownRecording(view.recording)));
     const std::int64_t step =
         std::max<std::int64_t>(1, std::llround(stream->info().framesPerSecond / wantedPerSecond));
     BackgroundLearner learner;
@@ -179,7 +178,7 @@ Result<TrackedView> trackView(const RegisteredView &view, const std::vector<Robo
                               SharedProgress &progress, WithLight light, std::optional<Background> background)
 {
     const auto tracker = ODO_TRY(trackerFor(view, targets, control, progress, background));
-    auto reader = ODO_TRY(VideoReader::open(view.file, control.cancel, view.recording.frameTimes.size()));
+    auto reader = ODO_TRY(VideoReader::open(view.file, control.cancel, knownRecording(view.recording)));
     // Decoding only what the tracker will look at is so much cheaper that a thread that decodes ahead, and
     // cannot know it, would be slower.
     const bool byRegion = tracker && reader->decodesRegions();
@@ -341,8 +340,10 @@ std::vector<std::size_t> takeFields(std::vector<RegisteredView> &views,
         RecordingRecord &recording = views[v].recording;
         if (tracked[v].interlace != Interlace::Whole)
             continue;
-        const auto reader = VideoReader::open(views[v].file, cancel, 2 * recording.frameTimes.size());
-        if (!reader || (*reader)->info().frameTimes.size() != 2 * recording.frameTimes.size())
+        KnownRecording byFields = knownRecording(recording);
+        byFields.frames *= 2;
+        const auto reader = VideoReader::open(views[v].file, cancel, byFields);
+        if (!reader || (*reader)->info().frameTimes.size() != byFields.frames)
             continue;
         recording.frameTimes = fieldTimes(recording.frameTimes);
         taken.push_back(v);

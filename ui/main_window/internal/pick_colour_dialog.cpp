@@ -5,6 +5,7 @@
 #include "core/project/repositories.h"
 #include "core/video/video_reader.h"
 #include "core/workflow/calibrate/calibration_images.h"
+#include "core/workflow/trial_sources.h"
 #include "ui/models/shown_message.h"
 #include "ui/views/widgets/form_fields.h"
 #include "ui/views/widgets/theme.h"
@@ -99,12 +100,14 @@ void PickColourDialog::chooseFile()
 
 void PickColourDialog::addFile(const std::filesystem::path &file)
 {
-    const auto opened = std::make_shared<PickableVideo>(PickableVideo{textOf(file.filename()), file, {}, 0});
+    const auto opened =
+        std::make_shared<PickableVideo>(PickableVideo{textOf(file.filename()), file, {}, 0, 1});
     const bool started = m_opening.start([opened](const JobControl &) -> Result<void> {
         const auto reader = ODO_TRY(VideoReader::open(opened->file));
         const VideoInfo &info = reader->info();
         opened->size = {info.format.width, info.format.height};
         opened->frames = static_cast<qint64>(info.frameTimes.size());
+        opened->orientation = info.orientation;
         return {};
     });
     if (!started)
@@ -132,7 +135,7 @@ void PickColourDialog::showVideo(int index)
         return;
     const PickableVideo &video = m_videos[index];
     m_canvas->setSourceSize(video.size);
-    m_fetcher.setFile(video.file, static_cast<std::size_t>(video.frames));
+    m_fetcher.setFile(video.file, {static_cast<std::size_t>(video.frames), video.orientation});
     m_frame->setRange(0, static_cast<int>(std::max<qint64>(video.frames, 1) - 1));
     m_frame->setValue(0);
     showFrame();
@@ -220,7 +223,8 @@ QList<PickableVideo> newestRecordings(Project &project)
                                .arg(QString::fromStdString((*trials)[i].name),
                                     QString::fromStdString(recording.cameraName)),
                            project.resolve(recording), QSize(recording.widthPx, recording.heightPx),
-                           static_cast<qint64>(recording.frameTimes.size())});
+                           static_cast<qint64>(recording.frameTimes.size()),
+                           knownRecording(recording).orientation.value_or(1)});
         }
     }
     return videos;

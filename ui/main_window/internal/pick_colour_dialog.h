@@ -29,6 +29,7 @@ struct PickableVideo
     std::filesystem::path file;
     QSize size;
     qint64 frames = 0;
+    int orientation = 1; ///< by which its frames are turned
 };
 
 class Project;

@@ -9,6 +9,7 @@
 #include "core/workflow/track/track_job.h"
 #include "core/workflow/track/track_warnings.h"
 #include "core/workflow/trial_sources.h"
+#include "core/workflow/turned_recordings.h"
 #include "ui/main_window/internal/import_dialogs.h"
 #include "ui/main_window/internal/import_tracks_dialog.h"
 #include "ui/main_window/internal/robots_dialog.h"
@@ -299,6 +300,8 @@ void TrialActions::askTrack(const QString &trial)
     QStringList caveats;
     if (const auto views = registeredViews(project, *record)) { // what else is wrong, tracking will say
         for (const Message &sentence : stepWarnings(record->name, *views))
+            caveats << shownWords(sentence) + u'.';
+        for (const Message &sentence : turnedWarnings(record->name, *views))
             caveats << shownWords(sentence) + u'.';
         for (QString &sentence : caveats)
             sentence.front() = sentence.front().toUpper();

@@ -9,6 +9,7 @@
 #include "core/video/image.h"
 #include "core/video/video_reader.h"
 #include "core/workflow/compare/trial_metrics.h"
+#include "core/workflow/trial_sources.h"
 #include "ui/report/internal/report_painting.h"
 #include "ui/report/report_maker.h"
 #include "ui/views/charts/series_colours.h"
@@ -40,7 +41,7 @@ Readers openVideos(const TrialScene &scene, const CancelToken &cancel)
     Readers readers(scene.views.size());
     forEachView(scene, [&](std::size_t view) {
         const SceneView &seen = scene.views[view];
-        if (auto reader = VideoReader::open(seen.file, cancel, seen.recording.frameTimes.size()))
+        if (auto reader = VideoReader::open(seen.file, cancel, knownRecording(seen.recording)))
             readers[view] = std::move(*reader);
     });
     return readers;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/views/image/camera_view.h"
 
+#include "core/workflow/trial_sources.h"
 #include "ui/models/number_text.h"
 #include "ui/models/timeline.h"
 #include "ui/models/trial_scene.h"
@@ -107,7 +108,7 @@ void ImageArea::setScene(TrialScenePtr scene, std::size_t view)
     const SceneView *shown = sceneView();
     const std::filesystem::path file = shown ? shown->file : std::filesystem::path();
     if (file != fileBefore) {
-        m_fetcher.setFile(file, shown ? shown->recording.frameTimes.size() : 0);
+        m_fetcher.setFile(file, shown ? knownRecording(shown->recording) : KnownRecording());
         m_image = {};
         m_shownFrame = -1;
         m_failure.clear();

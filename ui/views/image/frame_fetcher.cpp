@@ -26,7 +26,7 @@ constexpr qsizetype cacheBytes = 64 << 20;
 struct Request
 {
     std::filesystem::path file;
-    std::size_t frames = 0; ///< that the file is known to have
+    KnownRecording known;
     quint64 generation = 0; ///< of the file: answers to an older one are not delivered
     quint64 serial = 0;
     qint64 frame = 0;
@@ -109,7 +109,7 @@ struct FrameFetcher::Worker
     // GUI thread
     FrameFetcher &owner;
     std::filesystem::path file;
-    std::size_t frames = 0;
+    KnownRecording known;
     quint64 generation = 0, lastSerial = 0, answeredSerial = 0;
 
     // shared
@@ -156,7 +156,7 @@ bool FrameFetcher::Worker::prepare(const Request &request)
         reader.reset();
         cache.clear();
         lastFrame = -1;
-        auto opened = VideoReader::open(request.file, ended, request.frames);
+        auto opened = VideoReader::open(request.file, ended, request.known);
         if (!opened) {
             deliver(request, {}, errorLine(opened.error()));
             return false;
@@ -224,10 +224,10 @@ void FrameFetcher::Worker::deliver(const Request &request, const QImage &image, 
 FrameFetcher::FrameFetcher(QObject *parent) : QObject(parent), m_worker(std::make_unique<Worker>(*this)) {}
 FrameFetcher::~FrameFetcher() = default;
 
-void FrameFetcher::setFile(const std::filesystem::path &file, std::size_t frames)
+void FrameFetcher::setFile(const std::filesystem::path &file, const KnownRecording &known)
 {
     m_worker->file = file;
-    m_worker->frames = frames;
+    m_worker->known = known;
     ++m_worker->generation;
     m_worker->answeredSerial = m_worker->lastSerial;
 }
@@ -237,7 +237,7 @@ void FrameFetcher::request(qint64 frame, QSize sizePx)
     if (m_worker->file.empty() || sizePx.isEmpty())
         return;
     m_worker->ask(
-        {m_worker->file, m_worker->frames, m_worker->generation, ++m_worker->lastSerial, frame, sizePx});
+        {m_worker->file, m_worker->known, m_worker->generation, ++m_worker->lastSerial, frame, sizePx});
 }
 
 bool FrameFetcher::isIdle() const

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/video/video_reader.h"
+
 #include <QImage>
 #include <QObject>
 #include <QSize>
@@ -19,9 +21,9 @@ public:
     explicit FrameFetcher(QObject *parent = nullptr);
     ~FrameFetcher() override;
 
-    /// Another recording; forgets the requests and images of the one before. An empty path closes. frames: as
-    /// many as the project knows of it (VideoReader::open).
-    void setFile(const std::filesystem::path &file, std::size_t frames = 0);
+    /// Another recording; forgets the requests and images of the one before. An empty path closes. known: as
+    /// the project has it (VideoReader::open).
+    void setFile(const std::filesystem::path &file, const KnownRecording &known = {});
     /// Asks for a frame at a size in device pixels; the image fills the size, so keep its proportions.
     void request(qint64 frame, QSize sizePx);
     /// True when every request was answered or dropped.

@@ -5,6 +5,7 @@
 #include "core/video/image.h"
 #include "core/video/video_reader.h"
 #include "core/workflow/job.h"
+#include "core/workflow/trial_sources.h"
 
 #include <algorithm>
 #include <array>
@@ -78,7 +79,7 @@ std::vector<Node> nodesOf(const FloorView &view, const Plan &plan)
 std::vector<ScreenImage> spreadFrames(const SceneView &view, const CancelToken &cancel)
 {
     std::vector<ScreenImage> images;
-    auto reader = VideoReader::open(view.file, cancel);
+    auto reader = VideoReader::open(view.file, cancel, knownRecording(view.recording));
     if (!reader)
         return images;
     const auto count = static_cast<std::int64_t>((*reader)->info().frameTimes.size());
