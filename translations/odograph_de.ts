@@ -4274,31 +4274,10 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
 </context>
 <context>
-    <name>calibration.focal_length_estimated</name>
-    <message>
-        <source>The lens is not calibrated: no distortion was assumed, and the focal length was estimated from the markers (%1 ± %2).</source>
-        <translation>Die Kamera wurde als verzeichnungsfrei angenommen, ihre Brennweite aus den Markern geschätzt (%1 ± %2).</translation>
-    </message>
-</context>
-<context>
     <name>calibration.focal_length_groups</name>
     <message>
         <source>%1 give about %2, %3 (such as %4) give about %5</source>
         <translation>%1 etwa %2, %3 (etwa %4) etwa %5</translation>
-    </message>
-</context>
-<context>
-    <name>calibration.focal_length_guessed</name>
-    <message>
-        <source>The lens is not calibrated: no distortion was assumed, and the focal length was guessed (%1) because this view does not determine it.</source>
-        <translation>Die Kamera wurde als verzeichnungsfrei angenommen, ihre Brennweite geraten (%1), weil diese Sicht sie nicht bestimmt.</translation>
-    </message>
-</context>
-<context>
-    <name>calibration.focal_length_taken</name>
-    <message>
-        <source>The lens is not calibrated: no distortion and a focal length of %1 were assumed.</source>
-        <translation>Die Kamera wurde als verzeichnungsfrei angenommen, ihre Brennweite als %1.</translation>
     </message>
 </context>
 <context>
@@ -4463,6 +4442,13 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
 </context>
 <context>
+    <name>calibration.grows_beyond</name>
+    <message>
+        <source>Beyond the markers it grows, to ±%1 within %2 of them.</source>
+        <translation>Außerhalb der Marker wächst sie, auf ±%1 im Umkreis von %2.</translation>
+    </message>
+</context>
+<context>
     <name>calibration.halves_contradict</name>
     <message>
         <source>two halves of the images give focal lengths that differ by %1</source>
@@ -4481,6 +4467,13 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>each half of the images predicts the other to %1, at most %2 apart on that floor</source>
         <translation>jede Hälfte sagt die andere auf %1 voraus, auf diesem Boden höchstens %2 auseinander</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.held_out_markers</name>
+    <message>
+        <source>Markers that are left out one by one are predicted to %1 RMS.</source>
+        <translation>Einzeln weggelassene Marker werden auf %1 RMS vorhergesagt.</translation>
     </message>
 </context>
 <context>
@@ -4712,6 +4705,20 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>no camera shows it</source>
         <translation>keine Kamera wurde angegeben, die sie sieht</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.lens_assumed</name>
+    <message>
+        <source>The lens is not calibrated, and the markers hardly determine it (focal length %1 ± %2): what is not known of it is in the uncertainty.</source>
+        <translation>Das Objektiv ist nicht kalibriert, und die Marker bestimmen es kaum (Brennweite %1 ± %2): Was davon nicht bekannt ist, steckt in der Unsicherheit.</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.lens_from_floor</name>
+    <message>
+        <source>The lens is not calibrated: focal length (%1 ± %2) and distortion (k1 %3 ± %4) were estimated from the markers.</source>
+        <translation>Das Objektiv ist nicht kalibriert: Brennweite (%1 ± %2) und Verzeichnung (k1 %3 ± %4) wurden aus den Markern geschätzt.</translation>
     </message>
 </context>
 <context>
@@ -5426,6 +5433,34 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>The pairs agree less well than the corners would allow, which is in the uncertainty: the board moved between the two frames of a pair, or a lens calibration is less accurate than stated.</source>
         <translation>Die Bildpaare stimmen schlechter überein, als die Ecken erwarten lassen, was in der Unsicherheit enthalten ist: die Tafel hat sich zwischen den beiden Bildern eines Paares bewegt, oder eine Objektivkalibrierung ist ungenauer als angegeben.</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.pattern_alike</name>
+    <message>
+        <source>Neighbouring markers err alike, by %1 RMS: check that the floor is flat, and calibrate the lens at the zoom and focus that it records with.</source>
+        <translation>Benachbarte Marker weichen gleich ab, um %1 RMS: Prüfen Sie, ob der Boden eben ist, und kalibrieren Sie das Objektiv mit dem Zoom und Fokus, mit denen aufgenommen wird.</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.pattern_layout</name>
+    <message>
+        <source>The residuals follow the layout: they disappear with X longer than Y by %1 % and the axes %2° off the right angle; measure both sides and both diagonals of the layout again.</source>
+        <translation>Die Abweichungen folgen dem Plan: Sie verschwinden, wenn X um %1 % länger ist als Y und die Achsen um %2° vom rechten Winkel abweichen; messen Sie beide Seiten und beide Diagonalen des Plans nach.</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.pattern_lens</name>
+    <message>
+        <source>The residuals follow the lens: %1 of them disappear with another focal length and distortion; calibrate the lens again, at the zoom and focus that it records with.</source>
+        <translation>Die Abweichungen folgen dem Objektiv: %1 davon verschwinden mit einer anderen Brennweite und Verzeichnung; kalibrieren Sie das Objektiv neu, mit dem Zoom und Fokus, mit denen aufgenommen wird.</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.pattern_marker</name>
+    <message>
+        <source>Marker %1 is %2 from where the others expect it: measure and mark it again.</source>
+        <translation>Marker %1 liegt %2 neben dem, was die anderen erwarten lassen: Messen und markieren Sie ihn neu.</translation>
     </message>
 </context>
 <context>
@@ -20668,8 +20703,8 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
 <context>
     <name>workflow.assumed_lens</name>
     <message>
-        <source>the registration assumes a lens without distortion, because the lens was not calibrated</source>
-        <translation>ihr Objektiv wurde nicht kalibriert, sondern als verzeichnungsfrei angenommen</translation>
+        <source>its lens was neither calibrated nor determined by the floor&apos;s markers</source>
+        <translation>ihr Objektiv wurde weder kalibriert noch durch die Marker des Bodens bestimmt</translation>
     </message>
 </context>
 <context>
@@ -22411,8 +22446,8 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
 <context>
     <name>workflow.passed_lens</name>
     <message>
-        <source>the lenses are calibrated</source>
-        <translation>die Objektive sind kalibriert</translation>
+        <source>the lenses are calibrated, or estimated from the floor&apos;s markers</source>
+        <translation>die Objektive sind kalibriert oder aus den Markern des Bodens geschätzt</translation>
     </message>
 </context>
 <context>

@@ -4274,31 +4274,10 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     </message>
 </context>
 <context>
-    <name>calibration.focal_length_estimated</name>
-    <message>
-        <source>The lens is not calibrated: no distortion was assumed, and the focal length was estimated from the markers (%1 ± %2).</source>
-        <translation>La cámara se tomó como libre de distorsión y su distancia focal se estimó a partir de los marcadores (%1 ± %2).</translation>
-    </message>
-</context>
-<context>
     <name>calibration.focal_length_groups</name>
     <message>
         <source>%1 give about %2, %3 (such as %4) give about %5</source>
         <translation>%1 unos %2, %3 (como %4) unos %5</translation>
-    </message>
-</context>
-<context>
-    <name>calibration.focal_length_guessed</name>
-    <message>
-        <source>The lens is not calibrated: no distortion was assumed, and the focal length was guessed (%1) because this view does not determine it.</source>
-        <translation>La cámara se tomó como libre de distorsión y su distancia focal se supuso (%1), porque esta vista no la determina.</translation>
-    </message>
-</context>
-<context>
-    <name>calibration.focal_length_taken</name>
-    <message>
-        <source>The lens is not calibrated: no distortion and a focal length of %1 were assumed.</source>
-        <translation>La cámara se tomó como libre de distorsión y su distancia focal como %1.</translation>
     </message>
 </context>
 <context>
@@ -4463,6 +4442,13 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     </message>
 </context>
 <context>
+    <name>calibration.grows_beyond</name>
+    <message>
+        <source>Beyond the markers it grows, to ±%1 within %2 of them.</source>
+        <translation>Más allá de los marcadores crece, hasta ±%1 a menos de %2 de ellos.</translation>
+    </message>
+</context>
+<context>
     <name>calibration.halves_contradict</name>
     <message>
         <source>two halves of the images give focal lengths that differ by %1</source>
@@ -4481,6 +4467,13 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <message>
         <source>each half of the images predicts the other to %1, at most %2 apart on that floor</source>
         <translation>cada mitad predice la otra a %1, con %2 de separación como máximo en ese suelo</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.held_out_markers</name>
+    <message>
+        <source>Markers that are left out one by one are predicted to %1 RMS.</source>
+        <translation>Los marcadores que se dejan fuera uno a uno se predicen con %1 RMS.</translation>
     </message>
 </context>
 <context>
@@ -4712,6 +4705,20 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <message>
         <source>no camera shows it</source>
         <translation>no se dio ninguna cámara que la vea</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.lens_assumed</name>
+    <message>
+        <source>The lens is not calibrated, and the markers hardly determine it (focal length %1 ± %2): what is not known of it is in the uncertainty.</source>
+        <translation>El objetivo no está calibrado y los marcadores apenas lo determinan (distancia focal %1 ± %2): lo que no se sabe de él está en la incertidumbre.</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.lens_from_floor</name>
+    <message>
+        <source>The lens is not calibrated: focal length (%1 ± %2) and distortion (k1 %3 ± %4) were estimated from the markers.</source>
+        <translation>El objetivo no está calibrado: la distancia focal (%1 ± %2) y la distorsión (k1 %3 ± %4) se estimaron a partir de los marcadores.</translation>
     </message>
 </context>
 <context>
@@ -5426,6 +5433,34 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <message>
         <source>The pairs agree less well than the corners would allow, which is in the uncertainty: the board moved between the two frames of a pair, or a lens calibration is less accurate than stated.</source>
         <translation>Los pares concuerdan peor de lo que permiten las esquinas, lo que está incluido en la incertidumbre: el tablero se movió entre las dos imágenes de un par, o una calibración de lente es menos exacta de lo indicado.</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.pattern_alike</name>
+    <message>
+        <source>Neighbouring markers err alike, by %1 RMS: check that the floor is flat, and calibrate the lens at the zoom and focus that it records with.</source>
+        <translation>Los marcadores vecinos se desvían igual, %1 RMS: compruebe que el suelo es plano y calibre el objetivo con el zoom y el enfoque con que graba.</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.pattern_layout</name>
+    <message>
+        <source>The residuals follow the layout: they disappear with X longer than Y by %1 % and the axes %2° off the right angle; measure both sides and both diagonals of the layout again.</source>
+        <translation>Las desviaciones siguen al plano: desaparecen si X es un %1 % más largo que Y y los ejes se apartan %2° del ángulo recto; mida de nuevo ambos lados y ambas diagonales del plano.</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.pattern_lens</name>
+    <message>
+        <source>The residuals follow the lens: %1 of them disappear with another focal length and distortion; calibrate the lens again, at the zoom and focus that it records with.</source>
+        <translation>Las desviaciones siguen al objetivo: %1 de ellas desaparecen con otra distancia focal y distorsión; calibre de nuevo el objetivo con el zoom y el enfoque con que graba.</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.pattern_marker</name>
+    <message>
+        <source>Marker %1 is %2 from where the others expect it: measure and mark it again.</source>
+        <translation>El marcador %1 está a %2 de donde lo sitúan los demás: mídalo y márquelo de nuevo.</translation>
     </message>
 </context>
 <context>
@@ -20668,8 +20703,8 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
 <context>
     <name>workflow.assumed_lens</name>
     <message>
-        <source>the registration assumes a lens without distortion, because the lens was not calibrated</source>
-        <translation>su objetivo no se calibró: se supuso sin distorsión</translation>
+        <source>its lens was neither calibrated nor determined by the floor&apos;s markers</source>
+        <translation>su objetivo no se calibró ni lo determinan los marcadores del suelo</translation>
     </message>
 </context>
 <context>
@@ -22411,8 +22446,8 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
 <context>
     <name>workflow.passed_lens</name>
     <message>
-        <source>the lenses are calibrated</source>
-        <translation>los objetivos están calibrados</translation>
+        <source>the lenses are calibrated, or estimated from the floor&apos;s markers</source>
+        <translation>los objetivos están calibrados o estimados a partir de los marcadores del suelo</translation>
     </message>
 </context>
 <context>

@@ -4274,31 +4274,10 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
 </context>
 <context>
-    <name>calibration.focal_length_estimated</name>
-    <message>
-        <source>The lens is not calibrated: no distortion was assumed, and the focal length was estimated from the markers (%1 ± %2).</source>
-        <translation>La caméra a été prise comme sans distorsion, sa distance focale estimée d’après les marqueurs (%1 ± %2).</translation>
-    </message>
-</context>
-<context>
     <name>calibration.focal_length_groups</name>
     <message>
         <source>%1 give about %2, %3 (such as %4) give about %5</source>
         <translation>%1 environ %2, %3 (dont %4) environ %5</translation>
-    </message>
-</context>
-<context>
-    <name>calibration.focal_length_guessed</name>
-    <message>
-        <source>The lens is not calibrated: no distortion was assumed, and the focal length was guessed (%1) because this view does not determine it.</source>
-        <translation>La caméra a été prise comme sans distorsion, sa distance focale supposée (%1), car cette vue ne la détermine pas.</translation>
-    </message>
-</context>
-<context>
-    <name>calibration.focal_length_taken</name>
-    <message>
-        <source>The lens is not calibrated: no distortion and a focal length of %1 were assumed.</source>
-        <translation>La caméra a été prise comme sans distorsion, sa distance focale comme %1.</translation>
     </message>
 </context>
 <context>
@@ -4463,6 +4442,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
 </context>
 <context>
+    <name>calibration.grows_beyond</name>
+    <message>
+        <source>Beyond the markers it grows, to ±%1 within %2 of them.</source>
+        <translation>Au-delà des marqueurs, elle augmente jusqu’à ±%1 à moins de %2 d’eux.</translation>
+    </message>
+</context>
+<context>
     <name>calibration.halves_contradict</name>
     <message>
         <source>two halves of the images give focal lengths that differ by %1</source>
@@ -4481,6 +4467,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>each half of the images predicts the other to %1, at most %2 apart on that floor</source>
         <translation>chaque moitié prédit l’autre à %1, à %2 l’une de l’autre au pire sur ce sol</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.held_out_markers</name>
+    <message>
+        <source>Markers that are left out one by one are predicted to %1 RMS.</source>
+        <translation>Les marqueurs écartés un à un sont prédits à %1 RMS.</translation>
     </message>
 </context>
 <context>
@@ -4712,6 +4705,20 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>no camera shows it</source>
         <translation>aucune caméra qui la voit n’a été donnée</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.lens_assumed</name>
+    <message>
+        <source>The lens is not calibrated, and the markers hardly determine it (focal length %1 ± %2): what is not known of it is in the uncertainty.</source>
+        <translation>L’objectif n’est pas étalonné et les marqueurs le déterminent à peine (distance focale %1 ± %2) : ce que l’on n’en sait pas est dans l’incertitude.</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.lens_from_floor</name>
+    <message>
+        <source>The lens is not calibrated: focal length (%1 ± %2) and distortion (k1 %3 ± %4) were estimated from the markers.</source>
+        <translation>L’objectif n’est pas étalonné : la distance focale (%1 ± %2) et la distorsion (k1 %3 ± %4) ont été estimées d’après les marqueurs.</translation>
     </message>
 </context>
 <context>
@@ -5426,6 +5433,34 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>The pairs agree less well than the corners would allow, which is in the uncertainty: the board moved between the two frames of a pair, or a lens calibration is less accurate than stated.</source>
         <translation>Les paires concordent moins bien que les coins ne le permettraient, ce que l’incertitude contient : la mire a bougé entre les deux images d’une paire, ou un étalonnage d’objectif est moins précis qu’indiqué.</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.pattern_alike</name>
+    <message>
+        <source>Neighbouring markers err alike, by %1 RMS: check that the floor is flat, and calibrate the lens at the zoom and focus that it records with.</source>
+        <translation>Les marqueurs voisins s’écartent de la même façon, de %1 RMS : vérifiez que le sol est plan et étalonnez l’objectif au zoom et à la mise au point de l’enregistrement.</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.pattern_layout</name>
+    <message>
+        <source>The residuals follow the layout: they disappear with X longer than Y by %1 % and the axes %2° off the right angle; measure both sides and both diagonals of the layout again.</source>
+        <translation>Les écarts suivent le plan : ils disparaissent si X est plus long que Y de %1 % et si les axes s’écartent de %2° de l’angle droit ; mesurez à nouveau les deux côtés et les deux diagonales du plan.</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.pattern_lens</name>
+    <message>
+        <source>The residuals follow the lens: %1 of them disappear with another focal length and distortion; calibrate the lens again, at the zoom and focus that it records with.</source>
+        <translation>Les écarts suivent l’objectif : %1 disparaissent avec une autre distance focale et une autre distorsion ; étalonnez à nouveau l’objectif, au zoom et à la mise au point de l’enregistrement.</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.pattern_marker</name>
+    <message>
+        <source>Marker %1 is %2 from where the others expect it: measure and mark it again.</source>
+        <translation>Le marqueur %1 est à %2 de l’endroit où les autres le situent : mesurez-le et marquez-le à nouveau.</translation>
     </message>
 </context>
 <context>
@@ -20668,8 +20703,8 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>workflow.assumed_lens</name>
     <message>
-        <source>the registration assumes a lens without distortion, because the lens was not calibrated</source>
-        <translation>son objectif n&apos;a pas été étalonné mais supposé sans distorsion</translation>
+        <source>its lens was neither calibrated nor determined by the floor&apos;s markers</source>
+        <translation>son objectif n’a été ni étalonné ni déterminé par les marqueurs du sol</translation>
     </message>
 </context>
 <context>
@@ -22411,8 +22446,8 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>workflow.passed_lens</name>
     <message>
-        <source>the lenses are calibrated</source>
-        <translation>les objectifs sont étalonnés</translation>
+        <source>the lenses are calibrated, or estimated from the floor&apos;s markers</source>
+        <translation>les objectifs sont étalonnés ou estimés d’après les marqueurs du sol</translation>
     </message>
 </context>
 <context>

@@ -4265,31 +4265,10 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
-    <name>calibration.focal_length_estimated</name>
-    <message>
-        <source>The lens is not calibrated: no distortion was assumed, and the focal length was estimated from the markers (%1 ± %2).</source>
-        <translation>카메라는 왜곡이 없는 것으로 보았고 초점 거리는 마커에서 추정했습니다 (%1 ± %2).</translation>
-    </message>
-</context>
-<context>
     <name>calibration.focal_length_groups</name>
     <message>
         <source>%1 give about %2, %3 (such as %4) give about %5</source>
         <translation>%1장은 약 %2, %3장(예: %4)은 약 %5</translation>
-    </message>
-</context>
-<context>
-    <name>calibration.focal_length_guessed</name>
-    <message>
-        <source>The lens is not calibrated: no distortion was assumed, and the focal length was guessed (%1) because this view does not determine it.</source>
-        <translation>카메라는 왜곡이 없는 것으로 보았고 이 뷰로는 초점 거리를 정할 수 없어 가정했습니다 (%1).</translation>
-    </message>
-</context>
-<context>
-    <name>calibration.focal_length_taken</name>
-    <message>
-        <source>The lens is not calibrated: no distortion and a focal length of %1 were assumed.</source>
-        <translation>카메라는 왜곡이 없고 초점 거리는 %1인 것으로 보았습니다.</translation>
     </message>
 </context>
 <context>
@@ -4454,6 +4433,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>calibration.grows_beyond</name>
+    <message>
+        <source>Beyond the markers it grows, to ±%1 within %2 of them.</source>
+        <translation>마커 바깥에서는 커져서 %2 이내에서 ±%1에 이릅니다.</translation>
+    </message>
+</context>
+<context>
     <name>calibration.halves_contradict</name>
     <message>
         <source>two halves of the images give focal lengths that differ by %1</source>
@@ -4472,6 +4458,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>each half of the images predicts the other to %1, at most %2 apart on that floor</source>
         <translation>절반이 다른 절반을 %1로 예측, 그 바닥에서 최대 %2 차이</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.held_out_markers</name>
+    <message>
+        <source>Markers that are left out one by one are predicted to %1 RMS.</source>
+        <translation>하나씩 뺀 마커는 %1 RMS로 예측됩니다.</translation>
     </message>
 </context>
 <context>
@@ -4703,6 +4696,20 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>no camera shows it</source>
         <translation>그것을 보는 카메라가 지정되지 않았습니다</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.lens_assumed</name>
+    <message>
+        <source>The lens is not calibrated, and the markers hardly determine it (focal length %1 ± %2): what is not known of it is in the uncertainty.</source>
+        <translation>렌즈가 보정되지 않았고 마커로는 거의 결정되지 않습니다(초점 거리 %1 ± %2): 알 수 없는 부분은 불확도에 들어 있습니다.</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.lens_from_floor</name>
+    <message>
+        <source>The lens is not calibrated: focal length (%1 ± %2) and distortion (k1 %3 ± %4) were estimated from the markers.</source>
+        <translation>렌즈가 보정되지 않았습니다: 초점 거리(%1 ± %2)와 왜곡(k1 %3 ± %4)을 마커에서 추정했습니다.</translation>
     </message>
 </context>
 <context>
@@ -5417,6 +5424,34 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>The pairs agree less well than the corners would allow, which is in the uncertainty: the board moved between the two frames of a pair, or a lens calibration is less accurate than stated.</source>
         <translation>쌍들이 꼭짓점으로 기대되는 것보다 덜 일치하며, 이는 불확도에 포함되어 있습니다. 한 쌍의 두 영상 사이에 보드가 움직였거나 렌즈 보정이 표시된 것보다 부정확합니다.</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.pattern_alike</name>
+    <message>
+        <source>Neighbouring markers err alike, by %1 RMS: check that the floor is flat, and calibrate the lens at the zoom and focus that it records with.</source>
+        <translation>이웃한 마커들이 %1 RMS만큼 같은 쪽으로 어긋납니다: 바닥이 평평한지 확인하고, 녹화할 때의 줌과 초점으로 렌즈를 보정하십시오.</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.pattern_layout</name>
+    <message>
+        <source>The residuals follow the layout: they disappear with X longer than Y by %1 % and the axes %2° off the right angle; measure both sides and both diagonals of the layout again.</source>
+        <translation>잔차가 배치를 따릅니다: X가 Y보다 %1 % 길고 축이 직각에서 %2° 벗어나면 사라집니다. 배치의 두 변과 두 대각선을 다시 재십시오.</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.pattern_lens</name>
+    <message>
+        <source>The residuals follow the lens: %1 of them disappear with another focal length and distortion; calibrate the lens again, at the zoom and focus that it records with.</source>
+        <translation>잔차가 렌즈를 따릅니다: 다른 초점 거리와 왜곡이면 %1이 사라집니다. 녹화할 때의 줌과 초점으로 렌즈를 다시 보정하십시오.</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.pattern_marker</name>
+    <message>
+        <source>Marker %1 is %2 from where the others expect it: measure and mark it again.</source>
+        <translation>마커 %1이(가) 다른 마커들이 예측하는 위치에서 %2 벗어나 있습니다: 다시 재고 표시하십시오.</translation>
     </message>
 </context>
 <context>
@@ -20629,8 +20664,8 @@ Much more than expected means that a setting is wrong: the views are not synchro
 <context>
     <name>workflow.assumed_lens</name>
     <message>
-        <source>the registration assumes a lens without distortion, because the lens was not calibrated</source>
-        <translation>렌즈를 보정하지 않고 왜곡이 없다고 가정했습니다</translation>
+        <source>its lens was neither calibrated nor determined by the floor&apos;s markers</source>
+        <translation>렌즈가 보정되지도, 바닥 마커로 결정되지도 않았습니다</translation>
     </message>
 </context>
 <context>
@@ -22372,8 +22407,8 @@ Much more than expected means that a setting is wrong: the views are not synchro
 <context>
     <name>workflow.passed_lens</name>
     <message>
-        <source>the lenses are calibrated</source>
-        <translation>렌즈가 보정되어 있습니다</translation>
+        <source>the lenses are calibrated, or estimated from the floor&apos;s markers</source>
+        <translation>렌즈가 보정되었거나 바닥 마커에서 추정되었습니다</translation>
     </message>
 </context>
 <context>

@@ -4265,31 +4265,10 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
-    <name>calibration.focal_length_estimated</name>
-    <message>
-        <source>The lens is not calibrated: no distortion was assumed, and the focal length was estimated from the markers (%1 ± %2).</source>
-        <translation>相机按无畸变处理，焦距由标记估计（%1 ± %2）。</translation>
-    </message>
-</context>
-<context>
     <name>calibration.focal_length_groups</name>
     <message>
         <source>%1 give about %2, %3 (such as %4) give about %5</source>
         <translation>%1 张约 %2，%3 张（如 %4）约 %5</translation>
-    </message>
-</context>
-<context>
-    <name>calibration.focal_length_guessed</name>
-    <message>
-        <source>The lens is not calibrated: no distortion was assumed, and the focal length was guessed (%1) because this view does not determine it.</source>
-        <translation>相机按无畸变处理，焦距为假定值（%1），因为此视角无法确定它。</translation>
-    </message>
-</context>
-<context>
-    <name>calibration.focal_length_taken</name>
-    <message>
-        <source>The lens is not calibrated: no distortion and a focal length of %1 were assumed.</source>
-        <translation>相机按无畸变处理，焦距取为 %1。</translation>
     </message>
 </context>
 <context>
@@ -4454,6 +4433,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>calibration.grows_beyond</name>
+    <message>
+        <source>Beyond the markers it grows, to ±%1 within %2 of them.</source>
+        <translation>在标记之外会增大，%2 以内可达 ±%1。</translation>
+    </message>
+</context>
+<context>
     <name>calibration.halves_contradict</name>
     <message>
         <source>two halves of the images give focal lengths that differ by %1</source>
@@ -4472,6 +4458,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>each half of the images predicts the other to %1, at most %2 apart on that floor</source>
         <translation>各半互相预测到 %1，在该地面上最多相差 %2</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.held_out_markers</name>
+    <message>
+        <source>Markers that are left out one by one are predicted to %1 RMS.</source>
+        <translation>逐个去掉的标记可预测到 %1 RMS。</translation>
     </message>
 </context>
 <context>
@@ -4703,6 +4696,20 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>no camera shows it</source>
         <translation>没有给出能看到它的相机</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.lens_assumed</name>
+    <message>
+        <source>The lens is not calibrated, and the markers hardly determine it (focal length %1 ± %2): what is not known of it is in the uncertainty.</source>
+        <translation>镜头未标定，且标记几乎无法确定它（焦距 %1 ± %2）：未知部分已计入不确定度。</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.lens_from_floor</name>
+    <message>
+        <source>The lens is not calibrated: focal length (%1 ± %2) and distortion (k1 %3 ± %4) were estimated from the markers.</source>
+        <translation>镜头未标定：焦距（%1 ± %2）和畸变（k1 %3 ± %4）由标记估计。</translation>
     </message>
 </context>
 <context>
@@ -5417,6 +5424,34 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>The pairs agree less well than the corners would allow, which is in the uncertainty: the board moved between the two frames of a pair, or a lens calibration is less accurate than stated.</source>
         <translation>图像对的一致性不如角点所能达到的，这已计入不确定度：标定板在一对图像之间移动过，或镜头标定不如所述准确。</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.pattern_alike</name>
+    <message>
+        <source>Neighbouring markers err alike, by %1 RMS: check that the floor is flat, and calibrate the lens at the zoom and focus that it records with.</source>
+        <translation>相邻标记的偏差相同，为 %1 RMS：请检查地面是否平整，并在录制所用的变焦和对焦下标定镜头。</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.pattern_layout</name>
+    <message>
+        <source>The residuals follow the layout: they disappear with X longer than Y by %1 % and the axes %2° off the right angle; measure both sides and both diagonals of the layout again.</source>
+        <translation>残差与布局有关：若 X 比 Y 长 %1 % 且坐标轴偏离直角 %2°，残差就会消失；请重新测量布局的两边和两条对角线。</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.pattern_lens</name>
+    <message>
+        <source>The residuals follow the lens: %1 of them disappear with another focal length and distortion; calibrate the lens again, at the zoom and focus that it records with.</source>
+        <translation>残差与镜头有关：换用其他焦距和畸变后其中 %1 会消失；请在录制所用的变焦和对焦下重新标定镜头。</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.pattern_marker</name>
+    <message>
+        <source>Marker %1 is %2 from where the others expect it: measure and mark it again.</source>
+        <translation>标记 %1 与其他标记所预期的位置相差 %2：请重新测量并标记。</translation>
     </message>
 </context>
 <context>
@@ -20629,8 +20664,8 @@ Much more than expected means that a setting is wrong: the views are not synchro
 <context>
     <name>workflow.assumed_lens</name>
     <message>
-        <source>the registration assumes a lens without distortion, because the lens was not calibrated</source>
-        <translation>其镜头未经标定，被视为无畸变</translation>
+        <source>its lens was neither calibrated nor determined by the floor&apos;s markers</source>
+        <translation>其镜头既未标定，也未由地面标记确定</translation>
     </message>
 </context>
 <context>
@@ -22372,8 +22407,8 @@ Much more than expected means that a setting is wrong: the views are not synchro
 <context>
     <name>workflow.passed_lens</name>
     <message>
-        <source>the lenses are calibrated</source>
-        <translation>镜头已标定</translation>
+        <source>the lenses are calibrated, or estimated from the floor&apos;s markers</source>
+        <translation>镜头已标定，或由地面标记估计</translation>
     </message>
 </context>
 <context>
