@@ -1682,12 +1682,16 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <translation>Achtung</translation>
     </message>
     <message>
-        <source>not calibrated: no distortion assumed</source>
-        <translation>nicht kalibriert: gilt als verzeichnungsfrei</translation>
-    </message>
-    <message>
         <source>not registered: cannot measure positions yet</source>
         <translation>nicht eingemessen: Orte lassen sich noch nicht messen</translation>
+    </message>
+    <message>
+        <source>not calibrated: estimated from the markers</source>
+        <translation>nicht kalibriert: aus den Markern geschätzt</translation>
+    </message>
+    <message>
+        <source>not calibrated</source>
+        <translation>nicht kalibriert</translation>
     </message>
 </context>
 <context>
@@ -11206,8 +11210,8 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <translation>Ihr Objektiv ist vermessen.</translation>
     </message>
     <message>
-        <source>Its lens is not calibrated. Odograph assumes no distortion and estimates the focal length from the markers if they determine it.</source>
-        <translation>Ihr Objektiv wurde nicht vermessen: Es gilt als verzeichnungsfrei, und seine Brennweite wird aus den Markern geschätzt, soweit diese sie verraten.</translation>
+        <source>Its lens is not calibrated. Odograph estimates it from the markers, as far as they determine it.</source>
+        <translation>Ihr Objektiv ist nicht kalibriert. Odograph schätzt es aus den Markern, soweit diese es bestimmen.</translation>
     </message>
 </context>
 <context>
@@ -21725,8 +21729,8 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
 <context>
     <name>workflow.lens_never_calibrated</name>
     <message>
-        <source>The lens of camera &apos;%1&apos; is not calibrated, so no distortion is assumed</source>
-        <translation>Das Objektiv der Kamera &apos;%1&apos; wurde nie kalibriert, seine Verzeichnung wird als null angenommen</translation>
+        <source>The lens of camera &apos;%1&apos; is neither calibrated nor determined by the floor&apos;s markers</source>
+        <translation>Das Objektiv der Kamera '%1' wurde weder kalibriert noch durch die Marker des Bodens bestimmt</translation>
     </message>
 </context>
 <context>

@@ -1682,12 +1682,16 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <translation>Atención</translation>
     </message>
     <message>
-        <source>not calibrated: no distortion assumed</source>
-        <translation>sin calibrar: se supone sin distorsión</translation>
-    </message>
-    <message>
         <source>not registered: cannot measure positions yet</source>
         <translation>sin registrar: aún no se pueden medir posiciones</translation>
+    </message>
+    <message>
+        <source>not calibrated: estimated from the markers</source>
+        <translation>sin calibrar: estimada a partir de los marcadores</translation>
+    </message>
+    <message>
+        <source>not calibrated</source>
+        <translation>sin calibrar</translation>
     </message>
 </context>
 <context>
@@ -11206,8 +11210,8 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <translation>Su lente está medida.</translation>
     </message>
     <message>
-        <source>Its lens is not calibrated. Odograph assumes no distortion and estimates the focal length from the markers if they determine it.</source>
-        <translation>Su lente no se midió: se supone sin distorsión y su distancia focal se estima con los marcadores cuando estos la determinan.</translation>
+        <source>Its lens is not calibrated. Odograph estimates it from the markers, as far as they determine it.</source>
+        <translation>Su objetivo no está calibrado. Odograph lo estima a partir de los marcadores, hasta donde estos lo determinan.</translation>
     </message>
 </context>
 <context>
@@ -21725,8 +21729,8 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
 <context>
     <name>workflow.lens_never_calibrated</name>
     <message>
-        <source>The lens of camera &apos;%1&apos; is not calibrated, so no distortion is assumed</source>
-        <translation>La lente de la cámara &apos;%1&apos; nunca se calibró, su distorsión se toma como nula</translation>
+        <source>The lens of camera &apos;%1&apos; is neither calibrated nor determined by the floor&apos;s markers</source>
+        <translation>El objetivo de la cámara '%1' no está calibrado ni lo determinan los marcadores del suelo</translation>
     </message>
 </context>
 <context>

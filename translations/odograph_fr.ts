@@ -1682,12 +1682,16 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <translation>Attention</translation>
     </message>
     <message>
-        <source>not calibrated: no distortion assumed</source>
-        <translation>non étalonnée&#xa0;: supposée sans distorsion</translation>
-    </message>
-    <message>
         <source>not registered: cannot measure positions yet</source>
         <translation>non localisée&#xa0;: les positions ne peuvent pas encore être mesurées</translation>
+    </message>
+    <message>
+        <source>not calibrated: estimated from the markers</source>
+        <translation>non étalonnée : estimée d’après les marqueurs</translation>
+    </message>
+    <message>
+        <source>not calibrated</source>
+        <translation>non étalonnée</translation>
     </message>
 </context>
 <context>
@@ -11206,8 +11210,8 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <translation>Son objectif est mesuré.</translation>
     </message>
     <message>
-        <source>Its lens is not calibrated. Odograph assumes no distortion and estimates the focal length from the markers if they determine it.</source>
-        <translation>Son objectif n’a pas été mesuré&#xa0;: il est supposé sans distorsion, et sa distance focale est estimée d’après les marqueurs quand ils la donnent.</translation>
+        <source>Its lens is not calibrated. Odograph estimates it from the markers, as far as they determine it.</source>
+        <translation>Son objectif n’est pas étalonné. Odograph l’estime d’après les marqueurs, autant qu’ils le déterminent.</translation>
     </message>
 </context>
 <context>
@@ -21725,8 +21729,8 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>workflow.lens_never_calibrated</name>
     <message>
-        <source>The lens of camera &apos;%1&apos; is not calibrated, so no distortion is assumed</source>
-        <translation>L’objectif de la caméra &apos;%1&apos; n’a jamais été étalonné, sa distorsion est prise comme nulle</translation>
+        <source>The lens of camera &apos;%1&apos; is neither calibrated nor determined by the floor&apos;s markers</source>
+        <translation>L’objectif de la caméra '%1' n’est ni étalonné ni déterminé par les marqueurs du sol</translation>
     </message>
 </context>
 <context>

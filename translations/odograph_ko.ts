@@ -1674,12 +1674,16 @@ Much more than expected means that a setting is wrong: the views are not synchro
         <translation>주의</translation>
     </message>
     <message>
-        <source>not calibrated: no distortion assumed</source>
-        <translation>보정 안 됨: 왜곡이 없다고 봄</translation>
-    </message>
-    <message>
         <source>not registered: cannot measure positions yet</source>
         <translation>정합 안 됨: 아직 위치를 측정할 수 없음</translation>
+    </message>
+    <message>
+        <source>not calibrated: estimated from the markers</source>
+        <translation>보정 안 됨: 마커에서 추정</translation>
+    </message>
+    <message>
+        <source>not calibrated</source>
+        <translation>보정 안 됨</translation>
     </message>
 </context>
 <context>
@@ -11195,8 +11199,8 @@ Much more than expected means that a setting is wrong: the views are not synchro
         <translation>렌즈를 측정했습니다.</translation>
     </message>
     <message>
-        <source>Its lens is not calibrated. Odograph assumes no distortion and estimates the focal length from the markers if they determine it.</source>
-        <translation>렌즈를 측정하지 않았습니다. 왜곡이 없다고 보고, 초점 거리는 마커로 알 수 있으면 추정합니다.</translation>
+        <source>Its lens is not calibrated. Odograph estimates it from the markers, as far as they determine it.</source>
+        <translation>렌즈가 보정되지 않았습니다. 마커로 결정되는 만큼 Odograph가 마커에서 추정합니다.</translation>
     </message>
 </context>
 <context>
@@ -21686,8 +21690,8 @@ Much more than expected means that a setting is wrong: the views are not synchro
 <context>
     <name>workflow.lens_never_calibrated</name>
     <message>
-        <source>The lens of camera &apos;%1&apos; is not calibrated, so no distortion is assumed</source>
-        <translation>카메라 &apos;%1&apos;의 렌즈는 보정된 적이 없어 왜곡이 없는 것으로 봅니다</translation>
+        <source>The lens of camera &apos;%1&apos; is neither calibrated nor determined by the floor&apos;s markers</source>
+        <translation>카메라 '%1'의 렌즈가 보정되지도, 바닥 마커로 결정되지도 않았습니다</translation>
     </message>
 </context>
 <context>

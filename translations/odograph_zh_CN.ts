@@ -1674,12 +1674,16 @@ Much more than expected means that a setting is wrong: the views are not synchro
         <translation>注意</translation>
     </message>
     <message>
-        <source>not calibrated: no distortion assumed</source>
-        <translation>未标定：视为无畸变</translation>
-    </message>
-    <message>
         <source>not registered: cannot measure positions yet</source>
         <translation>未配准：尚不能测量位置</translation>
+    </message>
+    <message>
+        <source>not calibrated: estimated from the markers</source>
+        <translation>未标定：由标记估计</translation>
+    </message>
+    <message>
+        <source>not calibrated</source>
+        <translation>未标定</translation>
     </message>
 </context>
 <context>
@@ -11195,8 +11199,8 @@ Much more than expected means that a setting is wrong: the views are not synchro
         <translation>镜头已测量。</translation>
     </message>
     <message>
-        <source>Its lens is not calibrated. Odograph assumes no distortion and estimates the focal length from the markers if they determine it.</source>
-        <translation>镜头未测量：视为无畸变，其焦距在标记足以确定时由标记估计。</translation>
+        <source>Its lens is not calibrated. Odograph estimates it from the markers, as far as they determine it.</source>
+        <translation>其镜头未标定。Odograph 会在标记能够确定的范围内由标记估计镜头。</translation>
     </message>
 </context>
 <context>
@@ -21686,8 +21690,8 @@ Much more than expected means that a setting is wrong: the views are not synchro
 <context>
     <name>workflow.lens_never_calibrated</name>
     <message>
-        <source>The lens of camera &apos;%1&apos; is not calibrated, so no distortion is assumed</source>
-        <translation>相机“%1”的镜头从未标定，按无畸变处理</translation>
+        <source>The lens of camera &apos;%1&apos; is neither calibrated nor determined by the floor&apos;s markers</source>
+        <translation>相机“%1”的镜头既未标定，也未由地面标记确定</translation>
     </message>
 </context>
 <context>

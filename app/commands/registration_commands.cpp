@@ -14,14 +14,14 @@ namespace odo {
 
 namespace {
 
-QString lensSourceName(LensSource source)
+QString intrinsicsSourceName(IntrinsicsSource source)
 {
     switch (source) {
-    case LensSource::Calibration:
+    case IntrinsicsSource::Calibration:
         return QStringLiteral("calibration");
-    case LensSource::Floor:
+    case IntrinsicsSource::Floor:
         return QStringLiteral("floor");
-    case LensSource::Assumed:
+    case IntrinsicsSource::Assumed:
         break;
     }
     return QStringLiteral("assumed");
@@ -30,7 +30,7 @@ QString lensSourceName(LensSource source)
 QString patternName(ResidualPattern pattern)
 {
     switch (pattern) {
-    case ResidualPattern::Lens:
+    case ResidualPattern::Intrinsics:
         return QStringLiteral("lens");
     case ResidualPattern::Layout:
         return QStringLiteral("layout");
@@ -44,7 +44,7 @@ QString patternName(ResidualPattern pattern)
 QJsonObject lensJson(const Intrinsics &lens, bool isCalibrated)
 {
     QJsonObject json = intrinsicsJson(lens);
-    json.insert(QStringLiteral("source"), lensSourceName(lensSourceOf(lens, isCalibrated)));
+    json.insert(QStringLiteral("source"), intrinsicsSourceName(intrinsicsSourceOf(lens, isCalibrated)));
     json.insert(QStringLiteral("sigma_fx"),
                 lens.covariance.size() > 0 ? QJsonValue(std::sqrt(lens.covariance(0, 0))) : QJsonValue());
     return json;

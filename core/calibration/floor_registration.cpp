@@ -52,6 +52,16 @@ double extentPx(std::span<const PointPair> pairs)
     return extentOf(points);
 }
 
+Message checkAll()
+{
+    return ODO_TEXT("calibration.check_all", "check the layout, the labels and the intrinsics");
+}
+
+Message fitOnlyTo(double rmsPx)
+{
+    return ODO_TEXT("calibration.fit_only_to", "the markers fit only to %1")(quantity(rmsPx, 1, "px"));
+}
+
 /// The usual mistakes that explain a misfit, or else the advice where none does.
 Message causesOr(const TriedMarkers &tried, Message otherwise)
 {
@@ -125,9 +135,7 @@ Result<Fit> soundFit(const TriedMarkers &tried)
     auto fit = ODO_TRY(fitMarkers(tried));
     Message mistake = clearMistake(tried, fit.pose);
     if (!mistake.isEmpty())
-        return refuseFloor(ODO_TEXT("calibration.fit_only_to",
-                                    "the markers fit only to %1")(quantity(fit.pose.rmsPx, 1, "px")),
-                           std::move(mistake));
+        return refuseFloor(fitOnlyTo(fit.pose.rmsPx), std::move(mistake));
     return fit;
 }
 
@@ -219,9 +227,10 @@ Result<void> checkFit(const FloorRegistration &registration, const TriedMarkers 
                         quantity(registration.rmsPx, 1, "px"), Named::marker(worst->label),
                         quantity(worst->errorPx, 1, "px"))},
                    Join::Colon),
-            causesOr(tried,
-                     ODO_TEXT("calibration.check_all", "check the layout, the labels and the intrinsics")));
+            causesOr(tried, checkAll()));
     }
+    if (registration.floorSigmaM > worstSigma * layoutM && registration.rmsPx > leastSigmaPx)
+        return refuseFloor(fitOnlyTo(registration.rmsPx), causesOr(tried, checkAll()));
     if (registration.floorSigmaM > worstSigma * layoutM)
         return refuseFloor(
             ODO_TEXT("calibration.markers_nearly_on_line",
@@ -272,13 +281,13 @@ Result<FloorRegistration> registerFloor(const MarkerLayout &layout, const std::v
     return registration;
 }
 
-LensSource lensSourceOf(const Intrinsics &lens, bool isCalibrated)
+IntrinsicsSource intrinsicsSourceOf(const Intrinsics &lens, bool isCalibrated)
 {
     if (isCalibrated)
-        return LensSource::Calibration;
+        return IntrinsicsSource::Calibration;
     const bool isDetermined =
         lens.covariance.rows() > 4 && std::sqrt(lens.covariance(0, 0)) < worstFloorFocal * lens.fxPx;
-    return isDetermined ? LensSource::Floor : LensSource::Assumed;
+    return isDetermined ? IntrinsicsSource::Floor : IntrinsicsSource::Assumed;
 }
 
 namespace {

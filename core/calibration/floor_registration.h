@@ -22,8 +22,8 @@ struct MarkerError
 /// What the markers' residuals follow beyond chance.
 enum class ResidualPattern {
     None,
-    Lens,   ///< another lens than the one used
-    Layout, ///< its measures, or one marker
+    Intrinsics, ///< other ones than those used
+    Layout,     ///< its measures, or one marker
 };
 
 /// One camera to the floor.
@@ -43,15 +43,15 @@ struct FloorRegistration
     ResidualPattern residualPattern = ResidualPattern::None;
 };
 
-/// Where a registration's lens comes from.
-enum class LensSource {
+/// Where a registration's intrinsics come from.
+enum class IntrinsicsSource {
     Calibration,
     Floor,   ///< estimated from the markers, its focal length to 10 % or better
-    Assumed, ///< the markers hardly determine it
+    Assumed, ///< the markers hardly determine them
 };
 
-/// lens: the registration's. isCalibrated: as it was made.
-LensSource lensSourceOf(const Intrinsics &lens, bool isCalibrated);
+/// intrinsics: the registration's. isCalibrated: as it was made.
+IntrinsicsSource intrinsicsSourceOf(const Intrinsics &intrinsics, bool isCalibrated);
 
 /// Another camera of the testbed, whose markers may have been taken for this one's.
 struct OtherCamera

@@ -71,9 +71,9 @@ struct RegistrationRecord
     RecordId id = 0;
     RecordId camera = 0;
     RecordId layout = 0;
-    RecordId intrinsics = 0; ///< 0: no distortion was assumed
+    RecordId intrinsics = 0; ///< 0: the lens was estimated along with it
     Instant made;
-    Intrinsics assumedIntrinsics; ///< what was used when intrinsics is 0
+    Intrinsics assumedIntrinsics; ///< what was estimated when intrinsics is 0
     std::vector<MarkerPixel> pixels;
     FloorRegistration registration;
     std::string softwareVersion; ///< that made it; empty: not known

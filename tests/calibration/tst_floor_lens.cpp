@@ -121,7 +121,7 @@ private Q_SLOTS:
             const auto registration =
                 registerFloor(floor.layout, floor.pixels, CameraModel::assumed(1280, 720), false);
             QVERIFY(registration.has_value());
-            QCOMPARE(lensSourceOf(registration->intrinsics, false), LensSource::Floor);
+            QCOMPARE(intrinsicsSourceOf(registration->intrinsics, false), IntrinsicsSource::Floor);
             const FloorReading reading(*registration, CameraModel::create(registration->intrinsics).value(),
                                        floor.pixels, true);
             for (int i = 0; i < heldOutPoints; ++i) {
@@ -157,8 +157,10 @@ private Q_SLOTS:
 
     void whatOneCannotTellIsAssumed()
     {
-        QCOMPARE(lensSourceOf(CameraModel::assumed(640, 480).intrinsics(), true), LensSource::Calibration);
-        QCOMPARE(lensSourceOf(CameraModel::assumed(640, 480).intrinsics(), false), LensSource::Assumed);
+        QCOMPARE(intrinsicsSourceOf(CameraModel::assumed(640, 480).intrinsics(), true),
+                 IntrinsicsSource::Calibration);
+        QCOMPARE(intrinsicsSourceOf(CameraModel::assumed(640, 480).intrinsics(), false),
+                 IntrinsicsSource::Assumed);
     }
 };
 

@@ -148,7 +148,7 @@ private Q_SLOTS:
         const auto registration =
             registerFloor(sixMarkers(), seenBy(truth, sixMarkers()), CameraModel::assumed(1280, 720), false);
         QVERIFY(registration.has_value());
-        QCOMPARE(lensSourceOf(registration->intrinsics, false), LensSource::Floor);
+        QCOMPARE(intrinsicsSourceOf(registration->intrinsics, false), IntrinsicsSource::Floor);
         const double sigmaPx = std::sqrt(registration->intrinsics.covariance(0, 0));
         QVERIFY(sigmaPx < 50);
         QVERIFY(std::abs(registration->intrinsics.fxPx - 1111) < sigmaPx);
@@ -163,7 +163,7 @@ private Q_SLOTS:
         const auto registration = registerFloor(sixMarkers(), seenBy(truth, sixMarkers(), above),
                                                 CameraModel::assumed(1280, 720), false);
         QVERIFY(registration.has_value());
-        QCOMPARE(lensSourceOf(registration->intrinsics, false), LensSource::Assumed);
+        QCOMPARE(intrinsicsSourceOf(registration->intrinsics, false), IntrinsicsSource::Assumed);
         const double sigmaPx = std::sqrt(registration->intrinsics.covariance(0, 0));
         QVERIFY(sigmaPx > 0.3 * registration->intrinsics.fxPx);
         QVERIFY(contains(registration->verdict.english(), "the markers hardly determine it"));

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/calibration/floor_registration.h"
 #include "core/calibration/internal/layout_board.h"
 #include "core/calibration/internal/tag_labels.h"
 #include "core/calibration/marker_detection.h"
@@ -272,6 +273,28 @@ private Q_SLOTS:
         std::swap(other[0], other[4]);
         other[2].x() += 0.7;
         QVERIFY(!findMarkers(frame, numbered(numbers, other)));
+    }
+    /// Numbers that are off by one fit a grid, shifted by a column, with nine of twelve.
+    void numbersThatAreOffByOneFitNowhere()
+    {
+        std::vector<Vector2d> grid;
+        std::vector<int> printed, labels;
+        for (int i = 0; i < 12; ++i) {
+            grid.emplace_back(0.7 * (i % 4), 0.7 * (i / 4));
+            printed.push_back(5 + i);
+            labels.push_back(6 + i);
+        }
+        for (const TagFamily family : {TagFamily::Aruco4x4, TagFamily::AprilTag16h5, TagFamily::ArucoOriginal,
+                                       TagFamily::AprilTag25h9}) {
+            const FloorView view = someView(grid, 91);
+            const Frame frame = drawTaggedFloor(view, floorOf(family, printed, grid, 92));
+            const MarkerLayout right = numbered(printed, grid), wrong = numbered(labels, grid);
+            const auto found = findMarkers(frame, right);
+            QVERIFY2(worstOf(found, view, right, 12).value_or(9) < 0.5, said(found).constData());
+            const auto shifted = findMarkers(frame, wrong);
+            QVERIFY2(!shifted || !registerFloor(wrong, *shifted, view.camera(), true),
+                     said(shifted).constData());
+        }
     }
     void tagsAtRandomFitNowhere()
     {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/calibration/board_detection.h"
+#include "core/calibration/floor_reading.h"
 #include "core/calibration/floor_registration.h"
 #include "core/calibration/intrinsic_calibration.h"
 #include "core/video/image_reader.h"
@@ -7,6 +8,7 @@
 #include "tests/support/real_material.h"
 #include "tests/support/registered_test.h"
 
+#include <Eigen/LU>
 #include <QTest>
 #include <algorithm>
 #include <fstream>
@@ -51,6 +53,32 @@ CameraModel rosCamera(const std::filesystem::path &file, int widthPx, int height
     Intrinsics intrinsics{widthPx,          heightPx, k[0], k[4], k[2], k[5], LensModel::Standard,
                           rosData(file, 1), {}};
     return CameraModel::create(intrinsics).value();
+}
+
+/// A board as a floor of 0.3 m squares, with the camera above it.
+Eigen::Vector2d floorCorner(const BoardView &view, std::size_t index)
+{
+    const auto columns = std::size_t(view.columns);
+    return {0.3 * double(index % columns), -0.3 * double(index / columns)};
+}
+
+/// So many corners of a board, each as far as possible from those before it.
+std::vector<std::size_t> spreadCorners(const BoardView &view, std::size_t count)
+{
+    std::vector<std::size_t> chosen{0};
+    const auto distance = [&](std::size_t index) {
+        double least = HUGE_VAL;
+        for (const std::size_t one : chosen)
+            least = std::min(least, (floorCorner(view, one) - floorCorner(view, index)).norm());
+        return least;
+    };
+    while (chosen.size() < count) {
+        std::size_t farthest = 0;
+        for (std::size_t i = 0; i < view.pixels.size(); ++i)
+            farthest = distance(i) > distance(farthest) ? i : farthest;
+        chosen.push_back(farthest);
+    }
+    return chosen;
 }
 
 std::vector<std::filesystem::path> imagesIn(const std::filesystem::path &folder, const std::string &start)
@@ -128,7 +156,52 @@ private Q_SLOTS:
         const auto guessed = registerFloor(layout, pixels, CameraModel::assumed(1088, 1920), false);
         QVERIFY2(guessed.has_value(), guessed ? "" : guessed.error().message().c_str());
         qInfo("%s without intrinsics: %s", qPrintable(camera), guessed->verdict.english().c_str());
-        QVERIFY(std::abs(guessed->intrinsics.fxPx - lens.intrinsics().fxPx) < 0.1 * lens.intrinsics().fxPx);
+        const double sigmaPx = std::sqrt(guessed->intrinsics.covariance(0, 0));
+        QVERIFY(std::abs(guessed->intrinsics.fxPx - lens.intrinsics().fxPx) < 2 * sigmaPx);
+        QVERIFY(sigmaPx < 0.02 * lens.intrinsics().fxPx);
+    }
+    /// Twelve corners of one image tell the lens, and where the other 42 are. The outer squares are narrower,
+    /// so that some of these corners are off.
+    void estimatesALensFromTwelveCornersOfAnImage()
+    {
+        ODOGRAPH_NEED_REAL("chessboard-stereo");
+        const auto files = imagesIn(realMaterial() / "chessboard-stereo", "left");
+        const auto views = boardsIn(files, board(BoardPattern::Checkerboard, 9, 6, 0.025));
+        QCOMPARE(views.size(), std::size_t(13));
+        int within = 0, points = 0;
+        std::vector<double> errorsM;
+        for (const BoardView &view : views) {
+            MarkerLayout layout{"board", {}};
+            std::vector<MarkerPixel> pixels;
+            for (const std::size_t i : spreadCorners(view, 12)) {
+                layout.markers.push_back({std::to_string(i), floorCorner(view, i)});
+                pixels.push_back({std::to_string(i), view.pixels[i]});
+            }
+            const auto registration = registerFloor(layout, pixels, CameraModel::assumed(640, 480), false);
+            QVERIFY2(registration.has_value(), registration ? "" : registration.error().message().c_str());
+            const double sigmaPx = std::sqrt(registration->intrinsics.covariance(0, 0));
+            QVERIFY2(std::abs(registration->intrinsics.fxPx - 533.5) < 3 * sigmaPx, view.source.c_str());
+            QVERIFY2(sigmaPx < 30, view.source.c_str());
+            const FloorReading reading(*registration, CameraModel::create(registration->intrinsics).value(),
+                                       pixels, true);
+            for (std::size_t i = 0; i < view.pixels.size(); ++i) {
+                if (std::ranges::find(layout.markers, std::to_string(i), &Marker::label) !=
+                    layout.markers.end())
+                    continue;
+                const auto read = reading.at(view.pixels[i]);
+                QVERIFY(read.has_value());
+                const Eigen::Vector2d off = read->pointInWorld - floorCorner(view, i);
+                within += off.dot(read->covariance.inverse() * off) < 5.991 ? 1 : 0; // 95 % of χ²(2)
+                ++points;
+                errorsM.push_back(off.norm());
+            }
+        }
+        std::ranges::sort(errorsM);
+        const double medianM = errorsM[errorsM.size() / 2];
+        qInfo("%d of %d other corners inside the stated 95 %%, half of them to %.2f mm of a floor of 2.4 m",
+              within, points, 1000 * medianM);
+        QVERIFY(within >= 0.95 * points);
+        QVERIFY(medianM < 0.0015);
     }
     void calibratesTheStereoSetsCameras_data()
     {

@@ -67,7 +67,7 @@ private Q_SLOTS:
                 registerFloor(one.floor.layout, one.floor.pixels, CameraModel::create(wrong).value(), true);
             QVERIFY(registration.has_value());
             const bool isNamed = contains(registration->verdict.english(), "The residuals follow the lens");
-            QCOMPARE(isNamed, registration->residualPattern == ResidualPattern::Lens);
+            QCOMPARE(isNamed, registration->residualPattern == ResidualPattern::Intrinsics);
             named += isNamed ? 1 : 0;
             silent += isGood(*registration) && registration->rmsPx > 1 ? 1 : 0;
         }

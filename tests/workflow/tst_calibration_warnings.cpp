@@ -81,8 +81,16 @@ private Q_SLOTS:
         const auto warnings = warned(january);
         QCOMPARE(warnings.size(), std::size_t(1));
         QCOMPARE(warnings[0],
-                 std::string(
-                     "The lens of camera 'A' is not calibrated, so no distortion is assumed: calibrate it."));
+                 std::string("The lens of camera 'A' is neither calibrated nor determined by the floor's "
+                             "markers: calibrate it."));
+    }
+    void nothingOfALensThatTheMarkersDetermine()
+    {
+        RegistrationRecord record = registrationOf(m_camera.id, m_layout, 0, january);
+        record.assumedIntrinsics.distortion = {0, 0, 0, 0, 0};
+        record.assumedIntrinsics.covariance = Eigen::MatrixXd::Identity(9, 9);
+        QVERIFY(m_project->cameras().addRegistration(record).has_value());
+        QVERIFY(warned(january).empty());
     }
     void nothingOfAFreshOne()
     {

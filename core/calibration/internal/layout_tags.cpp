@@ -261,10 +261,13 @@ void TagSearch::addPredicted(Reading &reading) const
 
 Result<LayoutTags> TagSearch::complete(Reading reading) const
 {
-    // What reads by chance is a tag only where it fits.
-    if (reading.isReadByChance())
+    // What reads by chance is a tag only where it fits, or lies on the floor like one: numbers that are off
+    // by one fit a grid with most of them, shifted by a column.
+    if (reading.isReadByChance()) {
         reading.sightings = reading.fit.inliers;
-    else if (const auto error = seenTwice(reading))
+        std::ranges::copy(reading.fit.contradicting, std::back_inserter(reading.sightings));
+    }
+    if (const auto error = reading.isReadByChance() ? std::nullopt : seenTwice(reading))
         return tl::unexpected(*error);
     if (reading.rule)
         addPredicted(reading);

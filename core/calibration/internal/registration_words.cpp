@@ -109,7 +109,8 @@ double largestOver(const FloorView &view, const MarkerLayout &layout, double mar
 Message estimatedLensWords(const FloorLens &lens, std::size_t markers)
 {
     const Intrinsics &intrinsics = lens.pose.camera.intrinsics();
-    const bool isSaid = markers >= leastHeldOut && lensSourceOf(intrinsics, false) == LensSource::Floor;
+    const bool isSaid =
+        markers >= leastHeldOut && intrinsicsSourceOf(intrinsics, false) == IntrinsicsSource::Floor;
     return joined({lensWords(intrinsics),
                    isSaid ? ODO_TEXT("calibration.held_out_markers",
                                      "Markers that are left out one by one are predicted to %1 RMS.")(
@@ -161,7 +162,7 @@ Message lensWords(const Intrinsics &lens)
 {
     const MessageArgument focal = quantity(lens.fxPx, 0, "px");
     const MessageArgument sigma = quantity(std::sqrt(lens.covariance(0, 0)), 0);
-    if (lensSourceOf(lens, false) == LensSource::Assumed)
+    if (intrinsicsSourceOf(lens, false) == IntrinsicsSource::Assumed)
         return ODO_TEXT("calibration.lens_assumed",
                         "The lens is not calibrated, and the markers hardly determine it (focal length %1 ± "
                         "%2): what is not known of it is in the uncertainty.")(focal, sigma);

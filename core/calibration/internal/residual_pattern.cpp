@@ -178,11 +178,11 @@ public:
         tryLayout();
         tryEachMarker();
         if (intrinsicsKnown)
-            consider(
-                lensColumns(view.camera(), slopes.byIntrinsics), beyondChance, double(pairs.size()),
-                [](const Explanation &cause) {
-                    return ResidualJudgement{ResidualPattern::Lens, false, lensSentence(cause.explainedPx)};
-                });
+            consider(lensColumns(view.camera(), slopes.byIntrinsics), beyondChance, double(pairs.size()),
+                     [](const Explanation &cause) {
+                         return ResidualJudgement{ResidualPattern::Intrinsics, false,
+                                                  lensSentence(cause.explainedPx)};
+                     });
         if (!m_best)
             tryNeighbours();
     }
@@ -249,7 +249,7 @@ private:
         const VectorXd &left = m_residuals.left();
         const double rmsPx = std::sqrt(left.squaredNorm() / double(m_pairs.size()));
         if (rmsPx > smoothPx && alikeness(m_pairs, left) > alikeBeyondChance)
-            m_judgement = {ResidualPattern::Lens, false, alikeSentence(rmsPx)};
+            m_judgement = {ResidualPattern::Intrinsics, false, alikeSentence(rmsPx)};
     }
 
     std::span<const PointPair> m_pairs;

@@ -63,21 +63,62 @@ std::vector<PointPair> pairsOf(const MarkerLayout &layout, const std::vector<Tag
     return pairs;
 }
 
-/// Seen from above, and a square on the floor.
-bool isSquare(const SeenTag &tag, const Homography &floorFromIdeal, const IdealPixels &ideal)
+bool isSimilar(double a, double b)
+{
+    return a < mostStretch * b && b < mostStretch * a;
+}
+
+/// The side of a tag that is seen from above and a square on the floor.
+std::optional<double> squareSideM(const SeenTag &tag, const Homography &floorFromIdeal,
+                                  const IdealPixels &ideal)
 {
     std::array<Vector2d, 4> floor;
     for (std::size_t i = 0; i < 4; ++i) {
         const auto pixel = ideal.of((tag.pixelFromTag * tagCorners[i].homogeneous()).hnormalized());
         const auto point = pixel ? floorFromIdeal.map(*pixel) : std::nullopt;
         if (!point)
-            return false;
+            return std::nullopt;
         floor[i] = *point;
     }
-    const auto similar = [](double a, double b) { return a < mostStretch * b && b < mostStretch * a; };
     const Vector2d across = floor[2] - floor[0], aside = floor[3] - floor[1];
-    return across.x() * aside.y() - across.y() * aside.x() < 0 && similar(across.norm(), aside.norm()) &&
-           similar((floor[1] - floor[0]).norm(), (floor[2] - floor[1]).norm());
+    const double side = (floor[1] - floor[0]).norm();
+    if (across.x() * aside.y() - across.y() * aside.x() < 0 && isSimilar(across.norm(), aside.norm()) &&
+        isSimilar(side, (floor[2] - floor[1]).norm()))
+        return side;
+    return std::nullopt;
+}
+
+/// All tags of a sighting are squares on the floor, of about this side unless it is 0.
+bool areSquares(const TagSighting &sighting, double sideM, const Homography &floorFromIdeal,
+                const IdealPixels &ideal)
+{
+    return std::ranges::all_of(sighting.tags, [&](const SeenTag &tag) {
+        const auto side = squareSideM(tag, floorFromIdeal, ideal);
+        return side && (sideM == 0 || isSimilar(*side, sideM));
+    });
+}
+
+/// As TagFit says.
+std::vector<TagSighting> contradictingOf(const std::vector<TagSighting> &sightings,
+                                         const std::vector<TagSighting> &inliers,
+                                         const Homography &floorFromIdeal, const IdealPixels &ideal)
+{
+    std::vector<double> sidesM;
+    for (const TagSighting &inlier : inliers) {
+        for (const SeenTag &tag : inlier.tags)
+            sidesM.push_back(squareSideM(tag, floorFromIdeal, ideal).value_or(0));
+    }
+    if (sidesM.empty())
+        return {};
+    std::ranges::sort(sidesM);
+    std::vector<TagSighting> contradicting;
+    for (const TagSighting &sighting : sightings) {
+        if (std::ranges::find(inliers, sighting.marker, &TagSighting::marker) == inliers.end() &&
+            std::ranges::find(contradicting, sighting.marker, &TagSighting::marker) == contradicting.end() &&
+            areSquares(sighting, sidesM[sidesM.size() / 2], floorFromIdeal, ideal))
+            contradicting.push_back(sighting);
+    }
+    return contradicting;
 }
 
 /// The nearest sighting of each marker that agrees with a map, by indices.
@@ -93,8 +134,7 @@ std::vector<std::size_t> inliersOf(const Homography &idealFromFloor, const Marke
         const auto pixel = ideal.of(sighting.pixel);
         const auto predicted = idealFromFloor.map(layout.markers[sighting.marker].pointInWorld);
         if (!pixel || !predicted || !((*pixel - *predicted).norm() < away[sighting.marker]) ||
-            !std::ranges::all_of(sighting.tags,
-                                 [&](const SeenTag &tag) { return isSquare(tag, back, ideal); }))
+            !areSquares(sighting, 0, back, ideal))
             continue;
         away[sighting.marker] = (*pixel - *predicted).norm();
         std::erase_if(inliers, [&](std::size_t other) { return sightings[other].marker == sighting.marker; });
@@ -205,6 +245,8 @@ TagFit fitTags(const MarkerLayout &layout, const TagRule &rule, const std::vecto
     tryMap(chosen());
     fit.inliers = chosen();
     std::ranges::sort(fit.inliers, {}, &TagSighting::marker);
+    if (const auto map = Homography::estimate(pairsOf(layout, fit.inliers, ideal)))
+        fit.contradicting = contradictingOf(sightings, fit.inliers, map->inverse(), ideal);
     return fit;
 }
 

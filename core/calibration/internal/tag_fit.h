@@ -26,7 +26,9 @@ std::vector<TagSighting> sightingsOf(const TagRule &rule, const std::vector<Seen
 struct TagFit
 {
     std::vector<TagSighting>
-        inliers;          ///< that agree on one map of the floor, in the layout's order, each once
+        inliers; ///< that agree on one map of the floor, in the layout's order, each once
+    /// Tags that lie on the floor like those, as squares of their size, but where the layout has others.
+    std::vector<TagSighting> contradicting;
     std::size_t seen = 0; ///< markers
 
     bool isAccepted() const;

@@ -279,9 +279,13 @@ Result<std::vector<Message>> calibrationWarnings(Project &project, const CameraR
     };
     const MessageArgument name = Named::camera(camera.name);
     if (!intrinsics) {
-        warn(ODO_TEXT("workflow.lens_never_calibrated",
-                      "The lens of camera '%1' is not calibrated, so no distortion is assumed")(name),
-             ODO_TEXT("workflow.calibrate_it", "calibrate it."));
+        if (!registration ||
+            intrinsicsSourceOf(registration->assumedIntrinsics, false) == IntrinsicsSource::Assumed)
+            warn(ODO_TEXT(
+                     "workflow.lens_never_calibrated",
+                     "The lens of camera '%1' is neither calibrated nor determined by the floor's markers")(
+                     name),
+                 ODO_TEXT("workflow.calibrate_it", "calibrate it."));
     } else {
         if (const auto days = daysOfOld(intrinsics->made, now, oldAfter))
             warn(ODO_TEXT("workflow.old_calibration",

@@ -194,7 +194,8 @@ void checkSynchronisation(const RecordingRecord &view, const RecordingRecord &fi
 
 void checkRegistration(const RegistrationRecord &registration, const std::string &camera, Checks &checks)
 {
-    if (lensSourceOf(registration.assumedIntrinsics, registration.intrinsics != 0) == LensSource::Assumed)
+    if (intrinsicsSourceOf(registration.assumedIntrinsics, registration.intrinsics != 0) ==
+        IntrinsicsSource::Assumed)
         checks.add(lensKnown, CheckLevel::Doubtful,
                    wholeMessage(cameraSubject(camera),
                                 ODO_TEXT("workflow.assumed_lens", "its lens was neither calibrated nor "

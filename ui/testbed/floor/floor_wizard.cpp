@@ -174,8 +174,8 @@ void FloorSourcePage::showCamera()
     m_intrinsics->setText(
         camera && camera->intrinsics
             ? tr("Its lens is calibrated.")
-            : tr("Its lens is not calibrated. Odograph assumes no distortion and estimates the "
-                 "focal length from the markers if they determine it."));
+            : tr("Its lens is not calibrated. Odograph estimates it from the markers, as far as they "
+                 "determine it."));
     Q_EMIT completeChanged();
 }
 

@@ -157,6 +157,16 @@ Result<TrialScenePtr> newestImage(Project &project, const CameraRow &camera)
     return scene;
 }
 
+namespace {
+
+bool isLensEstimated(const CameraRow &camera)
+{
+    return camera.registration && camera.registration->intrinsics == 0 &&
+           intrinsicsSourceOf(camera.registration->assumedIntrinsics, false) == IntrinsicsSource::Floor;
+}
+
+} // namespace
+
 QList<Fact> cameraFacts(const CameraRow &camera)
 {
     QList<Fact> facts;
@@ -170,7 +180,9 @@ QList<Fact> cameraFacts(const CameraRow &camera)
         addIntrinsics(facts, *camera.intrinsics);
     else
         facts.append({TestbedStateWords::tr("Calibration"),
-                      TestbedStateWords::tr("not calibrated: no distortion assumed"),
+                      isLensEstimated(camera)
+                          ? TestbedStateWords::tr("not calibrated: estimated from the markers")
+                          : TestbedStateWords::tr("not calibrated"),
                       {}});
     if (camera.registration)
         addRegistration(facts, *camera.registration);
