@@ -36,14 +36,6 @@ constexpr double worstFloorFocal = 0.1; // of itself: a focal length known worse
 // two million drawn layouts with a fault, those that passed all else had 9.5 and more, and 100.
 constexpr double worstSumOfFour = 8, worstSumOfFive = 40;
 
-double extentM(const std::vector<PointPair> &pairs)
-{
-    std::vector<Vector2d> points;
-    for (const PointPair &pair : pairs)
-        points.push_back(pair.source);
-    return extentOf(points);
-}
-
 double extentPx(std::span<const PointPair> pairs)
 {
     std::vector<Vector2d> points;
@@ -142,10 +134,7 @@ Result<Fit> soundFit(const TriedMarkers &tried)
 /// "O, U and V", which lie the most on one line, of the four that lie the least on one.
 MessageArgument flattestOf(std::span<const PointPair> pairs)
 {
-    std::vector<Vector2d> points;
-    for (const PointPair &pair : pairs)
-        points.push_back(pair.source);
-    const auto three = widestQuadrilateral(points).flattest;
+    const auto three = widestQuadrilateral(positionsOf(pairs)).flattest;
     std::vector<std::string> names;
     for (const int i : three)
         names.push_back(pairs[static_cast<std::size_t>(i)].label);
@@ -170,13 +159,10 @@ Result<void> checkPosition(const PlanePose &pose)
 FloorView viewOf(const Fit &fit, bool isPatterned, const std::vector<PointPair> &pairs)
 {
     const PlanePose &pose = fit.pose;
-    std::vector<Vector2d> positions;
-    for (const PointPair &pair : pairs)
-        positions.push_back(pair.source);
     const double alike = isPatterned ? std::max(1.0, double(pairs.size()) / 4) : 1;
     return FloorView(pose.camera, pose.worldFromCamera,
                      alike * fit.sigmaPx * fit.sigmaPx * pose.inverseNormal,
-                     poseByIntrinsics(pose.camera, pose.worldFromCamera, positions));
+                     poseByIntrinsics(pose.camera, pose.worldFromCamera, positionsOf(pairs)));
 }
 
 /// Fills the errors of the markers and the σ of the floor among them.
@@ -257,7 +243,7 @@ Result<FloorRegistration> registerFloor(const MarkerLayout &layout, const std::v
                                         const RegistrationContext &context)
 {
     const auto pairs = ODO_TRY(commonMarkers(layout, pixels));
-    const double layoutM = extentM(pairs);
+    const double layoutM = extentOf(positionsOf(pairs));
     ODO_TRY(checkDistances(pairs, layoutM));
     const TriedMarkers tried{pairs, camera, intrinsicsKnown ? FocalLength::Known : FocalLength::Free,
                              context};

@@ -2,7 +2,9 @@
 #include "core/calibration/chained_registration.h"
 
 #include "core/base/units.h"
+#include "core/calibration/internal/marker_pairs.h"
 #include "core/calibration/internal/plane_pose.h"
+#include "core/calibration/internal/pose_step.h"
 #include "core/calibration/internal/registration_words.h"
 #include "core/calibration/internal/wording.h"
 #include "core/calibration/intrinsics_influence.h"
@@ -185,12 +187,7 @@ std::vector<Matrix2d> weightsOf(const FloorView &reference, const FloorView &vie
 
 FloorView moved(const FloorView &view, const Vector6d &step)
 {
-    RigidTransform pose = view.worldFromCamera();
-    const Vector3d turn = step.head<3>();
-    if (turn.norm() > 0)
-        pose.rotation = Eigen::Quaterniond(Eigen::AngleAxisd(turn.norm(), turn.normalized())) * pose.rotation;
-    pose.translation += step.tail<3>();
-    return FloorView(view.camera(), pose, view.poseCovariance());
+    return FloorView(view.camera(), stepped(view.worldFromCamera(), step), view.poseCovariance());
 }
 
 Vector6d difference(const RigidTransform &to, const RigidTransform &from)
@@ -235,11 +232,9 @@ double largestSigma(const FloorView &view, const std::vector<SharedPoint> &point
     for (const SharedPoint &point : points) {
         const auto position = view.locate(point.pixel, Matrix2d::Zero(), 0);
         if (position)
-            largest = std::max(
-                largest,
-                Eigen::SelfAdjointEigenSolver<Matrix2d>(position->calibrationCovariance).eigenvalues().y());
+            largest = std::max(largest, largestSigmaM(*position));
     }
-    return std::sqrt(largest);
+    return largest;
 }
 
 Result<void> measure(const std::vector<PointPair> &pairs, const FloorView &view,
@@ -309,11 +304,10 @@ Result<ChainedRegistration> registerViaCamera(const FloorView &reference, const 
     ODO_TRY(checkSide(reference, referenceName, points, camera));
     const std::vector<PointPair> pairs = *laid(reference, points);
     ChainedRegistration result;
-    std::vector<Vector2d> positions;
+    const std::vector<Vector2d> positions = positionsOf(pairs);
     for (const PointPair &pair : pairs) {
         result.positions.markers.push_back({pair.label, pair.source});
         result.pixels.push_back({pair.label, pair.target});
-        positions.push_back(pair.source);
     }
     auto first = ODO_TRY(unweighted(result.positions, result.pixels, camera, intrinsicsKnown));
     result.registration = std::move(first);

@@ -2,12 +2,13 @@
 #include "core/calibration/internal/floor_lens.h"
 
 #include "core/calibration/floor_registration.h"
+#include "core/calibration/internal/marker_pairs.h"
+#include "core/calibration/internal/pose_step.h"
 #include "core/calibration/intrinsics_influence.h"
 #include "core/geometry/least_squares.h"
 
 #include <Eigen/LU>
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 namespace odo {
@@ -111,9 +112,7 @@ Intrinsics moved(Intrinsics lens, const VectorXd &step)
 LeastSquaresProblem<LensState> problemOf(std::span<const PointPair> pairs, double sigmaPx,
                                          const FocalPrior &focal = {})
 {
-    std::vector<Vector2d> positions;
-    for (const PointPair &pair : pairs)
-        positions.push_back(pair.source);
+    const std::vector<Vector2d> positions = positionsOf(pairs);
     LeastSquaresProblem<LensState> problem;
     problem.evaluate = [pairs, positions, sigmaPx, focal](const LensState &state, VectorXd &residuals,
                                                           MatrixXd *byStep) {
@@ -143,15 +142,8 @@ LeastSquaresProblem<LensState> problemOf(std::span<const PointPair> pairs, doubl
         return true;
     };
     problem.move = [](const LensState &state, const VectorXd &step) {
-        LensState next{moved(state.lens, step.tail(lensValues)), state.worldFromCamera};
-        const Vector3d turn = step.head<3>();
-        if (turn.norm() > 0)
-            next.worldFromCamera.rotation =
-                (Eigen::Quaterniond(Eigen::AngleAxisd(turn.norm(), turn.normalized())) *
-                 state.worldFromCamera.rotation)
-                    .normalized();
-        next.worldFromCamera.translation += step.segment<3>(3);
-        return next;
+        return LensState{moved(state.lens, step.tail(lensValues)),
+                         stepped(state.worldFromCamera, step.head<6>())};
     };
     return problem;
 }
@@ -178,9 +170,16 @@ double heldOutOf(const VectorXd &residuals, const MatrixXd &markers, const Matri
     return std::sqrt(2 * squares / double(markers.rows()));
 }
 
+struct Answer
+{
+    FloorLens lens;
+    /// Residuals that are free: twice the markers, less the pose and what of the lens the markers decide.
+    double freedom = 0;
+};
+
 /// The fit's answer from its derivatives at the best state. nullopt where they determine nothing.
-std::optional<FloorLens> answerOf(const LensState &state, const VectorXd &residuals, const MatrixXd &byStep,
-                                  double sigmaPx)
+std::optional<Answer> answerOf(const LensState &state, const VectorXd &residuals, const MatrixXd &byStep,
+                               double sigmaPx)
 {
     const Eigen::Index rows = residuals.size() - lensValues;
     const MatrixXd markers = byStep.topRows(rows);
@@ -199,13 +198,11 @@ std::optional<FloorLens> answerOf(const LensState &state, const VectorXd &residu
         return std::nullopt;
     const double squaresPx2 = residuals.head(rows).squaredNorm() * sigmaPx * sigmaPx;
     const double spent = (markers * covariance).cwiseProduct(markers).sum();
-    const double focalSigma = std::sqrt(ofLens(focalAt, focalAt));
-    const double focalSigmaPx = focalSigma * camera->intrinsics().fxPx;
-    return FloorLens{{std::move(*camera), state.worldFromCamera, inverseNormal,
-                      std::sqrt(2 * squaresPx2 / double(rows)), sigmaPx, focalSigmaPx},
-                     focalSigma,
-                     double(rows) - spent,
-                     sigmaPx * heldOutOf(residuals.head(rows), markers, covariance)};
+    const double focalSigmaPx = std::sqrt(ofLens(focalAt, focalAt)) * camera->intrinsics().fxPx;
+    return Answer{{{std::move(*camera), state.worldFromCamera, inverseNormal,
+                    std::sqrt(2 * squaresPx2 / double(rows)), sigmaPx, focalSigmaPx},
+                   sigmaPx * heldOutOf(residuals.head(rows), markers, covariance)},
+                  double(rows) - spent};
 }
 
 constexpr double sureFocal = 0.02; // so sure that the floor follows it in a straight line
@@ -214,19 +211,24 @@ constexpr double heldFocal = 1e-3; // of its σ
 constexpr int pixelsAcross = 8, pixelsDown = 5;
 constexpr double reach = 2; // of the markers' extent, from their middle: beyond it nobody measures
 
+/// σ of the focal length, relative to itself.
+double focalSigmaOf(const PlanePose &pose)
+{
+    return pose.focalSigmaPx.value_or(0) / pose.camera.intrinsics().fxPx;
+}
+
 /// How much wider the floor spreads over all focal lengths that the markers allow than the covariance at the
 /// best one says, as a factor of σ; 1 and more. Where the focal length is hardly determined, the floor does
 /// not follow it in a straight line.
 class Nonlinearity
 {
 public:
-    Nonlinearity(std::span<const PointPair> pairs, const FloorLens &best) : m_pairs(pairs), m_best(best)
+    Nonlinearity(std::span<const PointPair> pairs, const PlanePose &pose)
+        : m_pairs(pairs), m_pose(pose),
+          m_problem(problemOf(pairs, pose.sigmaPx)), m_best{pose.camera.intrinsics(), pose.worldFromCamera}
     {
-        const PlanePose &pose = best.pose;
         const double variance = pose.sigmaPx * pose.sigmaPx;
-        std::vector<Vector2d> positions;
-        for (const PointPair &pair : pairs)
-            positions.push_back(pair.source);
+        const std::vector<Vector2d> positions = positionsOf(pairs);
         const FloorView view(pose.camera, pose.worldFromCamera, variance * pose.inverseNormal,
                              poseByIntrinsics(pose.camera, pose.worldFromCamera, positions));
         keepPixels(view, positions);
@@ -235,9 +237,9 @@ public:
     double factor()
     {
         for (const double side : {-1.0, 1.0}) {
-            LensState state{m_best.pose.camera.intrinsics(), m_best.pose.worldFromCamera};
+            LensState state = m_best;
             for (const double step : focalSteps)
-                addAt(side * step * m_best.focalSigma, state);
+                addAt(side * step * focalSigmaOf(m_pose), state);
         }
         double widest = 1;
         for (const Point &point : m_points)
@@ -271,18 +273,22 @@ private:
         }
     }
 
+    std::optional<double> costOf(const LensState &state) const
+    {
+        VectorXd residuals;
+        return m_problem.evaluate(state, residuals, nullptr) ? std::optional(residuals.squaredNorm())
+                                                             : std::nullopt;
+    }
+
     void addAt(double offset, LensState &state)
     {
-        const double sigmaPx = m_best.pose.sigmaPx;
-        const double logFocal = logFocalOf(m_best.pose.camera.intrinsics()) + offset;
-        state = minimise(problemOf(m_pairs, sigmaPx, {logFocal, heldFocal * m_best.focalSigma}), state);
+        const FocalPrior held{logFocalOf(m_best.lens) + offset, heldFocal * focalSigmaOf(m_pose)};
+        state = minimise(problemOf(m_pairs, m_pose.sigmaPx, held), state);
         const auto camera = CameraModel::create(state.lens);
-        VectorXd here, best;
-        const auto problem = problemOf(m_pairs, sigmaPx);
-        if (!camera || !problem.evaluate(state, here, nullptr) ||
-            !problem.evaluate({m_best.pose.camera.intrinsics(), m_best.pose.worldFromCamera}, best, nullptr))
+        const auto cost = costOf(state);
+        if (!camera || !cost || !m_leastCost)
             return;
-        const double weight = std::exp(0.5 * (best.squaredNorm() - here.squaredNorm()));
+        const double weight = std::exp(0.5 * (*m_leastCost - *cost));
         const FloorView view(*camera, state.worldFromCamera, Eigen::Matrix<double, 6, 6>::Zero());
         for (Point &point : m_points) {
             if (const auto seen = view.floorFromPixel(point.pixel, 0))
@@ -292,7 +298,10 @@ private:
     }
 
     std::span<const PointPair> m_pairs;
-    const FloorLens &m_best;
+    const PlanePose &m_pose;
+    const LeastSquaresProblem<LensState> m_problem;
+    const LensState m_best;
+    const std::optional<double> m_leastCost = costOf(m_best);
     std::vector<Point> m_points;
     double m_weights = 1; // of the best one
 };
@@ -303,7 +312,7 @@ std::optional<FloorLens> fitFloorLens(std::span<const PointPair> pairs, const Pl
 {
     LensState state{startOf(start.camera.intrinsics()), start.worldFromCamera};
     double sigmaPx = std::max(believedPx, start.sigmaPx);
-    std::optional<FloorLens> answer;
+    std::optional<Answer> answer;
     for (int round = 0; round < mostRounds; ++round) {
         const auto problem = problemOf(pairs, sigmaPx);
         state = minimise(problem, state);
@@ -314,19 +323,20 @@ std::optional<FloorLens> fitFloorLens(std::span<const PointPair> pairs, const Pl
         answer = answerOf(state, residuals, byStep, sigmaPx);
         if (!answer)
             return std::nullopt;
-        const double squaresPx2 = answer->pose.rmsPx * answer->pose.rmsPx * double(pairs.size());
-        const double nextPx = markSigmaPx(squaresPx2, answer->freedom, believedPx);
+        const double rmsPx = answer->lens.pose.rmsPx;
+        const double nextPx = markSigmaPx(rmsPx * rmsPx * double(pairs.size()), answer->freedom, believedPx);
         if (std::abs(nextPx - sigmaPx) < settled * sigmaPx)
             break;
         sigmaPx = nextPx;
     }
-    if (!answer || answer->focalSigma < sureFocal)
-        return answer;
-    const double factor = Nonlinearity(pairs, *answer).factor();
-    Intrinsics lens = answer->pose.camera.intrinsics();
-    lens.covariance *= factor * factor;
-    answer->pose.camera = *CameraModel::create(lens);
-    return answer;
+    FloorLens lens = std::move(answer->lens);
+    if (focalSigmaOf(lens.pose) < sureFocal)
+        return lens;
+    const double factor = Nonlinearity(pairs, lens.pose).factor();
+    Intrinsics intrinsics = lens.pose.camera.intrinsics();
+    intrinsics.covariance *= factor * factor;
+    lens.pose.camera = *CameraModel::create(std::move(intrinsics));
+    return lens;
 }
 
 } // namespace odo

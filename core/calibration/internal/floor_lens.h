@@ -12,10 +12,6 @@ struct FloorLens
     /// (fx, fy, cx, cy, distortion...), inverseNormal the pose's with that lens held. sigmaPx is of one
     /// coordinate of a marker (markSigmaPx).
     PlanePose pose;
-    /// σ of the focal length, relative to itself.
-    double focalSigma = 0;
-    /// Residuals that are free: twice the markers, less the pose and what of the lens the markers decide.
-    double freedom = 0;
     /// RMS distance of each marker from where the fit without it puts it (to first order; Allen's PRESS,
     /// 1974).
     double heldOutPx = 0;

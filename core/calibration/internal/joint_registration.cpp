@@ -3,6 +3,7 @@
 
 #include "core/base/units.h"
 #include "core/calibration/floor_registration.h"
+#include "core/calibration/internal/pose_step.h"
 #include "core/calibration/internal/wording.h"
 #include "core/calibration/intrinsics_influence.h"
 #include "core/geometry/camera_model.h"
@@ -123,13 +124,7 @@ LeastSquaresProblem<JointState> problemOf(const JointProblem &problem)
         JointState moved = state;
         for (std::size_t i = 0; i < moved.poses.size(); ++i) {
             const auto at = static_cast<Eigen::Index>(6 * i);
-            const Vector3d turn = step.segment<3>(at);
-            if (turn.norm() > 0)
-                moved.poses[i].rotation =
-                    (Eigen::Quaterniond(Eigen::AngleAxisd(turn.norm(), turn.normalized())) *
-                     moved.poses[i].rotation)
-                        .normalized();
-            moved.poses[i].translation += step.segment<3>(at + 3);
+            moved.poses[i] = stepped(moved.poses[i], step.segment<6>(at));
         }
         for (std::size_t i = 0; i < moved.positions.size(); ++i)
             moved.positions[i] += step.segment<2>(static_cast<Eigen::Index>(6 * moved.poses.size() + 2 * i));

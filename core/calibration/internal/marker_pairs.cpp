@@ -56,6 +56,14 @@ Result<void> checkNumbers(const MarkerLayout &layout, const std::vector<MarkerPi
 
 } // namespace
 
+std::vector<Eigen::Vector2d> positionsOf(std::span<const PointPair> pairs)
+{
+    std::vector<Eigen::Vector2d> positions;
+    for (const PointPair &pair : pairs)
+        positions.push_back(pair.source);
+    return positions;
+}
+
 tl::unexpected<Error> refuseFloor(Message why, Message advice, ErrorCode code)
 {
     return fail(code, ODO_TEXT("calibration.floor_not_registered", "the floor cannot be registered"),

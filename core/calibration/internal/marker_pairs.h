@@ -5,9 +5,13 @@
 #include "core/calibration/marker_layout.h"
 #include "core/geometry/homography.h"
 
+#include <span>
 #include <vector>
 
 namespace odo {
+
+/// The floor positions of pairs, in their order. Metres.
+std::vector<Eigen::Vector2d> positionsOf(std::span<const PointPair> pairs);
 
 /// "the floor cannot be registered", why, and what to do.
 tl::unexpected<Error> refuseFloor(Message why, Message advice, ErrorCode code = ErrorCode::Undetermined);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/calibration/internal/pair_fit.h"
 
+#include "core/calibration/internal/pose_step.h"
+
 #include "core/geometry/cross_matrix.h"
 
 #include <Eigen/Cholesky>
@@ -47,18 +49,6 @@ Eigen::Matrix<double, 3, 6> byMotion(const Vector3d &turnedPoint)
     Eigen::Matrix<double, 3, 6> motion;
     motion << -crossMatrix(turnedPoint), Matrix3d::Identity();
     return motion;
-}
-
-RigidTransform stepped(const RigidTransform &pose, const PoseVector &step)
-{
-    RigidTransform moved = pose;
-    const Vector3d turn = step.head<3>();
-    if (turn.norm() > 0)
-        moved.rotation =
-            (Eigen::Quaterniond(Eigen::AngleAxisd(turn.norm(), turn.normalized())) * pose.rotation)
-                .normalized();
-    moved.translation += step.tail<3>();
-    return moved;
 }
 
 class PairProblem

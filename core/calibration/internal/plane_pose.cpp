@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/calibration/internal/plane_pose.h"
 
+#include "core/calibration/internal/pose_step.h"
 #include "core/calibration/internal/wording.h"
 #include "core/geometry/least_squares.h"
 
@@ -79,14 +80,7 @@ LeastSquaresProblem<PoseState> problemOf(std::span<const PointPair> pairs, const
         return true;
     };
     problem.move = [parameters](const PoseState &state, const Eigen::VectorXd &step) {
-        const Vector3d turn = step.head<3>();
-        PoseState moved = state;
-        if (turn.norm() > 0)
-            moved.worldFromCamera.rotation =
-                (Eigen::Quaterniond(Eigen::AngleAxisd(turn.norm(), turn.normalized())) *
-                 state.worldFromCamera.rotation)
-                    .normalized();
-        moved.worldFromCamera.translation += step.segment<3>(3);
+        PoseState moved{stepped(state.worldFromCamera, step.head<6>()), state.focalScale};
         if (parameters == 7)
             moved.focalScale *= std::exp(std::clamp(step(6), -1.0, 1.0));
         return moved;

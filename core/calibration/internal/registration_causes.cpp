@@ -2,6 +2,7 @@
 #include "core/calibration/internal/registration_causes.h"
 
 #include "core/base/units.h"
+#include "core/calibration/internal/marker_pairs.h"
 #include "core/calibration/internal/wording.h"
 
 #include <Eigen/LU>
@@ -71,10 +72,7 @@ bool isUpright(const RigidTransform &worldFromCamera)
 
 double carefulSum(std::span<const PointPair> pairs, const PlanePose &pose)
 {
-    std::vector<Vector2d> points;
-    for (const PointPair &pair : pairs)
-        points.push_back(pair.source);
-    const double tapeM = carefulTapeM(extentOf(points));
+    const double tapeM = carefulTapeM(extentOf(positionsOf(pairs)));
     const FloorView view(pose.camera, pose.worldFromCamera, Eigen::Matrix<double, 6, 6>::Zero());
     double sum = 0;
     for (const PointPair &pair : pairs) {
@@ -105,12 +103,10 @@ std::vector<Order> exchangesOf(std::size_t count)
 /// Orders that mirror the layout onto itself, to 2 % of its extent.
 std::vector<Order> mirrorOrdersOf(std::span<const PointPair> pairs)
 {
-    std::vector<Vector2d> points;
+    const std::vector<Vector2d> points = positionsOf(pairs);
     Vector2d middle = Vector2d::Zero();
-    for (const PointPair &pair : pairs) {
-        points.push_back(pair.source);
-        middle += pair.source / static_cast<double>(pairs.size());
-    }
+    for (const Vector2d &point : points)
+        middle += point / static_cast<double>(points.size());
     const double reachM = symmetricShare * extentOf(points);
     const auto farthest = *std::ranges::max_element(points, {}, [&](const Vector2d &p) {
         return (p - middle).norm();

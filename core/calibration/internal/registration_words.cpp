@@ -4,10 +4,10 @@
 #include "core/base/units.h"
 #include "core/calibration/accuracy_map.h"
 #include "core/calibration/internal/wording.h"
-#include "core/calibration/intrinsics_influence.h"
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 namespace odo {
 
@@ -89,21 +89,11 @@ Message otherCameraWords(const TriedMarkers &tried)
 /// The largest σ of the floor over the layout and a margin about it, as far as the image shows it.
 double largestOver(const FloorView &view, const MarkerLayout &layout, double marginM)
 {
-    const FloorGrid grid = gridOver(layout, marginM, positionsAcross);
-    const Intrinsics &lens = view.camera().intrinsics();
-    double sigmaM = 0;
-    for (int row = 0; row < grid.rows; ++row) {
-        for (int column = 0; column < grid.columns; ++column) {
-            const Vector2d at = grid.at(column, row);
-            const auto pixel = view.pixelFromWorld({at.x(), at.y(), 0});
-            if (!pixel || pixel->x() < 0 || pixel->y() < 0 || pixel->x() > lens.widthPx - 1 ||
-                pixel->y() > lens.heightPx - 1)
-                continue;
-            if (const auto seen = view.locate(*pixel, Eigen::Matrix2d::Zero(), 0))
-                sigmaM = std::max(sigmaM, largestSigmaM(*seen));
-        }
-    }
-    return sigmaM;
+    const AccuracyMap map = accuracyMap(std::span(&view, 1), gridOver(layout, marginM, positionsAcross), 0);
+    double largestM = 0;
+    for (const double sigmaM : map.cameraSigmaM.front())
+        largestM = sigmaM > largestM ? sigmaM : largestM; // never where it is not seen, NaN
+    return largestM;
 }
 
 Message estimatedLensWords(const FloorLens &lens, std::size_t markers)

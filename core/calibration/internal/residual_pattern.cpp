@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/calibration/internal/residual_pattern.h"
 
+#include "core/calibration/internal/marker_pairs.h"
 #include "core/calibration/internal/wording.h"
 #include "core/calibration/intrinsics_influence.h"
 
@@ -266,10 +267,7 @@ ResidualJudgement judgeResiduals(std::span<const PointPair> pairs, const PlanePo
 {
     if (pairs.size() < (intrinsicsKnown ? leastOfKnownLens : leastOfEstimatedLens))
         return {};
-    std::vector<Vector2d> positions;
-    for (const PointPair &pair : pairs)
-        positions.push_back(pair.source);
-    const auto slopes = markerDerivatives(pose.camera, pose.worldFromCamera, positions);
+    const auto slopes = markerDerivatives(pose.camera, pose.worldFromCamera, positionsOf(pairs));
     if (!slopes)
         return {};
     const FloorView view(pose.camera, pose.worldFromCamera, Eigen::Matrix<double, 6, 6>::Zero());

@@ -3,6 +3,7 @@
 
 #include "core/calibration/internal/luma_matrix.h"
 #include "core/calibration/internal/plane_pose.h"
+#include "core/calibration/internal/pose_step.h"
 #include "core/geometry/least_squares.h"
 
 #include <Eigen/Geometry>
@@ -163,13 +164,7 @@ LeastSquaresProblem<Tags> problemOf(std::span<const FloorTag> floor, const std::
     };
     problem.move = [](const Tags &tags, const Eigen::VectorXd &step) {
         Tags moved = tags;
-        const Vector3d turn = step.head<3>();
-        if (turn.norm() > 0)
-            moved.worldFromCamera.rotation =
-                (Eigen::Quaterniond(Eigen::AngleAxisd(turn.norm(), turn.normalized())) *
-                 tags.worldFromCamera.rotation)
-                    .normalized();
-        moved.worldFromCamera.translation += step.segment<3>(3);
+        moved.worldFromCamera = stepped(tags.worldFromCamera, step.head<6>());
         moved.halfSideM *= std::exp(std::clamp(step(6), -0.5, 0.5));
         for (std::size_t i = 0; i < moved.turnsRad.size(); ++i)
             moved.turnsRad[i] += step(7 + static_cast<Eigen::Index>(i));
