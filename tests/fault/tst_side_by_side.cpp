@@ -6,6 +6,7 @@
 
 #include <QDir>
 #include <QFile>
+#include <QFileInfo>
 #include <QJsonArray>
 #include <QJsonObject>
 #include <QProcess>
@@ -45,6 +46,10 @@ private Q_SLOTS:
             processes.push_back(begin({QStringLiteral("list"), project, QStringLiteral("--json")}, slowUs));
         for (const auto &process : processes)
             QVERIFY2(succeeds(*process), m_words.constData());
+        // Of two that close it at one moment, each leaves its log to the other: an empty one, until it is
+        // next opened.
+        QCOMPARE(QFileInfo(project + QStringLiteral("-wal")).size(), 0);
+        QCOMPARE(runProgram({QStringLiteral("list"), project}).exitStatus, 0);
         QCOMPARE(QDir(m_folder->path()).entryList(QDir::Files | QDir::Hidden),
                  (QStringList{QStringLiteral("year.odo"), QStringLiteral("year.odo.bak-%1").arg(format)}));
     }
