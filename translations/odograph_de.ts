@@ -21730,7 +21730,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <name>workflow.lens_never_calibrated</name>
     <message>
         <source>The lens of camera &apos;%1&apos; is neither calibrated nor determined by the floor&apos;s markers</source>
-        <translation>Das Objektiv der Kamera '%1' wurde weder kalibriert noch durch die Marker des Bodens bestimmt</translation>
+        <translation>Das Objektiv der Kamera &apos;%1&apos; wurde weder kalibriert noch durch die Marker des Bodens bestimmt</translation>
     </message>
 </context>
 <context>
@@ -22756,6 +22756,13 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
 </context>
 <context>
+    <name>workflow.register_in_this_video</name>
+    <message>
+        <source>register the camera again in a frame of this video and reanalyse</source>
+        <translation>messen Sie die Kamera in einem Bild dieses Videos neu ein, und werten Sie neu aus</translation>
+    </message>
+</context>
+<context>
     <name>workflow.register_it_again</name>
     <message>
         <source>register it again.</source>
@@ -23005,6 +23012,41 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>repeat it for frame %1</source>
         <translation>geben Sie es für Bild %1 noch einmal an</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.scene_far_shifted</name>
+    <message>
+        <source>its scene is shifted by %1 against the image by which its camera was registered</source>
+        <translation>ihre Szene ist gegenüber dem Bild um %1 verschoben, mit dem ihre Kamera eingemessen wurde</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.scene_mirrored</name>
+    <message>
+        <source>it is mirrored against the image by which its camera was registered</source>
+        <translation>sie ist gegenüber dem Bild gespiegelt, mit dem ihre Kamera eingemessen wurde</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.scene_shifted</name>
+    <message>
+        <source>its scene is shifted by %1 against the image by which its camera was registered, so the camera was moved, and the stated errors were increased by that</source>
+        <translation>ihre Szene ist gegenüber dem Bild um %1 verschoben, mit dem ihre Kamera eingemessen wurde; die Kamera wurde also bewegt, und die angegebenen Fehler wurden darum vergrößert</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.scene_turned</name>
+    <message>
+        <source>it is turned by %1 against the image by which its camera was registered</source>
+        <translation>sie ist gegenüber dem Bild um %1 gedreht, mit dem ihre Kamera eingemessen wurde</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.scene_zoomed</name>
+    <message>
+        <source>it shows the scene %1 times as large as the image by which its camera was registered</source>
+        <translation>sie zeigt die Szene %1-mal so groß wie das Bild, mit dem ihre Kamera eingemessen wurde</translation>
     </message>
 </context>
 <context>
@@ -23292,6 +23334,13 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>use frame %1 of %2</source>
         <translation>Bild %1 von %2 verwenden</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.use_original_or_register</name>
+    <message>
+        <source>use the file as the camera wrote it, or register the camera again in a frame of this video</source>
+        <translation>verwenden Sie die Datei, wie die Kamera sie geschrieben hat, oder messen Sie die Kamera in einem Bild dieses Videos neu ein</translation>
     </message>
 </context>
 <context>

@@ -21730,7 +21730,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <name>workflow.lens_never_calibrated</name>
     <message>
         <source>The lens of camera &apos;%1&apos; is neither calibrated nor determined by the floor&apos;s markers</source>
-        <translation>El objetivo de la cámara '%1' no está calibrado ni lo determinan los marcadores del suelo</translation>
+        <translation>El objetivo de la cámara &apos;%1&apos; no está calibrado ni lo determinan los marcadores del suelo</translation>
     </message>
 </context>
 <context>
@@ -22756,6 +22756,13 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     </message>
 </context>
 <context>
+    <name>workflow.register_in_this_video</name>
+    <message>
+        <source>register the camera again in a frame of this video and reanalyse</source>
+        <translation>registre de nuevo la cámara en un fotograma de este vídeo y vuelva a analizar</translation>
+    </message>
+</context>
+<context>
     <name>workflow.register_it_again</name>
     <message>
         <source>register it again.</source>
@@ -23005,6 +23012,41 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <message>
         <source>repeat it for frame %1</source>
         <translation>indíquelo otra vez para el fotograma %1</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.scene_far_shifted</name>
+    <message>
+        <source>its scene is shifted by %1 against the image by which its camera was registered</source>
+        <translation>su escena está desplazada %1 respecto a la imagen con la que se registró su cámara</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.scene_mirrored</name>
+    <message>
+        <source>it is mirrored against the image by which its camera was registered</source>
+        <translation>está reflejada respecto a la imagen con la que se registró su cámara</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.scene_shifted</name>
+    <message>
+        <source>its scene is shifted by %1 against the image by which its camera was registered, so the camera was moved, and the stated errors were increased by that</source>
+        <translation>su escena está desplazada %1 respecto a la imagen con la que se registró su cámara; la cámara se ha movido, y los errores indicados se aumentaron en esa medida</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.scene_turned</name>
+    <message>
+        <source>it is turned by %1 against the image by which its camera was registered</source>
+        <translation>está girada %1 respecto a la imagen con la que se registró su cámara</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.scene_zoomed</name>
+    <message>
+        <source>it shows the scene %1 times as large as the image by which its camera was registered</source>
+        <translation>muestra la escena %1 veces más grande que la imagen con la que se registró su cámara</translation>
     </message>
 </context>
 <context>
@@ -23292,6 +23334,13 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <message>
         <source>use frame %1 of %2</source>
         <translation>usar el fotograma %1 de %2</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.use_original_or_register</name>
+    <message>
+        <source>use the file as the camera wrote it, or register the camera again in a frame of this video</source>
+        <translation>use el archivo tal como lo escribió la cámara, o registre de nuevo la cámara en un fotograma de este vídeo</translation>
     </message>
 </context>
 <context>

@@ -21730,7 +21730,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <name>workflow.lens_never_calibrated</name>
     <message>
         <source>The lens of camera &apos;%1&apos; is neither calibrated nor determined by the floor&apos;s markers</source>
-        <translation>L’objectif de la caméra '%1' n’est ni étalonné ni déterminé par les marqueurs du sol</translation>
+        <translation>L’objectif de la caméra &apos;%1&apos; n’est ni étalonné ni déterminé par les marqueurs du sol</translation>
     </message>
 </context>
 <context>
@@ -22756,6 +22756,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
 </context>
 <context>
+    <name>workflow.register_in_this_video</name>
+    <message>
+        <source>register the camera again in a frame of this video and reanalyse</source>
+        <translation>localisez de nouveau la caméra dans une image de cette vidéo et relancez l’analyse</translation>
+    </message>
+</context>
+<context>
     <name>workflow.register_it_again</name>
     <message>
         <source>register it again.</source>
@@ -23005,6 +23012,41 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>repeat it for frame %1</source>
         <translation>indiquez-le de nouveau pour l’image %1</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.scene_far_shifted</name>
+    <message>
+        <source>its scene is shifted by %1 against the image by which its camera was registered</source>
+        <translation>sa scène est décalée de %1 par rapport à l’image qui a servi à localiser sa caméra</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.scene_mirrored</name>
+    <message>
+        <source>it is mirrored against the image by which its camera was registered</source>
+        <translation>elle est inversée en miroir par rapport à l’image qui a servi à localiser sa caméra</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.scene_shifted</name>
+    <message>
+        <source>its scene is shifted by %1 against the image by which its camera was registered, so the camera was moved, and the stated errors were increased by that</source>
+        <translation>sa scène est décalée de %1 par rapport à l’image qui a servi à localiser sa caméra ; la caméra a donc bougé, et les erreurs indiquées ont été augmentées d’autant</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.scene_turned</name>
+    <message>
+        <source>it is turned by %1 against the image by which its camera was registered</source>
+        <translation>elle est tournée de %1 par rapport à l’image qui a servi à localiser sa caméra</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.scene_zoomed</name>
+    <message>
+        <source>it shows the scene %1 times as large as the image by which its camera was registered</source>
+        <translation>elle montre la scène %1 fois plus grande que l’image qui a servi à localiser sa caméra</translation>
     </message>
 </context>
 <context>
@@ -23292,6 +23334,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>use frame %1 of %2</source>
         <translation>utilisation de l’image %1 de %2</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.use_original_or_register</name>
+    <message>
+        <source>use the file as the camera wrote it, or register the camera again in a frame of this video</source>
+        <translation>utilisez le fichier tel que la caméra l’a écrit, ou localisez de nouveau la caméra dans une image de cette vidéo</translation>
     </message>
 </context>
 <context>

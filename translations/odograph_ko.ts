@@ -21691,7 +21691,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <name>workflow.lens_never_calibrated</name>
     <message>
         <source>The lens of camera &apos;%1&apos; is neither calibrated nor determined by the floor&apos;s markers</source>
-        <translation>카메라 '%1'의 렌즈가 보정되지도, 바닥 마커로 결정되지도 않았습니다</translation>
+        <translation>카메라 &apos;%1&apos;의 렌즈가 보정되지도, 바닥 마커로 결정되지도 않았습니다</translation>
     </message>
 </context>
 <context>
@@ -22717,6 +22717,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>workflow.register_in_this_video</name>
+    <message>
+        <source>register the camera again in a frame of this video and reanalyse</source>
+        <translation>이 동영상의 프레임에서 카메라를 다시 정합하고 다시 분석하세요</translation>
+    </message>
+</context>
+<context>
     <name>workflow.register_it_again</name>
     <message>
         <source>register it again.</source>
@@ -22966,6 +22973,41 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>repeat it for frame %1</source>
         <translation>프레임 %1에 대해 다시 지정하십시오</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.scene_far_shifted</name>
+    <message>
+        <source>its scene is shifted by %1 against the image by which its camera was registered</source>
+        <translation>카메라를 정합한 이미지에 비해 장면이 %1 어긋나 있습니다</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.scene_mirrored</name>
+    <message>
+        <source>it is mirrored against the image by which its camera was registered</source>
+        <translation>카메라를 정합한 이미지에 비해 좌우가 반전되어 있습니다</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.scene_shifted</name>
+    <message>
+        <source>its scene is shifted by %1 against the image by which its camera was registered, so the camera was moved, and the stated errors were increased by that</source>
+        <translation>카메라를 정합한 이미지에 비해 장면이 %1 어긋나 있어 카메라가 움직인 것이며, 표시된 오차를 그만큼 늘렸습니다</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.scene_turned</name>
+    <message>
+        <source>it is turned by %1 against the image by which its camera was registered</source>
+        <translation>카메라를 정합한 이미지에 비해 %1 회전되어 있습니다</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.scene_zoomed</name>
+    <message>
+        <source>it shows the scene %1 times as large as the image by which its camera was registered</source>
+        <translation>카메라를 정합한 이미지보다 장면이 %1배로 보입니다</translation>
     </message>
 </context>
 <context>
@@ -23253,6 +23295,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>use frame %1 of %2</source>
         <translation>%2의 프레임 %1 사용</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.use_original_or_register</name>
+    <message>
+        <source>use the file as the camera wrote it, or register the camera again in a frame of this video</source>
+        <translation>카메라가 기록한 그대로의 파일을 사용하거나, 이 동영상의 프레임에서 카메라를 다시 정합하세요</translation>
     </message>
 </context>
 <context>

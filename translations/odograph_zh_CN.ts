@@ -22717,6 +22717,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>workflow.register_in_this_video</name>
+    <message>
+        <source>register the camera again in a frame of this video and reanalyse</source>
+        <translation>请用此视频中的一帧重新配准相机，然后重新分析</translation>
+    </message>
+</context>
+<context>
     <name>workflow.register_it_again</name>
     <message>
         <source>register it again.</source>
@@ -22966,6 +22973,41 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>repeat it for frame %1</source>
         <translation>请对第 %1 帧再指定一次</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.scene_far_shifted</name>
+    <message>
+        <source>its scene is shifted by %1 against the image by which its camera was registered</source>
+        <translation>与配准其相机所用的图像相比，场景偏移了 %1</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.scene_mirrored</name>
+    <message>
+        <source>it is mirrored against the image by which its camera was registered</source>
+        <translation>与配准其相机所用的图像相比是镜像的</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.scene_shifted</name>
+    <message>
+        <source>its scene is shifted by %1 against the image by which its camera was registered, so the camera was moved, and the stated errors were increased by that</source>
+        <translation>与配准其相机所用的图像相比，场景偏移了 %1，说明相机被移动过，所给误差已相应增大</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.scene_turned</name>
+    <message>
+        <source>it is turned by %1 against the image by which its camera was registered</source>
+        <translation>与配准其相机所用的图像相比旋转了 %1</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.scene_zoomed</name>
+    <message>
+        <source>it shows the scene %1 times as large as the image by which its camera was registered</source>
+        <translation>所示场景的大小是配准其相机所用图像的 %1 倍</translation>
     </message>
 </context>
 <context>
@@ -23253,6 +23295,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>use frame %1 of %2</source>
         <translation>使用 %2 的第 %1 帧</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.use_original_or_register</name>
+    <message>
+        <source>use the file as the camera wrote it, or register the camera again in a frame of this video</source>
+        <translation>请使用相机写出的原始文件，或用此视频中的一帧重新配准相机</translation>
     </message>
 </context>
 <context>

@@ -53,6 +53,18 @@ FloorView::FloorView(CameraModel camera, RigidTransform worldFromCamera,
 {
 }
 
+FloorView FloorView::perhapsTurned(double sigmaRollRad, double sigmaAcrossRad) const
+{
+    const Vector3d axis = m_worldFromCamera.rotation * Vector3d::UnitZ();
+    const Eigen::Matrix3d roll = axis * axis.transpose(), all = Eigen::Matrix3d::Identity();
+    const Eigen::Matrix3d turn =
+        sigmaRollRad * sigmaRollRad * roll + sigmaAcrossRad * sigmaAcrossRad * (all - roll);
+    FloorView turned = *this;
+    turned.m_poseCovariance.topLeftCorner<3, 3>() += turn;
+    turned.m_jointCovariance.topLeftCorner<3, 3>() += turn;
+    return turned;
+}
+
 std::optional<Vector2d> FloorView::floorFromPixel(const Vector2d &pixel, double heightM) const
 {
     const auto direction = m_camera.unproject(pixel);

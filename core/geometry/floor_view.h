@@ -57,6 +57,10 @@ public:
     FloorView(CameraModel camera, RigidTransform worldFromCamera, Eigen::Matrix<double, 6, 6> poseCovariance,
               const PoseByIntrinsics &poseByIntrinsics = PoseByIntrinsics(6, 0));
 
+    /// The same camera, which may have been turned meanwhile: by angles with these standard deviations about
+    /// its optical axis (roll) and about each axis across it, in radians.
+    FloorView perhapsTurned(double sigmaRollRad, double sigmaAcrossRad) const;
+
     const CameraModel &camera() const { return m_camera; }
     const RigidTransform &worldFromCamera() const { return m_worldFromCamera; }
     const RigidTransform &cameraFromWorld() const { return m_cameraFromWorld; }

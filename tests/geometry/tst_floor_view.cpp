@@ -71,6 +71,23 @@ private Q_SLOTS:
         QVERIFY((position->displacementPerMetreHeight - Vector2d(-0.1, -0.05)).norm() < 1e-12);
         QVERIFY(position->calibrationCovariance.norm() == 0);
     }
+    /// Straight above at 2 m, an angle across the axis is 2 m × angle at the centre, and a roll is the
+    /// distance from the centre × angle, across it.
+    void aTurnThatIsNotKnownIsAnErrorOnTheFloor()
+    {
+        Intrinsics intrinsics = CameraModel::assumed(1001, 1001).intrinsics();
+        intrinsics.fxPx = intrinsics.fyPx = 1000;
+        const Eigen::Quaterniond down(Eigen::AngleAxisd(std::acos(-1.0), Vector3d::UnitX()));
+        const FloorView exact(CameraModel::create(intrinsics).value(), {down, {0, 0, 2}},
+                              PoseCovariance::Zero()),
+            across = exact.perhapsTurned(0, 0.003), rolled = exact.perhapsTurned(0.003, 0);
+        const auto centre = across.locate({500, 500}, Eigen::Matrix2d::Zero(), 0);
+        QVERIFY((centre->calibrationCovariance - Eigen::Matrix2d::Identity() * 36e-6).norm() < 1e-12);
+        QVERIFY(rolled.locate({500, 500}, Eigen::Matrix2d::Zero(), 0)->calibrationCovariance.norm() < 1e-12);
+        const auto beside = rolled.locate({900, 500}, Eigen::Matrix2d::Zero(), 0); // 0.8 m to the right
+        QVERIFY(std::abs(beside->calibrationCovariance(1, 1) - 0.0024 * 0.0024) < 1e-12);
+        QVERIFY(std::abs(beside->calibrationCovariance(0, 0)) < 1e-12);
+    }
     void heightDisplacesAsStated()
     {
         const FloorView floor = view();

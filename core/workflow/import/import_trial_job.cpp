@@ -18,6 +18,7 @@
 #include "core/workflow/media_copy.h"
 #include "core/workflow/shared_words.h"
 #include "core/workflow/track/frame_steps.h"
+#include "core/workflow/track/registered_scene.h"
 #include "core/workflow/track/settled_views.h"
 #include "core/workflow/track/track_warnings.h"
 #include "core/workflow/trial_sources.h"
@@ -222,6 +223,8 @@ Result<void> ImportTrialJob::run(const JobControl &control)
 {
     for (std::size_t view = 0; view < m_settings.videos.size(); ++view)
         ODO_TRY(readVideo(view, control.cancel));
+    std::ranges::move(sceneWarnings(m_settings.trial, m_views, changesSinceRegistration(m_views)),
+                      std::back_inserter(m_warnings));
     ODO_TRY(synchronise(control));
     ODO_TRY(compareViews());
     for (std::size_t view = 0; view < m_settings.videos.size(); ++view)

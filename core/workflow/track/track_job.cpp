@@ -7,6 +7,7 @@
 #include "core/tracking/colour_tracker.h"
 #include "core/trajectory/imported_track.h"
 #include "core/workflow/track/frame_steps.h"
+#include "core/workflow/track/registered_scene.h"
 #include "core/workflow/track/settled_views.h"
 #include "core/workflow/track/stored_verdicts.h"
 #include "core/workflow/track/track_warnings.h"
@@ -177,6 +178,12 @@ Result<void> TrackJob::prepare(Project &project)
         return {};
     auto stored = ODO_TRY(storedObservations(project, d.trialName, d.views, d.robots));
     d.stored = std::move(stored);
+    for (std::size_t v = 0; v < d.views.size(); ++v) {
+        if (!d.views[v].registration)
+            continue;
+        if (const auto shiftPx = notedShift(d.stored[v].series.front(), d.views[v].registration->id))
+            d.views[v].floorView = widenedByShift(*d.views[v].floorView, *shiftPx);
+    }
     return {};
 }
 
@@ -229,6 +236,15 @@ Result<void> TrackJob::Impl::takeImported(Project &project)
 /// With the frame times as they are found to be.
 Result<SettledViews> TrackJob::Impl::trackAll(const JobControl &control)
 {
+    const auto changes = changesSinceRegistration(views);
+    ODO_TRY(checkSameScene(trialName, views, changes));
+    outcome.warnings = sceneWarnings(trialName, views, changes);
+    const auto isShifted = [&](std::size_t v) {
+        return changes[v] && changes[v]->kind == ViewChange::Kind::Shifted;
+    };
+    for (std::size_t v = 0; v < views.size(); ++v)
+        if (isShifted(v) && views[v].floorView)
+            views[v].floorView = widenedByShift(*views[v].floorView, changes[v]->shiftPx);
     auto tracked = ODO_TRY(trackAndSettle(views, robots, control, pointedOut));
     std::vector<std::size_t> byFields;
     if (isNew && pointedOut.empty())
@@ -240,6 +256,9 @@ Result<SettledViews> TrackJob::Impl::trackAll(const JobControl &control)
     for (const std::size_t v : byFields)
         if (std::ranges::find(retimed, views[v].recording.id, &RecordingRecord::id) == retimed.end())
             retimed.push_back(views[v].recording);
+    for (std::size_t v = 0; v < views.size(); ++v)
+        if (isShifted(v) && views[v].floorView)
+            noteShift(views[v], changes[v]->shiftPx, tracked.views[v].series);
     return tracked;
 }
 
@@ -254,7 +273,8 @@ Result<void> TrackJob::run(const JobControl &control)
         d.settings.again ? Result<SettledViews>(SettledViews{std::move(d.stored), {}}) : d.trackAll(control);
     if (!tracked)
         return tl::unexpected(tracked.error());
-    d.outcome.warnings = stepWarnings(d.trialName, d.views);
+    for (Message &warning : stepWarnings(d.trialName, d.views))
+        d.outcome.warnings.push_back(std::move(warning));
     for (Message &warning : turnedWarnings(d.trialName, d.views))
         d.outcome.warnings.push_back(std::move(warning));
     for (Message &warning : convertedViewWarnings(d.trialName, d.views))

@@ -8,6 +8,7 @@
 #include "core/trajectory/view_disagreement.h"
 #include "core/workflow/track/frame_damage.h"
 #include "core/workflow/track/frame_steps.h"
+#include "core/workflow/track/registered_scene.h"
 #include "core/workflow/track/track_warnings.h"
 #include "core/workflow/track/view_tracking.h"
 #include "core/workflow/trial_sources.h"
@@ -229,6 +230,9 @@ Result<void> checkRecording(Project &project, const AnalysisRecord &analysis, co
         checks.add(framesRegular, CheckLevel::Doubtful, std::move(sentence));
     if (const auto move = storedMove(*series))
         checks.add(cameraStill, CheckLevel::Doubtful, movedSentence(trial, view, *move));
+    const RecordId registration = analysis.registrations[std::size_t(view.position)];
+    if (const auto shiftPx = notedShift(*series, registration))
+        checks.add(cameraStill, CheckLevel::Doubtful, shiftedSentence(trial, view, *shiftPx));
     return {};
 }
 
@@ -273,6 +277,10 @@ withContradiction(Project &project, const AnalysisRecord &analysis,
             view.floorView = ODO_TRY(floorViewAt(project, registration, recording));
         }
         auto series = ODO_TRY(project.trials().currentObservations(recording.id, analysis.robot));
+        const auto shiftPx =
+            series ? notedShift(*series, analysis.registrations[v]) : std::optional<double>();
+        if (shiftPx && view.floorView)
+            view.floorView = widenedByShift(*view.floorView, *shiftPx);
         if (series)
             view.observations = std::move(series->observations);
         views.push_back(std::move(view));

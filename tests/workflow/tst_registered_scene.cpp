@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Clips of a camera that was pushed, or whose picture was mirrored, after its registration.
+#include "core/workflow/track/registered_scene.h"
+
+#include "core/simulation/demo_testbed.h"
+#include "core/video/image.h"
+#include "core/video/image_reader.h"
+#include "tests/support/registered_test.h"
+#include "tests/workflow/measured_scene.h"
+
+#include <QTemporaryDir>
+#include <QTest>
+#include <algorithm>
+#include <functional>
+
+using namespace odo;
+using namespace odo::test;
+
+class TestRegisteredScene : public QObject
+{
+    Q_OBJECT
+
+    QTemporaryDir m_folder;
+    RegisteredView m_view;
+
+    std::filesystem::path path(const std::string &name) const
+    {
+        return std::filesystem::path(m_folder.path().toStdString()) / name;
+    }
+    /// The view, registered by an image of what it shows with each column and row taken from elsewhere.
+    RegisteredView registeredBy(const std::string &name, const std::function<int(int, int)> &columnOf,
+                                int rowsUp = 0)
+    {
+        const Frame frame = (*VideoReader::open(m_view.file))->frameAt(0).value();
+        const int width = frame.y.width, height = frame.y.height;
+        std::vector<std::uint32_t> pixels(std::size_t(width) * std::size_t(height));
+        for (int y = 0; y < height; ++y) {
+            for (int x = 0; x < width; ++x) {
+                const std::uint32_t grey = frame.y.at(std::clamp(columnOf(x, width), 0, width - 1),
+                                                      std::clamp(y + rowsUp, 0, height - 1));
+                pixels[std::size_t(y) * std::size_t(width) + std::size_t(x)] =
+                    0xff000000U | grey << 16 | grey << 8 | grey;
+            }
+        }
+        RegisteredView view = m_view;
+        view.registrationImage = path(name + ".png");
+        if (!writeImage(fromScreen(pixels.data(), width, height, width * std::ptrdiff_t(4), {}),
+                        view.registrationImage))
+            qFatal("not written");
+        view.registration = RegistrationRecord{};
+        view.registration->id = 7;
+        return view;
+    }
+    static std::vector<std::string> warned(const RegisteredView &view)
+    {
+        std::vector<std::string> sentences;
+        for (const Message &one : sceneWarnings("run", {view}, changesSinceRegistration({view})))
+            sentences.push_back(one.english());
+        return sentences;
+    }
+
+private Q_SLOTS:
+    void initTestCase()
+    {
+        SimulatedScene scene = demoTestbed(51);
+        scene.durationS = 0.5;
+        scene.robots = {
+            demoRobot("robot", {.colour = demoBlue}, makeCircleMotion({1.5, 1.1}, 0.7, 0.7, 0.6))};
+        const auto views = renderedViews(scene, m_folder.path().toStdString());
+        QVERIFY2(views.has_value(), views ? "" : views.error().message().c_str());
+        m_view = views->front();
+        m_view.recording.cameraName = "A";
+    }
+
+    void theSceneAsItWasIsNotMentioned()
+    {
+        const RegisteredView view = registeredBy("same", [](int x, int) { return x; });
+        QVERIFY(warned(view).empty());
+        QVERIFY(checkSameScene("run", {view}, changesSinceRegistration({view})));
+        RegisteredView without = view;
+        without.registrationImage.clear();
+        QVERIFY(!changesSinceRegistration({without}).front());
+        without.registrationImage = path("gone.png");
+        QVERIFY(!changesSinceRegistration({without}).front());
+    }
+
+    void aPushedCameraIsToldAndMeasuredOn()
+    {
+        const RegisteredView view = registeredBy(
+            "pushed", [](int x, int) { return x + 4; }, 3);
+        QCOMPARE(warned(view),
+                 std::vector<std::string>{
+                     "view 'A' in trial 'run': its scene is shifted by 5.0 px against the image by which its "
+                     "camera was registered, so the camera was moved, and the stated errors were increased "
+                     "by that; register the camera again in a frame of this video and reanalyse"});
+        QVERIFY(checkSameScene("run", {view}, changesSinceRegistration({view})));
+    }
+
+    void anotherSceneIsRefused()
+    {
+        const RegisteredView view = registeredBy("mirrored", [](int x, int width) { return width - 1 - x; });
+        const auto checked = checkSameScene("run", {view}, changesSinceRegistration({view}));
+        QVERIFY(!checked);
+        QCOMPARE(
+            checked.error().message(),
+            std::string("view 'A' in trial 'run': it is mirrored against the image by which its camera "
+                        "was registered; use the file as the camera wrote it, or register the camera again "
+                        "in a frame of this video"));
+        QCOMPARE(warned(view), std::vector<std::string>{checked.error().message()});
+        const RegisteredView panned = registeredBy("panned", [](int x, int) { return x + 200; });
+        const auto far = checkSameScene("run", {panned}, changesSinceRegistration({panned}));
+        QVERIFY(!far);
+        QCOMPARE(far.error().why.english(), std::string("its scene is shifted by 200 px against the image by "
+                                                        "which its camera was registered"));
+    }
+
+    void whatIsNotedHoldsForItsRegistration()
+    {
+        const RegisteredView view = registeredBy("noted", [](int x, int) { return x; });
+        std::vector<ObservationSeries> series(2);
+        series.front().algorithm = "silhouette 1; leap 1 before 3 (0.100 m)";
+        noteShift(view, 3.25, series);
+        for (const ObservationSeries &one : series) {
+            QCOMPARE(notedShift(one, 7), std::optional(3.25));
+            QCOMPARE(notedShift(one, 8), std::nullopt);
+        }
+        QCOMPARE(notedShift({}, 7), std::nullopt);
+    }
+
+    /// By so much as a turn that shifts the image so.
+    void theErrorsHoldTheShift()
+    {
+        constexpr double shiftPx = 5;
+        const FloorView &exact = *m_view.floorView, wide = widenedByShift(exact, shiftPx);
+        const Eigen::Vector2d pixel(exact.camera().intrinsics().cxPx, exact.camera().intrinsics().cyPx);
+        const auto at = wide.locate(pixel, Eigen::Matrix2d::Zero(), 0),
+                   before = exact.locate(pixel, Eigen::Matrix2d::Zero(), 0),
+                   besides = exact.locate(pixel + Eigen::Vector2d(0, shiftPx), Eigen::Matrix2d::Zero(), 0);
+        const Eigen::Vector2d off = besides->pointInWorld - before->pointInWorld;
+        const Eigen::Matrix2d added = at->calibrationCovariance - before->calibrationCovariance;
+        const double sigmas = std::sqrt(off.dot(added.inverse() * off));
+        QVERIFY2(std::abs(sigmas - 1) < 0.05, qPrintable(QString::number(sigmas)));
+    }
+};
+
+ODOGRAPH_TEST(TestRegisteredScene, QCoreApplication)
+#include "tst_registered_scene.moc"
