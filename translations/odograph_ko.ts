@@ -6348,6 +6348,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>calibration.usual_lens</name>
+    <message>
+        <source>the images leave it open, so square pixels, an optical centre near the middle and a usual distortion were assumed</source>
+        <translation>이미지만으로는 결정할 수 없어 정사각형 픽셀, 이미지 중심 근처의 광학 중심, 일반적인 왜곡을 가정했습니다</translation>
+    </message>
+</context>
+<context>
     <name>calibration.v_from_below</name>
     <message>
         <source>v = %1 - v fits to %2: is v counted from below?</source>
@@ -21691,7 +21698,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <name>workflow.lens_never_calibrated</name>
     <message>
         <source>The lens of camera &apos;%1&apos; is neither calibrated nor determined by the floor&apos;s markers</source>
-        <translation>카메라 '%1'의 렌즈가 보정되지도, 바닥 마커로 결정되지도 않았습니다</translation>
+        <translation>카메라 &apos;%1&apos;의 렌즈가 보정되지도, 바닥 마커로 결정되지도 않았습니다</translation>
     </message>
 </context>
 <context>
