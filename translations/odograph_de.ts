@@ -6357,6 +6357,13 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
 </context>
 <context>
+    <name>calibration.usual_lens</name>
+    <message>
+        <source>the images leave it open, so square pixels, an optical centre near the middle and a usual distortion were assumed</source>
+        <translation>die Bilder lassen es offen, deshalb wurden quadratische Pixel, eine optische Mitte nahe der Bildmitte und eine übliche Verzeichnung angenommen</translation>
+    </message>
+</context>
+<context>
     <name>calibration.v_from_below</name>
     <message>
         <source>v = %1 - v fits to %2: is v counted from below?</source>

@@ -6357,6 +6357,13 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     </message>
 </context>
 <context>
+    <name>calibration.usual_lens</name>
+    <message>
+        <source>the images leave it open, so square pixels, an optical centre near the middle and a usual distortion were assumed</source>
+        <translation>las imágenes no lo determinan, por lo que se supusieron píxeles cuadrados, un centro óptico cerca del centro de la imagen y una distorsión habitual</translation>
+    </message>
+</context>
+<context>
     <name>calibration.v_from_below</name>
     <message>
         <source>v = %1 - v fits to %2: is v counted from below?</source>

@@ -6357,6 +6357,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
 </context>
 <context>
+    <name>calibration.usual_lens</name>
+    <message>
+        <source>the images leave it open, so square pixels, an optical centre near the middle and a usual distortion were assumed</source>
+        <translation>les images ne le déterminent pas, on a donc supposé des pixels carrés, un centre optique proche du milieu de l’image et une distorsion habituelle</translation>
+    </message>
+</context>
+<context>
     <name>calibration.v_from_below</name>
     <message>
         <source>v = %1 - v fits to %2: is v counted from below?</source>

@@ -6348,6 +6348,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>calibration.usual_lens</name>
+    <message>
+        <source>the images leave it open, so square pixels, an optical centre near the middle and a usual distortion were assumed</source>
+        <translation>이미지만으로는 결정할 수 없어 정사각형 픽셀, 이미지 중심 근처의 광학 중심, 일반적인 왜곡을 가정했습니다</translation>
+    </message>
+</context>
+<context>
     <name>calibration.v_from_below</name>
     <message>
         <source>v = %1 - v fits to %2: is v counted from below?</source>

@@ -6348,6 +6348,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>calibration.usual_lens</name>
+    <message>
+        <source>the images leave it open, so square pixels, an optical centre near the middle and a usual distortion were assumed</source>
+        <translation>这些图像无法将其确定，因此假定像素为正方形、光学中心靠近图像中心且畸变为常见程度</translation>
+    </message>
+</context>
+<context>
     <name>calibration.v_from_below</name>
     <message>
         <source>v = %1 - v fits to %2: is v counted from below?</source>

@@ -84,12 +84,12 @@ LensFit withoutSixthOrder(const std::vector<BoardView> &views, LensFit fit, cons
 }
 
 /// From the fit to all corners to the outcome: outliers, halves, checks, values, words. views: those of the
-/// images in `calibration` that are used, in their order.
+/// images in `calibration` that are used, in their order. usualLensPx: as in LensFitOptions, of the fit.
 Result<void> finish(IntrinsicCalibration &calibration, const std::vector<BoardView> &views, LensFit fit,
-                    CornerMarks outliers, const JobControl &control)
+                    CornerMarks outliers, double usualLensPx, const JobControl &control)
 {
     CornerMarks misread = misreadCorners(views, fit, outliers);
-    if (auto shaped = fitWithPrint(views, misread, fit, control)) {
+    if (auto shaped = usualLensPx > 0 ? std::nullopt : fitWithPrint(views, misread, fit, control)) {
         fit = std::move(*shaped);
         outliers = outlyingCorners(views, fit, control);
         misread = misreadCorners(views, fit, outliers);
@@ -110,25 +110,26 @@ Result<void> finish(IntrinsicCalibration &calibration, const std::vector<BoardVi
     const std::vector<BoardView> counted = withoutCorners(views, leftOut);
     if (countOf(leftOut) > 0) {
         auto again = fitIntrinsics(counted, {fit.intrinsics, fit.cameraFromBoard, fit.print},
-                                   {.freePrint = fit.estimatesPrint()}, control);
+                                   {.freePrint = fit.estimatesPrint(), .usualLensPx = usualLensPx}, control);
         if (again)
             fit = std::move(*again);
     }
     const double enlarged = scatterFactor(fit);
     const Message dominating = enlarged > 1 ? dominatingImage(counted, fit) : Message();
-    const LensFitOptions simplest = simplestOf(fit, enlarged);
+    const LensFitOptions simplest =
+        usualLensPx > 0 ? LensFitOptions{.usualLensPx = usualLensPx} : simplestOf(fit, enlarged);
     calibration.printStretch = fit.print.values[BoardShape::Stretch];
     calibration.printBulgeM = fit.print.bulgeM();
     if (simplest.holdSixthOrder)
         fit = withoutSixthOrder(counted, std::move(fit), control);
+    ODO_TRY(checkPositions(views, fit.intrinsics.widthPx, fit.intrinsics.heightPx));
     control.report(0.6, ODO_TEXT("calibration.checking_halves", "checking the halves against each other"));
     const auto halves = holdOut(counted, fit, simplest, control);
     if (control.isCancelled())
         return cancelled(cannotBeCalibrated());
-    const double sigma = enlarged * ODO_TRY(checkDetermined(counted, fit, halves, control));
+    const double sigma = enlarged * ODO_TRY(checkDetermined(counted, fit, simplest, halves, control));
     fit.intrinsics.covariance *= enlarged * enlarged;
     calibration.unlikely = joined({implausible(counted, fit, control), dominating}, Join::Space);
-    ODO_TRY(checkPositions(views, fit.intrinsics.widthPx, fit.intrinsics.heightPx));
 
     calibration.intrinsics = fit.intrinsics;
     calibration.rmsPx = fit.rmsPx();
@@ -183,8 +184,34 @@ Attempt attempt(const IntrinsicCalibration &begun, const std::vector<BoardView> 
             ? ODO_TEXT("calibration.too_few_to_compare", "too few images to compare it with other models")
             : ODO_TEXT("calibration.others_undetermined", "the images do not determine any other model");
     attempt.solved =
-        finish(attempt.calibration, used, std::move(choice->fit), std::move(choice->outliers), control);
+        finish(attempt.calibration, used, std::move(choice->fit), std::move(choice->outliers), 0, control);
     return attempt;
+}
+
+/// Where the images leave a standard lens open, the usual values fill in: `best` stays where that fits as
+/// little. begun: with its images.
+void orUsualLens(Attempt &best, const IntrinsicCalibration &begun, const std::vector<BoardView> &used,
+                 const LensStart &start, const JobControl &control)
+{
+    if (best.solved || !best.model || best.solved.error().code != ErrorCode::Undetermined ||
+        start.intrinsics.model != LensModel::Standard)
+        return;
+    const auto open = fitIntrinsics(used, start, {}, control);
+    if (!open)
+        return;
+    const double sigmaPx = open->sigmaPx * scatterFactor(*open);
+    auto fit = fitIntrinsics(used, start, {.usualLensPx = sigmaPx}, control);
+    if (!fit)
+        return;
+    CornerMarks outliers = outlyingCorners(used, *fit, control);
+    Attempt attempt{begun, {}, LensModel::Standard};
+    attempt.calibration.modelReason =
+        ODO_TEXT("calibration.usual_lens", "the images leave it open, so square pixels, an optical centre "
+                                           "near the middle and a usual distortion were assumed");
+    attempt.solved =
+        finish(attempt.calibration, used, std::move(*fit), std::move(outliers), sigmaPx, control);
+    if (attempt.solved)
+        best = std::move(attempt);
 }
 
 /// From the corners to the outcome.
@@ -198,6 +225,7 @@ Result<void> solve(IntrinsicCalibration &calibration, const std::vector<BoardVie
     control.report(0.1,
                    ODO_TEXT("calibration.fitting_lens", "fitting the lens model to %1 images")(used.size()));
     dropOddImages(evidence, calibration, control);
+    const LensStart plainest = evidence.starts.front();
     Attempt best = attempt(calibration, used, evidence.starts, model.has_value(), control);
     // What a richer model leaves undetermined a plainer one may not.
     for (Attempt last = best;
@@ -211,6 +239,7 @@ Result<void> solve(IntrinsicCalibration &calibration, const std::vector<BoardVie
         if (last.solved)
             best = last;
     }
+    orUsualLens(best, calibration, used, plainest, control);
     calibration = std::move(best.calibration);
     return best.solved;
 }
@@ -250,7 +279,11 @@ Result<void> solveAgain(IntrinsicCalibration &calibration, const std::vector<std
     if (!fit)
         return noLensFits(ODO_TEXT("calibration.choose_others", "choose others"));
     CornerMarks outliers = outlyingCorners(used, *fit, control);
-    return finish(calibration, used, std::move(*fit), std::move(outliers), control);
+    Attempt again{calibration, {}, calibration.intrinsics.model};
+    again.solved = finish(again.calibration, used, std::move(*fit), std::move(outliers), 0, control);
+    orUsualLens(again, calibration, used, start, control);
+    calibration = std::move(again.calibration);
+    return again.solved;
 }
 
 /// A refusal says how many images count for nothing.

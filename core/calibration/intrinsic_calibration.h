@@ -104,7 +104,11 @@ constexpr double mostOutliers = 0.03;
 /// Of images that show the board in the same position one counts (positionsIn), for the fit, its uncertainty,
 /// the halves and all else; the verdict and a refusal say how many others there are.
 ///
-/// Refuses, with the reason: fewer than three views, all of one attitude, all frontal, all in one part of the
+/// Where the images leave every model open, a standard lens is fitted of which the usual values (UsualLens:
+/// square pixels, a centre near the middle, an ordinary distortion; nothing of the focal length) count beside
+/// the corners, with the covariance that follows; the verdict says so.
+///
+/// Refuses, with the reason: fewer than three views, a focal length that stays open, all in one part of the
 /// image, two focal lengths, halves that contradict each other, and a quarter of the corners or more that
 /// disagree. Any thread; asks control for cancellation in each iteration of each fit.
 Result<IntrinsicCalibration> calibrateIntrinsics(const std::vector<BoardView> &views, int widthPx,

@@ -129,6 +129,45 @@ private Q_SLOTS:
             }
         }
     }
+    /// One tilt leaves the lens open but for what is usual of lenses: then its focal length, wide or long,
+    /// lies inside the stated interval, and the verdict says what was assumed.
+    void theUsualLensFillsInWhatOneTiltLeavesOpen()
+    {
+        std::mt19937 random(11);
+        std::uniform_real_distribution<double> across(-1, 1);
+        int accepted = 0, within = 0;
+        const int draws = 60;
+        for (int draw = 0; draw < draws; ++draw) {
+            const double focalPx = 900 * std::exp(0.3 * across(random)), k1 = 0.3 * across(random);
+            const Intrinsics truth{widthPx,
+                                   heightPx,
+                                   focalPx,
+                                   focalPx * (1 + 0.006 * across(random)),
+                                   639.5 + 30 * across(random),
+                                   359.5 + 30 * across(random),
+                                   LensModel::Standard,
+                                   {k1, -0.3 * k1, 0.002 * across(random), 0.002 * across(random), 0},
+                                   {}};
+            const CameraModel camera = CameraModel::create(truth).value();
+            std::vector<BoardView> views;
+            for (int i = 0; i < 8; ++i)
+                views.push_back(see(camera, {0.1 * across(random), 0.05 * across(random), focalPx / 1800},
+                                    0.7 + 0.03 * across(random), 0.03 * across(random), 3 * across(random),
+                                    random, 0.15));
+            const auto result = calibrateIntrinsics(views, widthPx, heightPx, std::nullopt, JobControl());
+            if (!result)
+                continue;
+            ++accepted;
+            QVERIFY2(contains(result->verdict.english(), "were assumed"), result->verdict.english().c_str());
+            within += std::abs(result->intrinsics.fxPx - focalPx) <
+                              1.96 * std::sqrt(result->intrinsics.covariance(0, 0))
+                          ? 1
+                          : 0;
+        }
+        qInfo("%d of %d accepted, %d of them inside the stated 95 %%", accepted, draws, within);
+        QVERIFY(accepted >= draws / 2);
+        QVERIFY(within >= 0.88 * accepted); // 0.95 less two σ of the number of draws
+    }
     void refusesTheSamePoseAgainAndAgain()
     {
         const CameraModel camera = CameraModel::create(trueLens(LensModel::Standard, {})).value();

@@ -148,7 +148,7 @@ private Q_SLOTS:
         std::mt19937 random(5);
         std::vector<BoardView> views;
         for (const double x : {-0.15, 0.0, 0.15})
-            views.push_back(see(trueCamera(), {x, 0.5 * x, 0.6}, 0.5, -0.3, 0.1, random, 0.2));
+            views.push_back(see(trueCamera(), {x, 0.5 * x, 0.6}, 0.05, -0.03, 0.1, random, 0.2));
         const auto alone = calibrate(views), copied = calibrate(times(views, 12));
         QVERIFY(!alone && !copied);
         const std::string counts = "; 33 of 36 images show the board in the same position as another one, "

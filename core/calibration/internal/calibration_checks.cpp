@@ -122,7 +122,8 @@ double largestTurn(const LensFit &fit)
 /// σ of the focal length over itself: the larger of the one from the curvature at the optimum and those from
 /// the misfit at other focal lengths. The curvature alone is fooled by frontal views: with 12 of them OpenCV
 /// states 0.1 % for a focal length that is wrong by a factor of 13.
-double focalSigma(const std::vector<BoardView> &views, const LensFit &fit, const JobControl &control)
+double focalSigma(const std::vector<BoardView> &views, const LensFit &fit, const LensFitOptions &options,
+                  const JobControl &control)
 {
     const double curvature = std::sqrt(fit.intrinsics.covariance(0, 0)) / fit.intrinsics.fxPx;
     double sigma = curvature;
@@ -132,11 +133,12 @@ double focalSigma(const std::vector<BoardView> &views, const LensFit &fit, const
         start.intrinsics.fyPx *= factor;
         for (RigidTransform &pose : start.cameraFromBoard)
             pose.translation.z() *= factor; // the same size in the image
-        const auto other = fitIntrinsics(views, start, {true, 0}, control);
+        const auto other =
+            fitIntrinsics(views, start, {.holdFocal = true, .usualLensPx = options.usualLensPx}, control);
         if (!other)
             continue;
-        const double worse =
-            std::max(0.0, other->squares - fit.squares) / (fit.sigmaPx * fit.sigmaPx + 1e-12);
+        const double more = other->squares + other->unusualSquares - fit.squares - fit.unusualSquares;
+        const double worse = std::max(0.0, more) / (fit.sigmaPx * fit.sigmaPx + 1e-12);
         sigma = std::max(sigma, std::abs(factor - 1) / std::sqrt(worse + 1e-12));
     }
     return sigma;
@@ -288,14 +290,16 @@ bool isDetermined(const LensFit &fit)
 }
 
 Result<double> checkDetermined(const std::vector<BoardView> &views, const LensFit &fit,
-                               const std::optional<HeldOut> &halves, const JobControl &control)
+                               const LensFitOptions &options, const std::optional<HeldOut> &halves,
+                               const JobControl &control)
 {
-    if (largestTurn(fit) < leastTurn)
+    // One tilt determines the focal length of square pixels about the image's middle.
+    if (options.usualLensPx == 0 && largestTurn(fit) < leastTurn)
         return refuseCalibration(ODO_TEXT("calibration.same_attitude",
                                           "all %1 images show the board at nearly the same tilt, too "
                                           "little to determine the focal length")(views.size()),
                                  tiltAdvice());
-    const double sigma = focalSigma(views, fit, control);
+    const double sigma = focalSigma(views, fit, options, control);
     if (control.isCancelled())
         return cancelled(cannotBeCalibrated());
     if (!(sigma < uncertainFocalSigma))

@@ -59,7 +59,9 @@ Result<void> checkOneCamera(const std::vector<BoardView> &views, const LensFit &
 bool isDetermined(const LensFit &fit);
 
 /// Refuses a fit that its images do not determine, and gives σ of its focal length over itself otherwise.
+/// options: of the fit.
 Result<double> checkDetermined(const std::vector<BoardView> &views, const LensFit &fit,
-                               const std::optional<HeldOut> &halves, const JobControl &control);
+                               const LensFitOptions &options, const std::optional<HeldOut> &halves,
+                               const JobControl &control);
 
 } // namespace odo

@@ -4,6 +4,7 @@
 #include "core/base/quiet_ceres.h"
 #include "core/calibration/internal/lens_cost.h"
 #include "core/calibration/internal/plane_pose.h"
+#include "core/calibration/internal/usual_lens.h"
 
 #include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
@@ -12,6 +13,7 @@
 #include <array>
 #include <ceres/iteration_callback.h>
 #include <ceres/manifold.h>
+#include <ceres/normal_prior.h>
 #include <ceres/problem.h>
 #include <ceres/solver.h>
 #include <cmath>
@@ -130,6 +132,8 @@ public:
         std::copy(start.intrinsics.distortion.begin(), start.intrinsics.distortion.end(), m_lens.begin() + 4);
         for (const RigidTransform &pose : start.cameraFromBoard)
             m_poses.push_back(parametersOf(pose));
+        if (options.usualLensPx > 0 && model == LensModel::Standard)
+            m_usual = usualLens(start.intrinsics, options.usualLensPx);
     }
 
     bool solve(const JobControl &control)
@@ -146,6 +150,10 @@ public:
         }
         ordering->AddElementToGroup(m_lens.data(), 1);
         ordering->AddElementToGroup(m_shape.data(), 1);
+        std::optional<ceres::NormalPrior> usual;
+        if (m_usual)
+            problem.AddResidualBlock(&usual.emplace(m_usual->weights, m_usual->values), nullptr,
+                                     m_lens.data());
         hold(problem);
         StopWhenCancelled stop(control);
         ceres::Solver::Options options;
@@ -190,6 +198,11 @@ public:
             normal += parts.back().normal;
             fit.squares += fit.imageSquares.back();
             count += m_views[view].pixels.size();
+        }
+        if (m_usual) {
+            normal.topLeftCorner<size, size>() += m_usual->weights.transpose() * m_usual->weights;
+            const Eigen::Map<const Eigen::VectorXd> values(m_lens.data(), size);
+            fit.unusualSquares = (m_usual->weights * (values - m_usual->values)).squaredNorm();
         }
         const double freedom = 2.0 * static_cast<double>(count) - static_cast<double>(sharedSize()) -
                                6.0 * static_cast<double>(m_views.size());
@@ -248,6 +261,7 @@ private:
     Intrinsics m_intrinsics;
     std::array<double, size> m_lens{};
     std::vector<Pose> m_poses;
+    std::optional<UsualLens> m_usual;
 };
 
 template <LensModel model>

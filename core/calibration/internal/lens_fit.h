@@ -29,6 +29,7 @@ struct LensFit
     std::vector<std::vector<Eigen::Vector2d>> residualsPx;
     std::vector<double> imageSquares; ///< sum of squared distances of each image, px²
     double squares = 0;               ///< of all
+    double unusualSquares = 0;        ///< px², of the residuals of UsualLens where it counts
     double sigmaPx = 0;               ///< of one coordinate, by the degrees of freedom
     /// Covariance of lens, and print where it is estimated, from the scatter of the images' pulls (Bell and
     /// McCaffrey 2002, CR2). It holds whatever the errors of an image's corners have in common, such as the
@@ -55,6 +56,9 @@ struct LensFitOptions
     bool holdSixthOrder = false; ///< k3 of a standard lens stays
     bool holdLens = false;       ///< all of it stays: only the poses (and the print) adapt
     bool freePrint = false;      ///< the print's shape is estimated
+    /// Not 0: what the images of a standard lens leave open is taken from the usual lens (see UsualLens),
+    /// beside corners of this σ of one coordinate.
+    double usualLensPx = 0;
 };
 
 /// A lens and poses to start from.
