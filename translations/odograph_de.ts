@@ -9901,6 +9901,10 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <source>none of its images shows a board that is still, sharp and in a new position</source>
         <translation>keines ihrer Bilder zeigt eine Tafel, die ruhig, scharf und an einer neuen Stelle ist</translation>
     </message>
+    <message>
+        <source>it cannot be read any more</source>
+        <translation>es ist nicht mehr lesbar</translation>
+    </message>
 </context>
 <context>
     <name>odo::BoxCanvas</name>
@@ -10047,6 +10051,14 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <source>Centre y</source>
         <translation>Mitte y</translation>
     </message>
+    <message>
+        <source>above the threshold</source>
+        <translation>über der Schwelle</translation>
+    </message>
+    <message>
+        <source>Images left out</source>
+        <translation>Ausgelassene Bilder</translation>
+    </message>
 </context>
 <context>
     <name>odo::CalibrationSourcePage</name>
@@ -10093,10 +10105,6 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>&amp;Remove</source>
         <translation>&amp;Entfernen</translation>
-    </message>
-    <message>
-        <source>Images and videos (*.png *.jpg *.jpeg *.heic *.heif *.hif *.webp *.tif *.tiff *.bmp *.mp4 *.mkv *.avi *.mov *.webm);;All files (*)</source>
-        <translation>Bilder und Videos (*.png *.jpg *.jpeg *.heic *.heif *.hif *.webp *.tif *.tiff *.bmp *.mp4 *.mkv *.avi *.mov *.webm);;Alle Dateien (*)</translation>
     </message>
     <message>
         <source>You can also drop files here.</source>
@@ -10266,10 +10274,6 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>An image or video…</source>
         <translation>Ein Bild oder Video…</translation>
-    </message>
-    <message>
-        <source>Images and videos (*.png *.jpg *.jpeg *.heic *.heif *.hif *.webp *.tif *.tiff *.bmp *.mp4 *.mkv *.avi *.mov *.webm);;All files (*)</source>
-        <translation>Bilder und Videos (*.png *.jpg *.jpeg *.heic *.heif *.hif *.webp *.tif *.tiff *.bmp *.mp4 *.mkv *.avi *.mov *.webm);;Alle Dateien (*)</translation>
     </message>
     <message>
         <source>detecting…</source>
@@ -11605,10 +11609,6 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <source>An image or a &amp;video</source>
         <translation>In einem &amp;Bild oder Video</translation>
     </message>
-    <message>
-        <source>Images and videos (*.png *.jpg *.jpeg *.heic *.heif *.hif *.webp *.tif *.tiff *.bmp *.mp4 *.mkv *.avi *.mov *.webm);;All files (*)</source>
-        <translation>Bilder und Videos (*.png *.jpg *.jpeg *.heic *.heif *.hif *.webp *.tif *.tiff *.bmp *.mp4 *.mkv *.avi *.mov *.webm);;Alle Dateien (*)</translation>
-    </message>
 </context>
 <context>
     <name>odo::ImportTracksDialog</name>
@@ -12633,6 +12633,10 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>Browse: %1</source>
         <translation>Durchsuchen: %1</translation>
+    </message>
+    <message>
+        <source>Images and videos (*.png *.jpg *.jpeg *.heic *.heif *.hif *.webp *.tif *.tiff *.bmp *.mp4 *.mkv *.avi *.mov *.webm);;All files (*)</source>
+        <translation>Bilder und Videos (*.png *.jpg *.jpeg *.heic *.heif *.hif *.webp *.tif *.tiff *.bmp *.mp4 *.mkv *.avi *.mov *.webm);;Alle Dateien (*)</translation>
     </message>
 </context>
 <context>
@@ -21730,7 +21734,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <name>workflow.lens_never_calibrated</name>
     <message>
         <source>The lens of camera &apos;%1&apos; is neither calibrated nor determined by the floor&apos;s markers</source>
-        <translation>Das Objektiv der Kamera '%1' wurde weder kalibriert noch durch die Marker des Bodens bestimmt</translation>
+        <translation>Das Objektiv der Kamera &apos;%1&apos; wurde weder kalibriert noch durch die Marker des Bodens bestimmt</translation>
     </message>
 </context>
 <context>

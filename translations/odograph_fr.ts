@@ -9901,6 +9901,10 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <source>none of its images shows a board that is still, sharp and in a new position</source>
         <translation>aucune de ses images ne montre une mire immobile, nette et nouvelle</translation>
     </message>
+    <message>
+        <source>it cannot be read any more</source>
+        <translation>elle n’est plus lisible</translation>
+    </message>
 </context>
 <context>
     <name>odo::BoxCanvas</name>
@@ -10047,6 +10051,14 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <source>Centre y</source>
         <translation>Centre y</translation>
     </message>
+    <message>
+        <source>above the threshold</source>
+        <translation>au-dessus du seuil</translation>
+    </message>
+    <message>
+        <source>Images left out</source>
+        <translation>Photos exclues</translation>
+    </message>
 </context>
 <context>
     <name>odo::CalibrationSourcePage</name>
@@ -10093,10 +10105,6 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>&amp;Remove</source>
         <translation>Re&amp;tirer</translation>
-    </message>
-    <message>
-        <source>Images and videos (*.png *.jpg *.jpeg *.heic *.heif *.hif *.webp *.tif *.tiff *.bmp *.mp4 *.mkv *.avi *.mov *.webm);;All files (*)</source>
-        <translation>Photos et vidéos (*.png *.jpg *.jpeg *.heic *.heif *.hif *.webp *.tif *.tiff *.bmp *.mp4 *.mkv *.avi *.mov *.webm);;Tous les fichiers (*)</translation>
     </message>
     <message>
         <source>You can also drop files here.</source>
@@ -10266,10 +10274,6 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>An image or video…</source>
         <translation>Une photo ou une vidéo…</translation>
-    </message>
-    <message>
-        <source>Images and videos (*.png *.jpg *.jpeg *.heic *.heif *.hif *.webp *.tif *.tiff *.bmp *.mp4 *.mkv *.avi *.mov *.webm);;All files (*)</source>
-        <translation>Photos et vidéos (*.png *.jpg *.jpeg *.heic *.heif *.hif *.webp *.tif *.tiff *.bmp *.mp4 *.mkv *.avi *.mov *.webm);;Tous les fichiers (*)</translation>
     </message>
     <message>
         <source>detecting…</source>
@@ -11605,10 +11609,6 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <source>An image or a &amp;video</source>
         <translation>Dans une &amp;photo ou une vidéo</translation>
     </message>
-    <message>
-        <source>Images and videos (*.png *.jpg *.jpeg *.heic *.heif *.hif *.webp *.tif *.tiff *.bmp *.mp4 *.mkv *.avi *.mov *.webm);;All files (*)</source>
-        <translation>Photos et vidéos (*.png *.jpg *.jpeg *.heic *.heif *.hif *.webp *.tif *.tiff *.bmp *.mp4 *.mkv *.avi *.mov *.webm);;Tous les fichiers (*)</translation>
-    </message>
 </context>
 <context>
     <name>odo::ImportTracksDialog</name>
@@ -12633,6 +12633,10 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>Browse: %1</source>
         <translation>Parcourir&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>Images and videos (*.png *.jpg *.jpeg *.heic *.heif *.hif *.webp *.tif *.tiff *.bmp *.mp4 *.mkv *.avi *.mov *.webm);;All files (*)</source>
+        <translation>Photos et vidéos (*.png *.jpg *.jpeg *.heic *.heif *.hif *.webp *.tif *.tiff *.bmp *.mp4 *.mkv *.avi *.mov *.webm);;Tous les fichiers (*)</translation>
     </message>
 </context>
 <context>
@@ -21730,7 +21734,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <name>workflow.lens_never_calibrated</name>
     <message>
         <source>The lens of camera &apos;%1&apos; is neither calibrated nor determined by the floor&apos;s markers</source>
-        <translation>L’objectif de la caméra '%1' n’est ni étalonné ni déterminé par les marqueurs du sol</translation>
+        <translation>L’objectif de la caméra &apos;%1&apos; n’est ni étalonné ni déterminé par les marqueurs du sol</translation>
     </message>
 </context>
 <context>
