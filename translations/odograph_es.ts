@@ -9908,6 +9908,10 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <source>none of its images shows a board that is still, sharp and in a new position</source>
         <translation>en ninguna de sus imágenes hay un tablero quieto, nítido y nuevo</translation>
     </message>
+    <message>
+        <source>it cannot be read any more</source>
+        <translation>ya no se puede leer</translation>
+    </message>
 </context>
 <context>
     <name>odo::BoxCanvas</name>
@@ -10054,6 +10058,14 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <source>Centre y</source>
         <translation>Centro y</translation>
     </message>
+    <message>
+        <source>above the threshold</source>
+        <translation>por encima del umbral</translation>
+    </message>
+    <message>
+        <source>Images left out</source>
+        <translation>Imágenes omitidas</translation>
+    </message>
 </context>
 <context>
     <name>odo::CalibrationSourcePage</name>
@@ -10100,10 +10112,6 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <message>
         <source>&amp;Remove</source>
         <translation>&amp;Quitar</translation>
-    </message>
-    <message>
-        <source>Images and videos (*.png *.jpg *.jpeg *.heic *.heif *.hif *.webp *.tif *.tiff *.bmp *.mp4 *.mkv *.avi *.mov *.webm);;All files (*)</source>
-        <translation>Imágenes y videos (*.png *.jpg *.jpeg *.heic *.heif *.hif *.webp *.tif *.tiff *.bmp *.mp4 *.mkv *.avi *.mov *.webm);;Todos los archivos (*)</translation>
     </message>
     <message>
         <source>You can also drop files here.</source>
@@ -10273,10 +10281,6 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <message>
         <source>An image or video…</source>
         <translation>Una imagen o un video…</translation>
-    </message>
-    <message>
-        <source>Images and videos (*.png *.jpg *.jpeg *.heic *.heif *.hif *.webp *.tif *.tiff *.bmp *.mp4 *.mkv *.avi *.mov *.webm);;All files (*)</source>
-        <translation>Imágenes y videos (*.png *.jpg *.jpeg *.heic *.heif *.hif *.webp *.tif *.tiff *.bmp *.mp4 *.mkv *.avi *.mov *.webm);;Todos los archivos (*)</translation>
     </message>
     <message>
         <source>detecting…</source>
@@ -11612,10 +11616,6 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <source>An image or a &amp;video</source>
         <translation>En una &amp;imagen o un video</translation>
     </message>
-    <message>
-        <source>Images and videos (*.png *.jpg *.jpeg *.heic *.heif *.hif *.webp *.tif *.tiff *.bmp *.mp4 *.mkv *.avi *.mov *.webm);;All files (*)</source>
-        <translation>Imágenes y videos (*.png *.jpg *.jpeg *.heic *.heif *.hif *.webp *.tif *.tiff *.bmp *.mp4 *.mkv *.avi *.mov *.webm);;Todos los archivos (*)</translation>
-    </message>
 </context>
 <context>
     <name>odo::ImportTracksDialog</name>
@@ -12640,6 +12640,10 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <message>
         <source>Browse: %1</source>
         <translation>Examinar: %1</translation>
+    </message>
+    <message>
+        <source>Images and videos (*.png *.jpg *.jpeg *.heic *.heif *.hif *.webp *.tif *.tiff *.bmp *.mp4 *.mkv *.avi *.mov *.webm);;All files (*)</source>
+        <translation>Imágenes y videos (*.png *.jpg *.jpeg *.heic *.heif *.hif *.webp *.tif *.tiff *.bmp *.mp4 *.mkv *.avi *.mov *.webm);;Todos los archivos (*)</translation>
     </message>
 </context>
 <context>

@@ -9908,6 +9908,10 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <source>none of its images shows a board that is still, sharp and in a new position</source>
         <translation>aucune de ses images ne montre une mire immobile, nette et nouvelle</translation>
     </message>
+    <message>
+        <source>it cannot be read any more</source>
+        <translation>elle n’est plus lisible</translation>
+    </message>
 </context>
 <context>
     <name>odo::BoxCanvas</name>
@@ -10054,6 +10058,14 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <source>Centre y</source>
         <translation>Centre y</translation>
     </message>
+    <message>
+        <source>above the threshold</source>
+        <translation>au-dessus du seuil</translation>
+    </message>
+    <message>
+        <source>Images left out</source>
+        <translation>Photos exclues</translation>
+    </message>
 </context>
 <context>
     <name>odo::CalibrationSourcePage</name>
@@ -10100,10 +10112,6 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>&amp;Remove</source>
         <translation>Re&amp;tirer</translation>
-    </message>
-    <message>
-        <source>Images and videos (*.png *.jpg *.jpeg *.heic *.heif *.hif *.webp *.tif *.tiff *.bmp *.mp4 *.mkv *.avi *.mov *.webm);;All files (*)</source>
-        <translation>Photos et vidéos (*.png *.jpg *.jpeg *.heic *.heif *.hif *.webp *.tif *.tiff *.bmp *.mp4 *.mkv *.avi *.mov *.webm);;Tous les fichiers (*)</translation>
     </message>
     <message>
         <source>You can also drop files here.</source>
@@ -10273,10 +10281,6 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>An image or video…</source>
         <translation>Une photo ou une vidéo…</translation>
-    </message>
-    <message>
-        <source>Images and videos (*.png *.jpg *.jpeg *.heic *.heif *.hif *.webp *.tif *.tiff *.bmp *.mp4 *.mkv *.avi *.mov *.webm);;All files (*)</source>
-        <translation>Photos et vidéos (*.png *.jpg *.jpeg *.heic *.heif *.hif *.webp *.tif *.tiff *.bmp *.mp4 *.mkv *.avi *.mov *.webm);;Tous les fichiers (*)</translation>
     </message>
     <message>
         <source>detecting…</source>
@@ -11612,10 +11616,6 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <source>An image or a &amp;video</source>
         <translation>Dans une &amp;photo ou une vidéo</translation>
     </message>
-    <message>
-        <source>Images and videos (*.png *.jpg *.jpeg *.heic *.heif *.hif *.webp *.tif *.tiff *.bmp *.mp4 *.mkv *.avi *.mov *.webm);;All files (*)</source>
-        <translation>Photos et vidéos (*.png *.jpg *.jpeg *.heic *.heif *.hif *.webp *.tif *.tiff *.bmp *.mp4 *.mkv *.avi *.mov *.webm);;Tous les fichiers (*)</translation>
-    </message>
 </context>
 <context>
     <name>odo::ImportTracksDialog</name>
@@ -12640,6 +12640,10 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>Browse: %1</source>
         <translation>Parcourir&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>Images and videos (*.png *.jpg *.jpeg *.heic *.heif *.hif *.webp *.tif *.tiff *.bmp *.mp4 *.mkv *.avi *.mov *.webm);;All files (*)</source>
+        <translation>Photos et vidéos (*.png *.jpg *.jpeg *.heic *.heif *.hif *.webp *.tif *.tiff *.bmp *.mp4 *.mkv *.avi *.mov *.webm);;Tous les fichiers (*)</translation>
     </message>
 </context>
 <context>

@@ -9899,6 +9899,10 @@ Much more than expected means that a setting is wrong: the views are not synchro
         <source>none of its images shows a board that is still, sharp and in a new position</source>
         <translation>정지해 있고 선명하며 새로운 자세의 보드가 담긴 사진이 없음</translation>
     </message>
+    <message>
+        <source>it cannot be read any more</source>
+        <translation>더 이상 읽을 수 없습니다</translation>
+    </message>
 </context>
 <context>
     <name>odo::BoxCanvas</name>
@@ -10045,6 +10049,14 @@ Much more than expected means that a setting is wrong: the views are not synchro
         <source>Centre y</source>
         <translation>중심 y</translation>
     </message>
+    <message>
+        <source>above the threshold</source>
+        <translation>기준값 초과</translation>
+    </message>
+    <message>
+        <source>Images left out</source>
+        <translation>제외한 사진</translation>
+    </message>
 </context>
 <context>
     <name>odo::CalibrationSourcePage</name>
@@ -10091,10 +10103,6 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>&amp;Remove</source>
         <translation>제거(&amp;R)</translation>
-    </message>
-    <message>
-        <source>Images and videos (*.png *.jpg *.jpeg *.heic *.heif *.hif *.webp *.tif *.tiff *.bmp *.mp4 *.mkv *.avi *.mov *.webm);;All files (*)</source>
-        <translation>사진과 동영상 (*.png *.jpg *.jpeg *.heic *.heif *.hif *.webp *.tif *.tiff *.bmp *.mp4 *.mkv *.avi *.mov *.webm);;모든 파일 (*)</translation>
     </message>
     <message>
         <source>You can also drop files here.</source>
@@ -10264,10 +10272,6 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>An image or video…</source>
         <translation>사진 또는 동영상…</translation>
-    </message>
-    <message>
-        <source>Images and videos (*.png *.jpg *.jpeg *.heic *.heif *.hif *.webp *.tif *.tiff *.bmp *.mp4 *.mkv *.avi *.mov *.webm);;All files (*)</source>
-        <translation>사진과 동영상 (*.png *.jpg *.jpeg *.heic *.heif *.hif *.webp *.tif *.tiff *.bmp *.mp4 *.mkv *.avi *.mov *.webm);;모든 파일 (*)</translation>
     </message>
     <message>
         <source>detecting…</source>
@@ -11595,10 +11599,6 @@ Much more than expected means that a setting is wrong: the views are not synchro
         <source>An image or a &amp;video</source>
         <translation>사진 또는 동영상에서(&amp;P)</translation>
     </message>
-    <message>
-        <source>Images and videos (*.png *.jpg *.jpeg *.heic *.heif *.hif *.webp *.tif *.tiff *.bmp *.mp4 *.mkv *.avi *.mov *.webm);;All files (*)</source>
-        <translation>사진과 동영상 (*.png *.jpg *.jpeg *.heic *.heif *.hif *.webp *.tif *.tiff *.bmp *.mp4 *.mkv *.avi *.mov *.webm);;모든 파일 (*)</translation>
-    </message>
 </context>
 <context>
     <name>odo::ImportTracksDialog</name>
@@ -12622,6 +12622,10 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>Browse: %1</source>
         <translation>찾아보기: %1</translation>
+    </message>
+    <message>
+        <source>Images and videos (*.png *.jpg *.jpeg *.heic *.heif *.hif *.webp *.tif *.tiff *.bmp *.mp4 *.mkv *.avi *.mov *.webm);;All files (*)</source>
+        <translation>사진과 동영상 (*.png *.jpg *.jpeg *.heic *.heif *.hif *.webp *.tif *.tiff *.bmp *.mp4 *.mkv *.avi *.mov *.webm);;모든 파일 (*)</translation>
     </message>
 </context>
 <context>

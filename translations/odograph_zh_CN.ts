@@ -9899,6 +9899,10 @@ Much more than expected means that a setting is wrong: the views are not synchro
         <source>none of its images shows a board that is still, sharp and in a new position</source>
         <translation>其图片中没有静止、清晰且处于新位置的标定板</translation>
     </message>
+    <message>
+        <source>it cannot be read any more</source>
+        <translation>无法再读取</translation>
+    </message>
 </context>
 <context>
     <name>odo::BoxCanvas</name>
@@ -10045,6 +10049,14 @@ Much more than expected means that a setting is wrong: the views are not synchro
         <source>Centre y</source>
         <translation>中心 y</translation>
     </message>
+    <message>
+        <source>above the threshold</source>
+        <translation>高于阈值</translation>
+    </message>
+    <message>
+        <source>Images left out</source>
+        <translation>剔除的图片</translation>
+    </message>
 </context>
 <context>
     <name>odo::CalibrationSourcePage</name>
@@ -10091,10 +10103,6 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>&amp;Remove</source>
         <translation>移除(&amp;R)</translation>
-    </message>
-    <message>
-        <source>Images and videos (*.png *.jpg *.jpeg *.heic *.heif *.hif *.webp *.tif *.tiff *.bmp *.mp4 *.mkv *.avi *.mov *.webm);;All files (*)</source>
-        <translation>图片和视频 (*.png *.jpg *.jpeg *.heic *.heif *.hif *.webp *.tif *.tiff *.bmp *.mp4 *.mkv *.avi *.mov *.webm);;所有文件 (*)</translation>
     </message>
     <message>
         <source>You can also drop files here.</source>
@@ -10264,10 +10272,6 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>An image or video…</source>
         <translation>图片或视频…</translation>
-    </message>
-    <message>
-        <source>Images and videos (*.png *.jpg *.jpeg *.heic *.heif *.hif *.webp *.tif *.tiff *.bmp *.mp4 *.mkv *.avi *.mov *.webm);;All files (*)</source>
-        <translation>图片和视频 (*.png *.jpg *.jpeg *.heic *.heif *.hif *.webp *.tif *.tiff *.bmp *.mp4 *.mkv *.avi *.mov *.webm);;所有文件 (*)</translation>
     </message>
     <message>
         <source>detecting…</source>
@@ -11595,10 +11599,6 @@ Much more than expected means that a setting is wrong: the views are not synchro
         <source>An image or a &amp;video</source>
         <translation>图片或视频(&amp;P)</translation>
     </message>
-    <message>
-        <source>Images and videos (*.png *.jpg *.jpeg *.heic *.heif *.hif *.webp *.tif *.tiff *.bmp *.mp4 *.mkv *.avi *.mov *.webm);;All files (*)</source>
-        <translation>图片和视频 (*.png *.jpg *.jpeg *.heic *.heif *.hif *.webp *.tif *.tiff *.bmp *.mp4 *.mkv *.avi *.mov *.webm);;所有文件 (*)</translation>
-    </message>
 </context>
 <context>
     <name>odo::ImportTracksDialog</name>
@@ -12622,6 +12622,10 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>Browse: %1</source>
         <translation>浏览：%1</translation>
+    </message>
+    <message>
+        <source>Images and videos (*.png *.jpg *.jpeg *.heic *.heif *.hif *.webp *.tif *.tiff *.bmp *.mp4 *.mkv *.avi *.mov *.webm);;All files (*)</source>
+        <translation>图片和视频 (*.png *.jpg *.jpeg *.heic *.heif *.hif *.webp *.tif *.tiff *.bmp *.mp4 *.mkv *.avi *.mov *.webm);;所有文件 (*)</translation>
     </message>
 </context>
 <context>

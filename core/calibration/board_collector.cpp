@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 namespace odo {
 
@@ -58,25 +59,28 @@ double spacingPx(const CollectedImage &image)
 
 } // namespace
 
-ImageVerdict BoardCollector::examine(const Frame &frame, const std::string &source)
+Error BoardCollector::refusedForSize(const std::string &source, const Frame &frame) const
+{
+    return refusal(source, otherSizeThanMost(frame.format.width, frame.format.height, m_widthPx, m_heightPx),
+                   ODO_TEXT("calibration.use_one_resolution", "use images of one camera at one resolution"));
+}
+
+bool BoardCollector::isOfSize(const Frame &frame) const
+{
+    return m_widthPx == 0 || (frame.format.width == m_widthPx && frame.format.height == m_heightPx);
+}
+
+ImageVerdict BoardCollector::examine(const Frame &frame, const std::string &source, const BoardSpec &spec,
+                                     const std::optional<BoardKind> &likely) const
 {
     ImageVerdict answer;
-    if (m_widthPx == 0) {
-        m_widthPx = frame.format.width;
-        m_heightPx = frame.format.height;
-    }
-    if (frame.format.width != m_widthPx || frame.format.height != m_heightPx) {
-        answer.refusal =
-            refusal(source, otherSizeThanMost(frame.format.width, frame.format.height, m_widthPx, m_heightPx),
-                    ODO_TEXT("calibration.use_one_resolution", "use images of one camera at one resolution"));
-        return answer;
-    }
-    auto view = findBoard(frame, m_spec, source);
+    const int widthPx = frame.format.width, heightPx = frame.format.height;
+    auto view = findBoardForVote(frame, spec, likely, source);
     if (!view) {
-        answer.refusal = view.error();
+        answer.refusal = isOfSize(frame) ? view.error() : refusedForSize(source, frame);
         return answer;
     }
-    const auto placement = placementOf(*view, m_widthPx, m_heightPx);
+    const auto placement = placementOf(*view, widthPx, heightPx);
     if (!placement) {
         answer.refusal =
             refusal(source, ODO_TEXT("calibration.board_not_flat", "the corners do not match a flat board"),
@@ -88,56 +92,114 @@ ImageVerdict BoardCollector::examine(const Frame &frame, const std::string &sour
     return answer;
 }
 
-void BoardCollector::keep(const CollectedImage &image)
+/// What most votes say; drops the images of another board.
+void BoardCollector::count()
 {
-    m_spec.pattern = image.view.pattern;
-    m_spec.columns = image.view.columns;
-    m_spec.rows = image.view.rows;
-    m_images.push_back(image);
+    const auto before = std::tuple(m_kind, m_widthPx, m_heightPx);
+    const auto sameSize = [](const Vote &one, const Vote &other) {
+        return one.widthPx == other.widthPx && one.heightPx == other.heightPx;
+    };
+    const Vote &most = *std::ranges::max_element(m_votes, {}, [&](const Vote &vote) {
+        return std::ranges::count_if(m_votes, [&](const Vote &other) { return sameSize(vote, other); });
+    });
+    std::vector<BoardView> views;
+    for (const Vote &vote : m_votes) {
+        if (sameSize(vote, most))
+            views.push_back(vote.image.view);
+    }
+    m_widthPx = most.widthPx;
+    m_heightPx = most.heightPx;
+    m_kind = votedBoard(views, m_widthPx, m_heightPx);
+    m_likely = likelyBoard(views, m_widthPx, m_heightPx);
+    if (before == std::tuple(m_kind, m_widthPx, m_heightPx))
+        return;
+    ++m_changes;
+    m_images.clear();
 }
 
-const CollectedImage *BoardCollector::sameAs(const CollectedImage &image) const
+void BoardCollector::keep(ImageVerdict &answer, const Frame &frame)
 {
-    const auto same = std::ranges::find_if(m_images, [&](const CollectedImage &there) {
+    m_votes.push_back({*answer.image, frame.format.width, frame.format.height});
+    count();
+    keepOfBoard(answer, frame);
+    answer.isOther = !answer.kept;
+}
+
+void BoardCollector::keepOfBoard(ImageVerdict &answer, const Frame &frame)
+{
+    const std::string source = answer.image->view.source;
+    if (!isOfSize(frame)) {
+        answer.refusal = refusedForSize(source, frame);
+        return;
+    }
+    if (!(kindOf(answer.image->view) == m_kind))
+        answer = examine(frame, source, spec(), std::nullopt);
+    if (!answer.image || answer.refusal)
+        return;
+    if (const CollectedImage *known = sameAs(*answer.image, frame)) {
+        answer.refusal = refusedAsKnown(source, sameBoardPosition(known->view.source));
+        return;
+    }
+    m_images.push_back(*answer.image);
+    answer.kept = true;
+}
+
+const CollectedImage *BoardCollector::sameAs(const CollectedImage &image, const Frame &frame) const
+{
+    const auto isSame = [&](const CollectedImage &there) {
         return distanceOf(there.placement, image.placement) < leastNews;
+    };
+    if (kindOf(image.view) == m_kind && isOfSize(frame)) {
+        const auto same = std::ranges::find_if(m_images, isSame);
+        return same == m_images.end() ? nullptr : &*same;
+    }
+    const auto same = std::ranges::find_if(m_votes, [&](const Vote &vote) {
+        return kindOf(vote.image.view) == kindOf(image.view) && vote.widthPx == frame.format.width &&
+               vote.heightPx == frame.format.height && isSame(vote.image);
     });
-    return same == m_images.end() ? nullptr : &*same;
+    return same == m_votes.end() ? nullptr : &same->image;
 }
 
 ImageVerdict BoardCollector::offer(const Frame &frame, const std::string &source)
 {
-    ImageVerdict answer = examine(frame, source);
+    ImageVerdict answer = examine(frame, source, m_asked, isOfSize(frame) ? m_likely : std::nullopt);
     if (!answer.image || answer.refusal)
         return answer;
-    if (const CollectedImage *known = sameAs(*answer.image)) {
+    if (const CollectedImage *known = sameAs(*answer.image, frame))
         answer.refusal = refusedAsKnown(source, sameBoardPosition(known->view.source));
-        return answer;
-    }
-    keep(*answer.image);
-    answer.kept = true;
+    else
+        keep(answer, frame);
     return answer;
 }
 
-bool BoardCollector::isStill(const CollectedImage &image, Nanoseconds time)
+ImageVerdict BoardCollector::offerAgain(const Frame &frame, const std::string &source)
+{
+    ImageVerdict answer = examine(frame, source, spec(), std::nullopt);
+    if (answer.image && !answer.refusal)
+        keepOfBoard(answer, frame);
+    return answer;
+}
+
+bool BoardCollector::isStill(const CollectedImage &image, const Frame &frame)
 {
     const std::vector<Eigen::Vector2d> &corners = image.view.pixels;
     double moved = corners.size() == m_stillCorners.size() ? 0 : HUGE_VAL;
     for (std::size_t i = 0; i < corners.size() && moved < HUGE_VAL; ++i)
         moved = std::max(moved, (corners[i] - m_stillCorners[i]).norm());
-    if (moved > stillPart * m_widthPx) {
+    if (moved > stillPart * frame.format.width) {
         m_stillCorners = corners;
-        m_stillSince = time;
+        m_stillSince = frame.time;
     }
-    return time - m_stillSince >= stillFor;
+    return frame.time - m_stillSince >= stillFor;
 }
 
 ImageVerdict BoardCollector::watch(const Frame &frame, const std::string &source)
 {
-    ImageVerdict answer = examine(frame, source);
+    ImageVerdict answer = examine(frame, source, m_asked, isOfSize(frame) ? m_likely : std::nullopt);
     if (!answer.image || answer.refusal)
         return answer;
-    const bool still = isStill(*answer.image, frame.time);
-    if (sameAs(*answer.image)) {
+    const bool still = isStill(*answer.image, frame);
+    if (sameAs(*answer.image, frame)) {
         answer.refusal =
             refusedAsKnown(source, ODO_TEXT("calibration.board_stands_as_before",
                                             "the board is in the same position as in an earlier image"));
@@ -154,8 +216,7 @@ ImageVerdict BoardCollector::watch(const Frame &frame, const std::string &source
                     ODO_TEXT("calibration.focus_or_light", "focus the camera, or give more light"));
         return answer;
     }
-    keep(*answer.image);
-    answer.kept = true;
+    keep(answer, frame);
     return answer;
 }
 
@@ -170,6 +231,7 @@ std::vector<BoardView> BoardCollector::views() const
 CollectedImage BoardCollector::remove(std::size_t index)
 {
     CollectedImage image = std::move(m_images.at(index));
+    std::erase_if(m_votes, [&](const Vote &vote) { return vote.image.view.source == image.view.source; });
     m_images.erase(m_images.begin() + static_cast<std::ptrdiff_t>(index));
     return image;
 }
@@ -177,6 +239,7 @@ CollectedImage BoardCollector::remove(std::size_t index)
 void BoardCollector::insert(std::size_t index, CollectedImage image)
 {
     const std::size_t at = std::min(index, m_images.size());
+    m_votes.push_back({image, m_widthPx, m_heightPx});
     m_images.insert(m_images.begin() + static_cast<std::ptrdiff_t>(at), std::move(image));
 }
 

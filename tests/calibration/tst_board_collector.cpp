@@ -184,6 +184,88 @@ private Q_SLOTS:
         QVERIFY(refusedWith(collector.offer(larger, "e.png"), "it is 800×600, the other images are 640×360"));
     }
 
+    /// The first image does not decide what the board is: it may show a part of it.
+    void aCutBoardFirstIsSearchedAgain_data()
+    {
+        QTest::addColumn<double>("aside");
+        QTest::addColumn<bool>("isEnough"); // two thirds of the corners
+        QTest::newRow("a part of it") << 0.12 << true;
+        QTest::newRow("half of it") << 0.2 << false;
+    }
+    void aCutBoardFirstIsSearchedAgain()
+    {
+        QFETCH(double, aside);
+        QFETCH(bool, isEnough);
+        BoardCollector collector({});
+        const Frame cut = rendered(posed({aside, 0, 0.45}, 20, 0));
+        QVERIFY(collector.offer(cut, "cut.png").kept);
+        QVERIFY(collector.spec().columns * collector.spec().rows < 54);
+        const int before = collector.changes();
+        QVERIFY(collector.offer(rendered(frontal), "a.png").kept);
+        QCOMPARE(collector.changes(), before + 1);
+        QCOMPARE(collector.spec().columns, 9);
+        QCOMPARE(collector.spec().rows, 6);
+        QCOMPARE(collector.images().size(), std::size_t(1));
+        const ImageVerdict again = collector.offerAgain(cut, "cut.png");
+        QCOMPARE(again.kept, isEnough);
+        if (!isEnough)
+            QVERIFY(refusedWith(again, "the board is cut off: only "));
+        QCOMPARE(collector.images().size(), std::size_t(isEnough ? 2 : 1));
+        QCOMPARE(collector.changes(), before + 1); // it does not vote again
+    }
+
+    void anotherBoardFirstGivesWayToTheMajority()
+    {
+        SimulatedBoard other;
+        other.columns = 10; // larger: a vote each is not enough
+        other.cameraFromBoard = frontal;
+        BoardCollector collector({});
+        QVERIFY(collector.offer(renderBoard(camera, other, 2, 1), "other.png").kept);
+        const ImageVerdict one = collector.offer(rendered(frontal), "a.png");
+        QVERIFY(one.isOther);
+        QVERIFY(refusedWith(one, "this board has 9x6 inner corners, not 10x6"));
+        const Frame tilted = rendered(posed({0, 0, 0.45}, 0, 30));
+        QVERIFY(collector.offer(tilted, "b.png").kept);
+        QVERIFY(collector.offerAgain(rendered(frontal), "a.png").kept);
+        QVERIFY(refusedWith(collector.offerAgain(renderBoard(camera, other, 2, 1), "other.png"),
+                            "this board has 10x6 inner corners, not 9x6"));
+        QCOMPARE(collector.images().size(), std::size_t(2));
+        // What is taken out does not count any more, and counts again when it is put back.
+        CollectedImage taken = collector.remove(0);
+        other.cameraFromBoard = posed({0, 0, 0.5}, 30, 0);
+        QVERIFY(collector.offer(renderBoard(camera, other, 2, 1), "other2.png").kept);
+        QCOMPARE(collector.spec().columns, 10);
+    }
+
+    void anImageOfAnotherSizeFirstGivesWay()
+    {
+        BoardCollector collector({});
+        const Frame larger =
+            renderBoard(CameraModel::assumed(800, 600), SimulatedBoard{.cameraFromBoard = frontal}, 2, 1);
+        QVERIFY(collector.offer(larger, "large.png").kept);
+        QVERIFY(refusedWith(collector.offer(rendered(frontal), "a.png"),
+                            "it is 640×360, the other images are 800×600"));
+        QVERIFY(collector.offer(rendered(posed({0, 0, 0.45}, 0, 30)), "b.png").kept);
+        QCOMPARE(collector.widthPx(), 640);
+        QCOMPARE(collector.heightPx(), 360);
+        QVERIFY(collector.offerAgain(rendered(frontal), "a.png").kept);
+        QVERIFY(refusedWith(collector.offerAgain(larger, "large.png"),
+                            "it is 800×600, the other images are 640×360"));
+    }
+
+    void aHeldCutBoardVotesOnce()
+    {
+        BoardCollector collector({});
+        const RigidTransform cut = posed({0.12, 0, 0.45}, 20, 0);
+        QVERIFY(collector.offer(rendered(frontal), "a.png").kept);
+        for (int i = 0; i < 6; ++i) { // the same part of it for three seconds
+            const ImageVerdict answer = collector.watch(rendered(cut, 500 * i), std::to_string(i));
+            QCOMPARE(answer.kept, i == 1); // searched again for the board of most
+        }
+        QCOMPARE(collector.spec().columns, 9);
+        QCOMPARE(collector.images().size(), std::size_t(2));
+    }
+
     void takesAPictureByItselfWhenTheBoardIsStill()
     {
         BoardCollector collector({});

@@ -3,6 +3,7 @@
 
 #include "core/base/error.h"
 #include "core/calibration/board_placement.h"
+#include "core/calibration/board_vote.h"
 #include "core/calibration/intrinsic_calibration.h"
 #include "core/calibration/repeated_views.h"
 #include "core/files/protected_files.h"
@@ -14,7 +15,6 @@
 #include "core/video/image_reader.h"
 #include "core/workflow/calibrate/calibration_images.h"
 #include "core/workflow/calibrate/cameras.h"
-#include "core/workflow/calibrate/internal/board_vote.h"
 #include "core/workflow/calibrate/internal/clip_frames.h"
 
 #include <algorithm>
@@ -78,9 +78,6 @@ Result<IntrinsicsRecord> CalibrationStorage::commit(Project &project)
 namespace {
 
 constexpr std::size_t mostFramesOfClip = 60;
-/// So many images of one board, and the next is searched for it first: that is quicker, and finds parts of
-/// it.
-constexpr int enoughOfOneBoard = 3;
 constexpr double blurredBy = 1.5; // times the edges of the sharper frames of a clip
 
 /// The value that most have; among equals the first.
@@ -235,45 +232,21 @@ void CalibrateJob::searchImage(const Frame &frame, const std::string &name,
                                const std::filesystem::path &still)
 {
     Searched image{name, still, 0, 0, 1, std::nullopt, {}};
-    if (m_settings.board.columns != 0)
-        search(image, frame, m_settings.board);
-    else
-        searchUnknownBoard(image, frame);
-    m_searched.push_back(std::move(image));
-}
-
-void CalibrateJob::searchUnknownBoard(Searched &image, const Frame &frame)
-{
     std::vector<BoardView> before;
     for (const Searched &other : m_searched) {
         if (other.view)
             before.push_back(*other.view);
     }
-    const BoardKind likely = votedBoard(before, frame.format.width, frame.format.height);
-    const bool isLikely = std::ranges::count_if(before, [&](const BoardView &view) {
-                              return kindOf(view) == likely;
-                          }) >= enoughOfOneBoard;
-    BoardSpec spec = m_settings.board;
-    if (isLikely) {
-        spec.pattern = likely.pattern;
-        spec.columns = likely.columns;
-        spec.rows = likely.rows;
-    }
-    search(image, frame, spec);
-    if (image.view || !isLikely)
-        return;
-    Searched other = image; // it may be another one
-    search(other, frame, m_settings.board);
-    if (other.view)
-        image = std::move(other);
+    const auto likely = likelyBoard(before, frame.format.width, frame.format.height);
+    take(image, frame, findBoardForVote(frame, m_settings.board, likely, name));
+    m_searched.push_back(std::move(image));
 }
 
-void CalibrateJob::search(Searched &image, const Frame &frame, const BoardSpec &spec)
+void CalibrateJob::take(Searched &image, const Frame &frame, Result<BoardView> view)
 {
     image.widthPx = frame.format.width;
     image.heightPx = frame.format.height;
     image.orientation = frame.orientation;
-    auto view = findBoard(frame, spec, image.name);
     if (!view) {
         image.view.reset();
         image.reason = view.error().why;
@@ -292,8 +265,11 @@ void CalibrateJob::search(Searched &image, const Frame &frame, const BoardSpec &
 
 void CalibrateJob::searchAgain(Searched &image, const BoardSpec &spec, int orientation)
 {
-    if (const auto frame = readImage(image.still))
-        search(image, inOrientation(*frame, orientation), spec);
+    const auto read = readImage(image.still);
+    if (!read)
+        return;
+    const Frame frame = inOrientation(*read, orientation);
+    take(image, frame, findBoard(frame, spec, image.name));
 }
 
 void CalibrateJob::settle(const JobControl &control)

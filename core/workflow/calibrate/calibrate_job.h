@@ -80,8 +80,7 @@ private:
     Result<void> searchFile(const std::filesystem::path &file, const JobControl &control);
     void searchClip(const std::filesystem::path &file, std::size_t first);
     void searchImage(const Frame &frame, const std::string &name, const std::filesystem::path &still);
-    void searchUnknownBoard(Searched &image, const Frame &frame);
-    void search(Searched &image, const Frame &frame, const BoardSpec &spec);
+    void take(Searched &image, const Frame &frame, Result<BoardView> view);
     void searchAgain(Searched &image, const BoardSpec &spec, int orientation);
     void settle(const JobControl &control);
     void settleOrientation(const JobControl &control);

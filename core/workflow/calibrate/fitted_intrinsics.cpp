@@ -98,6 +98,11 @@ double varianceOf(const Scan &scan, std::size_t markers)
     return markers < enoughMarkers ? std::max(variance, fewMarkersSigmaPx * fewMarkersSigmaPx) : variance;
 }
 
+Message converted(const std::string &before, const std::string &now)
+{
+    return ODO_TEXT("workflow.lens_scaled", "The lens calibration at %1 was converted to %2.")(before, now);
+}
+
 class Judgement
 {
 public:
@@ -160,14 +165,18 @@ private:
         case SensorFormat::Kind::Whole:
             break;
         }
-        return ODO_TEXT("workflow.lens_scaled", "The lens calibration at %1 was converted to %2.")(m_before,
-                                                                                                   m_now);
+        return converted(m_before, m_now);
     }
 
     std::string m_before, m_now;
 };
 
 } // namespace
+
+Message intrinsicsConverted(const Intrinsics &calibrated, int widthPx, int heightPx)
+{
+    return converted(sizeText(calibrated.widthPx, calibrated.heightPx), sizeText(widthPx, heightPx));
+}
 
 FittedIntrinsics fittedIntrinsics(const Intrinsics &calibrated, int widthPx, int heightPx,
                                   std::size_t markers, const MarkerMisfit &misfit)

@@ -16,6 +16,9 @@ struct FittedIntrinsics
     Message how; ///< a whole sentence: what was done, and how sure it is
 };
 
+/// The sentence on a lens that is converted to a size without a choice (determinedFormat).
+Message intrinsicsConverted(const Intrinsics &calibrated, int widthPx, int heightPx);
+
 /// The sum of the squares of the floor markers' residuals in pixels, with the camera where it fits them best
 /// under a lens; nullopt where no position does.
 using MarkerMisfit = std::function<std::optional<double>(const Intrinsics &intrinsics)>;

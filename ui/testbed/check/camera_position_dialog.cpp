@@ -7,6 +7,7 @@
 #include "ui/models/shown_message.h"
 #include "ui/views/widgets/command_keys.h"
 #include "ui/views/widgets/form_fields.h"
+#include "ui/views/widgets/image_file_filter.h"
 #include "ui/views/widgets/labels.h"
 #include "ui/views/widgets/table_list.h"
 
@@ -174,10 +175,7 @@ void CameraPositionDialog::chooseImage(int row, int index)
         return;
     }
     const QString file = QFileDialog::getOpenFileName(
-        this, tr("New image of camera %1").arg(m_rows[std::size_t(row)].camera.name), {},
-        tr("Images and videos (*.png *.jpg *.jpeg *.heic *.heif *.hif *.webp *.tif *.tiff *.bmp *.mp4 *.mkv "
-           "*.avi *.mov *.webm);;All "
-           "files (*)"));
+        this, tr("New image of camera %1").arg(m_rows[std::size_t(row)].camera.name), {}, imageFileFilter());
     setImage(row, file.isEmpty() ? ImageOrigin() : ImageOrigin{file, {}});
 }
 

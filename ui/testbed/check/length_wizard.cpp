@@ -3,6 +3,8 @@
 
 #include "core/base/units.h"
 #include "core/calibration/world_axes.h"
+#include "core/workflow/calibrate/fitted_intrinsics.h"
+#include "core/workflow/trial_sources.h"
 #include "ui/models/number_text.h"
 #include "ui/models/shown_message.h"
 #include "ui/testbed/floor/marker_canvas.h"
@@ -30,6 +32,29 @@ namespace {
 
 enum Page { SourcePage, EndsPage };
 
+/// The camera for images of this size.
+Result<CheckCamera> cameraForImage(CheckCamera camera, const Frame &image)
+{
+    const Intrinsics lens = camera.view.camera().intrinsics();
+    const int widthPx = image.format.width, heightPx = image.format.height;
+    if (lens.widthPx == widthPx && lens.heightPx == heightPx)
+        return camera;
+    auto view = ODO_TRY(floorViewAt(camera.registration, lens, widthPx, heightPx));
+    if (!view)
+        return tl::unexpected(imageOfOtherSize(image, lens));
+    camera.view = std::move(*view);
+    return camera;
+}
+
+/// Empty where the lens serves as it is.
+QString convertedWords(const CheckCamera &registered, const CheckCamera &asSeen)
+{
+    const Intrinsics &lens = registered.view.camera().intrinsics(), &now = asSeen.view.camera().intrinsics();
+    if (lens.widthPx == now.widthPx && lens.heightPx == now.heightPx)
+        return {};
+    return shownWords(intrinsicsConverted(lens, now.widthPx, now.heightPx));
+}
+
 } // namespace
 
 LengthWizard::LengthWizard(std::vector<CheckCamera> cameras, const QString &current, const LiveCameras &live,
@@ -47,7 +72,7 @@ LengthWizard::LengthWizard(std::vector<CheckCamera> cameras, const QString &curr
         if (step() == EndsPage && error)
             m_page->showFailure(*error);
         else if (step() == EndsPage)
-            m_page->begin(m_image, camera());
+            m_page->begin(m_image, *m_asSeen, convertedWords(camera(), *m_asSeen));
         updateButtons();
     });
     turnTo(SourcePage);
@@ -116,12 +141,13 @@ void LengthWizard::takeFrame()
 {
     m_page->wait(tr("Loading the image…"));
     m_image = std::make_shared<StillImage>();
-    m_task.start(
-        [image = m_image, origin = m_choice->origin(),
-         intrinsics = camera().view.camera().intrinsics()](const JobControl &control) -> Result<void> {
-            *image = ODO_TRY(takeStillImage(origin, {}, intrinsics, control));
-            return {};
-        });
+    m_asSeen = std::make_shared<CheckCamera>(camera());
+    m_task.start([image = m_image, origin = m_choice->origin(),
+                  asSeen = m_asSeen](const JobControl &control) -> Result<void> {
+        *image = ODO_TRY(takeStillImage(origin, {}, std::nullopt, control));
+        *asSeen = ODO_TRY(cameraForImage(*asSeen, image->frame));
+        return {};
+    });
 }
 
 void LengthWizard::done(int result)
@@ -138,6 +164,11 @@ struct LengthColumn
 {
     enum { End, Seen, Place, Count };
 };
+
+QString afterSpace(const QString &sentence)
+{
+    return sentence.isEmpty() ? sentence : QLatin1Char(' ') + sentence;
+}
 
 QString labelOf(int end)
 {
@@ -257,8 +288,10 @@ void LengthPage::showFailure(const Error &error)
     m_words->setText(errorLine(error));
 }
 
-void LengthPage::begin(std::shared_ptr<const StillImage> image, const CheckCamera &camera)
+void LengthPage::begin(std::shared_ptr<const StillImage> image, const CheckCamera &camera,
+                       const QString &converted)
 {
+    m_converted = converted;
     m_image = std::move(image);
     m_camera = camera;
     m_canvas->setImage(m_image->image, {m_image->frame.format.width, m_image->frame.format.height});
@@ -305,7 +338,8 @@ void LengthPage::evaluate()
     if (!m_ends[0] || !m_ends[1])
         return m_words->setText(tr("Put an object of known length anywhere on the floor, such as a metre "
                                    "stick or two markers at a known distance, and click both ends. Keys: "
-                                   "arrows move an end (Ctrl: fast, Shift: one pixel), Space snaps it."));
+                                   "arrows move an end (Ctrl: fast, Shift: one pixel), Space snaps it.") +
+                                afterSpace(m_converted));
     const std::string name = m_camera->name.toStdString();
     const SeenLength seen{&m_camera->view,   name, m_ends[0]->pixel, m_ends[1]->pixel, m_ends[0]->sigmaPx,
                           m_ends[1]->sigmaPx};
@@ -323,7 +357,8 @@ void LengthPage::evaluate()
         m_badge->setBadge(check->agrees ? Badge{tr("within uncertainty"), BadgeState::Good}
                                         : Badge{tr("outside uncertainty"), BadgeState::Bad});
     m_words->setText(shownWords(check->words) +
-                     (check->differenceM ? QString() : tr(" Enter its true length to check the result.")));
+                     (check->differenceM ? QString() : tr(" Enter its true length to check the result.")) +
+                     afterSpace(m_converted));
 }
 
 void LengthPage::showEnds()

@@ -26,7 +26,8 @@ class LengthPage;
 class LiveCameras;
 class ImageChoice;
 
-/// Checks a registered camera by a known length: camera and image first, then both ends in the image. Stores
+/// Checks a registered camera by a known length: camera and image first, then both ends in the image. An
+/// image of another size is taken where the lens is converted to it without a choice (floorViewAt). Stores
 /// nothing.
 class LengthWizard : public StepDialog
 {
@@ -58,7 +59,8 @@ private:
     BadgeLabel *m_badge;
     ImageChoice *m_choice;
     LengthPage *m_page;
-    std::shared_ptr<StillImage> m_image; ///< that is being got
+    std::shared_ptr<StillImage> m_image;   ///< that is being got
+    std::shared_ptr<CheckCamera> m_asSeen; ///< the camera for images of that size
     BackgroundTask m_task;
 };
 
@@ -75,7 +77,8 @@ public:
     /// While the image is loading.
     void wait(const QString &words);
     void showFailure(const Error &error);
-    void begin(std::shared_ptr<const StillImage> image, const CheckCamera &camera);
+    /// camera: for images of this size. converted: a sentence where its lens was calibrated at another one.
+    void begin(std::shared_ptr<const StillImage> image, const CheckCamera &camera, const QString &converted);
 
     MarkerCanvas &canvas() { return *m_canvas; }
     /// What was measured; nullopt until both ends are put.
@@ -99,6 +102,7 @@ private:
 
     std::shared_ptr<const StillImage> m_image;
     std::optional<CheckCamera> m_camera;
+    QString m_converted;
     std::array<std::optional<End>, 2> m_ends;
     std::optional<LengthCheck> m_check;
     MarkerCanvas *m_canvas;

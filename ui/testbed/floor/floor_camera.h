@@ -32,8 +32,9 @@ struct CheckCamera
     FloorView view;
     MarkerLayout layout; ///< it is registered by
     std::optional<std::filesystem::path> newestRecording;
-    std::string deviceUri = {}; ///< may be empty
-    Badge badge = {};           ///< how far it can be relied on
+    std::string deviceUri = {};           ///< may be empty
+    Badge badge = {};                     ///< how far it can be relied on
+    RegistrationRecord registration = {}; ///< of the view, to convert it to images of another size
 };
 
 // What all drawings of a testbed's floor have in common.

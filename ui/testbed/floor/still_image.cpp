@@ -7,6 +7,7 @@
 #include "ui/models/shown_message.h"
 #include "ui/views/image/image_overlay.h"
 #include "ui/views/widgets/form_fields.h"
+#include "ui/views/widgets/image_file_filter.h"
 
 #include <QHBoxLayout>
 #include <QRadioButton>
@@ -23,11 +24,7 @@ Result<void> searchIn(const Frame &frame, const MarkerLayout &layout,
 {
     if (intrinsics &&
         (intrinsics->widthPx != frame.format.width || intrinsics->heightPx != frame.format.height))
-        return fail(
-            ErrorCode::InvalidInput, imageSubject(),
-            ODO_TEXT("ui.lens_of_other_size", "its size is %1×%2, but the lens was calibrated at %3×%4")(
-                frame.format.width, frame.format.height, intrinsics->widthPx, intrinsics->heightPx),
-            ODO_TEXT("ui.take_at_that_resolution", "use that resolution, or calibrate the lens again"));
+        return tl::unexpected(imageOfOtherSize(frame, *intrinsics));
     if (layout.markers.empty()) {
         best.frame = frame;
         return {};
@@ -56,6 +53,14 @@ Result<StillImage> fromCamera(const std::string &uri, const MarkerLayout &layout
 }
 
 } // namespace
+
+Error imageOfOtherSize(const Frame &image, const Intrinsics &calibrated)
+{
+    return {ErrorCode::InvalidInput, imageSubject(),
+            ODO_TEXT("ui.lens_of_other_size", "its size is %1×%2, but the lens was calibrated at %3×%4")(
+                image.format.width, image.format.height, calibrated.widthPx, calibrated.heightPx),
+            ODO_TEXT("ui.take_at_that_resolution", "use that resolution, or calibrate the lens again")};
+}
 
 CameraModel cameraOf(const std::optional<Intrinsics> &intrinsics, int widthPx, int heightPx)
 {
@@ -115,10 +120,7 @@ ImageChoice::ImageChoice(const LiveCameras &live, const QString &fileName, QWidg
     : QWidget(parent), m_fromRecording(new QRadioButton(tr("The camera's &newest recording"))),
       m_fromLive(new QRadioButton(tr("The current image of a &connected camera"))),
       m_fromFile(new QRadioButton(tr("An image or a &video"))), m_live(new LiveCameraBox(live)),
-      m_file(new PathField(
-          fileName,
-          tr("Images and videos (*.png *.jpg *.jpeg *.heic *.heif *.hif *.webp *.tif *.tiff *.bmp *.mp4 "
-             "*.mkv *.avi *.mov *.webm);;All files (*)")))
+      m_file(new PathField(fileName, imageFileFilter()))
 {
     auto *layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);

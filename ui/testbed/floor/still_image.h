@@ -40,6 +40,9 @@ struct ImageOrigin
 Result<StillImage> takeStillImage(const ImageOrigin &origin, const MarkerLayout &layout,
                                   const std::optional<Intrinsics> &intrinsics, const JobControl &control);
 
+/// Why an image of another size than the lens was calibrated at cannot be taken.
+Error imageOfOtherSize(const Frame &image, const Intrinsics &calibrated);
+
 /// The camera model for an image of this size.
 CameraModel cameraOf(const std::optional<Intrinsics> &intrinsics, int widthPx, int heightPx);
 

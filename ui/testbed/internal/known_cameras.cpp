@@ -47,7 +47,7 @@ Result<std::vector<CheckCamera>> checkCameras(Project &project)
         const auto layout = ODO_TRY(project.layouts().get(row.registration->layout));
         const auto recording = ODO_TRY(newestFile(project, row.camera.id));
         cameras.push_back({QString::fromStdString(row.camera.name), view, layout.layout, recording,
-                           row.camera.deviceUri, cameraBadge(row.registration)});
+                           row.camera.deviceUri, cameraBadge(row.registration), *row.registration});
     }
     return cameras;
 }

@@ -7,6 +7,7 @@
 #include "ui/testbed/targets/target_dialog.h"
 #include "ui/views/widgets/command_keys.h"
 #include "ui/views/widgets/form_fields.h"
+#include "ui/views/widgets/image_file_filter.h"
 
 #include <QComboBox>
 #include <QDragEnterEvent>
@@ -205,10 +206,8 @@ QWidget *CalibrationSourcePage::makeFiles()
     m_files->setTextElideMode(Qt::ElideMiddle);
     auto *add = plainButton(tr("&Add…")), *remove = plainButton(tr("&Remove"));
     connect(add, &QPushButton::clicked, this, [this] {
-        addFiles(QFileDialog::getOpenFileNames(
-            this, tr("Images and videos of the board"), {},
-            tr("Images and videos (*.png *.jpg *.jpeg *.heic *.heif *.hif *.webp *.tif *.tiff *.bmp "
-               "*.mp4 *.mkv *.avi *.mov *.webm);;All files (*)")));
+        addFiles(
+            QFileDialog::getOpenFileNames(this, tr("Images and videos of the board"), {}, imageFileFilter()));
     });
     connect(remove, &QPushButton::clicked, this, [this] {
         qDeleteAll(m_files->selectedItems());

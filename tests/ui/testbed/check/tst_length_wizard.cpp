@@ -37,6 +37,7 @@ private Q_SLOTS:
     void tellsALengthThatIsOff();
     void measuresWithoutATruth();
     void tellsWhatIsWrong();
+    void takesAnImageOfAnotherSize();
     void takesTheNewestRecordingAndALiveCamera();
     void cancelsAtEveryPage();
 
@@ -88,9 +89,11 @@ std::unique_ptr<LengthWizard> TestLengthWizard::makeWizard(const QString &image)
     const FloorView &truth = m_scene.cameras[0].view;
     const FloorView view(truth.camera(), truth.worldFromCamera(),
                          Eigen::Matrix<double, 6, 6>::Identity() * 1e-7);
-    auto wizard = std::make_unique<LengthWizard>(
-        std::vector<CheckCamera>{{QStringLiteral("A"), view, m_scene.floor.markers, std::nullopt}},
-        QStringLiteral("A"), m_live);
+    CheckCamera camera{QStringLiteral("A"), view, m_scene.floor.markers, std::nullopt};
+    camera.registration.registration.worldFromCamera = view.worldFromCamera();
+    camera.registration.registration.poseCovariance = view.poseCovariance();
+    auto wizard =
+        std::make_unique<LengthWizard>(std::vector<CheckCamera>{camera}, QStringLiteral("A"), m_live);
     if (!image.isEmpty())
         wizard->image().setFile(image);
     wizard->open();
@@ -211,6 +214,30 @@ void TestLengthWizard::tellsWhatIsWrong()
     }
     QVERIFY(says(*same, "both ends are on the same pixel"));
     QVERIFY(!same->page().check());
+}
+
+/// The lens is converted to an image of half the size, and the wizard says so.
+void TestLengthWizard::takesAnImageOfAnotherSize()
+{
+    const QString half = m_folder.filePath(QStringLiteral("half.png"));
+    const QImage image(m_image);
+    QVERIFY(image.scaled(image.size() / 2, Qt::IgnoreAspectRatio, Qt::SmoothTransformation).save(half));
+    const auto wizard = makeWizard(half);
+    walkToEnds(*wizard);
+    const char *converted = "The lens calibration at 1280×720 was converted to 640×360.";
+    QVERIFY(says(*wizard, converted));
+    MarkerCanvas &canvas = wizard->page().canvas();
+    for (const char *label : {"O", "U"}) {
+        const Eigen::Vector2d pixel = 0.5 * (seen(label).array() + 0.5) - 0.5;
+        QTest::mouseClick(&canvas, Qt::LeftButton, {}, canvas.fromPixel(pixel).toPoint());
+    }
+    QVERIFY(wizard->page().check());
+    named<QDoubleSpinBox>(*wizard, "True length")->setValue(trueLengthMm());
+    const LengthCheck &check = *wizard->page().check();
+    QVERIFY2(check.agrees, check.words.english().c_str());
+    // Both tags are found to a few tenths of a pixel of twice the size on the floor.
+    QVERIFY2(std::abs(*check.differenceM) < 0.006, check.words.english().c_str());
+    QVERIFY(says(*wizard, converted));
 }
 
 void TestLengthWizard::takesTheNewestRecordingAndALiveCamera()

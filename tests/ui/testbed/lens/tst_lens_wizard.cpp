@@ -5,6 +5,7 @@
 #include "core/capture/internal/stand_in_source.h"
 #include "core/simulation/renderer.h"
 #include "core/video/image.h"
+#include "core/video/video_writer.h"
 #include "tests/support/registered_test.h"
 #include "tests/support/said_error.h"
 #include "tests/ui/support/busy_watch.h"
@@ -17,6 +18,7 @@
 #include "ui/testbed/lens/lens_wizard.h"
 #include "ui/views/widgets/theme.h"
 
+#include <Eigen/Geometry>
 #include <QAction>
 #include <QApplication>
 #include <QComboBox>
@@ -28,6 +30,7 @@
 #include <QListWidget>
 #include <QPushButton>
 #include <QRadioButton>
+#include <QScopeGuard>
 #include <QSignalSpy>
 #include <QStackedWidget>
 #include <QTemporaryDir>
@@ -52,10 +55,20 @@ CameraDescription simulatedCamera()
     return {"sim:T", "simulated", foreignWords("Test camera"), widthPx, heightPx, 30};
 }
 
-std::shared_ptr<CameraSource> fastCamera()
+std::shared_ptr<CameraSource> fastCamera(const std::vector<RigidTransform> &held)
 {
-    return simulatedBoardSource(simulatedCamera(), lens(), {}, heldBoardPoses(lens(), {}, poses, 3),
-                                Pace::Kind::None);
+    return simulatedBoardSource(simulatedCamera(), lens(), {}, held, Pace::Kind::None);
+}
+
+/// Poses of which the first shows a part of the board alone, three quarters of it.
+std::vector<RigidTransform> cutFirst(int count)
+{
+    std::vector<RigidTransform> held = heldBoardPoses(lens(), {}, count - 1, 3);
+    RigidTransform cut;
+    cut.rotation = Eigen::AngleAxisd(20 * EIGEN_PI / 180, Eigen::Vector3d::UnitX());
+    cut.translation = Eigen::Vector3d(0.2, 0, 0.45) - cut.rotation * (0.025 * Eigen::Vector3d(4, 2.5, 0));
+    held.insert(held.begin(), cut);
+    return held;
 }
 
 } // namespace
@@ -71,6 +84,8 @@ private Q_SLOTS:
     void cancelsAtEveryPage_data();
     void cancelsAtEveryPage();
     void saysWhyPicturesDoNotCount();
+    void aCutBoardFirstCostsNoPicture_data();
+    void aCutBoardFirstCostsNoPicture();
     void takesOutAndUndoes();
     void leavesOutWhatIsAboveTheThreshold();
     void aBarIsChosenAndTheThresholdDragged();
@@ -82,7 +97,8 @@ private:
     std::unique_ptr<LensWizard> makeWizard(bool cameraThere = true);
     static int page(LensWizard &wizard) { return wizard.findChild<QStackedWidget *>()->currentIndex(); }
     static QWidget *focused() { return QApplication::focusWidget(); }
-    QStringList draw(int count, const QString &name) const;
+    QStringList draw(const std::vector<RigidTransform> &held, const QString &name) const;
+    QString film(const std::vector<RigidTransform> &held) const;
     void walkToImages(LensWizard &wizard);
     void typeFiles(QDialog &dialog);
 
@@ -96,6 +112,7 @@ private:
     QTemporaryDir m_folder;
     QStringList m_files;
     LiveCameras m_live{[] { return std::vector<CameraDescription>{simulatedCamera()}; }};
+    std::vector<RigidTransform> m_held = heldBoardPoses(lens(), {}, poses, 3); ///< before the camera
     std::size_t m_kept = 0;
     std::optional<Error> m_problem; ///< of keeping
 };
@@ -104,14 +121,14 @@ void TestLensWizard::initTestCase()
 {
     m_live.poll();
     QTRY_VERIFY(!m_live.isSearching());
-    m_files = draw(poses, QStringLiteral("board"));
+    m_files = draw(heldBoardPoses(lens(), {}, poses, 3), QStringLiteral("board"));
 }
 
-QStringList TestLensWizard::draw(int count, const QString &name) const
+QStringList TestLensWizard::draw(const std::vector<RigidTransform> &held, const QString &name) const
 {
     QStringList files;
     SimulatedBoard board;
-    for (const RigidTransform &pose : heldBoardPoses(lens(), board, count, 3)) {
+    for (const RigidTransform &pose : held) {
         board.cameraFromBoard = pose;
         files << m_folder.filePath(
             QStringLiteral("%1%2.png").arg(name).arg(files.size() + 1, 2, 10, QLatin1Char('0')));
@@ -121,16 +138,41 @@ QStringList TestLensWizard::draw(int count, const QString &name) const
     return files;
 }
 
+/// A clip in which the board is held still in each pose for a second.
+QString TestLensWizard::film(const std::vector<RigidTransform> &held) const
+{
+    const QString file = m_folder.filePath(QStringLiteral("clip.mkv"));
+    SimulatedBoard board;
+    VideoWriterOptions options;
+    options.codec = VideoCodec::Mjpeg;
+    std::unique_ptr<VideoWriter> writer;
+    std::int64_t index = 0;
+    for (const RigidTransform &pose : held) {
+        board.cameraFromBoard = pose;
+        Frame frame = renderBoard(lens(), board, 2, 7);
+        if (!writer)
+            writer = std::move(*VideoWriter::create(file.toStdString(), frame.format, options));
+        for (int i = 0; i < 20; ++i, ++index) {
+            frame.time = std::chrono::milliseconds(50 * index);
+            if (!writer->write(frame))
+                qFatal("cannot write a frame");
+        }
+    }
+    if (!writer->finish())
+        qFatal("cannot write a clip");
+    return file;
+}
+
 std::unique_ptr<LensWizard> TestLensWizard::makeWizard(bool cameraThere)
 {
     auto wizard = std::make_unique<LensWizard>(
         QStringList{QStringLiteral("A"), QStringLiteral("B")}, QStringLiteral("B"), m_live,
         LensWizard::Callbacks{
-            [cameraThere](const QString &) -> Result<std::shared_ptr<CameraSource>> {
+            [this, cameraThere](const QString &) -> Result<std::shared_ptr<CameraSource>> {
                 if (!cameraThere)
                     return test::saidFailure(ErrorCode::Io, "'sim:T'", "the camera does not answer",
                                              "plug it in again");
-                return fastCamera();
+                return fastCamera(m_held);
             },
             [this](const StoredIntrinsics &lens, const JobControl &) { return keep(lens); }});
     wizard->show(); // not modal: who answers dialogs must not take it for one
@@ -197,7 +239,7 @@ void TestLensWizard::byKeyboardFromFiles()
 void TestLensWizard::fortyPicturesNeverStallTheWindow()
 {
     const auto wizard = makeWizard();
-    wizard->source().addFiles(draw(40, QStringLiteral("forty")));
+    wizard->source().addFiles(draw(heldBoardPoses(lens(), {}, 40, 3), QStringLiteral("forty")));
     BusyWatch busy;
     QTest::mouseClick(button(*wizard, "Next >"), Qt::LeftButton);
     QTRY_VERIFY_WITH_TIMEOUT(button(*wizard, "Next >")->isEnabled(), patienceMs);
@@ -270,6 +312,45 @@ void TestLensWizard::saysWhyPicturesDoNotCount()
     QTRY_COMPARE_WITH_TIMEOUT(refused->count(), 2, patienceMs);
     QVERIFY(refused->item(1)->text().startsWith(QStringLiteral("text.png: ")));
     QVERIFY2(!button(*wizard, "Next >")->isEnabled(), "one picture is too few");
+}
+
+void TestLensWizard::aCutBoardFirstCostsNoPicture_data()
+{
+    QTest::addColumn<QString>("source");
+    for (const char *source : {"images", "clip", "camera"})
+        QTest::newRow(source) << QString::fromLatin1(source);
+}
+
+/// What the board is, most images decide; the first, which shows a part of it, is searched again.
+void TestLensWizard::aCutBoardFirstCostsNoPicture()
+{
+    QFETCH(QString, source);
+    const auto held = cutFirst(20);
+    const auto restore = qScopeGuard([this, before = m_held] { m_held = before; });
+    m_held = held;
+    const auto wizard = makeWizard();
+    QString first = QStringLiteral("cut01.png");
+    if (source == QStringLiteral("camera")) {
+        wizard->findChildren<QRadioButton *>().at(0)->setChecked(true);
+        first = QStringLiteral("image 1");
+    } else if (source == QStringLiteral("clip")) {
+        wizard->source().addFiles({film(held)});
+        first = QStringLiteral("clip.mkv@10");
+    } else {
+        wizard->source().addFiles(draw(held, QStringLiteral("cut")));
+    }
+    QTest::mouseClick(button(*wizard, "Next >"), Qt::LeftButton);
+    auto *strip = wizard->findChild<FilmStrip *>();
+    // The poses of heldBoardPoses differ enough, but for two of them.
+    const int all = source == QStringLiteral("camera") ? 10 : 18;
+    QTRY_VERIFY_WITH_TIMEOUT(button(*wizard, "Next >")->isEnabled() && strip->count() >= all, patienceMs);
+    QVERIFY(!strip->findItems(first, Qt::MatchExactly).isEmpty());
+    QTest::mouseClick(button(*wizard, "Next >"), Qt::LeftButton);
+    QTRY_VERIFY_WITH_TIMEOUT(button(*wizard, "Save")->isEnabled(), patienceMs);
+    const StoredIntrinsics lens = wizard->result();
+    QCOMPARE(lens.board.columns, 9);
+    QCOMPARE(lens.board.rows, 6);
+    QVERIFY(lens.calibration.imagesUsed() >= std::size_t(all));
 }
 
 void TestLensWizard::takesOutAndUndoes()

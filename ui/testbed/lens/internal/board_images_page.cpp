@@ -167,6 +167,9 @@ QWidget *BoardImagesPage::makeSide()
 {
     m_refused->setAccessibleName(tr("Rejected images"));
     m_refused->setWordWrap(true);
+    m_refused->setTextElideMode(Qt::ElideNone);
+    m_refused->setResizeMode(QListView::Adjust);
+    m_refused->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     m_refused->setSelectionMode(QAbstractItemView::NoSelection);
     auto *needed = new Card(tr("Coverage of the images"));
     needed->setContent(m_coverage);
@@ -247,10 +250,14 @@ void BoardImagesPage::showState()
     const SearchState &state = m_search.state();
     m_coverage->setCoverage(state.coverage);
     m_strip->setState(state);
-    if (m_refused->count() != int(state.refused.size())) {
+    QStringList shown, refused;
+    for (int row = 0; row < m_refused->count(); ++row)
+        shown << m_refused->item(row)->text();
+    for (const auto &[name, reason] : state.refused)
+        refused << breakable(QStringLiteral("%1: %2").arg(name, reason));
+    if (refused != shown) {
         m_refused->clear();
-        for (const auto &[name, reason] : state.refused)
-            m_refused->addItem(QStringLiteral("%1: %2").arg(name, reason));
+        m_refused->addItems(refused);
         m_refused->scrollToBottom();
     }
     if (m_live)

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/calibration/board_collector.h"
+#include "ui/testbed/lens/internal/watched_camera.h"
 
 #include <QImage>
 #include <QObject>
@@ -13,12 +14,7 @@
 
 namespace odo {
 
-class CameraSource;
 class BoardSearchWorker;
-class WatchedCamera;
-
-/// Opens the camera whose board is to be seen.
-using OpenCamera = std::function<Result<std::shared_ptr<CameraSource>>()>;
 
 /// A searched image, small enough for the screen.
 struct SearchedImage
@@ -37,6 +33,7 @@ struct KeptImage
     QImage image;
     CollectedImage board;
     std::vector<unsigned char> png; ///< as taken, grey: to be kept with the calibration
+    QString file;                   ///< a still; empty: a frame of a video or of a camera
 };
 
 /// What has been gathered.
@@ -53,7 +50,8 @@ struct SearchState
 };
 
 /// Searches for a board in images, videos or a live camera, on a thread of its own; collects the accepted
-/// images. Signals come on the object's thread. The destructor stops and waits.
+/// images. Once another board than before is the one that most images show, it searches the images that do
+/// not count again, for that board. Signals come on the object's thread. The destructor stops and waits.
 class BoardSearch : public QObject
 {
     Q_OBJECT

@@ -274,7 +274,7 @@ void CalibrationResultPage::showAnswer(const LensAnswer &answer)
     if (!m_all)
         m_all = m_calibration;
     m_progress->setVisible(false);
-    m_verdict->setText(shownWords(m_calibration->verdict));
+    m_verdict->setText(breakable(shownWords(m_calibration->verdict)));
     QStringList names;
     std::vector<double> errors;
     for (int i = 0; i < int(m_images.kept.size()); ++i) {
@@ -305,27 +305,61 @@ void CalibrationResultPage::showNotSaved(const Error &error)
     m_verdict->setText(tr("The lens calibration was not stored. %1").arg(errorLine(error)));
 }
 
+/// One a line: the images that do not count, with the reason.
+QString CalibrationResultPage::imagesLeftOut() const
+{
+    QStringList lines;
+    for (int i = 0; i < int(m_images.kept.size()); ++i) {
+        const CalibrationImage *outcome = outcomeOf(i);
+        if (outcome == nullptr || outcome->used)
+            continue;
+        const Message &reason = outcome->contradicts.isEmpty() ? outcome->repeats : outcome->contradicts;
+        lines << tr("%1: %2").arg(m_images.kept[std::size_t(i)].name,
+                                  reason.isEmpty() ? tr("above the threshold") : shownWords(reason));
+    }
+    for (const RejectedImage &image : m_calibration->rejected)
+        lines << tr("%1: %2").arg(QString::fromStdString(image.file), shownWords(image.reason));
+    return lines.join(QLatin1Char('\n'));
+}
+
+/// How many, and in which images.
+QString CalibrationResultPage::cornersLeftOut() const
+{
+    QStringList lines{QLocale().toString(qulonglong(m_calibration->cornersLeftOut()))};
+    for (int i = 0; i < int(m_images.kept.size()); ++i) {
+        const CalibrationImage *outcome = outcomeOf(i);
+        if (outcome != nullptr && outcome->used && !outcome->leftOut.empty())
+            lines << tr("%1: %2").arg(m_images.kept[std::size_t(i)].name,
+                                      QLocale().toString(qulonglong(outcome->leftOut.size())));
+    }
+    return lines.join(QLatin1Char('\n'));
+}
+
 void CalibrationResultPage::showMetrics()
 {
     const IntrinsicCalibration &calibration = *m_calibration;
     const Intrinsics &lens = calibration.intrinsics;
-    m_facts->setFacts(
+    QList<Fact> facts(
         {{tr("Model"), tr("%1: %2").arg(modelName(lens.model), shownWords(calibration.modelReason)), {}},
          {tr("Images"), tr("%1 of %2").arg(calibration.imagesUsed()).arg(m_images.kept.size()), {}},
          {tr("Board error"), px(calibration.rmsPx, 3), {}},
          {tr("Held-out error"),
           calibration.crossValidationPx > 0 ? px(calibration.crossValidationPx, 3) : tr("needs six images"),
           {}},
-         {tr("Corners left out"), QLocale().toString(qulonglong(calibration.cornersLeftOut())), {}},
+         {tr("Corners left out"), cornersLeftOut(), {}},
          {tr("Focal length"), withSigma(lens, lens.fxPx, 0), {}},
          {tr("Centre x"), withSigma(lens, lens.cxPx, 2), {}},
          {tr("Centre y"), withSigma(lens, lens.cyPx, 3), {}}});
+    if (const QString leftOut = imagesLeftOut(); !leftOut.isEmpty())
+        facts.insert(2, {tr("Images left out"), leftOut, {}});
+    m_facts->setFacts(facts);
 }
 
 void CalibrationResultPage::showFailure(const Error &error)
 {
     m_progress->setVisible(false);
-    m_verdict->setText(fullSentence(shownWords(joined({error.why, error.advice}, Join::Semicolon))));
+    m_verdict->setText(
+        breakable(fullSentence(shownWords(joined({error.why, error.advice}, Join::Semicolon)))));
     m_facts->setFacts({});
     Q_EMIT completeChanged();
 }
@@ -340,8 +374,10 @@ void CalibrationResultPage::showImage(int index)
     if (const CalibrationImage *outcome = outcomeOf(index)) {
         content.counts = outcome->used;
         content.residuals = outcome->residualsPx;
-        if (!outcome->repeats.isEmpty())
-            content.label = tr("%1: %2").arg(image.name, shownWords(outcome->repeats));
+        content.leftOut = outcome->leftOut;
+        const Message &reason = outcome->contradicts.isEmpty() ? outcome->repeats : outcome->contradicts;
+        if (!reason.isEmpty())
+            content.label = tr("%1: %2").arg(image.name, shownWords(reason));
     }
     m_canvas->setContent(std::move(content));
 }

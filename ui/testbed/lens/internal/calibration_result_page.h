@@ -100,6 +100,8 @@ private:
     void solveAgain(double mostRmsPx);
     void ask(LensQuestion question);
     void showMetrics();
+    QString imagesLeftOut() const;
+    QString cornersLeftOut() const;
     const CalibrationImage *outcomeOf(int index) const;
     void showAnswer(const LensAnswer &answer);
     void showFailure(const Error &error);

@@ -18,9 +18,9 @@ namespace odo {
 
 namespace {
 
-// Okabe and Ito's blue, orange and sky blue: everyone can distinguish them, and the shapes differ too.
+// Okabe and Ito's: everyone can distinguish them, and the shapes differ too.
 const QColor keptColour(0, 158, 115), seenColour(230, 159, 0), wantedColour(86, 180, 233),
-    coveredColour(0, 114, 178);
+    coveredColour(0, 114, 178), leftOutColour(255, 130, 70); // a light vermilion
 constexpr int mostShade = 90, fullAtCorners = 60;
 constexpr double longestArrow = 0.08; // of the image width
 
@@ -125,6 +125,16 @@ void BoardCanvas::paintCorners(QPainter &painter, const QRectF &position) const
         if (m_content.counts)
             painter.setBrush(keptColour);
         painter.drawEllipse(at, radius, radius);
+    }
+    const double arm = 9;
+    for (const std::size_t index : m_content.leftOut) {
+        const QPointF at = fromPixel(position, m_content.corners.at(index));
+        for (const auto &[colour, width] :
+             {std::pair(QColor(0, 0, 0, 170), 5.0), std::pair(leftOutColour, 2.5)}) {
+            painter.setPen(QPen(colour, width, Qt::SolidLine, Qt::RoundCap));
+            painter.drawLine(at - QPointF(arm, arm), at + QPointF(arm, arm));
+            painter.drawLine(at - QPointF(arm, -arm), at + QPointF(arm, -arm));
+        }
     }
 }
 
@@ -233,12 +243,19 @@ void ImageBars::paintOver(QPainter &painter)
     painter.setBrush(colours.text);
     painter.drawEllipse(shown.at(shown.high, m_threshold), 4, 4); // to be grabbed by
     painter.setPen(colours.text);
-    painter.drawText(
-        QRectF(shown.rect.left(), shown.rect.bottom(), shown.rect.width(), height() - shown.rect.bottom()),
-        Qt::AlignCenter,
-        m_current >= 0
-            ? tr("%1: %2 px").arg(m_names.value(m_current), pixels(m_errors[std::size_t(m_current)]))
-            : tr("images; rejected above %1 px").arg(pixels(m_threshold)));
+    const QRectF below(shown.rect.left(), shown.rect.bottom(), shown.rect.width(),
+                       height() - shown.rect.bottom());
+    if (m_current < 0) {
+        painter.drawText(below, Qt::AlignCenter, tr("images; rejected above %1 px").arg(pixels(m_threshold)));
+        return;
+    }
+    const auto labelled = [&](const QString &name) {
+        return tr("%1: %2 px").arg(name, pixels(m_errors[std::size_t(m_current)]));
+    };
+    const int spare = int(below.width()) - painter.fontMetrics().horizontalAdvance(labelled({}));
+    painter.drawText(below, Qt::AlignCenter,
+                     labelled(painter.fontMetrics().elidedText(m_names.value(m_current), Qt::ElideMiddle,
+                                                               std::max(0, spare))));
 }
 
 void ImageBars::setThreshold(double px)

@@ -28,6 +28,7 @@ public:
         std::optional<BoardPlacement> wanted;
         std::vector<Eigen::Vector2d> residuals; ///< px, one a corner: seen minus computed
         QString label;                          ///< in the image's upper left
+        std::vector<std::size_t> leftOut = {};  ///< indices of the corners that do not count: crossed out
     };
 
     explicit BoardCanvas(QWidget *parent = nullptr);

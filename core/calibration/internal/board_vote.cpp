@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/workflow/calibrate/internal/board_vote.h"
+#include "core/calibration/board_vote.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,6 +7,9 @@
 namespace odo {
 
 namespace {
+
+/// So many images of one board, and the next is searched for it first.
+constexpr int enoughOfOneBoard = 3;
 
 struct Votes
 {
@@ -62,6 +65,35 @@ BoardKind votedBoard(const std::vector<BoardView> &views, int widthPx, int heigh
             best = larger;
     }
     return best.kind;
+}
+
+std::optional<BoardKind> likelyBoard(const std::vector<BoardView> &views, int widthPx, int heightPx)
+{
+    const BoardKind voted = votedBoard(views, widthPx, heightPx);
+    const auto shown =
+        std::ranges::count_if(views, [&](const BoardView &view) { return kindOf(view) == voted; });
+    return shown >= enoughOfOneBoard ? std::optional(voted) : std::nullopt;
+}
+
+BoardSpec specOf(const BoardSpec &asked, const BoardKind &kind)
+{
+    BoardSpec spec = asked;
+    spec.pattern = kind.pattern;
+    spec.columns = kind.columns;
+    spec.rows = kind.rows;
+    return spec;
+}
+
+Result<BoardView> findBoardForVote(const Frame &frame, const BoardSpec &asked,
+                                   const std::optional<BoardKind> &likely, const std::string &source)
+{
+    if (asked.columns != 0 || !likely)
+        return findBoard(frame, asked, source);
+    auto view = findBoard(frame, specOf(asked, *likely), source);
+    if (view)
+        return view;
+    auto other = findBoard(frame, asked, source);
+    return other ? other : view;
 }
 
 } // namespace odo

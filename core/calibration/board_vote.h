@@ -3,6 +3,8 @@
 
 #include "core/calibration/board_detection.h"
 
+#include <optional>
+#include <string>
 #include <vector>
 
 namespace odo {
@@ -27,5 +29,17 @@ inline BoardKind kindOf(const BoardView &view)
 /// camera, of images of this size, none of which was searched for a given board. 0 columns without views.
 /// Pure; any thread.
 BoardKind votedBoard(const std::vector<BoardView> &views, int widthPx, int heightPx);
+
+/// The voted board once so many views show it that further images are searched for it first, which is quicker
+/// and finds parts of it. Pure; any thread.
+std::optional<BoardKind> likelyBoard(const std::vector<BoardView> &views, int widthPx, int heightPx);
+
+/// The board to find where it is of this kind.
+BoardSpec specOf(const BoardSpec &asked, const BoardKind &kind);
+
+/// findBoard for a vote: where `asked` leaves the board's size open, a likely board first, then any; why the
+/// likely one was not found where none was. Errors: those of findBoard.
+Result<BoardView> findBoardForVote(const Frame &frame, const BoardSpec &asked,
+                                   const std::optional<BoardKind> &likely, const std::string &source);
 
 } // namespace odo
