@@ -4040,6 +4040,13 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
 </context>
 <context>
+    <name>calibration.corner_of_many_tags</name>
+    <message>
+        <source>a corner is that of one tag</source>
+        <translation>eine Ecke gehört zu einem einzigen Tag</translation>
+    </message>
+</context>
+<context>
     <name>calibration.corner_unclear</name>
     <message>
         <source>one corner of the board is unclear</source>
@@ -4590,6 +4597,13 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>give each point a label of its own</source>
         <translation>geben Sie jedem Punkt eine eigene Bezeichnung</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.label_of_layout</name>
+    <message>
+        <source>label &apos;%1&apos; of the layout</source>
+        <translation>Bezeichnung '%1' des Plans</translation>
     </message>
 </context>
 <context>
@@ -5237,10 +5251,31 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
 </context>
 <context>
+    <name>calibration.no_such_corner</name>
+    <message>
+        <source>the corners of a tag are tl, tr, br and bl</source>
+        <translation>die Ecken eines Tags heißen tl, tr, br und bl</translation>
+    </message>
+</context>
+<context>
     <name>calibration.no_such_marker</name>
     <message>
         <source>it has no marker %1</source>
         <translation>er hat keinen Marker %1</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.no_such_tag</name>
+    <message>
+        <source>%1 has no tag %2</source>
+        <translation>%1 hat kein Tag %2</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.no_tag_number</name>
+    <message>
+        <source>&apos;%1&apos; is not the number of a tag</source>
+        <translation>'%1' ist keine Nummer eines Tags</translation>
     </message>
 </context>
 <context>
@@ -5867,6 +5902,13 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
 </context>
 <context>
+    <name>calibration.same_tag_as</name>
+    <message>
+        <source>it names the same tag as &apos;%1&apos;</source>
+        <translation>sie nennt dasselbe Tag wie '%1'</translation>
+    </message>
+</context>
+<context>
     <name>calibration.second_end_beyond</name>
     <message>
         <source>the second end is at or beyond the horizon of camera &apos;%1&apos;</source>
@@ -6403,6 +6445,13 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>Check %1: without it the focal length changes by %2.</source>
         <translation>Sehen Sie %1 an: Ohne dieses Bild ändert sich die Brennweite um %2.</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.write_tags_as</name>
+    <message>
+        <source>write a tag as 100 or 36h11:100, its corner as 100.tl, the middle of two as 12+13</source>
+        <translation>schreiben Sie ein Tag als 100 oder 36h11:100, seine Ecke als 100.tl, die Mitte von zweien als 12+13</translation>
     </message>
 </context>
 <context>

@@ -4040,6 +4040,13 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     </message>
 </context>
 <context>
+    <name>calibration.corner_of_many_tags</name>
+    <message>
+        <source>a corner is that of one tag</source>
+        <translation>una esquina es de un solo tag</translation>
+    </message>
+</context>
+<context>
     <name>calibration.corner_unclear</name>
     <message>
         <source>one corner of the board is unclear</source>
@@ -4590,6 +4597,13 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <message>
         <source>give each point a label of its own</source>
         <translation>dé a cada punto un rótulo propio</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.label_of_layout</name>
+    <message>
+        <source>label &apos;%1&apos; of the layout</source>
+        <translation>etiqueta '%1' del plano</translation>
     </message>
 </context>
 <context>
@@ -5237,10 +5251,31 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     </message>
 </context>
 <context>
+    <name>calibration.no_such_corner</name>
+    <message>
+        <source>the corners of a tag are tl, tr, br and bl</source>
+        <translation>las esquinas de un tag son tl, tr, br y bl</translation>
+    </message>
+</context>
+<context>
     <name>calibration.no_such_marker</name>
     <message>
         <source>it has no marker %1</source>
         <translation>no tiene el marcador %1</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.no_such_tag</name>
+    <message>
+        <source>%1 has no tag %2</source>
+        <translation>%1 no tiene el tag %2</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.no_tag_number</name>
+    <message>
+        <source>&apos;%1&apos; is not the number of a tag</source>
+        <translation>'%1' no es el número de un tag</translation>
     </message>
 </context>
 <context>
@@ -5867,6 +5902,13 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     </message>
 </context>
 <context>
+    <name>calibration.same_tag_as</name>
+    <message>
+        <source>it names the same tag as &apos;%1&apos;</source>
+        <translation>nombra el mismo tag que '%1'</translation>
+    </message>
+</context>
+<context>
     <name>calibration.second_end_beyond</name>
     <message>
         <source>the second end is at or beyond the horizon of camera &apos;%1&apos;</source>
@@ -6403,6 +6445,13 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <message>
         <source>Check %1: without it the focal length changes by %2.</source>
         <translation>Revise %1: sin ella, la distancia focal cambia en %2.</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.write_tags_as</name>
+    <message>
+        <source>write a tag as 100 or 36h11:100, its corner as 100.tl, the middle of two as 12+13</source>
+        <translation>escriba un tag como 100 o 36h11:100, su esquina como 100.tl, el punto medio de dos como 12+13</translation>
     </message>
 </context>
 <context>

@@ -4040,6 +4040,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
 </context>
 <context>
+    <name>calibration.corner_of_many_tags</name>
+    <message>
+        <source>a corner is that of one tag</source>
+        <translation>un coin est celui d’un seul tag</translation>
+    </message>
+</context>
+<context>
     <name>calibration.corner_unclear</name>
     <message>
         <source>one corner of the board is unclear</source>
@@ -4590,6 +4597,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>give each point a label of its own</source>
         <translation>donnez à chaque point son propre libellé</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.label_of_layout</name>
+    <message>
+        <source>label &apos;%1&apos; of the layout</source>
+        <translation>libellé '%1' du plan</translation>
     </message>
 </context>
 <context>
@@ -5237,10 +5251,31 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
 </context>
 <context>
+    <name>calibration.no_such_corner</name>
+    <message>
+        <source>the corners of a tag are tl, tr, br and bl</source>
+        <translation>les coins d’un tag sont tl, tr, br et bl</translation>
+    </message>
+</context>
+<context>
     <name>calibration.no_such_marker</name>
     <message>
         <source>it has no marker %1</source>
         <translation>il n’a pas de marqueur %1</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.no_such_tag</name>
+    <message>
+        <source>%1 has no tag %2</source>
+        <translation>%1 n’a pas de tag %2</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.no_tag_number</name>
+    <message>
+        <source>&apos;%1&apos; is not the number of a tag</source>
+        <translation>'%1' n’est pas un numéro de tag</translation>
     </message>
 </context>
 <context>
@@ -5867,6 +5902,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
 </context>
 <context>
+    <name>calibration.same_tag_as</name>
+    <message>
+        <source>it names the same tag as &apos;%1&apos;</source>
+        <translation>il désigne le même tag que '%1'</translation>
+    </message>
+</context>
+<context>
     <name>calibration.second_end_beyond</name>
     <message>
         <source>the second end is at or beyond the horizon of camera &apos;%1&apos;</source>
@@ -6403,6 +6445,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>Check %1: without it the focal length changes by %2.</source>
         <translation>Vérifiez %1 : sans elle, la distance focale change de %2.</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.write_tags_as</name>
+    <message>
+        <source>write a tag as 100 or 36h11:100, its corner as 100.tl, the middle of two as 12+13</source>
+        <translation>écrivez un tag 100 ou 36h11:100, son coin 100.tl, le milieu de deux 12+13</translation>
     </message>
 </context>
 <context>

@@ -4031,6 +4031,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>calibration.corner_of_many_tags</name>
+    <message>
+        <source>a corner is that of one tag</source>
+        <translation>모서리는 태그 하나의 것입니다</translation>
+    </message>
+</context>
+<context>
     <name>calibration.corner_unclear</name>
     <message>
         <source>one corner of the board is unclear</source>
@@ -4581,6 +4588,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>give each point a label of its own</source>
         <translation>점마다 다른 이름표를 주십시오</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.label_of_layout</name>
+    <message>
+        <source>label &apos;%1&apos; of the layout</source>
+        <translation>배치의 이름표 '%1'</translation>
     </message>
 </context>
 <context>
@@ -5228,10 +5242,31 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>calibration.no_such_corner</name>
+    <message>
+        <source>the corners of a tag are tl, tr, br and bl</source>
+        <translation>태그의 모서리는 tl, tr, br, bl입니다</translation>
+    </message>
+</context>
+<context>
     <name>calibration.no_such_marker</name>
     <message>
         <source>it has no marker %1</source>
         <translation>마커 %1이(가) 없습니다</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.no_such_tag</name>
+    <message>
+        <source>%1 has no tag %2</source>
+        <translation>%1에는 태그 %2이(가) 없습니다</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.no_tag_number</name>
+    <message>
+        <source>&apos;%1&apos; is not the number of a tag</source>
+        <translation>'%1'은(는) 태그 번호가 아닙니다</translation>
     </message>
 </context>
 <context>
@@ -5858,6 +5893,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>calibration.same_tag_as</name>
+    <message>
+        <source>it names the same tag as &apos;%1&apos;</source>
+        <translation>'%1'과(와) 같은 태그를 가리킵니다</translation>
+    </message>
+</context>
+<context>
     <name>calibration.second_end_beyond</name>
     <message>
         <source>the second end is at or beyond the horizon of camera &apos;%1&apos;</source>
@@ -6394,6 +6436,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>Check %1: without it the focal length changes by %2.</source>
         <translation>%1을(를) 확인하세요: 이 이미지를 빼면 초점 거리가 %2 바뀝니다.</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.write_tags_as</name>
+    <message>
+        <source>write a tag as 100 or 36h11:100, its corner as 100.tl, the middle of two as 12+13</source>
+        <translation>태그는 100 또는 36h11:100, 그 모서리는 100.tl, 두 태그의 중간은 12+13처럼 쓰십시오</translation>
     </message>
 </context>
 <context>

@@ -4031,6 +4031,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>calibration.corner_of_many_tags</name>
+    <message>
+        <source>a corner is that of one tag</source>
+        <translation>一个角只属于一个标签码</translation>
+    </message>
+</context>
+<context>
     <name>calibration.corner_unclear</name>
     <message>
         <source>one corner of the board is unclear</source>
@@ -4581,6 +4588,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>give each point a label of its own</source>
         <translation>请给每个点各自的标号</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.label_of_layout</name>
+    <message>
+        <source>label &apos;%1&apos; of the layout</source>
+        <translation>布局中的标签“%1”</translation>
     </message>
 </context>
 <context>
@@ -5228,10 +5242,31 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>calibration.no_such_corner</name>
+    <message>
+        <source>the corners of a tag are tl, tr, br and bl</source>
+        <translation>标签码的角为 tl、tr、br 和 bl</translation>
+    </message>
+</context>
+<context>
     <name>calibration.no_such_marker</name>
     <message>
         <source>it has no marker %1</source>
         <translation>没有标记 %1</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.no_such_tag</name>
+    <message>
+        <source>%1 has no tag %2</source>
+        <translation>%1 中没有标签码 %2</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.no_tag_number</name>
+    <message>
+        <source>&apos;%1&apos; is not the number of a tag</source>
+        <translation>“%1”不是标签码编号</translation>
     </message>
 </context>
 <context>
@@ -5858,6 +5893,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>calibration.same_tag_as</name>
+    <message>
+        <source>it names the same tag as &apos;%1&apos;</source>
+        <translation>与“%1”指同一个标签码</translation>
+    </message>
+</context>
+<context>
     <name>calibration.second_end_beyond</name>
     <message>
         <source>the second end is at or beyond the horizon of camera &apos;%1&apos;</source>
@@ -6394,6 +6436,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>Check %1: without it the focal length changes by %2.</source>
         <translation>请检查 %1：去掉它后焦距变化 %2。</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.write_tags_as</name>
+    <message>
+        <source>write a tag as 100 or 36h11:100, its corner as 100.tl, the middle of two as 12+13</source>
+        <translation>标签码写作 100 或 36h11:100，其角写作 100.tl，两个标签码的中点写作 12+13</translation>
     </message>
 </context>
 <context>

@@ -26,8 +26,8 @@ inline BoardKind kindOf(const BoardView &view)
 /// The board that most views show; among equals the larger one, then the first. But a board that the border
 /// of the image cuts off shows fewer columns or rows: a larger one that two views or more show wins over a
 /// smaller one that fits into it, where half of the views of the smaller one reach the border. Views of one
-/// camera, of images of this size, none of which was searched for a given board. 0 columns without views.
-/// Pure; any thread.
+/// camera, of images of this size, each searched for any board or for the likely one first
+/// (findBoardForVote). 0 columns without views. Pure; any thread.
 BoardKind votedBoard(const std::vector<BoardView> &views, int widthPx, int heightPx);
 
 /// The voted board once so many views show it that further images are searched for it first, which is quicker

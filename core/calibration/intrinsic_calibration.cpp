@@ -114,7 +114,8 @@ Result<void> finish(IntrinsicCalibration &calibration, const std::vector<BoardVi
         if (again)
             fit = std::move(*again);
     }
-    const double enlarged = scatterFactor(fit);
+    // What the usual lens alone holds is as uncertain as before misread corners were left out.
+    const double enlarged = std::max(scatterFactor(fit), usualLensPx / fit.sigmaPx);
     const Message dominating = enlarged > 1 ? dominatingImage(counted, fit) : Message();
     const LensFitOptions simplest =
         usualLensPx > 0 ? LensFitOptions{.usualLensPx = usualLensPx} : simplestOf(fit, enlarged);
@@ -164,6 +165,17 @@ struct Attempt
     std::optional<LensModel> model; ///< none where no model fits
 };
 
+Message usualLensAssumed()
+{
+    return ODO_TEXT("calibration.usual_lens", "the images leave it open, so square pixels, an optical centre "
+                                              "near the middle and a usual distortion were assumed");
+}
+
+Message othersUndetermined()
+{
+    return ODO_TEXT("calibration.others_undetermined", "the images do not determine any other model");
+}
+
 /// begun: with its images; isGiven: the one model of the starts was asked for.
 Attempt attempt(const IntrinsicCalibration &begun, const std::vector<BoardView> &used,
                 const std::vector<LensStart> &starts, bool isGiven, const JobControl &control)
@@ -182,7 +194,7 @@ Attempt attempt(const IntrinsicCalibration &begun, const std::vector<BoardView> 
         isGiven || starts.size() > 1 ? std::move(choice->reason)
         : used.size() < leastViewsForHalves
             ? ODO_TEXT("calibration.too_few_to_compare", "too few images to compare it with other models")
-            : ODO_TEXT("calibration.others_undetermined", "the images do not determine any other model");
+            : othersUndetermined();
     attempt.solved =
         finish(attempt.calibration, used, std::move(choice->fit), std::move(choice->outliers), 0, control);
     return attempt;
@@ -205,9 +217,7 @@ void orUsualLens(Attempt &best, const IntrinsicCalibration &begun, const std::ve
         return;
     CornerMarks outliers = outlyingCorners(used, *fit, control);
     Attempt attempt{begun, {}, LensModel::Standard};
-    attempt.calibration.modelReason =
-        ODO_TEXT("calibration.usual_lens", "the images leave it open, so square pixels, an optical centre "
-                                           "near the middle and a usual distortion were assumed");
+    attempt.calibration.modelReason = usualLensAssumed();
     attempt.solved =
         finish(attempt.calibration, used, std::move(*fit), std::move(outliers), sigmaPx, control);
     if (attempt.solved)
@@ -280,6 +290,8 @@ Result<void> solveAgain(IntrinsicCalibration &calibration, const std::vector<std
         return noLensFits(ODO_TEXT("calibration.choose_others", "choose others"));
     CornerMarks outliers = outlyingCorners(used, *fit, control);
     Attempt again{calibration, {}, calibration.intrinsics.model};
+    if (calibration.modelReason == usualLensAssumed())
+        again.calibration.modelReason = othersUndetermined();
     again.solved = finish(again.calibration, used, std::move(*fit), std::move(outliers), 0, control);
     orUsualLens(again, calibration, used, start, control);
     calibration = std::move(again.calibration);

@@ -23,7 +23,9 @@ constexpr int widestPx = 1280;      // of an image in which points are looked fo
 constexpr int mostPoints = 2000;    // of an image
 constexpr double nearerThan = 0.75; // the next, which a match must be
 constexpr std::size_t fewestAlike = 24;
-constexpr double leastSpread = 0.08;    // of the points that agree, of the width: their standard deviation
+// of the points that agree, of the width: their standard deviation, a third where they are all over the
+// image. What fills less of it may have moved by itself.
+constexpr double leastSpread = 0.2;
 constexpr double alikePx = 1;           // points agree with a change to this
 constexpr double closePx = 0.5;         // and those by which it is held against none
 constexpr double clearlyMore = 1.5;     // points must follow a change than nothing
@@ -167,12 +169,8 @@ cv::Mat grey(const PlaneView &luma, double scale)
     return image;
 }
 
-} // namespace
-
-std::optional<ViewChange> changeOfView(const PlaneView &before, const PlaneView &now)
+std::optional<ViewChange> changeBetween(const PlaneView &before, const PlaneView &now)
 {
-    if (before.width != now.width || before.height != now.height || before.width <= 0)
-        return std::nullopt;
     const double scale = std::min(1.0, double(widestPx) / std::max(before.width, before.height));
     const cv::Mat earlier = grey(before, scale), later = grey(now, scale);
     const Points pointsBefore = pointsOf(earlier);
@@ -187,6 +185,19 @@ std::optional<ViewChange> changeOfView(const PlaneView &before, const PlaneView 
     if (!fit || fit->spreadPx < leastSpread * earlier.cols)
         return std::nullopt;
     return changeBy(*fit, isMirrored, earlier.size(), scale);
+}
+
+} // namespace
+
+std::optional<ViewChange> changeOfView(const PlaneView &before, const PlaneView &now)
+{
+    if (before.width != now.width || before.height != now.height || before.width <= 0 || before.height <= 0)
+        return std::nullopt;
+    try {
+        return changeBetween(before, now);
+    } catch (const cv::Exception &) { // images as narrow as a line, or too little memory
+        return std::nullopt;
+    }
 }
 
 } // namespace odo

@@ -230,8 +230,7 @@ private Q_SLOTS:
         QVERIFY(refusedWith(collector.offerAgain(renderBoard(camera, other, 2, 1), "other.png"),
                             "this board has 10x6 inner corners, not 9x6"));
         QCOMPARE(collector.images().size(), std::size_t(2));
-        // What is taken out does not count any more, and counts again when it is put back.
-        CollectedImage taken = collector.remove(0);
+        collector.remove(0); // and does not count any more
         other.cameraFromBoard = posed({0, 0, 0.5}, 30, 0);
         QVERIFY(collector.offer(renderBoard(camera, other, 2, 1), "other2.png").kept);
         QCOMPARE(collector.spec().columns, 10);

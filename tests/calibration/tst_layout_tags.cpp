@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/calibration/floor_registration.h"
 #include "core/calibration/internal/layout_board.h"
+#include "core/calibration/internal/layout_tags.h"
 #include "core/calibration/internal/tag_labels.h"
 #include "core/calibration/marker_detection.h"
 #include "tests/calibration/tagged_floors.h"
@@ -116,6 +117,50 @@ private Q_SLOTS:
         for (const char *label : {"", "O", "U", "A1", "P100", "1.5", "-1", "12 3", "7.tx", "12+", "+", "7+7",
                                   "12+13.tl", "123456", "4x4", "corner:7", "tag"})
             QVERIFY2(!tagLabel(label), label);
+    }
+    void aLabelThatNamesNoTagIsRefused_data()
+    {
+        QTest::addColumn<QStringList>("labels");
+        QTest::addColumn<QString>("why"); ///< empty: they are taken
+        QTest::newRow("tags") << QStringLiteral("0;36h11:0;36h11:586;3.tl;3.tr;12+13").split(u';')
+                              << QStringLiteral("");
+        QTest::newRow("names") << QStringLiteral("A1;+5;1.5;4x4;door + 2;2.nd;tag;1;01").split(u';')
+                               << QStringLiteral("");
+        QTest::newRow("beyond") << QStringLiteral("36h11:9999").split(u';')
+                                << QStringLiteral(
+                                       "label '36h11:9999' of the layout: AprilTag 36h11 has no tag 9999");
+        QTest::newRow("cut") << QStringLiteral("1;2;12+").split(u';')
+                             << QStringLiteral("label '12+' of the layout: '12+' is not the number of a tag");
+        QTest::newRow("no number") << QStringLiteral("36h11:x").split(u';')
+                                   << QStringLiteral(
+                                          "label '36h11:x' of the layout: 'x' is not the number of a tag");
+        QTest::newRow("no corner")
+            << QStringLiteral("3.tl;3.tr;3.xx").split(u';')
+            << QStringLiteral("label '3.xx' of the layout: the corners of a tag are tl, tr, br and bl");
+        QTest::newRow("corner of two")
+            << QStringLiteral("1;2;12+13.tl").split(u';')
+            << QStringLiteral("label '12+13.tl' of the layout: a corner is that of one tag");
+        QTest::newRow("twice") << QStringLiteral("0;tag 0").split(u';')
+                               << QStringLiteral("label 'tag 0' of the layout: it names the same tag as '0'");
+    }
+    void aLabelThatNamesNoTagIsRefused()
+    {
+        QFETCH(QStringList, labels);
+        QFETCH(QString, why);
+        MarkerLayout layout;
+        for (const QString &label : labels)
+            layout.markers.push_back({label.toStdString(), {}});
+        const auto checked = checkTagLabels(layout);
+        QCOMPARE(checked.has_value(), why.isEmpty());
+        if (!checked) {
+            why += QLatin1String(
+                "; write a tag as 100 or 36h11:100, its corner as 100.tl, the middle of two as 12+13");
+            QCOMPARE(QString::fromStdString(checked.error().message()), why);
+            QCOMPARE(int(checked.error().code), int(ErrorCode::InvalidInput));
+            MarkerSearch search;
+            const Frame black; // it is not even looked at
+            QVERIFY(!findLayoutTags(black, layout, search));
+        }
     }
     void theNumbersAreTheLabels_data()
     {

@@ -118,6 +118,20 @@ private Q_SLOTS:
         QVERIFY(std::abs(pushed->shiftPx - 3) < 0.15);
     }
 
+    /// A board that was pushed over a plain floor is no camera that was.
+    void whatMovedByItselfIsNoMoveOfTheCamera()
+    {
+        cv::Mat1b floor(imageSize, uchar(120)), board = scene(600)(cv::Rect(0, 0, 250, 200));
+        cv::Mat1b before = floor.clone(), now = floor.clone();
+        board.copyTo(before(cv::Rect(150, 120, 250, 200)));
+        for (const cv::Point &by : {cv::Point(4, 0), cv::Point(90, 40)}) {
+            now = floor.clone();
+            board.copyTo(now(cv::Rect(150 + by.x, 120 + by.y, 250, 200)));
+            const auto found = change(before, now);
+            QVERIFY(!found || found->kind == ViewChange::Kind::Same);
+        }
+    }
+
     /// Tiles look alike wherever the camera looks: nothing proves that it moved.
     void aPatternThatRepeatsIsNoMove()
     {
@@ -137,6 +151,8 @@ private Q_SLOTS:
         QVERIFY(!change(seen(scene(0)), seen(scene(0), {5, 0})));
         QVERIFY(!change(seen(whole), cv::Mat1b(seen(whole), cv::Rect(0, 0, 600, 480))));
         QVERIFY(!changeOfView({}, {}));
+        const cv::Mat1b line(1, 4000, uchar(9));
+        QVERIFY(!change(line, line));
     }
 };
 

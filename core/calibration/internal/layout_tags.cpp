@@ -287,6 +287,7 @@ Result<LayoutTags> TagSearch::complete(Reading reading) const
 
 Result<LayoutTags> findLayoutTags(const Frame &frame, const MarkerLayout &layout, const MarkerSearch &search)
 {
+    ODO_TRY(checkTagLabels(layout));
     return TagSearch(frame, layout, search).run();
 }
 

@@ -22,8 +22,8 @@ struct LayoutTags
 /// numbers (tagLabel) can be read in several ways: by its numbers in each family, or by place. Of these the
 /// one counts whose tags fit the layout's positions: each tag is square on the floor and at its position to 3
 /// % of the extent (or 6 px), of four markers or more and most of those seen. Where it is no such layout, the
-/// tags are those by place, whether they fit or not. Undetermined: a tag is seen twice, two readings fit
-/// equally well, or none of those seen fits. Thread-safe.
+/// tags are those by place, whether they fit or not. InvalidInput: checkTagLabels. Undetermined: a tag is
+/// seen twice, two readings fit equally well, or none of those seen fits. Thread-safe.
 Result<LayoutTags> findLayoutTags(const Frame &frame, const MarkerLayout &layout, const MarkerSearch &search);
 
 /// How many of the layout's markers are tags in an image, in the reading that has most of them. Families that

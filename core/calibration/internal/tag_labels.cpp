@@ -7,6 +7,7 @@
 #include <array>
 #include <cctype>
 #include <string>
+#include <utility>
 
 namespace odo {
 
@@ -70,7 +71,17 @@ std::vector<TaggedPoint> pointsByNumber(const std::vector<std::optional<TagLabel
 
 } // namespace
 
-std::optional<TagLabel> tagLabel(std::string_view label)
+namespace {
+
+/// A label taken apart: "36h11", "100" and "tl" of "36h11:100.tl".
+struct LabelParts
+{
+    std::string family; ///< in small letters; empty: there is none, or only such a word as "tag"
+    std::string number;
+    std::optional<int> corner;
+};
+
+LabelParts partsOf(std::string_view label)
 {
     std::string text(label);
     for (char &c : text) {
@@ -78,11 +89,11 @@ std::optional<TagLabel> tagLabel(std::string_view label)
         if (c == ':' || c == '#')
             c = ' ';
     }
-    TagLabel result;
+    LabelParts parts;
     std::string_view left = trimmed(text);
     for (std::size_t i = 0; i < cornerNames.size(); ++i) {
         if (left.ends_with(cornerNames[i])) {
-            result.corner = static_cast<int>(i);
+            parts.corner = static_cast<int>(i);
             left = trimmed(left.substr(0, left.size() - cornerNames[i].size()));
             break;
         }
@@ -96,12 +107,109 @@ std::optional<TagLabel> tagLabel(std::string_view label)
             break;
         }
     }
-    result.numbers = numbersOf(number);
+    if (std::ranges::find(tagWords, before) == tagWords.end())
+        parts.family = before;
+    parts.number = number;
+    return parts;
+}
+
+/// "12+": numbers, but not as they are to be written.
+bool areMiswritten(const std::string &numbers)
+{
+    return numbers.find('+') != std::string::npos && std::ranges::any_of(numbers, isDigit) &&
+           std::ranges::all_of(numbers, [](char c) { return isDigit(c) || c == '+'; }) &&
+           numbersOf(numbers).empty();
+}
+
+/// "3.xx": a number and two letters that are no corner.
+bool hasOtherCorner(const std::string &number)
+{
+    constexpr std::size_t letters = 2;
+    const std::size_t point = number.find('.');
+    return point != std::string::npos && point > 0 && number.size() == point + 1 + letters &&
+           std::all_of(number.begin(), number.begin() + std::ptrdiff_t(point), isDigit) &&
+           std::all_of(number.begin() + std::ptrdiff_t(point) + 1, number.end(),
+                       [](char c) { return c >= 'a' && c <= 'z'; });
+}
+
+/// Why a label names no tag though its family says that it is one; empty where it names one or no family.
+Message faultOfNamed(const LabelParts &parts, const std::vector<int> &numbers)
+{
+    const auto family = parts.family.empty() ? std::nullopt : tagFamilyNamed(parts.family);
+    if (!family)
+        return {};
+    if (numbers.empty())
+        return ODO_TEXT("calibration.no_tag_number",
+                        "'%1' is not the number of a tag")(Named::marker(parts.number));
+    for (const int number : numbers) {
+        if (!tagCells({*family, number}))
+            return ODO_TEXT("calibration.no_such_tag", "%1 has no tag %2")(nameOf(*family), number);
+    }
+    return {};
+}
+
+/// The same beside others that are tags.
+Message faultAmongTags(const LabelParts &parts, const std::vector<int> &numbers)
+{
+    if (hasOtherCorner(parts.number))
+        return ODO_TEXT("calibration.no_such_corner", "the corners of a tag are tl, tr, br and bl");
+    if (parts.corner && numbers.size() > 1)
+        return ODO_TEXT("calibration.corner_of_many_tags", "a corner is that of one tag");
+    if (areMiswritten(parts.number))
+        return ODO_TEXT("calibration.no_tag_number",
+                        "'%1' is not the number of a tag")(Named::marker(parts.number));
+    return {};
+}
+
+tl::unexpected<Error> refuseLabel(const std::string &label, const Message &why)
+{
+    return fail(
+        ErrorCode::InvalidInput,
+        ODO_TEXT("calibration.label_of_layout", "label '%1' of the layout")(Named::marker(label)), why,
+        ODO_TEXT("calibration.write_tags_as",
+                 "write a tag as 100 or 36h11:100, its corner as 100.tl, the middle of two as 12+13"));
+}
+
+} // namespace
+
+Result<void> checkTagLabels(const MarkerLayout &layout)
+{
+    const auto tags = std::ranges::count_if(
+        layout.markers, [](const Marker &one) { return tagLabel(one.label).has_value(); });
+    const bool areTags = 2 * std::size_t(tags) > layout.markers.size();
+    std::vector<std::pair<TagLabel, std::string>> known;
+    for (const Marker &marker : layout.markers) {
+        if (boardCorner(marker.label))
+            continue;
+        const LabelParts parts = partsOf(marker.label);
+        const std::vector<int> numbers = numbersOf(parts.number);
+        Message fault = faultOfNamed(parts, numbers);
+        if (fault.isEmpty() && areTags)
+            fault = faultAmongTags(parts, numbers);
+        if (!fault.isEmpty())
+            return refuseLabel(marker.label, fault);
+        const auto label = tagLabel(marker.label);
+        if (!label || !areTags)
+            continue;
+        const auto same = std::ranges::find(known, *label, &std::pair<TagLabel, std::string>::first);
+        if (same != known.end())
+            return refuseLabel(marker.label,
+                               ODO_TEXT("calibration.same_tag_as",
+                                        "it names the same tag as '%1'")(Named::marker(same->second)));
+        known.emplace_back(*label, marker.label);
+    }
+    return {};
+}
+
+std::optional<TagLabel> tagLabel(std::string_view label)
+{
+    const LabelParts parts = partsOf(label);
+    TagLabel result{std::nullopt, numbersOf(parts.number), parts.corner};
     if (result.numbers.empty() || (result.corner && result.numbers.size() > 1))
         return std::nullopt;
-    if (before.empty() || std::ranges::find(tagWords, before) != tagWords.end())
+    if (parts.family.empty())
         return result;
-    result.family = tagFamilyNamed(before);
+    result.family = tagFamilyNamed(parts.family);
     return result.family ? std::optional(result) : std::nullopt;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/base/error.h"
 #include "core/calibration/internal/tag_families.h"
 #include "core/calibration/marker_layout.h"
 
@@ -19,10 +20,17 @@ struct TagLabel
     std::optional<TagFamily> family; ///< nullopt: it names none
     std::vector<int> numbers;
     std::optional<int> corner; ///< clockwise from the top left
+
+    bool operator==(const TagLabel &) const = default;
 };
 
 /// nullopt: the label is no number.
 std::optional<TagLabel> tagLabel(std::string_view label);
+
+/// Refuses a layout with a label that names a family of tags, but none of its tags. Where more than half of
+/// the labels are tags, also one that is written as one and is none ("12+", "3.xx"), and two that name the
+/// same point of a tag: their markers would be sought under other tags.
+Result<void> checkTagLabels(const MarkerLayout &layout);
 
 /// A marker of a layout as a point of tags.
 struct TaggedPoint

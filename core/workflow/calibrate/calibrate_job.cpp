@@ -234,7 +234,7 @@ void CalibrateJob::searchImage(const Frame &frame, const std::string &name,
     Searched image{name, still, 0, 0, 1, std::nullopt, {}};
     std::vector<BoardView> before;
     for (const Searched &other : m_searched) {
-        if (other.view)
+        if (other.view && m_settings.board.columns == 0)
             before.push_back(*other.view);
     }
     const auto likely = likelyBoard(before, frame.format.width, frame.format.height);

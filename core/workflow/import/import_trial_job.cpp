@@ -223,8 +223,9 @@ Result<void> ImportTrialJob::run(const JobControl &control)
 {
     for (std::size_t view = 0; view < m_settings.videos.size(); ++view)
         ODO_TRY(readVideo(view, control.cancel));
-    std::ranges::move(sceneWarnings(m_settings.trial, m_views, changesSinceRegistration(m_views)),
-                      std::back_inserter(m_warnings));
+    std::ranges::move(
+        sceneWarnings(m_settings.trial, m_views, changesSinceRegistration(m_views, control.cancel)),
+        std::back_inserter(m_warnings));
     ODO_TRY(synchronise(control));
     ODO_TRY(compareViews());
     for (std::size_t view = 0; view < m_settings.videos.size(); ++view)

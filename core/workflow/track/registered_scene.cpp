@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/workflow/track/registered_scene.h"
 
-#include "core/base/shortage.h"
 #include "core/video/image_reader.h"
 #include "core/workflow/shared_words.h"
 
@@ -66,10 +65,12 @@ bool isOther(const std::optional<ViewChange> &change)
 
 } // namespace
 
-std::vector<std::optional<ViewChange>> changesSinceRegistration(const std::vector<RegisteredView> &views)
+std::vector<std::optional<ViewChange>> changesSinceRegistration(const std::vector<RegisteredView> &views,
+                                                                const CancelToken &cancel)
 {
     std::vector<std::optional<ViewChange>> changes(views.size());
-    sideBySide(views.size(), [&](std::size_t v) { changes[v] = changeSinceRegistration(views[v]); });
+    for (std::size_t v = 0; v < views.size() && !cancel.isCancelled(); ++v) // one by one, for their memory
+        changes[v] = changeSinceRegistration(views[v]);
     return changes;
 }
 

@@ -12,8 +12,10 @@
 namespace odo {
 
 /// How each view's first frame shows the scene against the image by which its camera was registered
-/// (changeOfView); nullopt where no image was kept or too little of it is seen. Reads files; any thread.
-std::vector<std::optional<ViewChange>> changesSinceRegistration(const std::vector<RegisteredView> &views);
+/// (changeOfView); nullopt where no image was kept or too little of it is seen, where the registration was
+/// converted from another size, and after a cancellation. Reads files; any thread.
+std::vector<std::optional<ViewChange>> changesSinceRegistration(const std::vector<RegisteredView> &views,
+                                                                const CancelToken &cancel);
 
 /// Refuses views that show another scene than their cameras were registered by: zoomed, turned, mirrored, or
 /// another part of it. changes: of each view.

@@ -181,8 +181,11 @@ Result<void> TrackJob::prepare(Project &project)
     for (std::size_t v = 0; v < d.views.size(); ++v) {
         if (!d.views[v].registration)
             continue;
-        if (const auto shiftPx = notedShift(d.stored[v].series.front(), d.views[v].registration->id))
-            d.views[v].floorView = widenedByShift(*d.views[v].floorView, *shiftPx);
+        const auto shiftPx = notedShift(d.stored[v].series.front(), d.views[v].registration->id);
+        if (!shiftPx)
+            continue;
+        d.views[v].floorView = widenedByShift(*d.views[v].floorView, *shiftPx);
+        d.outcome.warnings.push_back(shiftedSentence(d.trialName, d.views[v].recording, *shiftPx));
     }
     return {};
 }
@@ -236,7 +239,7 @@ Result<void> TrackJob::Impl::takeImported(Project &project)
 /// With the frame times as they are found to be.
 Result<SettledViews> TrackJob::Impl::trackAll(const JobControl &control)
 {
-    const auto changes = changesSinceRegistration(views);
+    const auto changes = changesSinceRegistration(views, control.cancel);
     ODO_TRY(checkSameScene(trialName, views, changes));
     outcome.warnings = sceneWarnings(trialName, views, changes);
     const auto isShifted = [&](std::size_t v) {

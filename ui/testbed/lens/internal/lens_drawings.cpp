@@ -128,7 +128,9 @@ void BoardCanvas::paintCorners(QPainter &painter, const QRectF &position) const
     }
     const double arm = 9;
     for (const std::size_t index : m_content.leftOut) {
-        const QPointF at = fromPixel(position, m_content.corners.at(index));
+        if (index >= m_content.corners.size()) // of another image of this name
+            continue;
+        const QPointF at = fromPixel(position, m_content.corners[index]);
         for (const auto &[colour, width] :
              {std::pair(QColor(0, 0, 0, 170), 5.0), std::pair(leftOutColour, 2.5)}) {
             painter.setPen(QPen(colour, width, Qt::SolidLine, Qt::RoundCap));
