@@ -2,6 +2,7 @@
 #include "core/calibration/internal/floor_lens.h"
 
 #include "core/calibration/floor_registration.h"
+#include "core/calibration/internal/lens_spread.h"
 #include "core/calibration/internal/marker_pairs.h"
 #include "core/calibration/internal/pose_step.h"
 #include "core/calibration/intrinsics_influence.h"
@@ -31,7 +32,7 @@ constexpr double usualFocal = 0.8, focalSpread = 0.45; // of the longer side: 64
 constexpr double aspectSpread = 0.004;
 constexpr double centreSpread = 0.015; // of the longer side
 constexpr double k1Spread = 0.2;
-constexpr double k2ByK1 = -0.35, k2Spread = 0.12; // a lens bent inwards by k1 is bent back by k2
+constexpr double k2Spread = 0.12; // about k2ByK1 · k1
 constexpr double tangentialSpread = 0.001;
 constexpr double k3Spread = 0.05;
 

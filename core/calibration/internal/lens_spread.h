@@ -20,6 +20,9 @@ inline constexpr LensSpread assumedLensSpread{0.5, 0.01, 0.02, 0.2};
 /// machine vision cameras were found 0.1 to 1 % off.
 inline constexpr LensSpread importedLensSpread{0.01, 0.001, 0.005, 0.02};
 
+/// A lens bent inwards by k1 is bent back by k2, ordinarily by this times k1.
+inline constexpr double k2ByK1 = -0.35;
+
 /// Covariance of (fx, fy, cx, cy, distortion...); coefficients beyond the first count as exact.
 Eigen::MatrixXd covarianceOf(const Intrinsics &lens, const LensSpread &spread);
 

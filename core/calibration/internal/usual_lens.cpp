@@ -9,8 +9,8 @@ namespace odo {
 
 namespace {
 
-// One σ each, beyond those of assumedLensSpread. A lens bent inwards by k1 is bent back by k2.
-constexpr double k2ByK1 = -0.35, k2Spread = 0.2;
+// One σ each, beyond those of assumedLensSpread; that of k2 is about k2ByK1 · k1.
+constexpr double k2Spread = 0.2;
 constexpr double tangentialSpread = 0.003, k3Spread = 0.1;
 
 } // namespace
