@@ -122,8 +122,15 @@ Result<void> runImport(const QStringList &arguments, const CancelToken &cancel)
         return done;
     }
     QJsonObject views;
-    for (const RecordingRecord &recording : job.recordings())
-        views.insert(QString::fromStdString(recording.cameraName), recordingJson(recording));
+    for (std::size_t i = 0; i < job.recordings().size(); ++i) {
+        const RecordingRecord &recording = job.recordings()[i];
+        const ViewCoding &coding = job.codings()[i];
+        QJsonObject view = recordingJson(recording);
+        view.insert(QStringLiteral("codec"), QString::fromStdString(coding.codec));
+        view.insert(QStringLiteral("bit_depth"), coding.bitDepth);
+        view.insert(QStringLiteral("variable_rate"), coding.variableRate);
+        views.insert(QString::fromStdString(recording.cameraName), view);
+    }
     call.answer({{QStringLiteral("trial"), QString::fromStdString(job.trial().name)},
                  {QStringLiteral("views"), views},
                  {QStringLiteral("sync"), syncJson(job.trial())}},

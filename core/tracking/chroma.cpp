@@ -11,14 +11,31 @@ namespace odo {
 
 namespace {
 
+struct LumaShares
+{
+    double red, blue;
+};
+
+/// H.273 table 4.
+LumaShares lumaSharesOf(YuvMatrix matrix)
+{
+    switch (matrix) {
+    case YuvMatrix::Bt709:
+        return {0.2126, 0.0722};
+    case YuvMatrix::Bt2020:
+        return {0.2627, 0.0593};
+    default:
+        return {0.299, 0.114};
+    }
+}
+
 /// Shares of red and blue in luma, and the code values of chroma for a whole one.
 struct Coding
 {
     double kr, kb, range;
 
     explicit Coding(const FrameFormat &format)
-        : kr(format.matrix == YuvMatrix::Bt709 ? 0.2126 : 0.299),
-          kb(format.matrix == YuvMatrix::Bt709 ? 0.0722 : 0.114),
+        : kr(lumaSharesOf(format.matrix).red), kb(lumaSharesOf(format.matrix).blue),
           range(format.fullRange ? 1.0 : 224.0 / 255.0)
     {
     }

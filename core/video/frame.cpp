@@ -21,7 +21,8 @@ Result<Frame> wholeFrame(const Frame &frame)
 bool sameLayout(const FrameFormat &a, const FrameFormat &b)
 {
     return a.width == b.width && a.height == b.height && a.chromaShiftX == b.chromaShiftX &&
-           a.chromaShiftY == b.chromaShiftY && a.matrix == b.matrix && a.fullRange == b.fullRange;
+           a.chromaShiftY == b.chromaShiftY && a.matrix == b.matrix && a.fullRange == b.fullRange &&
+           a.transfer == b.transfer;
 }
 
 double FrameFormat::chromaOffsetX() const
@@ -42,23 +43,43 @@ double FrameFormat::chromaOffsetY() const
     return siting == BottomLeft || siting == Bottom || siting == BottomRight ? 1.0 : 0.5;
 }
 
+namespace {
+
+std::size_t lumaBytes(const FrameFormat &format)
+{
+    return static_cast<std::size_t>(format.width) * static_cast<std::size_t>(format.height);
+}
+
+std::size_t chromaBytes(const FrameFormat &format)
+{
+    return static_cast<std::size_t>(format.chromaWidth()) * static_cast<std::size_t>(format.chromaHeight());
+}
+
+/// Planes of a format whose rows have no padding.
+Frame frameOver(const FrameFormat &format, const std::uint8_t *y, const std::uint8_t *u,
+                const std::uint8_t *v)
+{
+    const int width = format.chromaWidth(), height = format.chromaHeight();
+    Frame frame;
+    frame.format = format;
+    frame.y = {y, format.width, format.height, format.width};
+    frame.u = {u, width, height, width};
+    frame.v = {v, width, height, width};
+    return frame;
+}
+
+} // namespace
+
 FrameBuffer::FrameBuffer(const FrameFormat &format)
-    : m_format(format), m_chromaWidth((format.width + (1 << format.chromaShiftX) - 1) >> format.chromaShiftX),
-      m_chromaHeight((format.height + (1 << format.chromaShiftY) - 1) >> format.chromaShiftY),
-      m_y(static_cast<std::size_t>(format.width) * format.height),
-      m_u(static_cast<std::size_t>(m_chromaWidth) * m_chromaHeight),
-      m_v(static_cast<std::size_t>(m_chromaWidth) * m_chromaHeight)
+    : m_format(format), m_chromaWidth(format.chromaWidth()), m_y(lumaBytes(format)), m_u(chromaBytes(format)),
+      m_v(chromaBytes(format))
 {
 }
 
 Frame FrameBuffer::toFrame(std::shared_ptr<FrameBuffer> buffer, std::int64_t index, Nanoseconds time)
 {
     const FrameBuffer &b = *buffer;
-    Frame frame;
-    frame.format = b.m_format;
-    frame.y = {b.m_y.data(), b.m_format.width, b.m_format.height, b.m_format.width};
-    frame.u = {b.m_u.data(), b.m_chromaWidth, b.m_chromaHeight, b.m_chromaWidth};
-    frame.v = {b.m_v.data(), b.m_chromaWidth, b.m_chromaHeight, b.m_chromaWidth};
+    Frame frame = frameOver(b.m_format, b.m_y.data(), b.m_u.data(), b.m_v.data());
     frame.index = index;
     frame.time = time;
     frame.owner = std::move(buffer);
@@ -92,6 +113,20 @@ std::shared_ptr<std::uint8_t[]> PlanePool::take() const
                 const std::lock_guard lock(shelf->mutex);
                 shelf->free.push_back(std::move(returned));
             }};
+}
+
+FramePool::FramePool(const FrameFormat &format)
+    : m_format(format), m_pool(lumaBytes(format) + 2 * chromaBytes(format))
+{
+}
+
+FramePool::Blank FramePool::take() const
+{
+    const std::shared_ptr<std::uint8_t[]> memory = m_pool.take();
+    std::uint8_t *y = memory.get(), *u = y + lumaBytes(m_format), *v = u + chromaBytes(m_format);
+    Blank blank{frameOver(m_format, y, u, v), y, u, v};
+    blank.frame.owner = memory;
+    return blank;
 }
 
 } // namespace odo

@@ -62,7 +62,11 @@ enum class ChromaSiting {
 };
 
 /// How luma and chroma were made from RGB.
-enum class YuvMatrix { Bt601, Bt709 };
+enum class YuvMatrix { Bt601, Bt709, Bt2020 };
+
+/// How light became code values (ITU-R BT.2100 for the last two). All that measures takes code values as they
+/// are; only what is shown is mapped to those of an ordinary screen.
+enum class Transfer { Standard, HybridLogGamma, PerceptualQuantizer };
 
 /// A read-only look at one plane of bytes.
 struct PlaneView
@@ -83,7 +87,10 @@ struct FrameFormat
     ChromaSiting siting = ChromaSiting::Unknown;
     YuvMatrix matrix = YuvMatrix::Bt601;
     bool fullRange = false; ///< false: luma 16–235, chroma 16–240
+    Transfer transfer = Transfer::Standard;
 
+    int chromaWidth() const { return (width + (1 << chromaShiftX) - 1) >> chromaShiftX; }
+    int chromaHeight() const { return (height + (1 << chromaShiftY) - 1) >> chromaShiftY; }
     /// Luma pixel coordinates of the chroma sample (cx, cy): x = (cx << shift) + chromaOffsetX(). Unknown
     /// siting is treated as Left where chroma is halved (the default of H.264 and MPEG-2).
     double chromaOffsetX() const;
@@ -133,14 +140,14 @@ public:
     std::uint8_t *uRow(int row) { return m_u.data() + static_cast<std::ptrdiff_t>(row) * m_chromaWidth; }
     std::uint8_t *vRow(int row) { return m_v.data() + static_cast<std::ptrdiff_t>(row) * m_chromaWidth; }
     int chromaWidth() const { return m_chromaWidth; }
-    int chromaHeight() const { return m_chromaHeight; }
+    int chromaHeight() const { return m_format.chromaHeight(); }
 
     /// Hands the memory over to an immutable Frame.
     static Frame toFrame(std::shared_ptr<FrameBuffer> buffer, std::int64_t index, Nanoseconds time);
 
 private:
     FrameFormat m_format;
-    int m_chromaWidth, m_chromaHeight;
+    int m_chromaWidth;
     std::vector<std::uint8_t> m_y, m_u, m_v;
 };
 
@@ -157,6 +164,26 @@ public:
 private:
     struct Shelf;
     std::shared_ptr<Shelf> m_shelf;
+};
+
+/// Frames of one format to be filled, from memory that is used again. Any thread.
+class FramePool
+{
+public:
+    explicit FramePool(const FrameFormat &format);
+    const FrameFormat &format() const { return m_format; }
+
+    struct Blank
+    {
+        Frame frame; ///< its planes are those below; index and time are 0
+        std::uint8_t *y = nullptr, *u = nullptr, *v = nullptr; ///< rows without padding
+    };
+    /// A frame whose samples are undefined; to be filled before the frame is passed on.
+    Blank take() const;
+
+private:
+    FrameFormat m_format;
+    PlanePool m_pool;
 };
 
 } // namespace odo

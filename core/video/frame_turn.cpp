@@ -97,24 +97,6 @@ ChromaSiting turnedSiting(const FrameFormat &format, const Turn &turn)
     }
 }
 
-struct ChromaSize
-{
-    int width = 0, height = 0;
-
-    std::size_t bytes() const { return std::size_t(width) * std::size_t(height); }
-};
-
-ChromaSize chromaSizeOf(const FrameFormat &format)
-{
-    return {(format.width + (1 << format.chromaShiftX) - 1) >> format.chromaShiftX,
-            (format.height + (1 << format.chromaShiftY) - 1) >> format.chromaShiftY};
-}
-
-std::size_t lumaBytesOf(const FrameFormat &format)
-{
-    return std::size_t(format.width) * std::size_t(format.height);
-}
-
 } // namespace
 
 FrameFormat turnedFormat(const FrameFormat &given, int orientation)
@@ -134,8 +116,7 @@ FrameFormat turnedFormat(const FrameFormat &given, int orientation)
 }
 
 FrameTurner::FrameTurner(const FrameFormat &format, int orientation)
-    : m_orientation(orientation), m_format(turnedFormat(format, orientation)),
-      m_pool(lumaBytesOf(m_format) + 2 * chromaSizeOf(m_format).bytes())
+    : m_orientation(orientation), m_frames(turnedFormat(format, orientation))
 {
 }
 
@@ -145,20 +126,12 @@ Frame FrameTurner::turned(const Frame &given) const
     if (turnsNothing(turn))
         return given;
     const Frame frame = hasOddChroma(given.format) ? withChromaAtEachPixel(given) : given;
-    const ChromaSize chroma = chromaSizeOf(m_format);
-    const std::shared_ptr<std::uint8_t[]> memory = m_pool.take();
-    std::uint8_t *y = memory.get(), *u = y + lumaBytesOf(m_format), *v = u + chroma.bytes();
-    turnPlane(frame.y, turn, y, m_format.width);
-    turnPlane(frame.u, turn, u, chroma.width);
-    turnPlane(frame.v, turn, v, chroma.width);
-    Frame result;
-    result.format = m_format;
-    result.y = {y, m_format.width, m_format.height, m_format.width};
-    result.u = {u, chroma.width, chroma.height, chroma.width};
-    result.v = {v, chroma.width, chroma.height, chroma.width};
+    auto [result, y, u, v] = m_frames.take();
+    turnPlane(frame.y, turn, y, result.y.width);
+    turnPlane(frame.u, turn, u, result.u.width);
+    turnPlane(frame.v, turn, v, result.v.width);
     result.index = given.index;
     result.time = given.time;
-    result.owner = memory;
     result.orientation = m_orientation;
     return result;
 }

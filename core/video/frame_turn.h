@@ -18,15 +18,14 @@ class FrameTurner
 {
 public:
     FrameTurner(const FrameFormat &format, int orientation);
-    const FrameFormat &format() const { return m_format; } ///< of the turned frames
+    const FrameFormat &format() const { return m_frames.format(); } ///< of the turned frames
     /// The frame, whole and of the format that was given, turned; Frame::orientation says how. Orientation 1
     /// copies nothing.
     Frame turned(const Frame &frame) const;
 
 private:
     int m_orientation;
-    FrameFormat m_format;
-    PlanePool m_pool;
+    FramePool m_frames;
 };
 
 /// One frame, turned as by FrameTurner. Any thread.

@@ -3,6 +3,7 @@
 
 #include "core/files/output_file.h"
 #include "core/video/internal/libav.h"
+#include "core/video/internal/screen_light.h"
 #include "core/video/jpeg.h"
 
 #include <algorithm>
@@ -61,6 +62,8 @@ const libyuv::YuvConstants *matrixOf(const FrameFormat &format)
 {
     if (format.matrix == YuvMatrix::Bt709)
         return format.fullRange ? &libyuv::kYuvF709Constants : &libyuv::kYuvH709Constants;
+    if (format.matrix == YuvMatrix::Bt2020)
+        return format.fullRange ? &libyuv::kYuvV2020Constants : &libyuv::kYuv2020Constants;
     return format.fullRange ? &libyuv::kYuvJPEGConstants : &libyuv::kYuvI601Constants;
 }
 
@@ -85,6 +88,8 @@ ScreenImage toScreen(const Frame &frame, int width, int height)
     convert(y.view.data, static_cast<int>(y.view.stride), u.view.data, static_cast<int>(u.view.stride),
             v.view.data, static_cast<int>(v.view.stride), to, width * 4, matrixOf(frame.format), width,
             height);
+    mapToScreen({image.pixels.get(), static_cast<std::size_t>(width) * static_cast<std::size_t>(height)},
+                frame.format.transfer);
     return image;
 }
 

@@ -19,8 +19,8 @@ struct ScreenImage
     std::unique_ptr<std::uint32_t[]> pixels; ///< null: no image
 };
 
-/// Scales a frame to this size and converts it for the screen, by its own matrix and range (libyuv). No
-/// image for a size of 0 or less. Any thread.
+/// Scales a frame to this size and converts it for the screen, by its own matrix and range (libyuv); high
+/// dynamic range is mapped to the screen's. No image for a size of 0 or less. Any thread.
 ScreenImage toScreen(const Frame &frame, int width, int height);
 
 /// The way back, for what was painted to be encoded: pixels as in ScreenImage, rows `strideBytes` apart, to

@@ -8,9 +8,9 @@
 #include "core/video/frame_turn.h"
 #include "core/video/internal/heif.h"
 #include "core/video/internal/orientation.h"
+#include "core/video/internal/pixel_planes.h"
 #include "core/video/internal/rgb_rows.h"
 #include "core/video/internal/riff.h"
-#include "core/video/internal/stream_format.h"
 #include "core/video/internal/tiff.h"
 #include "core/video/jpeg.h"
 
@@ -21,8 +21,6 @@
 #include <string_view>
 extern "C" {
 #include <libavutil/intreadwrite.h>
-#include <libavutil/pixdesc.h>
-#include <libswscale/swscale.h>
 }
 
 namespace odo {
@@ -108,58 +106,11 @@ libav::FramePtr decodedByLibav(libav::PacketPtr file, ImageFormat format)
     return isWhole ? std::move(image) : nullptr;
 }
 
-/// Some rows in RGB; null where libswscale does not know the image's own format.
-libav::FramePtr withRgbPixels(const AVFrame &image, int firstRow, int rows)
-{
-    libav::FramePtr rgb(libav::allocated(av_frame_alloc()));
-    rgb->format = AV_PIX_FMT_RGB24;
-    rgb->width = image.width;
-    rgb->height = rows;
-    const std::unique_ptr<SwsContext, void (*)(SwsContext *)> scaler(
-        sws_getContext(image.width, rows, static_cast<AVPixelFormat>(image.format), rgb->width, rows,
-                       AV_PIX_FMT_RGB24, SWS_BILINEAR | SWS_ACCURATE_RND | SWS_FULL_CHR_H_INT, nullptr,
-                       nullptr, nullptr),
-        &sws_freeContext);
-    if (scaler && image.color_range == AVCOL_RANGE_JPEG) { // which libswscale knows of few formats
-        const int *matrix = sws_getCoefficients(SWS_CS_ITU601);
-        constexpr int unchanged = 1 << 16;
-        sws_setColorspaceDetails(scaler.get(), matrix, 1, matrix, 1, 0, unchanged, unchanged);
-    }
-    const std::uint8_t *planes[AV_NUM_DATA_POINTERS] = {};
-    const bool hasPalette =
-        (av_pix_fmt_desc_get(static_cast<AVPixelFormat>(image.format))->flags & AV_PIX_FMT_FLAG_PAL) != 0;
-    for (int i = 0; i < AV_NUM_DATA_POINTERS && image.data[i]; ++i)
-        planes[i] = image.data[i] + (hasPalette && i == 1 ? 0 : std::ptrdiff_t(firstRow) * image.linesize[i]);
-    const bool isDone = scaler && libav::checked(av_frame_get_buffer(rgb.get(), 0)) == 0 &&
-                        libav::checked(sws_scale(scaler.get(), planes, image.linesize, 0, rows, rgb->data,
-                                                 rgb->linesize)) == rows;
-    return isDone ? std::move(rgb) : nullptr;
-}
-
 std::optional<Frame> fromLibav(libav::FramePtr image)
 {
-    if (!image)
-        return std::nullopt;
-    FrameFormat format = rgbFormat(image->width, image->height);
-    if (setChromaShifts(static_cast<AVPixelFormat>(image->format), format))
-        return frameOf(std::move(image), format);
-    const AVPixFmtDescriptor *pixels = av_pix_fmt_desc_get(static_cast<AVPixelFormat>(image->format));
-    if (!pixels)
-        return std::nullopt;
-    // rows at a time, where none takes chroma of another; a multiple of eight, as dithering is
-    constexpr int band = 256;
-    const int mostRows = pixels->log2_chroma_h == 0 ? band : format.height;
-    auto buffer = std::make_shared<FrameBuffer>(format);
-    for (int first = 0; first < format.height; first += mostRows) {
-        const int rows = std::min(mostRows, format.height - first);
-        const libav::FramePtr rgb = withRgbPixels(*image, first, rows);
-        if (!rgb)
-            return std::nullopt;
-        for (int y = first; y < first + rows; ++y)
-            convertRgbRow(rgb->data[0] + std::ptrdiff_t(y - first) * rgb->linesize[0], format.width,
-                          buffer->yRow(y), buffer->uRow(y), buffer->vRow(y));
-    }
-    return FrameBuffer::toFrame(std::move(buffer), 0, Nanoseconds(0));
+    const auto pixels = image ? static_cast<AVPixelFormat>(image->format) : AV_PIX_FMT_NONE;
+    const auto format = image ? planesOf(pixels, rgbFormat(image->width, image->height)) : std::nullopt;
+    return format ? PixelPlanes(pixels, *format).frameOf(std::move(image)) : std::nullopt;
 }
 
 /// Whether the end of the image follows its last scan (ITU-T T.81 §B.1.1): libavcodec fills what is missing

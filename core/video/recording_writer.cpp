@@ -100,7 +100,7 @@ Result<void> RecordingWriter::Impl::open(const FrameFormat &format)
     parameters.width = format.width;
     parameters.height = format.height;
     parameters.color_range = AVCOL_RANGE_JPEG;
-    parameters.color_space = format.matrix == YuvMatrix::Bt709 ? AVCOL_SPC_BT709 : AVCOL_SPC_SMPTE170M;
+    parameters.color_space = libav::colourSpaceOf(format.matrix);
     parameters.chroma_location = format.siting == ChromaSiting::Left      ? AVCHROMA_LOC_LEFT
                                  : format.siting == ChromaSiting::TopLeft ? AVCHROMA_LOC_TOPLEFT
                                                                           : AVCHROMA_LOC_CENTER;

@@ -185,6 +185,11 @@ int VideoInput::orientation() const
     return orientationOfMatrix(matrix[0], matrix[1], matrix[3], matrix[4]);
 }
 
+AVRational VideoInput::pixelAspect() const
+{
+    return av_guess_sample_aspect_ratio(m_container, m_stream, nullptr);
+}
+
 int VideoInput::read(AVPacket &packet)
 {
     for (;;) {

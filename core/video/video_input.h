@@ -48,6 +48,9 @@ public:
     /// numbered as in EXIF (frame_turn.h); 1 where it says nothing.
     int orientation() const;
 
+    /// Width to height of a pixel, as the container says, or else the codec; 0 where neither does.
+    AVRational pixelAspect() const;
+
     /// The next packet of the video stream. 0, AVERROR_EOF or another error of libav.
     int read(AVPacket &packet);
     /// Whether the headers of the packet read last say that it holds two fields, of two moments. Of codecs

@@ -6,7 +6,9 @@
 #include "core/video/frame_times.h"
 #include "core/video/frame_turn.h"
 #include "core/video/internal/fields.h"
+#include "core/video/internal/frame_stretch.h"
 #include "core/video/internal/libav.h"
+#include "core/video/internal/pixel_planes.h"
 #include "core/video/internal/stream_format.h"
 #include "core/video/jpeg.h"
 #include "core/video/video_input.h"
@@ -52,10 +54,9 @@ bool holdsFields(const VideoInput &input, const PacketIndex &index)
            2 * index.interlacedPackets > index.packets.size();
 }
 
-VideoInfo describe(const VideoInput &input, const PacketIndex &index, const FrameFormat &format)
+VideoInfo describe(const VideoInput &input, const PacketIndex &index)
 {
     VideoInfo info;
-    info.format = format;
     info.codec = avcodec_get_name(input.stream().codecpar->codec_id);
     info.frameTimes = index.times;
     info.timeSource = index.timeSource;
@@ -94,6 +95,15 @@ Result<libav::CodecPtr> openDecoder(const VideoInput &input)
     return decoder;
 }
 
+/// The width of frames whose pixels are square, unless the project knows that they were measured as stored.
+int shownWidth(const VideoInput &input, const FrameFormat &stored, const KnownRecording &known)
+{
+    const bool isTurned = known.orientation.value_or(input.orientation()) > 4;
+    const bool isAsStored = (isTurned ? known.heightPx : known.widthPx) == stored.width &&
+                            (isTurned ? known.widthPx : known.heightPx) == stored.height;
+    return isAsStored ? stored.width : widthAsSeen(stored, input.pixelAspect());
+}
+
 /// The decoder found nothing wrong in it.
 bool isSound(const AVFrame &avFrame)
 {
@@ -110,9 +120,9 @@ struct VideoReader::Impl
     std::shared_ptr<JpegDecoder> jpegDecoder; ///< of MJPEG; `decoder` then does what it leaves
     PacketIndex index;
     VideoInfo info;                    ///< of the frames as given
-    FrameFormat coded;                 ///< of the frames as decoded
+    std::optional<PixelPlanes> planes; ///< of the frames as decoded
+    std::optional<FrameStretcher> stretcher;
     std::optional<FrameTurner> turner; ///< of frames that are not given as decoded
-    AVPixelFormat pixelFormat = AV_PIX_FMT_NONE;
 
     std::size_t nextIndex = 0;       ///< of the frame that next() gives
     std::optional<Frame> ahead;      ///< decoded already, as coded: not before the next one
@@ -155,6 +165,7 @@ struct VideoReader::Impl
     Result<std::optional<Frame>> decoded(std::size_t wanted);
     Result<std::optional<Frame>> upright(std::size_t wanted);
     Result<void> judgeFields(bool isStated);
+    void makeUpright(const KnownRecording &known);
     std::size_t codedFrameOf(std::size_t frame) const { return info.areFields ? frame / 2 : frame; }
     bool isAhead(std::size_t frame) const
     {
@@ -276,12 +287,15 @@ libav::FramePtr VideoReader::Impl::decodeNextFrame()
 std::optional<Frame> VideoReader::Impl::frameFrom(libav::FramePtr avFrame, std::int64_t frameNumber)
 {
     if (frameNumber < 0 || frameNumber >= static_cast<std::int64_t>(index.frames.size()) ||
-        !isSound(*avFrame) || !fits(*avFrame, coded, pixelFormat))
+        !isSound(*avFrame))
         return std::nullopt;
-    statedFirst = firstFieldOf(*avFrame, input->stream().codecpar->field_order);
-    Frame frame = frameOf(std::move(avFrame), coded);
-    frame.index = frameNumber;
-    frame.time = index.times[static_cast<std::size_t>(frameNumber)];
+    const Field first = firstFieldOf(*avFrame, input->stream().codecpar->field_order);
+    auto frame = planes->frameOf(std::move(avFrame));
+    if (!frame)
+        return std::nullopt;
+    statedFirst = first;
+    frame->index = frameNumber;
+    frame->time = index.times[static_cast<std::size_t>(frameNumber)];
     return frame;
 }
 
@@ -371,9 +385,26 @@ Result<std::optional<Frame>> VideoReader::Impl::decoded(std::size_t wanted)
 Result<std::optional<Frame>> VideoReader::Impl::upright(std::size_t wanted)
 {
     auto frame = decoded(wanted);
+    if (stretcher && frame && *frame)
+        **frame = stretcher->stretched(**frame);
     if (turner && frame && *frame)
         **frame = turner->turned(**frame);
     return frame;
+}
+
+/// Has the frames stretched and turned, as the container says or as they were measured.
+void VideoReader::Impl::makeUpright(const KnownRecording &known)
+{
+    info.format = planes->format();
+    if (const int width = shownWidth(*input, info.format, known); width != info.format.width) {
+        stretcher.emplace(info.format, width);
+        info.format = stretcher->format();
+    }
+    info.orientation = known.orientation.value_or(input->orientation());
+    if (info.orientation != 1) {
+        turner.emplace(info.format, info.orientation);
+        info.format = turner->format();
+    }
 }
 
 /// Gives fields from now on if the frames hold two of different moments, by what moves in them; where too
@@ -425,22 +456,19 @@ Result<std::unique_ptr<VideoReader>> VideoReader::openChecked(const std::filesys
     auto format = ODO_TRY(streamFormat(*input));
     auto decoder = ODO_TRY(openDecoder(*input));
     auto index = ODO_TRY(indexPackets(*input));
-    impl->pixelFormat = static_cast<AVPixelFormat>(input->stream().codecpar->format);
-    judgeByMost(index.firstJpegs, format, impl->pixelFormat);
+    auto pixels = static_cast<AVPixelFormat>(input->stream().codecpar->format);
+    judgeByMost(index.firstJpegs, format, pixels);
     index.firstJpegs.clear();
     const bool isStated = holdsFields(*input, index);
     const std::size_t frames = index.frames.size();
     const bool mayBeFields = isStated ? known.frames != frames : known.frames == 2 * frames;
-    impl->coded = format;
-    impl->info = describe(*input, index, format);
-    impl->info.orientation = known.orientation.value_or(input->orientation());
-    if (impl->info.orientation != 1) {
-        impl->turner.emplace(format, impl->info.orientation);
-        impl->info.format = impl->turner->format();
-    }
+    impl->planes.emplace(pixels, format);
+    impl->info = describe(*input, index);
+    impl->info.bitDepth = bitsOf(pixels);
     impl->input = std::move(input);
     impl->index = std::move(index);
     impl->decoder = std::move(decoder);
+    impl->makeUpright(known);
     if (impl->decoder->codec_id == AV_CODEC_ID_MJPEG)
         impl->jpegDecoder = std::make_shared<JpegDecoder>(format);
     ODO_TRY(impl->restart());
@@ -455,10 +483,14 @@ bool VideoReader::lacksTimes(const std::filesystem::path &file)
     return input && (*input)->isBareStream() && !(*input)->statedRate();
 }
 
-int VideoReader::statedOrientation(const std::filesystem::path &file)
+bool VideoReader::isShownOtherwise(const std::filesystem::path &file, const KnownRecording &known)
 {
     const auto input = orShortage(cannotOpenVideo(file), [&] { return VideoInput::open(file); });
-    return input ? (*input)->orientation() : 1;
+    if (!input)
+        return false;
+    const auto format = streamFormat(**input);
+    return (known.orientation && *known.orientation != (*input)->orientation()) ||
+           (format && shownWidth(**input, *format, known) != shownWidth(**input, *format, {}));
 }
 
 const VideoInfo &VideoReader::info() const
@@ -468,7 +500,7 @@ const VideoInfo &VideoReader::info() const
 
 bool VideoReader::decodesRegions() const
 {
-    return m_impl->jpegDecoder && !m_impl->info.areFields && !m_impl->turner;
+    return m_impl->jpegDecoder && !m_impl->info.areFields && !m_impl->stretcher && !m_impl->turner;
 }
 
 Result<std::optional<Frame>> VideoReader::next(const std::optional<PixelRect> &region)

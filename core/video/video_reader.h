@@ -19,6 +19,7 @@ struct VideoInfo
 {
     FrameFormat format;
     std::string codec;                   ///< libav's name, e.g. "h264"
+    int bitDepth = 8;                    ///< of the samples as coded; those of frames have 8 bits
     std::vector<Nanoseconds> frameTimes; ///< presentation times since the first frame, strictly increasing
     double framesPerSecond = 0; ///< 1 / typical interval (mean of those near the median); 0 for one frame
     bool variableRate = false;  ///< intervals differ by more than 10 % of the median
@@ -43,13 +44,15 @@ struct KnownRecording
 {
     std::size_t frames = 0;         ///< 0: not known
     std::optional<int> orientation; ///< by which its frames were turned; none: as the file says
+    int widthPx = 0, heightPx = 0;  ///< of its frames; 0: as the file says
 };
 
-/// Decodes one local video file to planes, exactly as coded (of interlaced ones field by field) but upright
-/// (turned as the container says that it is to be shown), frame-accurately; MJPEG by libjpeg-turbo, all else
-/// by libavcodec. Only ordinary container formats and the file protocol are allowed, so that a playlist
-/// dressed up as a video cannot open another file. Not thread-safe: one thread at a time uses a reader. See
-/// FrameStream for reading ahead on its own thread.
+/// Decodes one local video file to planes of 8 bits, with the code values of the file (of interlaced ones
+/// field by field) but as a person sees it: turned as the container says, and stretched where its pixels are
+/// not square, unless the project knows that its frames were measured as stored. Frame-accurate; MJPEG by
+/// libjpeg-turbo, all else by libavcodec. Only ordinary container formats and the file protocol are allowed,
+/// so that a playlist dressed up as a video cannot open another file. Not thread-safe: one thread at a time
+/// uses a reader. See FrameStream for reading ahead on its own thread.
 class VideoReader
 {
 public:
@@ -68,9 +71,9 @@ public:
     /// Whether a file without time stamps states no frame rate either (TimeSource::Nowhere), from its
     /// headers alone. False also where it cannot be opened.
     static bool lacksTimes(const std::filesystem::path &file);
-    /// How a file says that its frames are to be turned (frame_turn.h), from its headers alone. 1 also where
-    /// it cannot be opened.
-    static int statedOrientation(const std::filesystem::path &file);
+    /// Whether a file says, in its headers, that its frames are to be shown otherwise than a project knows
+    /// that they were measured. False also where it cannot be opened.
+    static bool isShownOtherwise(const std::filesystem::path &file, const KnownRecording &known);
 
     const VideoInfo &info() const;
     /// The next frame in order of presentation; nullopt at the end. A damaged frame is an Error that can be
@@ -78,7 +81,7 @@ public:
     /// than this part; where decodesRegions() the frame may then hold only that (Frame::validRegion), in all
     /// else it is whole.
     Result<std::optional<Frame>> next(const std::optional<PixelRect> &region = std::nullopt);
-    /// Whether asking for a region saves time: in MJPEG that needs no turning it does.
+    /// Whether asking for a region saves time: in MJPEG that is neither turned nor stretched it does.
     bool decodesRegions() const;
     /// Makes next() give the frame of this index. Exact for every codec: seeks to a key frame before it and
     /// decodes on.

@@ -24,7 +24,8 @@ std::filesystem::path imageFileOf(const Project &project, const StoredImage &ima
 
 KnownRecording knownRecording(const RecordingRecord &recording)
 {
-    return {recording.frameTimes.size(), std::max(recording.orientation, 1)};
+    return {recording.frameTimes.size(), std::max(recording.orientation, 1), recording.widthPx,
+            recording.heightPx};
 }
 
 namespace {

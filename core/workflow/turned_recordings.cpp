@@ -14,21 +14,20 @@ namespace odo {
 
 namespace {
 
-bool wouldBeTurned(const RecordingRecord &recording, const std::filesystem::path &file)
+bool wouldBeShownOtherwise(const RecordingRecord &recording, const std::filesystem::path &file)
 {
-    return recording.orientation == 0 && VideoReader::statedOrientation(file) != 1;
+    return VideoReader::isShownOtherwise(file, knownRecording(recording));
 }
 
 Message measuredAsStored()
 {
-    return ODO_TEXT(
-        "workflow.measured_as_stored",
-        "an earlier version measured its frames as stored, but its file says to turn or mirror them");
+    return ODO_TEXT("workflow.measured_as_stored", "an earlier version measured its frames as stored, but "
+                                                   "its file says to turn, mirror or stretch them");
 }
 
 Message importToTurn()
 {
-    return ODO_TEXT("workflow.import_to_turn", "import the video again to measure it upright");
+    return ODO_TEXT("workflow.import_to_turn", "import the video again to measure it as it is shown");
 }
 
 } // namespace
@@ -36,7 +35,7 @@ Message importToTurn()
 Message storedFrameWarning(const std::string &trialName, const RecordingRecord &recording,
                            const std::filesystem::path &file)
 {
-    if (!wouldBeTurned(recording, file))
+    if (!wouldBeShownOtherwise(recording, file))
         return {};
     return wholeMessage(viewInTrialSubject(recording.cameraName, trialName), measuredAsStored(),
                         importToTurn());
@@ -107,7 +106,7 @@ std::vector<Message> turnedWarnings(const std::string &trialName, const std::vec
     return sentences;
 }
 
-Result<std::vector<ProjectProblem>> turnedRecordings(Project &project)
+Result<std::vector<ProjectProblem>> turnedRecordings(Project &project, bool isQuick)
 {
     std::map<RecordId, std::string> trials;
     const auto names = ODO_TRY(project.trials().names());
@@ -119,7 +118,8 @@ Result<std::vector<ProjectProblem>> turnedRecordings(Project &project)
     const auto recordings = ODO_TRY(project.trials().allRecordings());
     for (const RecordingRecord &recording : recordings) {
         const auto trial = trials.find(recording.trial);
-        if (trial != trials.end() && wouldBeTurned(recording, project.resolve(recording)))
+        if (trial != trials.end() && (!isQuick || recording.orientation == 0) &&
+            wouldBeShownOtherwise(recording, project.resolve(recording)))
             problems.push_back({measuredAsStored(), viewInTrialSubject(recording.cameraName, trial->second),
                                 importToTurn()});
     }

@@ -10,8 +10,8 @@
 namespace odo {
 
 /// A whole sentence on a view whose recording an earlier version measured as stored, although its file
-/// demands to be shown turned or mirrored: it stays so, and a new import would read otherwise. Empty for any
-/// other. Opens the file of an earlier version's recording. Any thread.
+/// demands to be shown turned, mirrored or stretched: it stays so, and a new import would read otherwise.
+/// Empty for any other. Opens the file. Any thread.
 Message storedFrameWarning(const std::string &trialName, const RecordingRecord &recording,
                            const std::filesystem::path &file);
 
@@ -25,7 +25,7 @@ std::vector<Message> turnedWarnings(const std::string &trialName, const std::vec
 Message oldRegistrationWarning(const std::string &trialName, const RegisteredView &view);
 
 /// All recordings of a project that storedFrameWarning warns of, for its check. Project's thread; opens every
-/// recording of earlier versions.
-Result<std::vector<ProjectProblem>> turnedRecordings(Project &project);
+/// recording, or, quickly, those only whose frames no version has turned.
+Result<std::vector<ProjectProblem>> turnedRecordings(Project &project, bool isQuick);
 
 } // namespace odo

@@ -30,33 +30,38 @@ private Q_SLOTS:
 void TestChroma::primariesAsInTheStandard_data()
 {
     QTest::addColumn<QString>("colour");
-    QTest::addColumn<bool>("bt709");
+    QTest::addColumn<int>("matrix");
     QTest::addColumn<bool>("full");
     QTest::addColumn<double>("cb");
     QTest::addColumn<double>("cr");
-    const auto row = [](const char *name, const char *colour, bool bt709, bool full, double cb, double cr) {
-        QTest::newRow(name) << QString::fromLatin1(colour) << bt709 << full << cb << cr;
+    using enum YuvMatrix;
+    const auto row = [](const char *name, const char *colour, YuvMatrix matrix, bool full, double cb,
+                        double cr) {
+        QTest::newRow(name) << QString::fromLatin1(colour) << int(matrix) << full << cb << cr;
     };
-    // The code values of 100 % colour bars (ITU-R BT.601, BT.709) and of JFIF.
-    row("red 601", "#ff0000", false, false, 90, 240);
-    row("green 601", "#00ff00", false, false, 54, 34);
-    row("blue 601", "#0000ff", false, false, 240, 110);
-    row("red 709", "#ff0000", true, false, 102, 240);
-    row("green 709", "#00ff00", true, false, 42, 26);
-    row("blue 709", "#0000ff", true, false, 240, 118);
-    row("red JFIF", "#ff0000", false, true, 85, 255.5);
-    row("yellow 601", "#ffff00", false, false, 16, 146);
+    // The code values of 100 % colour bars (ITU-R BT.601, BT.709, BT.2020) and of JFIF.
+    row("red 601", "#ff0000", Bt601, false, 90, 240);
+    row("green 601", "#00ff00", Bt601, false, 54, 34);
+    row("blue 601", "#0000ff", Bt601, false, 240, 110);
+    row("red 709", "#ff0000", Bt709, false, 102, 240);
+    row("green 709", "#00ff00", Bt709, false, 42, 26);
+    row("blue 709", "#0000ff", Bt709, false, 240, 118);
+    row("red 2020", "#ff0000", Bt2020, false, 97, 240);
+    row("green 2020", "#00ff00", Bt2020, false, 47, 25);
+    row("blue 2020", "#0000ff", Bt2020, false, 240, 119);
+    row("red JFIF", "#ff0000", Bt601, true, 85, 255.5);
+    row("yellow 601", "#ffff00", Bt601, false, 16, 146);
 }
 
 void TestChroma::primariesAsInTheStandard()
 {
     QFETCH(QString, colour);
-    QFETCH(bool, bt709);
+    QFETCH(int, matrix);
     QFETCH(bool, full);
     QFETCH(double, cb);
     QFETCH(double, cr);
     FrameFormat format;
-    format.matrix = bt709 ? YuvMatrix::Bt709 : YuvMatrix::Bt601;
+    format.matrix = static_cast<YuvMatrix>(matrix);
     format.fullRange = full;
     const Chroma chroma = chromaOf(*parseColour(colour.toStdString()), format);
     // The standards' tables are rounded to whole code values.

@@ -78,10 +78,6 @@ bool encodeTo(Output &out, AVCodecContext &encoder, AVFrame *image)
     return true;
 }
 
-} // namespace
-
-namespace {
-
 void setDisplayMatrix(AVStream &stream, const std::array<int, 4> &turn)
 {
     constexpr std::int32_t one = 1 << 16, last = 1 << 30; // fixed point, 16 and 30 bits behind it
@@ -125,22 +121,10 @@ bool remux(const std::filesystem::path &from, const std::filesystem::path &to, c
     return good;
 }
 
-namespace {
-
-/// A video to be written, and what fills its frames by number.
-struct RawVideo
-{
-    std::string encoderName, pixelFormat;
-    int frames = 0, width = 0, height = 0, ticksPerSecond = 25;
-    std::int64_t interval = 1;
-    bool isInterlaced = false;
-    std::function<void(AVFrame &, int)> fill;
-};
-
-bool write(const std::filesystem::path &to, const RawVideo &video)
+bool writeRaw(const std::filesystem::path &to, const RawVideo &video)
 {
     Output out(to);
-    const AVCodec *codec = avcodec_find_encoder_by_name(video.encoderName.c_str());
+    const AVCodec *codec = avcodec_find_encoder_by_name(video.encoder.c_str());
     if (!out.container || !out.container->pb || !codec)
         return false;
     const libav::CodecPtr encoder(avcodec_alloc_context3(codec));
@@ -153,12 +137,18 @@ bool write(const std::filesystem::path &to, const RawVideo &video)
         encoder->flags |= AV_CODEC_FLAG_INTERLACED_DCT | AV_CODEC_FLAG_INTERLACED_ME;
         encoder->field_order = AV_FIELD_TT;
     }
+    encoder->sample_aspect_ratio = {video.aspectWidth, video.aspectHeight};
+    if ((out.container->oformat->flags & AVFMT_GLOBALHEADER) != 0)
+        encoder->flags |= AV_CODEC_FLAG_GLOBAL_HEADER;
     if (avcodec_open2(encoder.get(), codec, nullptr) < 0)
         return false;
     AVStream *stream = avformat_new_stream(out.container, nullptr);
     avcodec_parameters_from_context(stream->codecpar, encoder.get());
     stream->avg_frame_rate = encoder->framerate;
     stream->time_base = encoder->time_base;
+    stream->sample_aspect_ratio = encoder->sample_aspect_ratio;
+    if (video.turn != std::array<int, 4>{})
+        setDisplayMatrix(*stream, video.turn);
     bool good = avformat_write_header(out.container, nullptr) >= 0;
     for (int i = 0; good && i < video.frames; ++i) {
         const libav::FramePtr image(av_frame_alloc());
@@ -174,29 +164,27 @@ bool write(const std::filesystem::path &to, const RawVideo &video)
     return good && encodeTo(out, *encoder, nullptr) && av_write_trailer(out.container) >= 0;
 }
 
-} // namespace
-
 bool writeRaw(const std::filesystem::path &to, const std::string &encoderName, const std::string &pixelFormat,
               int frames, std::int64_t interval, int width, int ticksPerSecond, bool isInterlaced)
 {
-    return write(to, {encoderName, pixelFormat, frames, width, width * 3 / 4, ticksPerSecond, interval,
-                      isInterlaced, [isInterlaced](AVFrame &image, int number) {
-                          fill(image, number);
-                          if (isInterlaced)
-                              shiftBottomField(image);
-                      }});
+    return writeRaw(to, {encoderName, pixelFormat, frames, width, width * 3 / 4, ticksPerSecond, interval,
+                         isInterlaced, [isInterlaced](AVFrame &image, int number) {
+                             fill(image, number);
+                             if (isInterlaced)
+                                 shiftBottomField(image);
+                         }});
 }
 
 bool writeLuma(const std::filesystem::path &to, const std::vector<Frame> &frames, bool isInterlaced)
 {
     const PlaneView &first = frames.front().y;
-    return write(to, {"ffv1", "gray", int(frames.size()), first.width, first.height, 25, 1, isInterlaced,
-                      [&frames](AVFrame &image, int number) {
-                          const PlaneView &luma = frames[std::size_t(number)].y;
-                          for (int y = 0; y < luma.height; ++y)
-                              std::copy_n(luma.row(y), luma.width,
-                                          image.data[0] + std::ptrdiff_t(y) * image.linesize[0]);
-                      }});
+    return writeRaw(to, {"ffv1", "gray", int(frames.size()), first.width, first.height, 25, 1, isInterlaced,
+                         [&frames](AVFrame &image, int number) {
+                             const PlaneView &luma = frames[std::size_t(number)].y;
+                             for (int y = 0; y < luma.height; ++y)
+                                 std::copy_n(luma.row(y), luma.width,
+                                             image.data[0] + std::ptrdiff_t(y) * image.linesize[0]);
+                         }});
 }
 
 } // namespace odo::test

@@ -5,8 +5,11 @@
 
 #include <array>
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <vector>
+
+struct AVFrame;
 
 namespace odo::test {
 
@@ -15,6 +18,19 @@ namespace odo::test {
 /// -1 each (orientationOfMatrix); all zero: none.
 bool remux(const std::filesystem::path &from, const std::filesystem::path &to,
            const std::array<int, 4> &turn = {});
+
+/// A video to be written by one of libav's encoders.
+struct RawVideo
+{
+    std::string encoder, pixelFormat; ///< by libav's names
+    int frames = 0, width = 0, height = 0, ticksPerSecond = 25;
+    std::int64_t interval = 1;                ///< between two frames, in ticks
+    bool isInterlaced = false;                ///< of two fields, the top one first
+    std::function<void(AVFrame &, int)> fill; ///< the planes of a frame, by its number
+    int aspectWidth = 0, aspectHeight = 1;    ///< of a pixel; 0: not stated
+    std::array<int, 4> turn{};                ///< as in remux
+};
+bool writeRaw(const std::filesystem::path &to, const RawVideo &video);
 
 /// Writes `frames` pictures of 4:3 in a pixel format of libav's ("nv12", "gray", "yuv420p10le", ...) with
 /// one of its encoders. Of every picture i, each byte of plane p is 40 + 20 p + i; in semi-planar chroma, odd

@@ -16,6 +16,7 @@ private Q_SLOTS:
     void screenColours_data();
     void screenColours();
     void screenSizes();
+    void highDynamicRangeIsMappedToTheScreen();
     void sidesBeyondFixedPoint_data();
     void sidesBeyondFixedPoint();
 };
@@ -27,11 +28,17 @@ struct Rgb
     double red, green, blue;
 };
 
-/// ITU-R BT.601-7 and BT.709-6 in closed form, unrounded, clipped to 0..255.
+std::pair<double, double> lumaShares(YuvMatrix matrix)
+{
+    return matrix == YuvMatrix::Bt2020  ? std::pair{0.2627, 0.0593}
+           : matrix == YuvMatrix::Bt709 ? std::pair{0.2126, 0.0722}
+                                        : std::pair{0.299, 0.114};
+}
+
+/// ITU-R BT.601-7, BT.709-6 and BT.2020-2 in closed form, unrounded, clipped to 0..255.
 Rgb closedForm(int y, int u, int v, YuvMatrix matrix, bool fullRange)
 {
-    const double kr = matrix == YuvMatrix::Bt709 ? 0.2126 : 0.299,
-                 kb = matrix == YuvMatrix::Bt709 ? 0.0722 : 0.114;
+    const auto [kr, kb] = lumaShares(matrix);
     const double luma = fullRange ? y : (y - 16) * 255.0 / 219.0;
     const double scale = fullRange ? 1.0 : 255.0 / 224.0;
     const double cb = (u - 128) * scale, cr = (v - 128) * scale;
@@ -60,11 +67,10 @@ void TestImage::screenColours_data()
     QTest::addColumn<bool>("fullRange");
     QTest::addColumn<int>("shiftX");
     QTest::addColumn<int>("shiftY");
-    for (const YuvMatrix matrix : {YuvMatrix::Bt601, YuvMatrix::Bt709})
+    for (const YuvMatrix matrix : {YuvMatrix::Bt601, YuvMatrix::Bt709, YuvMatrix::Bt2020})
         for (const bool full : {false, true})
             for (const auto &[x, y] : {std::pair{1, 1}, std::pair{1, 0}, std::pair{0, 1}, std::pair{0, 0}})
-                QTest::addRow("BT.%d full %d shift %d,%d", matrix == YuvMatrix::Bt709 ? 709 : 601, int(full),
-                              x, y)
+                QTest::addRow("matrix %d full %d shift %d,%d", int(matrix), int(full), x, y)
                     << int(matrix) << full << x << y;
 }
 
@@ -86,9 +92,11 @@ void TestImage::screenColours()
             for (const int v : {60, 110, 128, 150, 200}) {
                 const Rgb expected = closedForm(y, u, v, format.matrix, fullRange);
                 // libyuv works with 6 bits after the point, up to 2 levels off; and it has 2 in place of
-                // BT.709's 2.112 for blue, a limit of its 8-bit factors that the eye does not see.
+                // BT.709's 2.112 and BT.2020's 2.142 for blue, a limit of its 8-bit factors that the eye does
+                // not see.
+                const double kb = lumaShares(format.matrix).second;
                 const double blueLimit =
-                    format.matrix == YuvMatrix::Bt709 && !fullRange ? 0.113 * std::abs(u - 128) : 0;
+                    fullRange ? 0 : std::max((2 * (1 - kb) * 255 / 224 - 2) * std::abs(u - 128), 0.0);
                 const auto image = toScreen(plainFrame(format, y, u, v), 20, 11);
                 for (const std::uint32_t pixel : {image.pixels[0], image.pixels[20 * 11 - 1]}) {
                     QCOMPARE(pixel >> 24, 0xffU);
@@ -97,6 +105,34 @@ void TestImage::screenColours()
                     QVERIFY(std::abs((pixel & 0xff) - expected.blue) <= 2.5 + blueLimit);
                 }
             }
+}
+
+/// Grey of known light by BT.2100: white of a graphic (203 cd/m²) is the code 0.58 of PQ and 0.75 of HLG
+/// (BT.2408 table 1), which the curve maps to (1 + 0.041) / 2 of the screen's light: sRGB code 191.
+void TestImage::highDynamicRangeIsMappedToTheScreen()
+{
+    const auto shown = [](Transfer transfer, double code) {
+        FrameFormat format;
+        format.width = format.height = 8;
+        format.matrix = YuvMatrix::Bt2020;
+        format.transfer = transfer;
+        return toScreen(plainFrame(format, int(std::lround(16 + 219 * code)), 128, 128), 8, 8).pixels[0];
+    };
+    for (const auto &[transfer, white] :
+         {std::pair{Transfer::PerceptualQuantizer, 0.58}, std::pair{Transfer::HybridLogGamma, 0.75}}) {
+        const std::uint32_t pixel = shown(transfer, white);
+        for (const int shift : {0, 8, 16})
+            QVERIFY2(std::abs(int(pixel >> shift & 0xff) - 191) <= 3, qPrintable(QString::number(pixel, 16)));
+        QCOMPARE(shown(transfer, 0), 0xff000000U);
+        std::uint32_t before = 0;
+        for (int step = 0; step <= 20; ++step) {
+            const std::uint32_t grey = shown(transfer, step / 20.0) & 0xff;
+            QVERIFY(grey >= before);
+            before = grey;
+        }
+        QVERIFY(before >= 250);
+    }
+    QCOMPARE(shown(Transfer::Standard, 0.75) & 0xff, 191U); // as it is
 }
 
 /// A horizontal ramp stays a ramp, at its place, in every size.

@@ -113,12 +113,13 @@ private Q_SLOTS:
         const auto reader = VideoReader::open(path("portrait.mov"), {}, knownRecording(old));
         QCOMPARE((*reader)->info().format.width, 192);
         QCOMPARE((*reader)->frameAt(0)->y.width, 192);
-        QCOMPARE(storedFrameWarning("old", old, path("portrait.mov")).english(),
-                 std::string("view 'A' in trial 'old': an earlier version measured its frames as stored, but "
-                             "its file says to turn or mirror them; import the video again to measure it "
-                             "upright"));
+        QCOMPARE(
+            storedFrameWarning("old", old, path("portrait.mov")).english(),
+            std::string("view 'A' in trial 'old': an earlier version measured its frames as stored, but "
+                        "its file says to turn, mirror or stretch them; import the video again to measure it "
+                        "as it is shown"));
         QVERIFY(storedFrameWarning("old plain", plain, path("plain.mkv")).isEmpty());
-        const auto problems = turnedRecordings(*m_project).value();
+        const auto problems = turnedRecordings(*m_project, true).value();
         QCOMPARE(problems.size(), std::size_t(1));
         QCOMPARE(problems[0].where.english(), std::string("view 'A' in trial 'old'"));
         RegisteredView view;

@@ -37,6 +37,18 @@ int checked(int answer)
     return answer;
 }
 
+AVColorSpace colourSpaceOf(YuvMatrix matrix)
+{
+    switch (matrix) {
+    case YuvMatrix::Bt709:
+        return AVCOL_SPC_BT709;
+    case YuvMatrix::Bt2020:
+        return AVCOL_SPC_BT2020_NCL;
+    default:
+        return AVCOL_SPC_SMPTE170M;
+    }
+}
+
 std::string errorText(int error)
 {
     char text[AV_ERROR_MAX_STRING_SIZE] = {};

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/base/message.h"
+#include "core/video/frame.h"
 
 #include <cstdint>
 #include <filesystem>
@@ -75,6 +76,9 @@ private:
 /// What a file states of its colours as one of the numbers that libav has names for; any other, which to read
 /// as an enumeration would be undefined, becomes "not stated".
 void forgetUnknownColours(AVCodecParameters &parameters);
+
+/// What libav calls the matrix of frames.
+AVColorSpace colourSpaceOf(YuvMatrix matrix);
 
 /// libav's words for one of its error numbers.
 std::string errorText(int error);

@@ -2,6 +2,7 @@
 #include "core/video/internal/stream_format.h"
 
 #include "core/video/internal/libav.h"
+#include "core/video/internal/pixel_planes.h"
 #include "core/video/jpeg.h"
 
 #include <algorithm>
@@ -16,8 +17,6 @@ namespace odo {
 
 namespace {
 
-constexpr std::uint8_t neutralChroma = 128;
-
 bool isFullRange(AVPixelFormat pixelFormat, const AVCodecParameters &parameters)
 {
     if (parameters.color_range != AVCOL_RANGE_UNSPECIFIED)
@@ -31,9 +30,10 @@ YuvMatrix matrixOf(const AVCodecParameters &parameters)
 {
     switch (parameters.color_space) {
     case AVCOL_SPC_BT709:
+        return YuvMatrix::Bt709;
     case AVCOL_SPC_BT2020_NCL:
     case AVCOL_SPC_BT2020_CL:
-        return YuvMatrix::Bt709; // BT.2020 is nearer to it than to BT.601
+        return YuvMatrix::Bt2020;
     case AVCOL_SPC_UNSPECIFIED:
         break;
     default:
@@ -81,92 +81,43 @@ ChromaSiting sitingOf(const VideoInput &input)
     return sitingOf(stated ? static_cast<AVChromaLocation>(*stated + 1) : input.containerChromaLocation());
 }
 
-/// The memory of chroma planes that the decoder did not give as such.
-struct OwnChroma
+Transfer transferOf(const AVCodecParameters &parameters)
 {
-    libav::FramePtr avFrame;
-    std::vector<std::uint8_t> u, v;
-};
-
-Frame withNeutralChroma(libav::FramePtr avFrame, Frame frame, int width, int height)
-{
-    auto own = std::make_shared<OwnChroma>();
-    own->avFrame = std::move(avFrame);
-    own->u.assign(static_cast<std::size_t>(width) * static_cast<std::size_t>(height), neutralChroma);
-    frame.u = frame.v = {own->u.data(), width, height, width};
-    frame.owner = std::move(own);
-    return frame;
-}
-
-Frame withChromaTakenApart(libav::FramePtr avFrame, Frame frame, int width, int height)
-{
-    auto own = std::make_shared<OwnChroma>();
-    own->u.resize(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
-    own->v.resize(own->u.size());
-    std::size_t to = 0;
-    for (int y = 0; y < height; ++y) {
-        const std::uint8_t *row = avFrame->data[1] + static_cast<std::ptrdiff_t>(y) * avFrame->linesize[1];
-        for (int x = 0; x < width; ++x, ++to) {
-            own->u[to] = row[2 * x];
-            own->v[to] = row[2 * x + 1];
-        }
+    switch (parameters.color_trc) {
+    case AVCOL_TRC_ARIB_STD_B67:
+        return Transfer::HybridLogGamma;
+    case AVCOL_TRC_SMPTE2084:
+        return Transfer::PerceptualQuantizer;
+    default:
+        return Transfer::Standard;
     }
-    own->avFrame = std::move(avFrame);
-    frame.u = {own->u.data(), width, height, width};
-    frame.v = {own->v.data(), width, height, width};
-    frame.owner = std::move(own);
-    return frame;
 }
 
 } // namespace
-
-bool setChromaShifts(AVPixelFormat pixelFormat, FrameFormat &format)
-{
-    switch (pixelFormat) {
-    case AV_PIX_FMT_YUV420P:
-    case AV_PIX_FMT_YUVJ420P:
-    case AV_PIX_FMT_NV12:
-    case AV_PIX_FMT_GRAY8:
-        format.chromaShiftX = format.chromaShiftY = 1;
-        return true;
-    case AV_PIX_FMT_YUV422P:
-    case AV_PIX_FMT_YUVJ422P:
-        format.chromaShiftX = 1;
-        format.chromaShiftY = 0;
-        return true;
-    case AV_PIX_FMT_YUV440P:
-    case AV_PIX_FMT_YUVJ440P:
-        format.chromaShiftX = 0;
-        format.chromaShiftY = 1;
-        return true;
-    case AV_PIX_FMT_YUV444P:
-    case AV_PIX_FMT_YUVJ444P:
-        format.chromaShiftX = format.chromaShiftY = 0;
-        return true;
-    default:
-        return false;
-    }
-}
 
 Result<FrameFormat> streamFormat(const VideoInput &input)
 {
     const AVCodecParameters &parameters = *input.stream().codecpar;
     const auto pixelFormat = static_cast<AVPixelFormat>(parameters.format);
     const Message what = cannotOpenVideo(input.file());
-    FrameFormat format;
-    format.width = parameters.width;
-    format.height = parameters.height;
-    if (format.width <= 0 || format.height <= 0)
+    FrameFormat stated;
+    stated.width = parameters.width;
+    stated.height = parameters.height;
+    if (stated.width <= 0 || stated.height <= 0)
         return fail(ErrorCode::InvalidInput, what,
                     ODO_TEXT("video.size_not_found", "its frame size could not be determined"),
                     copyFromCamera());
-    if (libav::isTooLarge(format.width, format.height))
+    if (libav::isTooLarge(stated.width, stated.height))
         return fail(ErrorCode::InvalidInput, what,
                     ODO_TEXT("video.pictures_too_large",
                              "its frames have more than 100 megapixels or 32000 pixels a side"),
                     ODO_TEXT("video.convert_to_smaller", "convert it to a smaller size"));
-    if (!setChromaShifts(pixelFormat, format) || parameters.color_space == AVCOL_SPC_RGB ||
-        parameters.color_space == AVCOL_SPC_YCGCO) {
+    stated.fullRange = isFullRange(pixelFormat, parameters);
+    stated.matrix = matrixOf(parameters);
+    stated.siting = sitingOf(input);
+    stated.transfer = transferOf(parameters);
+    const auto format = planesOf(pixelFormat, stated);
+    if (!format || parameters.color_space == AVCOL_SPC_YCGCO) {
         const char *name = av_get_pix_fmt_name(pixelFormat);
         return fail(
             ErrorCode::InvalidInput, what,
@@ -176,10 +127,7 @@ Result<FrameFormat> streamFormat(const VideoInput &input)
             ODO_TEXT("video.convert_to_yuv",
                      "convert it to 8-bit YUV, e.g. ffmpeg -i FILE -pix_fmt yuv420p NEW.mp4"));
     }
-    format.fullRange = isFullRange(pixelFormat, parameters);
-    format.matrix = matrixOf(parameters);
-    format.siting = sitingOf(input);
-    return format;
+    return *format;
 }
 
 void judgeByMost(const std::vector<std::vector<std::uint8_t>> &jpegs, FrameFormat &format,
@@ -205,28 +153,6 @@ void judgeByMost(const std::vector<std::vector<std::uint8_t>> &jpegs, FrameForma
     format.chromaShiftY = shiftY;
     pixelFormat = shiftX == 0 ? (shiftY == 0 ? AV_PIX_FMT_YUVJ444P : AV_PIX_FMT_YUVJ440P)
                               : (shiftY == 0 ? AV_PIX_FMT_YUVJ422P : AV_PIX_FMT_YUVJ420P);
-}
-
-bool fits(const AVFrame &avFrame, const FrameFormat &format, AVPixelFormat pixelFormat)
-{
-    return avFrame.width == format.width && avFrame.height == format.height && avFrame.format == pixelFormat;
-}
-
-Frame frameOf(libav::FramePtr avFrame, const FrameFormat &format)
-{
-    Frame frame;
-    frame.format = format;
-    frame.y = {avFrame->data[0], format.width, format.height, avFrame->linesize[0]};
-    const int chromaWidth = AV_CEIL_RSHIFT(format.width, format.chromaShiftX);
-    const int chromaHeight = AV_CEIL_RSHIFT(format.height, format.chromaShiftY);
-    if (avFrame->format == AV_PIX_FMT_GRAY8)
-        return withNeutralChroma(std::move(avFrame), frame, chromaWidth, chromaHeight);
-    if (avFrame->format == AV_PIX_FMT_NV12)
-        return withChromaTakenApart(std::move(avFrame), frame, chromaWidth, chromaHeight);
-    frame.u = {avFrame->data[1], chromaWidth, chromaHeight, avFrame->linesize[1]};
-    frame.v = {avFrame->data[2], chromaWidth, chromaHeight, avFrame->linesize[2]};
-    frame.owner = std::shared_ptr<const AVFrame>(avFrame.release(), libav::Delete());
-    return frame;
 }
 
 namespace {

@@ -12,25 +12,15 @@
 
 namespace odo {
 
-/// What the stream and its container say about the frames. Errors: pixel format that is not 8-bit YUV or
-/// grey, more than 100 megapixels or 32000 pixels a side.
+/// What the stream and its container say about the frames. They are given as
+/// planesOf() says. Errors: a pixel format of which it makes none, more than 100 megapixels or 32000 pixels a
+/// side.
 Result<FrameFormat> streamFormat(const VideoInput &input);
-
-/// How chroma is halved in a pixel format that frameOf takes; false for any other.
-bool setChromaShifts(AVPixelFormat pixelFormat, FrameFormat &format);
 
 /// Size and chroma of an MJPEG stream as most of these of its frames have it by their headers, where they
 /// agree: libav judges a stream by one frame, which may be a damaged one.
 void judgeByMost(const std::vector<std::vector<std::uint8_t>> &jpegs, FrameFormat &format,
                  AVPixelFormat &pixelFormat);
-
-/// A decoded frame as a Frame that keeps it alive; its planes are referred to, except for semi-planar
-/// chroma (taken apart) and grey (given chroma 128). Index and time are left to the caller. The frame must
-/// have the format's size and pixel format.
-Frame frameOf(libav::FramePtr avFrame, const FrameFormat &format);
-
-/// Whether frameOf can take this frame as one of the stream's.
-bool fits(const AVFrame &avFrame, const FrameFormat &format, AVPixelFormat pixelFormat);
 
 /// chroma_sample_loc_type (0 left, 1 centre, 2 top left, ...) of the first sequence parameter set in H.264
 /// decoder configuration (avcC or Annex B), or nullopt where the stream says nothing about it. Never reads

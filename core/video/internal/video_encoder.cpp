@@ -82,7 +82,7 @@ Result<void> checkFormat(const FrameFormat &format, VideoCodec codec)
 void describeColour(const FrameFormat &format, AVCodecContext &encoder)
 {
     encoder.color_range = format.fullRange ? AVCOL_RANGE_JPEG : AVCOL_RANGE_MPEG;
-    encoder.colorspace = format.matrix == YuvMatrix::Bt709 ? AVCOL_SPC_BT709 : AVCOL_SPC_SMPTE170M;
+    encoder.colorspace = libav::colourSpaceOf(format.matrix);
     encoder.chroma_sample_location = locationOf(format.siting);
 }
 

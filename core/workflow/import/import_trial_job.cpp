@@ -310,6 +310,7 @@ Result<void> ImportTrialJob::readVideo(std::size_t view, const CancelToken &canc
     m_views[view].recording = recording;
     ODO_TRY(fitView(m_views[view], m_viewIntrinsics[view]));
     m_recordings.push_back(std::move(recording));
+    m_codings.push_back({info.codec, info.bitDepth, info.variableRate});
     return {};
 }
 

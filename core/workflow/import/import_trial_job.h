@@ -37,6 +37,14 @@ struct ImportSettings
     std::optional<Instant> date; ///< empty: now
 };
 
+/// How the file of a view is coded.
+struct ViewCoding
+{
+    std::string codec; ///< libav's name, e.g. "h264"
+    int bitDepth = 8;
+    bool variableRate = false; ///< intervals differ by more than 10 % of the median
+};
+
 /// Brings the videos of one trial into the project: each is copied beside it (with its hash), its frame times
 /// are read, and the views are synchronised. An import that fails or is cancelled removes what it made, and
 /// only that. Where the robot's motion shows that a file's time stamps are wrong (lost or doubled frames, a
@@ -52,6 +60,7 @@ public:
 
     const TrialRecord &trial() const { return m_trial; }                            ///< after commit
     const std::vector<RecordingRecord> &recordings() const { return m_recordings; } ///< after run
+    const std::vector<ViewCoding> &codings() const { return m_codings; } ///< of recordings(), in their order
     /// What the user should know although the import succeeded: unequal lengths, no synchronisation, damaged
     /// ends.
     const std::vector<Message> &warnings() const { return m_warnings; }
@@ -75,6 +84,7 @@ private:
         m_viewIntrinsics; ///< of each view: that of its registration, or in force
     TrialRecord m_trial;
     std::vector<RecordingRecord> m_recordings;
+    std::vector<ViewCoding> m_codings;
     std::vector<ClaimedFile> m_files; ///< until they are the trial's
     std::vector<Message> m_warnings;
 };
