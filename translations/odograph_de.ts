@@ -4603,7 +4603,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <name>calibration.label_of_layout</name>
     <message>
         <source>label &apos;%1&apos; of the layout</source>
-        <translation>Bezeichnung '%1' des Plans</translation>
+        <translation>Bezeichnung &apos;%1&apos; des Plans</translation>
     </message>
 </context>
 <context>
@@ -5275,7 +5275,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <name>calibration.no_tag_number</name>
     <message>
         <source>&apos;%1&apos; is not the number of a tag</source>
-        <translation>'%1' ist keine Nummer eines Tags</translation>
+        <translation>&apos;%1&apos; ist keine Nummer eines Tags</translation>
     </message>
 </context>
 <context>
@@ -5905,7 +5905,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <name>calibration.same_tag_as</name>
     <message>
         <source>it names the same tag as &apos;%1&apos;</source>
-        <translation>sie nennt dasselbe Tag wie '%1'</translation>
+        <translation>sie nennt dasselbe Tag wie &apos;%1&apos;</translation>
     </message>
 </context>
 <context>
@@ -21677,8 +21677,8 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
 <context>
     <name>workflow.import_to_turn</name>
     <message>
-        <source>import the video again to measure it upright</source>
-        <translation>importieren Sie das Video neu, um es aufrecht zu messen</translation>
+        <source>import the video again to measure it as it is shown</source>
+        <translation>importieren Sie das Video noch einmal, um es so zu messen, wie es gezeigt wird</translation>
     </message>
 </context>
 <context>
@@ -22013,8 +22013,8 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
 <context>
     <name>workflow.measured_as_stored</name>
     <message>
-        <source>an earlier version measured its frames as stored, but its file says to turn or mirror them</source>
-        <translation>eine frühere Version hat ihre Bilder gemessen, wie sie gespeichert sind, aber ihre Datei verlangt, sie zu drehen oder zu spiegeln</translation>
+        <source>an earlier version measured its frames as stored, but its file says to turn, mirror or stretch them</source>
+        <translation>eine frühere Version hat seine Bilder so gemessen, wie sie gespeichert sind, aber laut Datei sind sie zu drehen, zu spiegeln oder zu strecken</translation>
     </message>
 </context>
 <context>

@@ -4603,7 +4603,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <name>calibration.label_of_layout</name>
     <message>
         <source>label &apos;%1&apos; of the layout</source>
-        <translation>etiqueta '%1' del plano</translation>
+        <translation>etiqueta &apos;%1&apos; del plano</translation>
     </message>
 </context>
 <context>
@@ -5275,7 +5275,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <name>calibration.no_tag_number</name>
     <message>
         <source>&apos;%1&apos; is not the number of a tag</source>
-        <translation>'%1' no es el número de un tag</translation>
+        <translation>&apos;%1&apos; no es el número de un tag</translation>
     </message>
 </context>
 <context>
@@ -5905,7 +5905,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <name>calibration.same_tag_as</name>
     <message>
         <source>it names the same tag as &apos;%1&apos;</source>
-        <translation>nombra el mismo tag que '%1'</translation>
+        <translation>nombra el mismo tag que &apos;%1&apos;</translation>
     </message>
 </context>
 <context>
@@ -21677,8 +21677,8 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
 <context>
     <name>workflow.import_to_turn</name>
     <message>
-        <source>import the video again to measure it upright</source>
-        <translation>importe el vídeo de nuevo para medirlo derecho</translation>
+        <source>import the video again to measure it as it is shown</source>
+        <translation>importe el vídeo de nuevo para medirlo tal como se muestra</translation>
     </message>
 </context>
 <context>
@@ -22013,8 +22013,8 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
 <context>
     <name>workflow.measured_as_stored</name>
     <message>
-        <source>an earlier version measured its frames as stored, but its file says to turn or mirror them</source>
-        <translation>una versión anterior midió sus fotogramas tal como están guardados, pero su archivo indica girarlos o reflejarlos</translation>
+        <source>an earlier version measured its frames as stored, but its file says to turn, mirror or stretch them</source>
+        <translation>una versión anterior midió sus fotogramas tal como están guardados, pero su archivo indica girarlos, reflejarlos o estirarlos</translation>
     </message>
 </context>
 <context>

@@ -4603,7 +4603,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <name>calibration.label_of_layout</name>
     <message>
         <source>label &apos;%1&apos; of the layout</source>
-        <translation>libellé '%1' du plan</translation>
+        <translation>libellé &apos;%1&apos; du plan</translation>
     </message>
 </context>
 <context>
@@ -5275,7 +5275,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <name>calibration.no_tag_number</name>
     <message>
         <source>&apos;%1&apos; is not the number of a tag</source>
-        <translation>'%1' n’est pas un numéro de tag</translation>
+        <translation>&apos;%1&apos; n’est pas un numéro de tag</translation>
     </message>
 </context>
 <context>
@@ -5905,7 +5905,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <name>calibration.same_tag_as</name>
     <message>
         <source>it names the same tag as &apos;%1&apos;</source>
-        <translation>il désigne le même tag que '%1'</translation>
+        <translation>il désigne le même tag que &apos;%1&apos;</translation>
     </message>
 </context>
 <context>
@@ -21677,8 +21677,8 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>workflow.import_to_turn</name>
     <message>
-        <source>import the video again to measure it upright</source>
-        <translation>importez de nouveau la vidéo pour la mesurer à l’endroit</translation>
+        <source>import the video again to measure it as it is shown</source>
+        <translation>importez de nouveau la vidéo pour la mesurer telle qu’elle est affichée</translation>
     </message>
 </context>
 <context>
@@ -22013,8 +22013,8 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>workflow.measured_as_stored</name>
     <message>
-        <source>an earlier version measured its frames as stored, but its file says to turn or mirror them</source>
-        <translation>une version antérieure a mesuré ses images telles qu’elles sont stockées, mais son fichier demande de les tourner ou de les refléter</translation>
+        <source>an earlier version measured its frames as stored, but its file says to turn, mirror or stretch them</source>
+        <translation>une version antérieure a mesuré ses images telles qu’elles sont enregistrées, mais son fichier demande de les tourner, de les refléter ou de les étirer</translation>
     </message>
 </context>
 <context>

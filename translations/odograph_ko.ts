@@ -4594,7 +4594,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <name>calibration.label_of_layout</name>
     <message>
         <source>label &apos;%1&apos; of the layout</source>
-        <translation>배치의 이름표 '%1'</translation>
+        <translation>배치의 이름표 &apos;%1&apos;</translation>
     </message>
 </context>
 <context>
@@ -5266,7 +5266,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <name>calibration.no_tag_number</name>
     <message>
         <source>&apos;%1&apos; is not the number of a tag</source>
-        <translation>'%1'은(는) 태그 번호가 아닙니다</translation>
+        <translation>&apos;%1&apos;은(는) 태그 번호가 아닙니다</translation>
     </message>
 </context>
 <context>
@@ -5896,7 +5896,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <name>calibration.same_tag_as</name>
     <message>
         <source>it names the same tag as &apos;%1&apos;</source>
-        <translation>'%1'과(와) 같은 태그를 가리킵니다</translation>
+        <translation>&apos;%1&apos;과(와) 같은 태그를 가리킵니다</translation>
     </message>
 </context>
 <context>
@@ -21638,8 +21638,8 @@ Much more than expected means that a setting is wrong: the views are not synchro
 <context>
     <name>workflow.import_to_turn</name>
     <message>
-        <source>import the video again to measure it upright</source>
-        <translation>바로 세워 측정하려면 동영상을 다시 가져오십시오</translation>
+        <source>import the video again to measure it as it is shown</source>
+        <translation>표시되는 대로 측정하려면 동영상을 다시 가져오십시오</translation>
     </message>
 </context>
 <context>
@@ -21974,8 +21974,8 @@ Much more than expected means that a setting is wrong: the views are not synchro
 <context>
     <name>workflow.measured_as_stored</name>
     <message>
-        <source>an earlier version measured its frames as stored, but its file says to turn or mirror them</source>
-        <translation>이전 버전은 프레임을 저장된 그대로 측정했지만, 파일은 프레임을 회전하거나 좌우로 뒤집으라고 합니다</translation>
+        <source>an earlier version measured its frames as stored, but its file says to turn, mirror or stretch them</source>
+        <translation>이전 버전은 프레임을 저장된 그대로 측정했지만, 파일은 회전하거나 뒤집거나 늘이도록 지정합니다</translation>
     </message>
 </context>
 <context>

@@ -21638,8 +21638,8 @@ Much more than expected means that a setting is wrong: the views are not synchro
 <context>
     <name>workflow.import_to_turn</name>
     <message>
-        <source>import the video again to measure it upright</source>
-        <translation>请重新导入视频，以便按正立方向测量</translation>
+        <source>import the video again to measure it as it is shown</source>
+        <translation>重新导入视频，以便按其显示的样子测量</translation>
     </message>
 </context>
 <context>
@@ -21974,8 +21974,8 @@ Much more than expected means that a setting is wrong: the views are not synchro
 <context>
     <name>workflow.measured_as_stored</name>
     <message>
-        <source>an earlier version measured its frames as stored, but its file says to turn or mirror them</source>
-        <translation>早期版本按存储方向测量其帧，但其文件要求旋转或镜像这些帧</translation>
+        <source>an earlier version measured its frames as stored, but its file says to turn, mirror or stretch them</source>
+        <translation>较早的版本按存储的样子测量了其帧，但其文件要求旋转、镜像或拉伸它们</translation>
     </message>
 </context>
 <context>

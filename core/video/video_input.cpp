@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <cmath>
 #include <cstring>
 #include <span>
@@ -183,6 +184,18 @@ int VideoInput::orientation() const
         return 1;
     std::memcpy(matrix.data(), data, sizeof(matrix));
     return orientationOfMatrix(matrix[0], matrix[1], matrix[3], matrix[4]);
+}
+
+std::optional<double> VideoInput::captureRate() const
+{
+    const AVDictionaryEntry *entry =
+        av_dict_get(m_container->metadata, "com.android.capture.fps", nullptr, 0);
+    const std::string_view text = entry ? entry->value : "";
+    double rate = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), rate);
+    if (error != std::errc() || !std::isfinite(rate) || rate <= 0)
+        return std::nullopt;
+    return rate;
 }
 
 AVRational VideoInput::pixelAspect() const

@@ -48,6 +48,9 @@ public:
     /// numbered as in EXIF (frame_turn.h); 1 where it says nothing.
     int orientation() const;
 
+    /// Frames a second at which the camera took them, as Android's recorder notes it in the container
+    /// (com.android.capture.fps); nothing where that is no rate.
+    std::optional<double> captureRate() const;
     /// Width to height of a pixel, as the container says, or else the codec; 0 where neither does.
     AVRational pixelAspect() const;
 

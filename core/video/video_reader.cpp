@@ -60,6 +60,7 @@ VideoInfo describe(const VideoInput &input, const PacketIndex &index)
     info.codec = avcodec_get_name(input.stream().codecpar->codec_id);
     info.frameTimes = index.times;
     info.timeSource = index.timeSource;
+    info.capturedPerSecond = input.captureRate();
     info.restartsAt = index.restartsAt;
     info.warning = index.warning;
     const FrameSpacing spacing = spacingOf(index.times);

@@ -24,6 +24,9 @@ struct VideoInfo
     double framesPerSecond = 0; ///< 1 / typical interval (mean of those near the median); 0 for one frame
     bool variableRate = false;  ///< intervals differ by more than 10 % of the median
     Nanoseconds duration{0};    ///< last frame time − first frame time + typical interval
+    /// Frames a second at which the camera took them, where the file says so besides (Android's capture
+    /// rate); of slow motion and time lapse it is not that of the times.
+    std::optional<double> capturedPerSecond;
     TimeSource timeSource = TimeSource::Stamps; ///< of the times and all that follows from them
     /// How long after the first frame the file's clock starts again, as where two files were joined: the
     /// frames that follow are stamped as if they came before, and all of them are sorted by their stamps. Or

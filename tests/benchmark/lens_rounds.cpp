@@ -102,7 +102,7 @@ std::vector<Measurement> measureCalibration(int rounds)
                            {},
                            cvText + QStringLiteral(", here ") + milliseconds(own)};
     };
-    return {faster("cv::calibrateCamera / calibration, 60 images, lens model given", told, 5),
+    return {faster("cv::calibrateCamera / calibration, 60 images, lens model given", told, 10),
             faster("cv::calibrateCamera / calibration, 60 images, lens model chosen", chosen, 5),
             faster("cv::calibrateCamera / calibrated again from 55 of them", again, {}),
             {QStringLiteral("RMS of the calibration less cv::calibrateCamera's"), ours->rmsPx - theirs, -1e-4,

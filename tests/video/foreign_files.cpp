@@ -137,10 +137,18 @@ bool writeRaw(const std::filesystem::path &to, const RawVideo &video)
         encoder->flags |= AV_CODEC_FLAG_INTERLACED_DCT | AV_CODEC_FLAG_INTERLACED_ME;
         encoder->field_order = AV_FIELD_TT;
     }
+    encoder->color_range = static_cast<AVColorRange>(video.range);
+    encoder->colorspace = static_cast<AVColorSpace>(video.matrix);
+    encoder->color_trc = static_cast<AVColorTransferCharacteristic>(video.transfer);
+    libav::Options coding, muxing;
+    for (const auto &[name, value] : video.coding)
+        coding.set(name, value);
+    for (const auto &[name, value] : video.muxing)
+        muxing.set(name, value);
     encoder->sample_aspect_ratio = {video.aspectWidth, video.aspectHeight};
     if ((out.container->oformat->flags & AVFMT_GLOBALHEADER) != 0)
         encoder->flags |= AV_CODEC_FLAG_GLOBAL_HEADER;
-    if (avcodec_open2(encoder.get(), codec, nullptr) < 0)
+    if (avcodec_open2(encoder.get(), codec, coding.get()) < 0)
         return false;
     AVStream *stream = avformat_new_stream(out.container, nullptr);
     avcodec_parameters_from_context(stream->codecpar, encoder.get());
@@ -149,13 +157,15 @@ bool writeRaw(const std::filesystem::path &to, const RawVideo &video)
     stream->sample_aspect_ratio = encoder->sample_aspect_ratio;
     if (video.turn != std::array<int, 4>{})
         setDisplayMatrix(*stream, video.turn);
-    bool good = avformat_write_header(out.container, nullptr) >= 0;
+    for (const auto &[name, value] : video.metadata)
+        av_dict_set(&out.container->metadata, name, value, 0);
+    bool good = avformat_write_header(out.container, muxing.get()) >= 0;
     for (int i = 0; good && i < video.frames; ++i) {
         const libav::FramePtr image(av_frame_alloc());
         image->format = encoder->pix_fmt;
         image->width = encoder->width;
         image->height = encoder->height;
-        image->pts = i * video.interval;
+        image->pts = video.ticks.empty() ? i * video.interval : video.ticks[std::size_t(i)];
         good = av_frame_get_buffer(image.get(), 0) >= 0;
         video.fill(*image, i);
         image->interlaced_frame = image->top_field_first = video.isInterlaced ? 1 : 0;

@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <functional>
 #include <string>
+#include <utility>
 #include <vector>
 
 struct AVFrame;
@@ -24,11 +25,15 @@ struct RawVideo
 {
     std::string encoder, pixelFormat; ///< by libav's names
     int frames = 0, width = 0, height = 0, ticksPerSecond = 25;
-    std::int64_t interval = 1;                ///< between two frames, in ticks
-    bool isInterlaced = false;                ///< of two fields, the top one first
-    std::function<void(AVFrame &, int)> fill; ///< the planes of a frame, by its number
-    int aspectWidth = 0, aspectHeight = 1;    ///< of a pixel; 0: not stated
-    std::array<int, 4> turn{};                ///< as in remux
+    std::int64_t interval = 1;                  ///< between two frames, in ticks
+    bool isInterlaced = false;                  ///< of two fields, the top one first
+    std::function<void(AVFrame &, int)> fill{}; ///< the planes of a frame, by its number
+    int aspectWidth = 0, aspectHeight = 1;      ///< of a pixel; 0: not stated
+    std::array<int, 4> turn{};                  ///< as in remux
+    int range = 0, matrix = 2, transfer = 2;    ///< of colours, by H.273; range 1: limited, 2: full
+    std::vector<std::int64_t> ticks{};          ///< of each frame, where they are not even
+    std::vector<std::pair<const char *, const char *>> coding{}, muxing{}; ///< options of libav
+    std::vector<std::pair<const char *, const char *>> metadata{};         ///< of the container
 };
 bool writeRaw(const std::filesystem::path &to, const RawVideo &video);
 

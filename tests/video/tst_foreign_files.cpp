@@ -31,6 +31,7 @@ private Q_SLOTS:
     void pixelFormats();
     void eachFieldIsAFrame();
     void whatMovesSaysWhetherThereAreFields();
+    void theCamerasRateIsToldApart();
     void coloursWithoutANameCountAsNotStated();
     void refusedPixelFormats_data();
     void refusedPixelFormats();
@@ -252,6 +253,26 @@ void TestForeignFiles::whatMovesSaysWhetherThereAreFields()
         for (std::int64_t number = 0; number < 40; ++number) // in the order in which they were taken
             QCOMPARE(leftEdge(reader->frameAt(number).value()), edgeAt(double(number) / 2));
     }
+}
+
+void TestForeignFiles::theCamerasRateIsToldApart()
+{
+    const auto rateOf = [&](const char *stated) {
+        RawVideo video{"libx264", "yuv420p", 4, 64, 48, 30};
+        video.fill = [](AVFrame &image, int) {
+            std::memset(image.data[0], 90, std::size_t(image.linesize[0]));
+        };
+        video.muxing = {{"movflags", "use_metadata_tags"}};
+        if (stated)
+            video.metadata = {{"com.android.capture.fps", stated}};
+        const bool isWritten = writeRaw(path("captured.mp4"), video);
+        const auto reader = VideoReader::open(path("captured.mp4"));
+        return isWritten && reader ? (*reader)->info().capturedPerSecond : -1;
+    };
+    QCOMPARE(rateOf("240.000000"), std::optional(240.0));
+    for (const char *none : {"", "fast", "-30", "0", "inf", "nan"})
+        QCOMPARE(rateOf(none), std::optional<double>());
+    QCOMPARE(rateOf(nullptr), std::optional<double>());
 }
 
 void TestForeignFiles::coloursWithoutANameCountAsNotStated()

@@ -117,7 +117,7 @@ void TestPixelFormats::yuv()
     QCOMPARE((*reader)->info().format.chromaShiftX, shiftX);
     QCOMPARE((*reader)->info().format.chromaShiftY, shiftY);
     const bool isGrey = pixels.startsWith(QStringLiteral("gray"));
-    const int dither = pixels.endsWith(QStringLiteral("be")) ? 1 : 0; // of libswscale
+    const int dither = pixels.endsWith(QStringLiteral("be")) ? 1 : 0;        // of libswscale
     const int chromaStep = pixels == QStringLiteral("yuv411p") ? 2 : dither; // of the chroma in between
     for (const int number : {2, 0}) {
         const Frame frame = (*reader)->frameAt(number).value();
