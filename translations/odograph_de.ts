@@ -10166,6 +10166,18 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <source>You can also drop files here.</source>
         <translation>Dateien können auch hier abgelegt werden.</translation>
     </message>
+    <message>
+        <source>Name the camera, such as A.</source>
+        <translation>Benennen Sie die Kamera, etwa A.</translation>
+    </message>
+    <message>
+        <source>Connect a camera, or choose existing images.</source>
+        <translation>Schließen Sie eine Kamera an, oder wählen Sie vorhandene Bilder.</translation>
+    </message>
+    <message>
+        <source>Add images or a video of the board.</source>
+        <translation>Fügen Sie Bilder oder ein Video der Tafel hinzu.</translation>
+    </message>
 </context>
 <context>
     <name>odo::CameraChoiceDialog</name>
@@ -11154,6 +11166,22 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <source>With its cameras, marker layouts, robots and tasks, without people and trials</source>
         <translation>Mit seinen Kameras, Markerplänen, Robotern und Aufgaben, ohne Personen und Versuche</translation>
     </message>
+    <message>
+        <source>Open demo lesson</source>
+        <translation>Demo-Lektion öffnen</translation>
+    </message>
+    <message>
+        <source>A demo lesson is in %1.</source>
+        <translation>In %1 liegt eine Demo-Lektion.</translation>
+    </message>
+    <message>
+        <source>&amp;Open it</source>
+        <translation>&amp;Öffnen</translation>
+    </message>
+    <message>
+        <source>&amp;Create another…</source>
+        <translation>&amp;Weitere anlegen…</translation>
+    </message>
 </context>
 <context>
     <name>odo::FilmStrip</name>
@@ -11273,6 +11301,18 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <source>Its lens is not calibrated. Odograph estimates it from the markers, as far as they determine it.</source>
         <translation>Ihr Objektiv ist nicht kalibriert. Odograph schätzt es aus den Markern, soweit diese es bestimmen.</translation>
     </message>
+    <message>
+        <source>Name the camera, such as A.</source>
+        <translation>Benennen Sie die Kamera, etwa A.</translation>
+    </message>
+    <message>
+        <source>Add a marker layout first.</source>
+        <translation>Legen Sie zuerst einen Plan der Marker an.</translation>
+    </message>
+    <message>
+        <source>Choose an image or a video of the markers.</source>
+        <translation>Wählen Sie ein Bild oder Video der Marker.</translation>
+    </message>
 </context>
 <context>
     <name>odo::FloorWizard</name>
@@ -11295,6 +11335,14 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>Detecting the markers…</source>
         <translation>Marker werden gesucht…</translation>
+    </message>
+    <message>
+        <source>There is no registration to save yet.</source>
+        <translation>Es gibt noch keine Einmessung zum Speichern.</translation>
+    </message>
+    <message>
+        <source>the registration</source>
+        <translation>die Einmessung</translation>
     </message>
 </context>
 <context>
@@ -12268,6 +12316,10 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <source>Loading the image…</source>
         <translation>Bild wird geholt…</translation>
     </message>
+    <message>
+        <source>Choose an image or a video.</source>
+        <translation>Wählen Sie ein Bild oder ein Video.</translation>
+    </message>
 </context>
 <context>
     <name>odo::LensWizard</name>
@@ -12290,6 +12342,21 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>The lens</source>
         <translation>Das Objektiv</translation>
+    </message>
+    <message>
+        <source>At least %1 images that show the board are needed; so far there are %2.</source>
+        <translation>Nötig sind mindestens %1 Bilder, die die Tafel zeigen; bisher sind es %2.</translation>
+    </message>
+    <message>
+        <source>There is no lens calibration to save yet.</source>
+        <translation>Es gibt noch keine Objektivkalibrierung zum Speichern.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n image(s) of the board</source>
+        <translation>
+            <numerusform>%n Bild der Tafel</numerusform>
+            <numerusform>%n Bilder der Tafel</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -13058,6 +13125,10 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <source>The registered camera&apos;s image</source>
         <translation>Das Bild der eingemessenen Kamera</translation>
     </message>
+    <message>
+        <source>Choose an image for each camera.</source>
+        <translation>Wählen Sie für jede Kamera ein Bild.</translation>
+    </message>
 </context>
 <context>
     <name>odo::RegisterViaCameraWizard</name>
@@ -13080,6 +13151,14 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>Loading the images…</source>
         <translation>Bilder werden geholt…</translation>
+    </message>
+    <message>
+        <source>There is no registration to save yet.</source>
+        <translation>Es gibt noch keine Einmessung zum Speichern.</translation>
+    </message>
+    <message>
+        <source>the registration</source>
+        <translation>die Einmessung</translation>
     </message>
 </context>
 <context>
@@ -14402,6 +14481,18 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>&amp;Next &gt;</source>
         <translation>&amp;Weiter &gt;</translation>
+    </message>
+    <message>
+        <source>Discard %1?</source>
+        <translation>%1 verwerfen?</translation>
+    </message>
+    <message>
+        <source>&amp;Discard</source>
+        <translation>&amp;Verwerfen</translation>
+    </message>
+    <message>
+        <source>&amp;Keep working</source>
+        <translation>&amp;Weiterarbeiten</translation>
     </message>
 </context>
 <context>

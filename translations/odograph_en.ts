@@ -148,6 +148,16 @@
     </message>
 </context>
 <context>
+    <name>odo::LensWizard</name>
+    <message numerus="yes">
+        <source>%n image(s) of the board</source>
+        <translation>
+            <numerusform>%n image of the board</numerusform>
+            <numerusform>%n images of the board</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>odo::MarkActions</name>
     <message numerus="yes">
         <source>Remove %n trial(s) for good?</source>

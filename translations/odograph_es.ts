@@ -10166,6 +10166,18 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <source>You can also drop files here.</source>
         <translation>También se pueden soltar archivos aquí.</translation>
     </message>
+    <message>
+        <source>Name the camera, such as A.</source>
+        <translation>Dé un nombre a la cámara, como A.</translation>
+    </message>
+    <message>
+        <source>Connect a camera, or choose existing images.</source>
+        <translation>Conecte una cámara o elija imágenes existentes.</translation>
+    </message>
+    <message>
+        <source>Add images or a video of the board.</source>
+        <translation>Añada imágenes o un vídeo del tablero.</translation>
+    </message>
 </context>
 <context>
     <name>odo::CameraChoiceDialog</name>
@@ -11154,6 +11166,22 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <source>With its cameras, marker layouts, robots and tasks, without people and trials</source>
         <translation>Con sus cámaras, planos de marcadores, robots y tareas, sin personas ni ensayos</translation>
     </message>
+    <message>
+        <source>Open demo lesson</source>
+        <translation>Abrir lección demo</translation>
+    </message>
+    <message>
+        <source>A demo lesson is in %1.</source>
+        <translation>Hay una lección demo en %1.</translation>
+    </message>
+    <message>
+        <source>&amp;Open it</source>
+        <translation>&amp;Abrirla</translation>
+    </message>
+    <message>
+        <source>&amp;Create another…</source>
+        <translation>&amp;Crear otra…</translation>
+    </message>
 </context>
 <context>
     <name>odo::FilmStrip</name>
@@ -11273,6 +11301,18 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <source>Its lens is not calibrated. Odograph estimates it from the markers, as far as they determine it.</source>
         <translation>Su objetivo no está calibrado. Odograph lo estima a partir de los marcadores, hasta donde estos lo determinan.</translation>
     </message>
+    <message>
+        <source>Name the camera, such as A.</source>
+        <translation>Dé un nombre a la cámara, como A.</translation>
+    </message>
+    <message>
+        <source>Add a marker layout first.</source>
+        <translation>Añada primero un plano de marcadores.</translation>
+    </message>
+    <message>
+        <source>Choose an image or a video of the markers.</source>
+        <translation>Elija una imagen o un vídeo de los marcadores.</translation>
+    </message>
 </context>
 <context>
     <name>odo::FloorWizard</name>
@@ -11295,6 +11335,14 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <message>
         <source>Detecting the markers…</source>
         <translation>Buscando los marcadores…</translation>
+    </message>
+    <message>
+        <source>There is no registration to save yet.</source>
+        <translation>Aún no hay ningún registro que guardar.</translation>
+    </message>
+    <message>
+        <source>the registration</source>
+        <translation>el registro</translation>
     </message>
 </context>
 <context>
@@ -12268,6 +12316,10 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <source>Loading the image…</source>
         <translation>Obteniendo la imagen…</translation>
     </message>
+    <message>
+        <source>Choose an image or a video.</source>
+        <translation>Elija una imagen o un vídeo.</translation>
+    </message>
 </context>
 <context>
     <name>odo::LensWizard</name>
@@ -12290,6 +12342,21 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <message>
         <source>The lens</source>
         <translation>La lente</translation>
+    </message>
+    <message>
+        <source>At least %1 images that show the board are needed; so far there are %2.</source>
+        <translation>Se necesitan al menos %1 imágenes que muestren el tablero; por ahora hay %2.</translation>
+    </message>
+    <message>
+        <source>There is no lens calibration to save yet.</source>
+        <translation>Aún no hay ninguna calibración del objetivo que guardar.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n image(s) of the board</source>
+        <translation>
+            <numerusform>%n imagen del tablero</numerusform>
+            <numerusform>%n imágenes del tablero</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -13058,6 +13125,10 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <source>The registered camera&apos;s image</source>
         <translation>La imagen de la cámara registrada</translation>
     </message>
+    <message>
+        <source>Choose an image for each camera.</source>
+        <translation>Elija una imagen para cada cámara.</translation>
+    </message>
 </context>
 <context>
     <name>odo::RegisterViaCameraWizard</name>
@@ -13080,6 +13151,14 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <message>
         <source>Loading the images…</source>
         <translation>Obteniendo las imágenes…</translation>
+    </message>
+    <message>
+        <source>There is no registration to save yet.</source>
+        <translation>Aún no hay ningún registro que guardar.</translation>
+    </message>
+    <message>
+        <source>the registration</source>
+        <translation>el registro</translation>
     </message>
 </context>
 <context>
@@ -14402,6 +14481,18 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <message>
         <source>&amp;Next &gt;</source>
         <translation>&amp;Siguiente &gt;</translation>
+    </message>
+    <message>
+        <source>Discard %1?</source>
+        <translation>¿Descartar %1?</translation>
+    </message>
+    <message>
+        <source>&amp;Discard</source>
+        <translation>&amp;Descartar</translation>
+    </message>
+    <message>
+        <source>&amp;Keep working</source>
+        <translation>&amp;Seguir</translation>
     </message>
 </context>
 <context>

@@ -10166,6 +10166,18 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <source>You can also drop files here.</source>
         <translation>Des fichiers peuvent aussi être déposés ici.</translation>
     </message>
+    <message>
+        <source>Name the camera, such as A.</source>
+        <translation>Donnez un nom à la caméra, par exemple A.</translation>
+    </message>
+    <message>
+        <source>Connect a camera, or choose existing images.</source>
+        <translation>Branchez une caméra, ou choisissez des images existantes.</translation>
+    </message>
+    <message>
+        <source>Add images or a video of the board.</source>
+        <translation>Ajoutez des images ou une vidéo de la mire.</translation>
+    </message>
 </context>
 <context>
     <name>odo::CameraChoiceDialog</name>
@@ -11154,6 +11166,22 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <source>With its cameras, marker layouts, robots and tasks, without people and trials</source>
         <translation>Avec ses caméras, plans de marqueurs, robots et épreuves, sans personnes ni essais</translation>
     </message>
+    <message>
+        <source>Open demo lesson</source>
+        <translation>Ouvrir la leçon de démo</translation>
+    </message>
+    <message>
+        <source>A demo lesson is in %1.</source>
+        <translation>Une leçon de démo se trouve dans %1.</translation>
+    </message>
+    <message>
+        <source>&amp;Open it</source>
+        <translation>&amp;L’ouvrir</translation>
+    </message>
+    <message>
+        <source>&amp;Create another…</source>
+        <translation>&amp;En créer une autre…</translation>
+    </message>
 </context>
 <context>
     <name>odo::FilmStrip</name>
@@ -11273,6 +11301,18 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <source>Its lens is not calibrated. Odograph estimates it from the markers, as far as they determine it.</source>
         <translation>Son objectif n’est pas étalonné. Odograph l’estime d’après les marqueurs, autant qu’ils le déterminent.</translation>
     </message>
+    <message>
+        <source>Name the camera, such as A.</source>
+        <translation>Donnez un nom à la caméra, par exemple A.</translation>
+    </message>
+    <message>
+        <source>Add a marker layout first.</source>
+        <translation>Ajoutez d’abord un plan de marqueurs.</translation>
+    </message>
+    <message>
+        <source>Choose an image or a video of the markers.</source>
+        <translation>Choisissez une image ou une vidéo des marqueurs.</translation>
+    </message>
 </context>
 <context>
     <name>odo::FloorWizard</name>
@@ -11295,6 +11335,14 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>Detecting the markers…</source>
         <translation>Recherche des marqueurs…</translation>
+    </message>
+    <message>
+        <source>There is no registration to save yet.</source>
+        <translation>Il n’y a pas encore de localisation à enregistrer.</translation>
+    </message>
+    <message>
+        <source>the registration</source>
+        <translation>la localisation</translation>
     </message>
 </context>
 <context>
@@ -12268,6 +12316,10 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <source>Loading the image…</source>
         <translation>Lecture de l’image…</translation>
     </message>
+    <message>
+        <source>Choose an image or a video.</source>
+        <translation>Choisissez une image ou une vidéo.</translation>
+    </message>
 </context>
 <context>
     <name>odo::LensWizard</name>
@@ -12290,6 +12342,21 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>The lens</source>
         <translation>L’objectif</translation>
+    </message>
+    <message>
+        <source>At least %1 images that show the board are needed; so far there are %2.</source>
+        <translation>Il faut au moins %1 images montrant la mire ; il y en a %2 pour l’instant.</translation>
+    </message>
+    <message>
+        <source>There is no lens calibration to save yet.</source>
+        <translation>Il n’y a pas encore d’étalonnage de l’objectif à enregistrer.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n image(s) of the board</source>
+        <translation>
+            <numerusform>%n image de la mire</numerusform>
+            <numerusform>%n images de la mire</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -13058,6 +13125,10 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <source>The registered camera&apos;s image</source>
         <translation>L’image de la caméra localisée</translation>
     </message>
+    <message>
+        <source>Choose an image for each camera.</source>
+        <translation>Choisissez une image pour chaque caméra.</translation>
+    </message>
 </context>
 <context>
     <name>odo::RegisterViaCameraWizard</name>
@@ -13080,6 +13151,14 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>Loading the images…</source>
         <translation>Lecture des images…</translation>
+    </message>
+    <message>
+        <source>There is no registration to save yet.</source>
+        <translation>Il n’y a pas encore de localisation à enregistrer.</translation>
+    </message>
+    <message>
+        <source>the registration</source>
+        <translation>la localisation</translation>
     </message>
 </context>
 <context>
@@ -14402,6 +14481,18 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>&amp;Next &gt;</source>
         <translation>&amp;Suivant &gt;</translation>
+    </message>
+    <message>
+        <source>Discard %1?</source>
+        <translation>Abandonner %1 ?</translation>
+    </message>
+    <message>
+        <source>&amp;Discard</source>
+        <translation>&amp;Abandonner</translation>
+    </message>
+    <message>
+        <source>&amp;Keep working</source>
+        <translation>&amp;Continuer</translation>
     </message>
 </context>
 <context>

@@ -10157,6 +10157,18 @@ Much more than expected means that a setting is wrong: the views are not synchro
         <source>You can also drop files here.</source>
         <translation>파일을 여기에 끌어다 놓을 수도 있습니다.</translation>
     </message>
+    <message>
+        <source>Name the camera, such as A.</source>
+        <translation>카메라에 A와 같은 이름을 붙이십시오.</translation>
+    </message>
+    <message>
+        <source>Connect a camera, or choose existing images.</source>
+        <translation>카메라를 연결하거나 기존 이미지를 선택하십시오.</translation>
+    </message>
+    <message>
+        <source>Add images or a video of the board.</source>
+        <translation>보드의 이미지나 동영상을 추가하십시오.</translation>
+    </message>
 </context>
 <context>
     <name>odo::CameraChoiceDialog</name>
@@ -11143,6 +11155,22 @@ Much more than expected means that a setting is wrong: the views are not synchro
         <source>With its cameras, marker layouts, robots and tasks, without people and trials</source>
         <translation>카메라, 마커 배치, 로봇, 과제는 그대로, 사람과 시행은 없이</translation>
     </message>
+    <message>
+        <source>Open demo lesson</source>
+        <translation>데모 수업 열기</translation>
+    </message>
+    <message>
+        <source>A demo lesson is in %1.</source>
+        <translation>%1에 데모 수업이 있습니다.</translation>
+    </message>
+    <message>
+        <source>&amp;Open it</source>
+        <translation>열기(&amp;O)</translation>
+    </message>
+    <message>
+        <source>&amp;Create another…</source>
+        <translation>새로 만들기(&amp;C)…</translation>
+    </message>
 </context>
 <context>
     <name>odo::FilmStrip</name>
@@ -11262,6 +11290,18 @@ Much more than expected means that a setting is wrong: the views are not synchro
         <source>Its lens is not calibrated. Odograph estimates it from the markers, as far as they determine it.</source>
         <translation>렌즈가 보정되지 않았습니다. 마커로 결정되는 만큼 Odograph가 마커에서 추정합니다.</translation>
     </message>
+    <message>
+        <source>Name the camera, such as A.</source>
+        <translation>카메라에 A와 같은 이름을 붙이십시오.</translation>
+    </message>
+    <message>
+        <source>Add a marker layout first.</source>
+        <translation>먼저 마커 배치를 추가하십시오.</translation>
+    </message>
+    <message>
+        <source>Choose an image or a video of the markers.</source>
+        <translation>마커의 이미지나 동영상을 선택하십시오.</translation>
+    </message>
 </context>
 <context>
     <name>odo::FloorWizard</name>
@@ -11284,6 +11324,14 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>Detecting the markers…</source>
         <translation>마커를 찾는 중…</translation>
+    </message>
+    <message>
+        <source>There is no registration to save yet.</source>
+        <translation>아직 저장할 정합이 없습니다.</translation>
+    </message>
+    <message>
+        <source>the registration</source>
+        <translation>정합</translation>
     </message>
 </context>
 <context>
@@ -12251,6 +12299,10 @@ Much more than expected means that a setting is wrong: the views are not synchro
         <source>Loading the image…</source>
         <translation>사진을 가져오는 중…</translation>
     </message>
+    <message>
+        <source>Choose an image or a video.</source>
+        <translation>이미지나 동영상을 선택하십시오.</translation>
+    </message>
 </context>
 <context>
     <name>odo::LensWizard</name>
@@ -12273,6 +12325,20 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>The lens</source>
         <translation>렌즈</translation>
+    </message>
+    <message>
+        <source>At least %1 images that show the board are needed; so far there are %2.</source>
+        <translation>보드가 보이는 이미지가 %1개 이상 필요합니다. 지금은 %2개입니다.</translation>
+    </message>
+    <message>
+        <source>There is no lens calibration to save yet.</source>
+        <translation>아직 저장할 렌즈 보정이 없습니다.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n image(s) of the board</source>
+        <translation>
+            <numerusform>보드 이미지 %n개</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -13040,6 +13106,10 @@ Much more than expected means that a setting is wrong: the views are not synchro
         <source>The registered camera&apos;s image</source>
         <translation>정합된 카메라의 사진</translation>
     </message>
+    <message>
+        <source>Choose an image for each camera.</source>
+        <translation>카메라마다 이미지를 선택하십시오.</translation>
+    </message>
 </context>
 <context>
     <name>odo::RegisterViaCameraWizard</name>
@@ -13062,6 +13132,14 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>Loading the images…</source>
         <translation>사진을 가져오는 중…</translation>
+    </message>
+    <message>
+        <source>There is no registration to save yet.</source>
+        <translation>아직 저장할 정합이 없습니다.</translation>
+    </message>
+    <message>
+        <source>the registration</source>
+        <translation>정합</translation>
     </message>
 </context>
 <context>
@@ -14379,6 +14457,18 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>&amp;Next &gt;</source>
         <translation>다음(&amp;N) &gt;</translation>
+    </message>
+    <message>
+        <source>Discard %1?</source>
+        <translation>%1을(를) 버리시겠습니까?</translation>
+    </message>
+    <message>
+        <source>&amp;Discard</source>
+        <translation>버리기(&amp;D)</translation>
+    </message>
+    <message>
+        <source>&amp;Keep working</source>
+        <translation>계속 작업(&amp;K)</translation>
     </message>
 </context>
 <context>

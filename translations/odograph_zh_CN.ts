@@ -10157,6 +10157,18 @@ Much more than expected means that a setting is wrong: the views are not synchro
         <source>You can also drop files here.</source>
         <translation>也可将文件拖放到此处。</translation>
     </message>
+    <message>
+        <source>Name the camera, such as A.</source>
+        <translation>为相机命名，例如 A。</translation>
+    </message>
+    <message>
+        <source>Connect a camera, or choose existing images.</source>
+        <translation>连接相机，或选择现有的图像。</translation>
+    </message>
+    <message>
+        <source>Add images or a video of the board.</source>
+        <translation>添加标定板的图像或视频。</translation>
+    </message>
 </context>
 <context>
     <name>odo::CameraChoiceDialog</name>
@@ -11143,6 +11155,22 @@ Much more than expected means that a setting is wrong: the views are not synchro
         <source>With its cameras, marker layouts, robots and tasks, without people and trials</source>
         <translation>保留相机、标记布局、机器人和任务，不含人员和试验</translation>
     </message>
+    <message>
+        <source>Open demo lesson</source>
+        <translation>打开演示课</translation>
+    </message>
+    <message>
+        <source>A demo lesson is in %1.</source>
+        <translation>%1 中已有一份演示课。</translation>
+    </message>
+    <message>
+        <source>&amp;Open it</source>
+        <translation>打开(&amp;O)</translation>
+    </message>
+    <message>
+        <source>&amp;Create another…</source>
+        <translation>另建一份(&amp;C)…</translation>
+    </message>
 </context>
 <context>
     <name>odo::FilmStrip</name>
@@ -11262,6 +11290,18 @@ Much more than expected means that a setting is wrong: the views are not synchro
         <source>Its lens is not calibrated. Odograph estimates it from the markers, as far as they determine it.</source>
         <translation>其镜头未标定。Odograph 会在标记能够确定的范围内由标记估计镜头。</translation>
     </message>
+    <message>
+        <source>Name the camera, such as A.</source>
+        <translation>为相机命名，例如 A。</translation>
+    </message>
+    <message>
+        <source>Add a marker layout first.</source>
+        <translation>请先添加标记布局。</translation>
+    </message>
+    <message>
+        <source>Choose an image or a video of the markers.</source>
+        <translation>选择标记的图像或视频。</translation>
+    </message>
 </context>
 <context>
     <name>odo::FloorWizard</name>
@@ -11284,6 +11324,14 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>Detecting the markers…</source>
         <translation>正在查找标记…</translation>
+    </message>
+    <message>
+        <source>There is no registration to save yet.</source>
+        <translation>还没有可保存的配准。</translation>
+    </message>
+    <message>
+        <source>the registration</source>
+        <translation>配准</translation>
     </message>
 </context>
 <context>
@@ -12251,6 +12299,10 @@ Much more than expected means that a setting is wrong: the views are not synchro
         <source>Loading the image…</source>
         <translation>正在获取画面…</translation>
     </message>
+    <message>
+        <source>Choose an image or a video.</source>
+        <translation>选择图像或视频。</translation>
+    </message>
 </context>
 <context>
     <name>odo::LensWizard</name>
@@ -12273,6 +12325,20 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>The lens</source>
         <translation>镜头</translation>
+    </message>
+    <message>
+        <source>At least %1 images that show the board are needed; so far there are %2.</source>
+        <translation>至少需要 %1 张能看到标定板的图像；目前有 %2 张。</translation>
+    </message>
+    <message>
+        <source>There is no lens calibration to save yet.</source>
+        <translation>还没有可保存的镜头标定。</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n image(s) of the board</source>
+        <translation>
+            <numerusform>%n 张标定板图像</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -13040,6 +13106,10 @@ Much more than expected means that a setting is wrong: the views are not synchro
         <source>The registered camera&apos;s image</source>
         <translation>已配准相机的画面</translation>
     </message>
+    <message>
+        <source>Choose an image for each camera.</source>
+        <translation>为每台相机选择一张图像。</translation>
+    </message>
 </context>
 <context>
     <name>odo::RegisterViaCameraWizard</name>
@@ -13062,6 +13132,14 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>Loading the images…</source>
         <translation>正在获取画面…</translation>
+    </message>
+    <message>
+        <source>There is no registration to save yet.</source>
+        <translation>还没有可保存的配准。</translation>
+    </message>
+    <message>
+        <source>the registration</source>
+        <translation>配准</translation>
     </message>
 </context>
 <context>
@@ -14379,6 +14457,18 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>&amp;Next &gt;</source>
         <translation>下一步(&amp;N) &gt;</translation>
+    </message>
+    <message>
+        <source>Discard %1?</source>
+        <translation>放弃%1？</translation>
+    </message>
+    <message>
+        <source>&amp;Discard</source>
+        <translation>放弃(&amp;D)</translation>
+    </message>
+    <message>
+        <source>&amp;Keep working</source>
+        <translation>继续(&amp;K)</translation>
     </message>
 </context>
 <context>

@@ -27,6 +27,7 @@
 #include <QLineEdit>
 #include <QPushButton>
 #include <QRadioButton>
+#include <QSettings>
 #include <QTemporaryDir>
 #include <QTest>
 
@@ -76,6 +77,7 @@ private Q_SLOTS:
     void tracks();
     void exportsAndCopies();
     void cancelsTheDemo();
+    void opensTheDemoThatIsThere();
 
 private:
     QString path(const QString &name) const { return m_folder.filePath(name); }
@@ -244,10 +246,12 @@ void TestWindowFlows::calibratesAndCancels()
     };
     const QStringList before = content();
     run("Calibrate camera…", {[&](QDialog &dialog) {
-            begin(dialog);
-            waitForNext(dialog);
-            dialog.reject();
-        }});
+                                  begin(dialog);
+                                  waitForNext(dialog);
+                                  // queued: the question that follows is answered next
+                                  QMetaObject::invokeMethod(&dialog, &QDialog::reject, Qt::QueuedConnection);
+                              },
+                              [](QDialog &question) { test::button(question, "Discard")->click(); }});
     QCOMPARE(content(), before);
     run("Calibrate camera…", {[&](QDialog &dialog) {
             begin(dialog);
@@ -387,6 +391,19 @@ void TestWindowFlows::cancelsTheDemo()
     QCOMPARE(message(), QStringLiteral("Cancelled. Nothing was changed."));
     QCOMPARE(QDir(folder).entryList(QDir::AllEntries | QDir::NoDotAndDotDot | QDir::Hidden), QStringList());
     QCOMPARE(content(), before);
+}
+
+/// The lesson takes 135 MB: one that was made before is offered first.
+void TestWindowFlows::opensTheDemoThatIsThere()
+{
+    const QString lesson = path(QStringLiteral("copy.odo")), key = QStringLiteral("demoLesson");
+    QSettings().setValue(key, lesson);
+    run("Open demo lesson…", {[](QDialog &question) { question.reject(); }});
+    QVERIFY(project().file() != lesson.toStdString());
+    run("Open demo lesson…", {press});
+    QTRY_COMPARE(project().file(), std::filesystem::path(lesson.toStdString()));
+    QVERIFY(QSettings().value(QStringLiteral("recentProjects")).toStringList().contains(lesson));
+    QSettings().remove(key);
 }
 
 ODOGRAPH_TEST(TestWindowFlows, QApplication)

@@ -20,6 +20,7 @@
 #include <QLabel>
 #include <QListWidget>
 #include <QMenu>
+#include <QMessageBox>
 #include <QPushButton>
 #include <QSettings>
 #include <QStandardPaths>
@@ -43,6 +44,8 @@ QString withSuffix(QString file)
         file += projectSuffix;
     return file;
 }
+
+const QString demoKey = QStringLiteral("demoLesson"); ///< the project of the last one that was made
 
 /// A folder of that name which does not exist yet: the demo may be made as often as one likes.
 QString freeFolder(const QString &base)
@@ -209,8 +212,29 @@ void FileActions::askOpen()
         beginOpening(pathOf(file));
 }
 
+bool FileActions::wantsDemoThere(const QString &file)
+{
+    QMessageBox question(
+        QMessageBox::Question, tr("Open demo lesson"),
+        tr("A demo lesson is in %1.").arg(QDir::toNativeSeparators(QFileInfo(file).absolutePath())),
+        QMessageBox::Cancel, &m_window);
+    QPushButton *openIt = question.addButton(tr("&Open it"), QMessageBox::AcceptRole);
+    QPushButton *another = question.addButton(tr("&Create another…"), QMessageBox::ActionRole);
+    question.setDefaultButton(openIt);
+    question.exec();
+    if (question.clickedButton() == openIt)
+        showFailure(m_workspace.beginOpening(pathOf(file), [this, file] {
+            m_recent.add(pathOf(file));
+            Q_EMIT demoOpened();
+        }));
+    return question.clickedButton() != another;
+}
+
 void FileActions::askDemo()
 {
+    const QString there = QSettings().value(demoKey).toString();
+    if (QFileInfo::exists(there) && wantsDemoThere(there))
+        return;
     const QString parent = QFileDialog::getExistingDirectory(
         &m_window, tr("Choose a folder for the demo lesson"), documentsFolder());
     if (parent.isEmpty())
@@ -219,8 +243,12 @@ void FileActions::askDemo()
     const auto make = [folder = pathOf(folder)](const JobControl &control) {
         return makeDemo(folder, control);
     };
-    showFailure(m_workspace.makeAndOpen(make, ODO_TEXT("ui.making_demo", "Creating the demo lesson"),
-                                        [this] { Q_EMIT demoOpened(); }));
+    showFailure(m_workspace.makeAndOpen(make, ODO_TEXT("ui.making_demo", "Creating the demo lesson"), [this] {
+        const std::filesystem::path file = m_workspace.project()->file();
+        QSettings().setValue(demoKey, textOf(file));
+        m_recent.add(file);
+        Q_EMIT demoOpened();
+    }));
 }
 
 void FileActions::askCopy()

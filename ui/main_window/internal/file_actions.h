@@ -60,6 +60,8 @@ private:
     void askLike();
     void askOpen();
     void askDemo();
+    /// Offers the demo lesson that exists; false: another one is to be made.
+    bool wantsDemoThere(const QString &file);
     void askCopy();
     void fillRecent();
     void showFailure(const Result<void> &result);

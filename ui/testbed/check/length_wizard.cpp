@@ -118,9 +118,14 @@ const CheckCamera &LengthWizard::camera() const
     return m_cameras.at(std::size_t(m_camera->currentIndex()));
 }
 
-bool LengthWizard::isComplete(int step) const
+QString LengthWizard::missing(int step) const
 {
-    return step == EndsPage || (m_choice->isComplete() && !m_task.isRunning());
+    return step == EndsPage || m_choice->isComplete() ? QString() : tr("Choose an image or a video.");
+}
+
+bool LengthWizard::isBusy(int step) const
+{
+    return isSaving() || (step != EndsPage && m_task.isRunning());
 }
 
 void LengthWizard::next()

@@ -44,7 +44,8 @@ public:
     void done(int result) override;
 
 protected:
-    bool isComplete(int step) const override;
+    QString missing(int step) const override;
+    bool isBusy(int step) const override;
     void next() override;
     void back() override;
 

@@ -52,10 +52,21 @@ QString FloorWizard::camera() const
     return m_source->camera();
 }
 
-bool FloorWizard::isComplete(int step) const
+QString FloorWizard::missing(int step) const
 {
-    return step == SourcePage ? m_source->isComplete() && !m_task.isRunning()
-                              : m_markers->registration().has_value() && !isSaving();
+    if (step == SourcePage)
+        return m_source->missing();
+    return m_markers->registration() ? QString() : tr("There is no registration to save yet.");
+}
+
+bool FloorWizard::isBusy(int step) const
+{
+    return isSaving() || (step == SourcePage && m_task.isRunning());
+}
+
+QString FloorWizard::unsaved() const
+{
+    return step() != SourcePage && m_markers->registration() ? tr("the registration") : QString();
 }
 
 void FloorWizard::next()
@@ -196,9 +207,13 @@ void FloorSourcePage::setFile(const QString &file)
 {
     m_image->setFile(file);
 }
-bool FloorSourcePage::isComplete() const
+QString FloorSourcePage::missing() const
 {
-    return !camera().isEmpty() && layout() >= 0 && m_image->isComplete();
+    if (camera().isEmpty())
+        return tr("Name the camera, such as A.");
+    if (layout() < 0)
+        return tr("Add a marker layout first.");
+    return m_image->isComplete() ? QString() : tr("Choose an image or a video of the markers.");
 }
 
 } // namespace odo

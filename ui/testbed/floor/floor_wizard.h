@@ -39,7 +39,9 @@ public:
     void done(int result) override;
 
 protected:
-    bool isComplete(int step) const override;
+    QString missing(int step) const override;
+    bool isBusy(int step) const override;
+    QString unsaved() const override;
     void next() override;
     void back() override;
     void showNotSaved(const Error &error) override;
@@ -74,7 +76,7 @@ public:
     int layout() const; ///< its row in the list
     ImageOrigin origin() const;
     void setFile(const QString &file);
-    bool isComplete() const;
+    QString missing() const; ///< as a sentence; empty: nothing
 
 Q_SIGNALS:
     void completeChanged();

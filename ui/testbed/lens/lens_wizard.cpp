@@ -48,16 +48,40 @@ LensWizard::LensWizard(const QStringList &cameras, const QString &current, const
 
 LensWizard::~LensWizard() = default;
 
-bool LensWizard::isComplete(int step) const
+QString LensWizard::missing(int step) const
 {
     switch (step) {
     case Source:
-        return m_source->isComplete();
-    case Images:
-        return int(m_search.state().kept.size()) >= fewestImages && m_search.state().waiting == 0;
-    default:
-        return m_result->calibration().has_value() && !isSaving();
+        return m_source->missing();
+    case Images: {
+        const int kept = int(m_search.state().kept.size());
+        return kept >= fewestImages
+                   ? QString()
+                   : tr("At least %1 images that show the board are needed; so far there are %2.")
+                         .arg(fewestImages)
+                         .arg(kept);
     }
+    default:
+        return m_result->calibration() ? QString() : tr("There is no lens calibration to save yet.");
+    }
+}
+
+bool LensWizard::isBusy(int step) const
+{
+    switch (step) {
+    case Source:
+        return false;
+    case Images:
+        return m_search.state().waiting > 0;
+    default:
+        return isSaving();
+    }
+}
+
+QString LensWizard::unsaved() const
+{
+    const int kept = int(m_search.state().kept.size());
+    return kept > 0 ? tr("%n image(s) of the board", nullptr, kept) : QString();
 }
 
 void LensWizard::beginImages()
@@ -273,9 +297,13 @@ void CalibrationSourcePage::addFiles(const QStringList &files)
     Q_EMIT completeChanged();
 }
 
-bool CalibrationSourcePage::isComplete() const
+QString CalibrationSourcePage::missing() const
 {
-    return !camera().isEmpty() && (isLive() ? !liveUri().isEmpty() : m_files->count() > 0);
+    if (camera().isEmpty())
+        return tr("Name the camera, such as A.");
+    if (isLive())
+        return liveUri().isEmpty() ? tr("Connect a camera, or choose existing images.") : QString();
+    return m_files->count() > 0 ? QString() : tr("Add images or a video of the board.");
 }
 
 void CalibrationSourcePage::dragEnterEvent(QDragEnterEvent *event)

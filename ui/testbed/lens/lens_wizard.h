@@ -60,7 +60,9 @@ public:
     void done(int result) override;
 
 protected:
-    bool isComplete(int step) const override;
+    QString missing(int step) const override;
+    bool isBusy(int step) const override;
+    QString unsaved() const override;
     void next() override;
     void back() override;
     void showNotSaved(const Error &error) override;
@@ -95,7 +97,7 @@ public:
     QString liveUri() const; ///< of the camera that is to be watched
     QStringList files() const;
     void addFiles(const QStringList &files);
-    bool isComplete() const;
+    QString missing() const; ///< as a sentence; empty: nothing
 
 Q_SIGNALS:
     void completeChanged();

@@ -188,8 +188,7 @@ ReferenceCameraPage::ReferenceCameraPage(const std::vector<FloorCamera> &cameras
     : QWidget(parent), m_cameras(cameras), m_registered(registered), m_camera(new QComboBox),
       m_reference(new QComboBox),
       m_image(new ImageChoice(live, tr("Image or video of the camera to register"))),
-      m_referenceImage(new ImageChoice(live, tr("Image or video of the registered camera"))),
-      m_same(new QLabel(tr("A camera cannot be registered via itself: choose two different ones.")))
+      m_referenceImage(new ImageChoice(live, tr("Image or video of the registered camera")))
 {
     for (const FloorCamera &camera : m_cameras)
         m_camera->addItem(camera.name);
@@ -208,7 +207,6 @@ ReferenceCameraPage::ReferenceCameraPage(const std::vector<FloorCamera> &cameras
     auto *form = new QFormLayout;
     form->addRow(tr("C&amera to register"), m_camera);
     form->addRow(tr("&Via camera"), m_reference);
-    form->addRow(QString(), m_same);
     auto *images = new QHBoxLayout;
     for (const auto &[title, choice] : {std::pair(tr("Its image"), m_image),
                                         std::pair(tr("The registered camera's image"), m_referenceImage)}) {
@@ -245,13 +243,15 @@ void ReferenceCameraPage::showCameras()
 {
     m_image->setRecording(camera().newestRecording);
     m_referenceImage->setRecording(reference().newestRecording);
-    m_same->setVisible(camera().name == reference().name);
     Q_EMIT completeChanged();
 }
 
-bool ReferenceCameraPage::isComplete() const
+QString ReferenceCameraPage::missing() const
 {
-    return camera().name != reference().name && m_image->isComplete() && m_referenceImage->isComplete();
+    if (camera().name == reference().name)
+        return tr("A camera cannot be registered via itself: choose two different ones.");
+    return m_image->isComplete() && m_referenceImage->isComplete() ? QString()
+                                                                   : tr("Choose an image for each camera.");
 }
 
 namespace {
@@ -285,10 +285,21 @@ RegisterViaCameraWizard::RegisterViaCameraWizard(const std::vector<FloorCamera> 
 
 RegisterViaCameraWizard::~RegisterViaCameraWizard() = default;
 
-bool RegisterViaCameraWizard::isComplete(int step) const
+QString RegisterViaCameraWizard::missing(int step) const
 {
-    return step == SourcePage ? m_source->isComplete() && !m_task.isRunning()
-                              : m_page->registration().has_value() && !isSaving();
+    if (step == SourcePage)
+        return m_source->missing();
+    return m_page->registration() ? QString() : tr("There is no registration to save yet.");
+}
+
+bool RegisterViaCameraWizard::isBusy(int step) const
+{
+    return isSaving() || (step == SourcePage && m_task.isRunning());
+}
+
+QString RegisterViaCameraWizard::unsaved() const
+{
+    return step() != SourcePage && m_page->registration() ? tr("the registration") : QString();
 }
 
 void RegisterViaCameraWizard::next()

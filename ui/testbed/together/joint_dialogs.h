@@ -74,7 +74,7 @@ public:
     const CheckCamera &reference() const;
     ImageChoice &image() { return *m_image; }
     ImageChoice &referenceImage() { return *m_referenceImage; }
-    bool isComplete() const;
+    QString missing() const; ///< as a sentence; empty: nothing
 
 Q_SIGNALS:
     void completeChanged();
@@ -86,7 +86,6 @@ private:
     const std::vector<CheckCamera> m_registered;
     QComboBox *m_camera, *m_reference;
     ImageChoice *m_image, *m_referenceImage;
-    QLabel *m_same; ///< shown when both are the same camera
 };
 
 /// Registers a camera that sees no markers via another one that sees the same floor: which two and their
@@ -109,7 +108,9 @@ public:
     void done(int result) override;
 
 protected:
-    bool isComplete(int step) const override;
+    QString missing(int step) const override;
+    bool isBusy(int step) const override;
+    QString unsaved() const override;
     void next() override;
     void back() override;
     void showNotSaved(const Error &error) override;

@@ -3,6 +3,7 @@
 
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QMessageBox>
 #include <QPushButton>
 #include <QStackedWidget>
 #include <QVBoxLayout>
@@ -11,7 +12,8 @@ namespace odo {
 
 StepDialog::StepDialog(const QString &windowTitle, const QString &lastButton, QWidget *parent)
     : QDialog(parent), m_lastButton(lastButton), m_title(new QLabel), m_steps(new QLabel),
-      m_pages(new QStackedWidget), m_back(new QPushButton(tr("< &Back"))), m_next(new QPushButton)
+      m_missing(new QLabel), m_pages(new QStackedWidget), m_back(new QPushButton(tr("< &Back"))),
+      m_next(new QPushButton)
 {
     setWindowTitle(windowTitle);
     m_title->setStyleSheet(QStringLiteral("font-size: 16pt; font-weight: 600"));
@@ -21,8 +23,10 @@ StepDialog::StepDialog(const QString &windowTitle, const QString &lastButton, QW
     head->addStretch(1);
     head->addWidget(m_steps);
     auto *cancel = new QPushButton(tr("Cancel"));
+    m_missing->setObjectName(QStringLiteral("quiet"));
+    m_missing->setWordWrap(true);
     auto *buttons = new QHBoxLayout;
-    buttons->addStretch(1);
+    buttons->addWidget(m_missing, 1);
     for (QPushButton *button : {m_back, m_next, cancel}) {
         button->setAutoDefault(false);
         buttons->addWidget(button);
@@ -60,6 +64,22 @@ void StepDialog::done(int result)
     QDialog::done(result);
 }
 
+void StepDialog::reject()
+{
+    if (const QString lost = unsaved(); !lost.isEmpty()) {
+        QMessageBox question(QMessageBox::Question, windowTitle(), tr("Discard %1?").arg(lost),
+                             QMessageBox::NoButton, this);
+        QPushButton *discard = question.addButton(tr("&Discard"), QMessageBox::DestructiveRole);
+        QPushButton *stay = question.addButton(tr("&Keep working"), QMessageBox::RejectRole);
+        question.setDefaultButton(stay);
+        question.setEscapeButton(stay);
+        question.exec();
+        if (question.clickedButton() != discard)
+            return;
+    }
+    QDialog::reject();
+}
+
 void StepDialog::addStep(const QString &title, QWidget *page)
 {
     m_titles << title;
@@ -84,7 +104,10 @@ int StepDialog::step() const
 void StepDialog::updateButtons()
 {
     m_back->setEnabled(step() > 0);
-    m_next->setEnabled(isComplete(step()));
+    const QString lacks = missing(step());
+    const bool isWaiting = isBusy(step());
+    m_missing->setText(isWaiting ? QString() : lacks);
+    m_next->setEnabled(!isWaiting && lacks.isEmpty());
 }
 
 } // namespace odo

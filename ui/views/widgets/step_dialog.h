@@ -13,12 +13,14 @@ class QStackedWidget;
 namespace odo {
 
 /// A dialog whose pages are walked one after the other: a title, "step 1 of 2", and Back, Next and Cancel, of
-/// which Enter presses Next. Whoever derives from it says when a page is complete and what Next does.
+/// which Enter presses Next. Whoever derives from it says what a page still lacks, which is shown beside a
+/// Next that cannot be pressed, what Next does, and what is lost by leaving, which is asked first.
 class StepDialog : public QDialog
 {
     Q_OBJECT
 public:
     void done(int result) override;
+    void reject() override;
 
 protected:
     /// lastButton: what Next is called on the last page.
@@ -28,7 +30,7 @@ protected:
     /// Call it once all steps are there, too.
     void turnTo(int step);
     int step() const;
-    /// Asks isComplete() again.
+    /// Asks missing() and isBusy() again.
     void updateButtons();
 
     /// Does the work on a thread of its own, then accepts; if it fails, showNotSaved() says why and the
@@ -36,7 +38,12 @@ protected:
     void saveAndAccept(BackgroundTask::Work work);
     bool isSaving() const { return m_saving.isRunning(); }
 
-    virtual bool isComplete(int step) const = 0;
+    /// What a page still lacks, as a sentence; empty: Next may be pressed.
+    virtual QString missing(int step) const = 0;
+    /// Something runs for which Next has to wait, and which shows its progress itself.
+    virtual bool isBusy(int) const { return isSaving(); }
+    /// What the user made here and has not saved, such as "14 images of the board"; empty: nothing.
+    virtual QString unsaved() const { return {}; }
     virtual void next() = 0;
     virtual void back() { turnTo(step() - 1); }
     virtual void showNotSaved(const Error &) {}
@@ -44,7 +51,7 @@ protected:
 private:
     const QString m_lastButton;
     QStringList m_titles;
-    QLabel *m_title, *m_steps;
+    QLabel *m_title, *m_steps, *m_missing;
     QStackedWidget *m_pages;
     QPushButton *m_back, *m_next;
     BackgroundTask m_saving;

@@ -289,7 +289,20 @@ void TestLensWizard::cancelsAtEveryPage()
     if (lastPage > 1)
         QTest::mouseClick(button(*wizard, "Next >"), Qt::LeftButton);
     QCOMPARE(page(*wizard), lastPage);
+    if (lastPage == 0)
+        QVERIFY(says(*wizard, "Add images or a video of the board."));
+    if (lastPage > 0) { // boards that were found are not thrown away unasked
+        Person keeper({press});
+        QTest::keyClick(wizard.get(), Qt::Key_Escape);
+        QVERIFY(keeper.isDone() && wizard->isVisible());
+    }
+    const auto discard = [](QDialog &question) {
+        QVERIFY(says(question, "of the board?"));
+        button(question, "Discard")->click();
+    };
+    Person person(lastPage > 0 ? QList<Answer>{discard} : QList<Answer>());
     QTest::keyClick(wizard.get(), Qt::Key_Escape);
+    QVERIFY(person.isDone());
     QVERIFY(!wizard->isVisible());
     QCOMPARE(wizard->QDialog::result(), int(QDialog::Rejected));
 }
@@ -312,6 +325,7 @@ void TestLensWizard::saysWhyPicturesDoNotCount()
     QTRY_COMPARE_WITH_TIMEOUT(refused->count(), 2, patienceMs);
     QVERIFY(refused->item(1)->text().startsWith(QStringLiteral("text.png: ")));
     QVERIFY2(!button(*wizard, "Next >")->isEnabled(), "one picture is too few");
+    QVERIFY(says(*wizard, "At least 3 images that show the board are needed; so far there are 1."));
 }
 
 void TestLensWizard::aCutBoardFirstCostsNoPicture_data()
