@@ -242,7 +242,9 @@ Result<void> ChapterWriter::add(std::size_t place, const JobControl &control)
 {
     const Chapter &chapter = m_chapters[place];
     const auto input = ODO_TRY(chapter.input->openedAgain());
-    if (place > 0) {
+    if (place == 0) {
+        m_shift = -inTicks(chapter.firstPts, chapter.input->stream());
+    } else {
         const Chapter &before = m_chapters[place - 1];
         const Nanoseconds interval = intervalAfter(m_chapters, place - 1);
         if (interval.count() == 0)

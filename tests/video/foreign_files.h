@@ -13,8 +13,9 @@ namespace odo::test {
 /// Copies the packets of a video into another container, chosen by its name, as an editor or a camera would
 /// have written them. False when libav would not. turn: a, b, c, d of a display matrix that it writes, 1 or
 /// -1 each (orientationOfMatrix); all zero: none.
+/// recordedAt: the time that a camera notes, "2024-05-06T10:11:03Z". withSound: a track of silence beside it.
 bool remux(const std::filesystem::path &from, const std::filesystem::path &to,
-           const std::array<int, 4> &turn = {});
+           const std::array<int, 4> &turn = {}, const std::string &recordedAt = {}, bool withSound = false);
 
 /// Writes `frames` pictures of 4:3 in a pixel format of libav's ("nv12", "gray", "yuv420p10le", ...) with
 /// one of its encoders. Of every picture i, each byte of plane p is 40 + 20 p + i; in semi-planar chroma, odd

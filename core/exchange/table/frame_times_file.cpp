@@ -163,7 +163,7 @@ Result<NumberStyle> FrameTimesReader::style() const
     for (const std::vector<std::string> &row : m_rows)
         survey.add(0, row.front());
     const auto outcome = survey.outcome();
-    if (outcome.isAmbiguous)
+    if (outcome.isAmbiguous && outcome.style.decimal != '.') // nobody groups seconds by points
         return m_how.wrong(
             m_track.lines.front(),
             ODO_TEXT("exchange.times_in_two_ways",
