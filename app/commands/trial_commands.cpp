@@ -90,7 +90,7 @@ Result<void> runImport(const QStringList &arguments, const CancelToken &cancel)
              {option::video,
               QStringLiteral(
                   "A view: the camera's name and the file; FILE+FILE: the chapters of one recording; "
-                  "FOLDER or FOLDER/%06d.png: numbered pictures."),
+                  "FOLDER or FOLDER/%06d.png: numbered images."),
               QStringLiteral("CAMERA=FILE")},
              {option::times,
               QStringLiteral(
@@ -114,7 +114,7 @@ Result<void> runImport(const QStringList &arguments, const CancelToken &cancel)
              {option::rate,
               QStringLiteral(
                   "The camera's frame rate, if the file says another, or a track only frame numbers; of "
-                  "pictures, the rate of their numbers."),
+                  "images, the rate of their numbers."),
               QStringLiteral("FPS")}} +
              trackReadingOptions()},
         cancel);

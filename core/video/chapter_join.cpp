@@ -250,7 +250,7 @@ Result<void> ChapterWriter::add(std::size_t place, const JobControl &control)
         if (interval.count() == 0)
             return fail(ErrorCode::Undetermined, cannotJoin(chapter.file),
                         ODO_TEXT("video.chapters_of_one_frame", "each of the files has a single frame"),
-                        ODO_TEXT("video.give_as_pictures", "give pictures as a folder, with their rate"));
+                        ODO_TEXT("video.give_as_images", "give images as a folder, with their rate"));
         ODO_TRY(openFilter(chapter));
         m_shift += inTicks(before.lastPts, before.input->stream()) +
                    av_rescale_q(interval.count(), chapterNanoseconds, m_video->time_base) -
@@ -281,7 +281,7 @@ Message timeRemark(const Chapter &before, const Chapter &chapter)
     const double laterS = toSeconds(chapter.recorded->at - before.recorded->at);
     if (laterS < 0)
         return ODO_TEXT("video.chapter_recorded_before",
-                        "by its recording time it was begun before '%1', behind which it was joined; check "
+                        "by its recording time it was started before '%1', behind which it was joined; check "
                         "the order of the files")(beforeName);
     const double gapS =
         laterS - std::max(toSeconds(before.recorded->duration), toSeconds(chapter.recorded->duration));

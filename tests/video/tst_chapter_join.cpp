@@ -242,10 +242,11 @@ void TestChapterJoin::tellsOfRecordingTimes()
     QCOMPARE(span->at, Nanoseconds(1714990270LL * 1'000'000'000));
     QVERIFY(!recordedSpan(files[0]));
     QVERIFY(join({ten, eleven}, "in order").value().empty());
-    QCOMPARE(english(join({ten, one}, "out of order").value()),
-             std::vector<std::string>{
-                 "video 'at011.mp4': by its recording time it was begun before 'at100.mp4', behind which it "
-                 "was joined; check the order of the files"});
+    QCOMPARE(
+        english(join({ten, one}, "out of order").value()),
+        std::vector<std::string>{
+            "video 'at011.mp4': by its recording time it was started before 'at100.mp4', behind which it "
+            "was joined; check the order of the files"});
     QCOMPARE(english(join({ten, forty}, "gap").value()),
              std::vector<std::string>{"video 'at401.mp4': by its recording time 29 s are missing between "
                                       "'at100.mp4' and it; if so, all times behind that are wrong"});

@@ -22,7 +22,7 @@
 using namespace odo;
 using namespace odo::test;
 
-/// Recordings that are more than one file: chapters, numbered pictures, a table of times beside a video.
+/// Recordings that are more than one file: chapters, numbered images, a table of times beside a video.
 class TestImportManyFiles : public QObject
 {
     Q_OBJECT
@@ -31,11 +31,11 @@ private Q_SLOTS:
     void chaptersAreOneView();
     void whatFailsLeavesNothing();
     void aCancelledJoinLeavesNothing();
-    void picturesKeepTheirGaps();
+    void imagesKeepTheirGaps();
     void jpegsAreKeptBitForBit();
     void sixteenBitsAndGrey();
-    void picturesNeedTimes();
-    void picturesOfOtherSizesAreRefused();
+    void imagesNeedTimes();
+    void imagesOfOtherSizesAreRefused();
     void tablesGiveTheTimes();
     void tablesThatDoNotFitAreRefused();
     void oneCameraHasOneVideo();
@@ -56,7 +56,7 @@ private:
                 qWarning("not written");
         return writer->finish() ? path(name).string() : std::string();
     }
-    void picture(const std::string &name, int number, const FrameFormat &format = smallFormat()) const
+    void image(const std::string &name, int number, const FrameFormat &format = smallFormat()) const
     {
         std::filesystem::create_directories(path(name).parent_path());
         QVERIFY(writeImage(codedFrame(format, number, {}), OutputTarget(path(name))));
@@ -187,13 +187,13 @@ void TestImportManyFiles::aCancelledJoinLeavesNothing()
     QVERIFY(wasThere && isMediaEmpty());
 }
 
-void TestImportManyFiles::picturesKeepTheirGaps()
+void TestImportManyFiles::imagesKeepTheirGaps()
 {
     for (const int number : {1, 2, 3, 6, 7, 10})
-        picture("p/" + std::to_string(number) + ".png", number);
+        image("p/" + std::to_string(number) + ".png", number);
     QCOMPARE(importedFrom(path("p").string(), 20),
-             Told{"pictures 'p': 4 numbers are missing, the first behind 3; their frames are taken as lost, "
-                  "and the others keep their times"});
+             Told{"images 'p': missing numbers: 4, the first behind 3; their frames count as lost, and the "
+                  "others keep their times"});
     const RecordingRecord recording = stored();
     std::vector<std::int64_t> ms;
     for (const Nanoseconds time : recording.frameTimes)
@@ -211,7 +211,7 @@ void TestImportManyFiles::jpegsAreKeptBitForBit()
 {
     std::string bytes;
     for (int number = 8; number < 12; ++number) {
-        picture("p/" + std::to_string(number) + ".jpg", number);
+        image("p/" + std::to_string(number) + ".jpg", number);
         std::ifstream file(path("p/" + std::to_string(number) + ".jpg"), std::ios::binary);
         bytes.assign(std::istreambuf_iterator<char>(file), {});
     }
@@ -247,12 +247,12 @@ void TestImportManyFiles::sixteenBitsAndGrey()
     QCOMPARE(int(second.y.at(64, 32)), 66);
 }
 
-void TestImportManyFiles::picturesNeedTimes()
+void TestImportManyFiles::imagesNeedTimes()
 {
-    picture("p/1.png", 1);
-    picture("p/2.png", 2);
+    image("p/1.png", 1);
+    image("p/2.png", 2);
     QCOMPARE(importedFrom(path("p").string()),
-             Told{"'p': pictures have no times; give their rate or a table of their times, like --rate 30 or "
+             Told{"'p': images have no times; give their rate or a table of their times, like --rate 30 or "
                   "--times A=stamps.csv"});
     ImportSettings settings;
     settings.videos = {{"A", path("p")}};
@@ -268,15 +268,15 @@ void TestImportManyFiles::picturesNeedTimes()
     QCOMPARE(imported(settings), Told());
 }
 
-void TestImportManyFiles::picturesOfOtherSizesAreRefused()
+void TestImportManyFiles::imagesOfOtherSizesAreRefused()
 {
     FrameFormat wide = smallFormat();
     wide.width *= 2;
     for (const char *ending : {".png", ".jpg"}) {
         const std::string folder = ending + 1;
-        picture(folder + "/1" + ending, 1);
-        picture(folder + "/2" + ending, 2);
-        picture(folder + "/3" + ending, 3, wide);
+        image(folder + "/1" + ending, 1);
+        image(folder + "/2" + ending, 2);
+        image(folder + "/3" + ending, 3, wide);
         QCOMPARE(importedFrom(path(folder).string(), 30),
                  Told{"cannot take '3" + std::string(ending) +
                       "' as a frame of a video: its size is 384×96, "

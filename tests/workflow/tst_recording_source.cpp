@@ -24,7 +24,7 @@ private Q_SLOTS:
     void aNameThatIsThereIsThatFile();
     void chaptersAreJoinedByAPlus();
     void eachChapterOnce();
-    void picturesOfAFolderOrPattern();
+    void imagesOfAFolderOrPattern();
     void refusesOtherFolders();
     void numbersAreFrames();
     void namesSayTheirPlace();
@@ -99,14 +99,14 @@ void TestRecordingSource::eachChapterOnce()
                    "their order"});
 }
 
-void TestRecordingSource::picturesOfAFolderOrPattern()
+void TestRecordingSource::imagesOfAFolderOrPattern()
 {
     for (const char *name :
          {"p/a_9.png", "p/a_10.png", "p/a_0011.png", "p/notes.txt", "p/cover.png", "p/b_1.png"})
         make(name);
     const Names all{"p/a_9.png", "p/a_10.png", "p/a_0011.png"};
     QCOMPARE(filesOf("p"), all); // by number; a single one of another name is no series
-    QVERIFY(recordingSourceOf(path("p"))->kind == Kind::Pictures);
+    QVERIFY(recordingSourceOf(path("p"))->kind == Kind::Images);
     QCOMPARE(recordingSourceOf(path("p"))->numbers, (std::vector<std::int64_t>{9, 10, 11}));
     QCOMPARE(filesOf("p/a_%d.png"), all);
     QCOMPARE(filesOf("p/a_%02d.png"), (Names{"p/a_10.png", "p/a_0011.png"}));
@@ -116,16 +116,16 @@ void TestRecordingSource::refusesOtherFolders()
 {
     std::filesystem::create_directory(path("empty"));
     QCOMPARE(filesOf("empty"),
-             Names{"pictures 'empty': there are no numbered pictures (PNG, JPEG, TIFF, BMP, WebP) of that "
-                   "name; give a folder with pictures such as 000001.png, or a pattern such as "
+             Names{"images 'empty': there are no numbered images (PNG, JPEG, TIFF, BMP, WebP) of that "
+                   "name; give a folder with images such as 000001.png, or a pattern such as "
                    "FOLDER/%06d.png"});
     for (const char *name : {"two/a1.png", "two/a2.png", "two/b1.jpg", "two/b2.jpg"})
         make(name);
-    QCOMPARE(filesOf("two"), Names{"pictures 'two': the folder holds several series: a%d.png and b%d.jpg; "
+    QCOMPARE(filesOf("two"), Names{"images 'two': the folder holds several series: a%d.png and b%d.jpg; "
                                    "name one of them, like FOLDER/a%d.png"});
     QCOMPARE(filesOf("two/b%d.jpg"), (Names{"two/b1.jpg", "two/b2.jpg"}));
     make("two/a01.png");
-    QVERIFY(filesOf("two/a%d.png").front().find("have the same number; give each picture a number") !=
+    QVERIFY(filesOf("two/a%d.png").front().find("have the same number; give each image a number") !=
             std::string::npos);
 }
 
@@ -134,12 +134,12 @@ void TestRecordingSource::numbersAreFrames()
     const std::vector<std::int64_t> numbers{7, 8, 11};
     QCOMPARE(timesOfNumbers(numbers, 20),
              (std::vector<Nanoseconds>{Nanoseconds(0), Nanoseconds(50'000'000), Nanoseconds(200'000'000)}));
-    QCOMPARE(missingPictures("p", numbers).value().english(),
-             std::string("pictures 'p': 2 numbers are missing, the first behind 8; their frames are taken as "
-                         "lost, and the others keep their times"));
-    QVERIFY(missingPictures("p", {1, 2, 3}).value().isEmpty());
-    QCOMPARE(missingPictures("p", {1000, 34333, 67666}).error().message(),
-             std::string("pictures 'p': their numbers go from 1000 to 67666, and there are 3 pictures: they "
+    QCOMPARE(missingImages("p", numbers).value().english(),
+             std::string("images 'p': missing numbers: 2, the first behind 8; their frames count as lost, "
+                         "and the others keep their times"));
+    QVERIFY(missingImages("p", {1, 2, 3}).value().isEmpty());
+    QCOMPARE(missingImages("p", {1000, 34333, 67666}).error().message(),
+             std::string("images 'p': their numbers go from 1000 to 67666, and there are 3 images: they "
                          "do not count frames; give a table of their times, like --times A=stamps.csv"));
 }
 

@@ -59,8 +59,7 @@ Message differenceOf(const Chapter &chapter, const Chapter &first)
             clockwiseDegreesOf(ownTurn), nameOf(first.file), clockwiseDegreesOf(itsTurn));
     if (ownTurn != itsTurn)
         return ODO_TEXT("video.chapter_mirrored",
-                        "the frames of one are to be mirrored, and not those of the other: '%1'")(
-            nameOf(first.file));
+                        "its frames and those of '%1' are not mirrored alike")(nameOf(first.file));
     if (!haveSameSetUp(own, its) && std::ranges::find(setUpInFrames, own.codec_id) == setUpInFrames.end())
         return ODO_TEXT("video.chapter_set_up",
                         "its encoder was set up in another way than that of '%1'")(nameOf(first.file));

@@ -5,7 +5,7 @@
 #include "core/files/temporary.h"
 #include "core/project/records.h"
 #include "core/synchronisation/clock_repair.h"
-#include "core/workflow/import/view_source.h"
+#include "core/workflow/import/internal/view_source.h"
 #include "core/workflow/job.h"
 #include "core/workflow/trial_sources.h"
 
@@ -43,7 +43,7 @@ struct ImportSettings
 };
 
 /// Brings the videos of one trial into the project: each is copied beside it (with its hash), or made there
-/// of the chapters or pictures that it consists of; its frame times are read, and the views are synchronised.
+/// of the chapters or images that it consists of; its frame times are read, and the views are synchronised.
 /// An import that fails or is cancelled removes what it made, and only that. Where the robot's motion shows
 /// that a file's time stamps are wrong (lost or doubled frames, a pause, a jump), the stored frame times are
 /// those at which the frames were taken, and a warning says so.

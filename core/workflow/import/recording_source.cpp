@@ -85,9 +85,9 @@ Result<RecordingSource> recordingSourceOf(const std::filesystem::path &video)
     source.files = {video};
     if (files::isFile(video))
         return source;
-    if (files::isFolder(video) || isPicturePattern(video)) {
-        auto series = ODO_TRY(picturesOf(video));
-        source.kind = RecordingSource::Kind::Pictures;
+    if (files::isFolder(video) || isImagePattern(video)) {
+        auto series = ODO_TRY(imagesOf(video));
+        source.kind = RecordingSource::Kind::Images;
         source.called = video;
         source.files = std::move(series.files);
         source.numbers = std::move(series.numbers);

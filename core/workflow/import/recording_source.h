@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/base/error.h"
-#include "core/workflow/import/picture_series.h"
+#include "core/workflow/import/internal/image_series.h"
 
 #include <filesystem>
 #include <string>
@@ -13,17 +13,17 @@ namespace odo {
 /// What the recording of one view consists of.
 struct RecordingSource
 {
-    enum class Kind { File, Chapters, Pictures };
+    enum class Kind { File, Chapters, Images };
     Kind kind = Kind::File;
     std::vector<std::filesystem::path> files; ///< in order; a single one of Kind::File
-    std::vector<std::int64_t> numbers;        ///< of pictures
+    std::vector<std::int64_t> numbers;        ///< of images
     std::filesystem::path called;             ///< as messages call it
 };
 
 /// What a person means by the video of a view: a file; the chapters of one recording, joined by '+'
-/// ("1.mp4+2.mp4", where later ones without a folder may lie beside the first); numbered pictures by a
+/// ("1.mp4+2.mp4", where later ones without a folder may lie beside the first); numbered images by a
 /// pattern ("FOLDER/%06d.png") or the folder of one series. What names an existing file is that file, also
-/// in parts, whatever signs the name holds. Looks at names alone. Any thread. Errors: those of picturesOf, a
+/// in parts, whatever signs the name holds. Looks at names alone. Any thread. Errors: those of imagesOf, a
 /// chapter that is given twice.
 Result<RecordingSource> recordingSourceOf(const std::filesystem::path &video);
 

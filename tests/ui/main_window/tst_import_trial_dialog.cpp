@@ -11,6 +11,7 @@
 #include <QComboBox>
 #include <QDialogButtonBox>
 #include <QDoubleSpinBox>
+#include <QDragEnterEvent>
 #include <QDropEvent>
 #include <QFile>
 #include <QLabel>
@@ -37,7 +38,7 @@ private Q_SLOTS:
     void aViewWithoutAVideoNeedsNoStep();
     void aVideoWithoutTimesNeedsItsRate();
     void chaptersShareARow();
-    void picturesNeedTheirRate();
+    void imagesNeedTheirRate();
     void isReachedByTheTabKey();
     void paintsThePicture_data();
     void paintsThePicture();
@@ -210,6 +211,8 @@ void TestImportTrialDialog::chaptersShareARow()
         for (const QString &file : files)
             urls << QUrl::fromLocalFile(file);
         data.setUrls(urls);
+        QDragEnterEvent enter(QPoint(5, 5), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+        QCoreApplication::sendEvent(field, &enter);
         QDropEvent event(QPointF(5, 5), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
         QCoreApplication::sendEvent(field, &event);
         return QString::fromStdString(field->path().string());
@@ -220,7 +223,7 @@ void TestImportTrialDialog::chaptersShareARow()
              QStringLiteral("/d/one.mp4"));
 }
 
-void TestImportTrialDialog::picturesNeedTheirRate()
+void TestImportTrialDialog::imagesNeedTheirRate()
 {
     QTemporaryDir folder;
     for (const char *name : {"1.png", "2.png"}) {

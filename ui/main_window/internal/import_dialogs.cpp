@@ -38,12 +38,12 @@ QStringList recordingsOf(const QStringList &files)
     return recordings;
 }
 
-/// A codec's bare stream may say nothing of when its frames were taken, and pictures never do.
+/// A codec's bare stream may say nothing of when its frames were taken, and images never do.
 bool lacksTimes(const std::filesystem::path &video)
 {
     const auto source = recordingSourceOf(video);
-    return source && (source->kind == RecordingSource::Kind::Pictures ||
-                      VideoReader::lacksTimes(source->files.front()));
+    return source &&
+           (source->kind == RecordingSource::Kind::Images || VideoReader::lacksTimes(source->files.front()));
 }
 
 } // namespace
@@ -201,7 +201,7 @@ void ImportTrialDialog::addVideo(const QString &camera, const QString &file)
                                tr("Videos (*.mp4 *.mkv *.avi *.mov *.webm *.m4v);;All files (*)"));
     path->setPath(file);
     path->setSeveral([](const QStringList &files) { return recordingsOf(files).constFirst(); });
-    path->setToolTip(tr("Chapters of one recording are joined by +; pictures are given as their folder, or "
+    path->setToolTip(tr("Chapters of one recording are joined by +; images are given as their folder, or "
                         "FOLDER/%06d.png, with the rate"));
     m_videoGrid->addWidget(name, number, 0);
     auto *badge = new BadgeLabel({});

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/workflow/import/view_times.h"
+#include "core/workflow/import/internal/view_times.h"
 
 #include "core/video/frame_times.h"
 #include "core/workflow/shared_words.h"

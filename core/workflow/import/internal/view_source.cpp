@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/workflow/import/view_source.h"
+#include "core/workflow/import/internal/view_source.h"
 
 #include "core/exchange/table/frame_times_file.h"
 #include "core/files/protected_files.h"
 #include "core/video/frame_times.h"
 #include "core/workflow/import/import_trial_job.h"
-#include "core/workflow/import/made_recording.h"
-#include "core/workflow/import/view_times.h"
+#include "core/workflow/import/internal/made_recording.h"
+#include "core/workflow/import/internal/view_times.h"
 #include "core/workflow/shared_words.h"
 
 #include <algorithm>
@@ -21,7 +21,7 @@ Result<ViewSource> sourceOf(const std::filesystem::path &video)
 {
     ViewSource view;
     view.source = ODO_TRY(recordingSourceOf(video));
-    if (view.source.kind != RecordingSource::Kind::Pictures) // those were just listed
+    if (view.source.kind != RecordingSource::Kind::Images) // those were just listed
         for (const std::filesystem::path &file : view.source.files)
             ODO_TRY(checkMayBeRead(file, quotedName(Named::file(file))));
     return view;
@@ -66,15 +66,15 @@ Result<std::vector<ViewSource>> viewSourcesOf(const ImportSettings &settings)
         views.push_back(ODO_TRY(sourceOf(video.second)));
     ODO_TRY(takeTables(settings, views));
     for (ViewSource &view : views) {
-        if (view.source.kind != RecordingSource::Kind::Pictures || !view.table.empty())
+        if (view.source.kind != RecordingSource::Kind::Images || !view.table.empty())
             continue;
         if (!settings.rate)
             return fail(ErrorCode::Undetermined, quotedName(Named::file(view.source.called)),
-                        ODO_TEXT("workflow.pictures_without_times", "pictures have no times"),
+                        ODO_TEXT("workflow.images_without_times", "images have no times"),
                         ODO_TEXT("workflow.give_rate_or_times",
                                  "give their rate or a table of their times, like --rate 30 or "
                                  "--times A=stamps.csv"));
-        view.remark = ODO_TRY(missingPictures(view.source.called, view.source.numbers));
+        view.remark = ODO_TRY(missingImages(view.source.called, view.source.numbers));
     }
     return views;
 }
@@ -94,13 +94,13 @@ Result<std::vector<Message>> findFile(ViewSource &own, const ImportSettings &set
         return std::vector<Message>();
     }
     std::vector<Message> remarks;
-    const bool arePictures = source.kind == RecordingSource::Kind::Pictures;
-    if (arePictures && own.times.empty()) {
+    const bool areImages = source.kind == RecordingSource::Kind::Images;
+    if (areImages && own.times.empty()) {
         own.times = timesOfNumbers(source.numbers, *settings.rate);
         if (!own.remark.isEmpty())
             remarks.push_back(own.remark);
     }
-    if (arePictures && own.times.size() != source.files.size())
+    if (areImages && own.times.size() != source.files.size())
         return timesOfOtherCount(own.table, own.times.size(), camera, source.files.size());
     auto made =
         ODO_TRY(makeRecording(source, own.times, mediaFolder, settings.trial + "_" + camera, control));

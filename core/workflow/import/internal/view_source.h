@@ -20,7 +20,7 @@ struct ImportSettings;
 struct ViewSource
 {
     RecordingSource source;
-    Message remark;                 ///< a sentence on missing pictures, or empty
+    Message remark;                 ///< a sentence on missing images, or empty
     std::filesystem::path table;    ///< of frame times; empty: none
     std::filesystem::path file;     ///< its one video, after findFile
     std::vector<Nanoseconds> times; ///< of its frames, after findFile; empty: as the file says
@@ -28,13 +28,13 @@ struct ViewSource
 };
 
 /// Of all views. Looks at names alone; quick. Errors: those of recordingSourceOf, a file that cannot be read,
-/// frame times of no view, two tables or a table and a rate for one view, pictures without times, or
+/// frame times of no view, two tables or a table and a rate for one view, images without times, or
 /// whose numbers count no frames and which have no table.
 Result<std::vector<ViewSource>> viewSourcesOf(const ImportSettings &settings);
 
-/// Reads the table of a view, if it has one, and makes one video of chapters or pictures. Gives whole
+/// Reads the table of a view, if it has one, and makes one video of chapters or images. Gives whole
 /// sentences that the user should know. Any thread. Errors: those of readFrameTimes and makeRecording,
-/// another number of times than of pictures.
+/// another number of times than of images.
 Result<std::vector<Message>> findFile(ViewSource &view, const ImportSettings &settings, std::size_t index,
                                       const std::filesystem::path &mediaFolder, const JobControl &control);
 

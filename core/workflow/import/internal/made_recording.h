@@ -19,7 +19,7 @@ struct MadeRecording
     std::vector<Message> remarks; ///< whole sentences: what the user should know of it
 };
 
-/// Joins chapters (joinChapters), or writes pictures as a video (writePictureVideo) with these times. The
+/// Joins chapters (joinChapters), or writes images as a video (writeImageVideo) with these times. The
 /// file goes unless it is kept. Errors: theirs, and those of copyIntoMedia. Any thread.
 Result<MadeRecording> makeRecording(const RecordingSource &source, const std::vector<Nanoseconds> &times,
                                     const std::filesystem::path &mediaFolder, const std::string &name,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/workflow/import/picture_series.h"
+#include "core/workflow/import/internal/image_series.h"
 
 #include "core/base/file_system.h"
 #include "core/base/plain_text.h"
@@ -18,20 +18,20 @@ namespace odo {
 
 namespace {
 
-constexpr std::array<std::string_view, 7> pictureEndings{".png",  ".jpg", ".jpeg", ".tif",
-                                                         ".tiff", ".bmp", ".webp"};
-constexpr std::size_t mostDigitsOfPicture = 18;
+constexpr std::array<std::string_view, 7> imageEndings{".png",  ".jpg", ".jpeg", ".tif",
+                                                       ".tiff", ".bmp", ".webp"};
+constexpr std::size_t mostDigitsOfImage = 18;
 
-bool isPictureName(const std::string &name)
+bool isImageName(const std::string &name)
 {
-    return std::ranges::find(pictureEndings,
+    return std::ranges::find(imageEndings,
                              lowerCaseAscii(std::filesystem::path(name).extension().string())) !=
-           pictureEndings.end();
+           imageEndings.end();
 }
 
-Message picturesSubject(const std::filesystem::path &path)
+Message imagesSubject(const std::filesystem::path &path)
 {
-    return ODO_TEXT("workflow.pictures", "pictures '%1'")(Named::file(path));
+    return ODO_TEXT("workflow.images", "images '%1'")(Named::file(path));
 }
 
 struct Pattern
@@ -62,13 +62,13 @@ std::optional<std::int64_t> numberIn(const std::string &name, const Pattern &pat
         return std::nullopt;
     const std::string digits =
         name.substr(pattern.front.size(), name.size() - pattern.front.size() - pattern.back.size());
-    if (digits.size() < pattern.leastDigits || digits.size() > mostDigitsOfPicture ||
+    if (digits.size() < pattern.leastDigits || digits.size() > mostDigitsOfImage ||
         digits.find_first_not_of("0123456789") != std::string::npos)
         return std::nullopt;
     return std::stoll(digits);
 }
 
-/// Where the last number of a picture's name is.
+/// Where the last number of an image's name is.
 std::optional<Pattern> seriesOf(const std::string &name)
 {
     const std::string stem = std::filesystem::path(name).stem().string();
@@ -79,8 +79,8 @@ std::optional<Pattern> seriesOf(const std::string &name)
     return Pattern{stem.substr(0, before == std::string::npos ? 0 : before + 1), name.substr(last + 1)};
 }
 
-Result<PictureSeries> seriesIn(const std::filesystem::path &folder, const std::vector<std::string> &names,
-                               const Pattern &pattern, const std::filesystem::path &called)
+Result<ImageSeries> seriesIn(const std::filesystem::path &folder, const std::vector<std::string> &names,
+                             const Pattern &pattern, const std::filesystem::path &called)
 {
     std::map<std::int64_t, std::string> byNumber;
     for (const std::string &name : names) {
@@ -88,19 +88,19 @@ Result<PictureSeries> seriesIn(const std::filesystem::path &folder, const std::v
         if (!number || !files::isFile(folder / name))
             continue;
         if (const auto [other, isNew] = byNumber.emplace(*number, name); !isNew)
-            return fail(ErrorCode::InvalidInput, picturesSubject(called),
-                        ODO_TEXT("workflow.pictures_share_number", "'%1' and '%2' have the same number")(
+            return fail(ErrorCode::InvalidInput, imagesSubject(called),
+                        ODO_TEXT("workflow.images_share_number", "'%1' and '%2' have the same number")(
                             Named::file(other->second), Named::file(name)),
-                        ODO_TEXT("workflow.number_pictures_once", "give each picture a number of its own"));
+                        ODO_TEXT("workflow.number_images_once", "give each image a number of its own"));
     }
     if (byNumber.size() < 2)
-        return fail(ErrorCode::NotFound, picturesSubject(called),
-                    ODO_TEXT("workflow.no_picture_series",
-                             "there are no numbered pictures (PNG, JPEG, TIFF, BMP, WebP) of that name"),
-                    ODO_TEXT("workflow.name_picture_series",
-                             "give a folder with pictures such as 000001.png, or a pattern such as "
+        return fail(ErrorCode::NotFound, imagesSubject(called),
+                    ODO_TEXT("workflow.no_image_series",
+                             "there are no numbered images (PNG, JPEG, TIFF, BMP, WebP) of that name"),
+                    ODO_TEXT("workflow.name_image_series",
+                             "give a folder with images such as 000001.png, or a pattern such as "
                              "FOLDER/%1")(std::string("%06d.png")));
-    PictureSeries series;
+    ImageSeries series;
     for (const auto &[number, name] : byNumber) {
         series.numbers.push_back(number);
         series.files.push_back(folder / name);
@@ -113,7 +113,7 @@ Result<Pattern> onlySeries(const std::filesystem::path &folder, const std::vecto
 {
     std::map<std::pair<std::string, std::string>, std::size_t> counts;
     for (const std::string &name : names)
-        if (const auto series = isPictureName(name) ? seriesOf(name) : std::nullopt)
+        if (const auto series = isImageName(name) ? seriesOf(name) : std::nullopt)
             ++counts[{series->front, series->back}];
     std::erase_if(counts, [](const auto &each) { return each.second < 2; });
     if (counts.empty())
@@ -122,8 +122,8 @@ Result<Pattern> onlySeries(const std::filesystem::path &folder, const std::vecto
     if (counts.size() == 1)
         return Pattern{front, back};
     const auto &[otherFront, otherBack] = std::next(counts.begin())->first;
-    return fail(ErrorCode::InvalidInput, picturesSubject(folder),
-                ODO_TEXT("workflow.several_picture_series", "the folder holds several series: %1 and %2")(
+    return fail(ErrorCode::InvalidInput, imagesSubject(folder),
+                ODO_TEXT("workflow.several_image_series", "the folder holds several series: %1 and %2")(
                     Named::file(front + "%d" + back), Named::file(otherFront + "%d" + otherBack)),
                 ODO_TEXT("workflow.name_one_series",
                          "name one of them, like FOLDER/%1")(Named::file(front + "%d" + back)));
@@ -131,13 +131,13 @@ Result<Pattern> onlySeries(const std::filesystem::path &folder, const std::vecto
 
 } // namespace
 
-bool isPicturePattern(const std::filesystem::path &path)
+bool isImagePattern(const std::filesystem::path &path)
 {
     const std::string name = path.filename().string();
-    return patternOf(name).has_value() && isPictureName(name);
+    return patternOf(name).has_value() && isImageName(name);
 }
 
-Result<PictureSeries> picturesOf(const std::filesystem::path &patternOrFolder)
+Result<ImageSeries> imagesOf(const std::filesystem::path &patternOrFolder)
 {
     const bool isFolder = files::isFolder(patternOrFolder);
     std::filesystem::path folder = isFolder ? patternOrFolder : patternOrFolder.parent_path();
@@ -146,7 +146,7 @@ Result<PictureSeries> picturesOf(const std::filesystem::path &patternOrFolder)
     std::error_code problem;
     const std::vector<std::string> names = files::namesIn(folder, problem);
     if (problem)
-        return fail(ErrorCode::NotFound, picturesSubject(patternOrFolder), foreignWords(problem.message()),
+        return fail(ErrorCode::NotFound, imagesSubject(patternOrFolder), foreignWords(problem.message()),
                     checkFileIsThere());
     const Pattern pattern = isFolder ? ODO_TRY(onlySeries(folder, names))
                                      : patternOf(patternOrFolder.filename().string()).value_or(Pattern());
@@ -161,8 +161,8 @@ std::vector<Nanoseconds> timesOfNumbers(const std::vector<std::int64_t> &numbers
     return times;
 }
 
-Result<Message> missingPictures(const std::filesystem::path &patternOrFolder,
-                                const std::vector<std::int64_t> &numbers)
+Result<Message> missingImages(const std::filesystem::path &patternOrFolder,
+                              const std::vector<std::int64_t> &numbers)
 {
     constexpr std::int64_t mostForEach = 10;
     const auto count = static_cast<std::int64_t>(numbers.size());
@@ -174,18 +174,17 @@ Result<Message> missingPictures(const std::filesystem::path &patternOrFolder,
         ++before;
     if (missing > mostForEach * count)
         return fail(
-            ErrorCode::Undetermined, picturesSubject(patternOrFolder),
+            ErrorCode::Undetermined, imagesSubject(patternOrFolder),
             ODO_TEXT("workflow.numbers_count_no_frames",
-                     "their numbers go from %1 to %2, and there are %3 pictures: they do not count "
+                     "their numbers go from %1 to %2, and there are %3 images: they do not count "
                      "frames")(std::to_string(numbers.front()), std::to_string(numbers.back()), count),
             ODO_TEXT("workflow.give_table_of_times",
                      "give a table of their times, like --times A=stamps.csv"));
-    return joined(
-        {picturesSubject(patternOrFolder),
-         ODO_TEXT("workflow.pictures_missing",
-                  "%1 numbers are missing, the first behind %2; their frames are taken as lost, and "
-                  "the others keep their times")(missing, std::to_string(numbers[before]))},
-        Join::Colon);
+    return joined({imagesSubject(patternOrFolder),
+                   ODO_TEXT("workflow.images_missing",
+                            "missing numbers: %1, the first behind %2; their frames count as lost, and the "
+                            "others keep their times")(missing, std::to_string(numbers[before]))},
+                  Join::Colon);
 }
 
 } // namespace odo

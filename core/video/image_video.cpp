@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/video/picture_video.h"
+#include "core/video/image_video.h"
 
 #include "core/base/shortage.h"
 #include "core/base/units.h"
@@ -22,15 +22,15 @@ namespace {
 
 using Files = std::vector<std::filesystem::path>;
 
-Message cannotTakePicture(const std::filesystem::path &file)
+Message cannotTakeImage(const std::filesystem::path &file)
 {
-    return ODO_TEXT("video.cannot_take_picture",
+    return ODO_TEXT("video.cannot_take_image",
                     "cannot take '%1' as a frame of a video")(Named::file(file.filename()));
 }
 
-Message leaveOutPicture()
+Message leaveOutImage()
 {
-    return ODO_TEXT("video.leave_out_picture", "leave it out, or convert all of them in the same way");
+    return ODO_TEXT("video.leave_out_image", "leave it out, or convert all of them in the same way");
 }
 
 Result<void> checkAlike(const std::filesystem::path &file, const FrameFormat &format,
@@ -39,16 +39,16 @@ Result<void> checkAlike(const std::filesystem::path &file, const FrameFormat &fo
     const MessageArgument firstName = Named::file(firstFile.filename());
     if (format.width != first.width || format.height != first.height)
         return fail(
-            ErrorCode::InvalidInput, cannotTakePicture(file),
-            ODO_TEXT("video.picture_of_other_size", "its size is %1, that of the first, '%2', is %3")(
+            ErrorCode::InvalidInput, cannotTakeImage(file),
+            ODO_TEXT("video.image_of_other_size", "its size is %1, that of the first, '%2', is %3")(
                 sizeText(format.width, format.height), firstName, sizeText(first.width, first.height)),
-            leaveOutPicture());
+            leaveOutImage());
     if (!sameLayout(format, first))
         return fail(
-            ErrorCode::InvalidInput, cannotTakePicture(file),
-            ODO_TEXT("video.picture_of_other_layout",
+            ErrorCode::InvalidInput, cannotTakeImage(file),
+            ODO_TEXT("video.image_of_other_layout",
                      "its colours are stored in another way than those of the first, '%1'")(firstName),
-            leaveOutPicture());
+            leaveOutImage());
     return {};
 }
 
@@ -61,7 +61,7 @@ struct PlainJpeg
 };
 Result<std::optional<PlainJpeg>> plainJpeg(const std::filesystem::path &file)
 {
-    ODO_TRY(checkMayBeRead(file, cannotTakePicture(file)));
+    ODO_TRY(checkMayBeRead(file, cannotTakeImage(file)));
     PlainJpeg jpeg;
     std::ifstream stream(file, std::ios::binary);
     constexpr std::size_t startBytes = 32;
@@ -79,10 +79,10 @@ Result<std::optional<PlainJpeg>> plainJpeg(const std::filesystem::path &file)
     return std::optional(std::move(jpeg));
 }
 
-void reportPicture(const JobControl &control, std::size_t done, const Files &pictures)
+void reportImage(const JobControl &control, std::size_t done, const Files &images)
 {
-    control.report(static_cast<double>(done) / static_cast<double>(pictures.size()),
-                   ODO_TEXT("video.taking_picture", "taking picture %1 of %2")(done + 1, pictures.size()));
+    control.report(static_cast<double>(done) / static_cast<double>(images.size()),
+                   ODO_TEXT("video.taking_image", "taking image %1 of %2")(done + 1, images.size()));
 }
 
 double usualRate(const std::vector<Nanoseconds> &times)
@@ -90,38 +90,38 @@ double usualRate(const std::vector<Nanoseconds> &times)
     return 1 / toSeconds(spacingOf(times).usual);
 }
 
-Result<void> writeJpegs(const Files &pictures, const std::vector<Nanoseconds> &times,
+Result<void> writeJpegs(const Files &images, const std::vector<Nanoseconds> &times,
                         const std::filesystem::path &claimed, const FrameFormat &format,
                         const JobControl &control)
 {
     const auto writer = ODO_TRY(RecordingWriter::create(claimed, format, usualRate(times)));
-    for (std::size_t i = 0; i < pictures.size(); ++i) {
+    for (std::size_t i = 0; i < images.size(); ++i) {
         if (control.isCancelled())
-            return cancelled(cannotTakePicture(pictures[i]));
-        reportPicture(control, i, pictures);
-        const auto jpeg = ODO_TRY(plainJpeg(pictures[i]));
+            return cancelled(cannotTakeImage(images[i]));
+        reportImage(control, i, images);
+        const auto jpeg = ODO_TRY(plainJpeg(images[i]));
         if (!jpeg)
-            return fail(ErrorCode::InvalidInput, cannotTakePicture(pictures[i]),
-                        ODO_TEXT("video.picture_of_other_kind",
+            return fail(ErrorCode::InvalidInput, cannotTakeImage(images[i]),
+                        ODO_TEXT("video.image_of_other_kind",
                                  "it is not an upright JPEG in colour as the first, '%1', is")(
-                            Named::file(pictures.front().filename())),
-                        leaveOutPicture());
-        ODO_TRY(checkAlike(pictures[i], jpeg->format, pictures.front(), format));
+                            Named::file(images.front().filename())),
+                        leaveOutImage());
+        ODO_TRY(checkAlike(images[i], jpeg->format, images.front(), format));
         ODO_TRY(writer->write(jpeg->bytes, times[i]));
     }
     return writer->finish();
 }
 
-Result<void> writeDecoded(const Files &pictures, const std::vector<Nanoseconds> &times,
+Result<void> writeDecoded(const Files &images, const std::vector<Nanoseconds> &times,
                           const std::filesystem::path &claimed, const JobControl &control)
 {
     std::unique_ptr<VideoWriter> writer;
     FrameFormat format;
-    for (std::size_t i = 0; i < pictures.size(); ++i) {
+    for (std::size_t i = 0; i < images.size(); ++i) {
         if (control.isCancelled())
-            return cancelled(cannotTakePicture(pictures[i]));
-        reportPicture(control, i, pictures);
-        Frame frame = ODO_TRY(readImage(pictures[i]));
+            return cancelled(cannotTakeImage(images[i]));
+        reportImage(control, i, images);
+        Frame frame = ODO_TRY(readImage(images[i]));
         if (!writer) {
             format = frame.format;
             VideoWriterOptions options;
@@ -130,7 +130,7 @@ Result<void> writeDecoded(const Files &pictures, const std::vector<Nanoseconds> 
             options.threads = 0;
             writer = ODO_TRY(VideoWriter::createClaimed(claimed, format, options));
         }
-        ODO_TRY(checkAlike(pictures[i], frame.format, pictures.front(), format));
+        ODO_TRY(checkAlike(images[i], frame.format, images.front(), format));
         frame.format.siting = format.siting;
         frame.time = times[i];
         ODO_TRY(writer->write(frame));
@@ -140,14 +140,14 @@ Result<void> writeDecoded(const Files &pictures, const std::vector<Nanoseconds> 
 
 } // namespace
 
-Result<void> writePictureVideo(const std::vector<std::filesystem::path> &pictures,
-                               const std::vector<Nanoseconds> &times, const std::filesystem::path &claimed,
-                               const JobControl &control)
+Result<void> writeImageVideo(const std::vector<std::filesystem::path> &images,
+                             const std::vector<Nanoseconds> &times, const std::filesystem::path &claimed,
+                             const JobControl &control)
 {
-    return orShortage(cannotTakePicture(pictures.front()), [&]() -> Result<void> {
-        const auto first = ODO_TRY(plainJpeg(pictures.front()));
-        return first ? writeJpegs(pictures, times, claimed, first->format, control)
-                     : writeDecoded(pictures, times, claimed, control);
+    return orShortage(cannotTakeImage(images.front()), [&]() -> Result<void> {
+        const auto first = ODO_TRY(plainJpeg(images.front()));
+        return first ? writeJpegs(images, times, claimed, first->format, control)
+                     : writeDecoded(images, times, claimed, control);
     });
 }
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/workflow/import/made_recording.h"
+#include "core/workflow/import/internal/made_recording.h"
 
 #include "core/video/chapter_join.h"
-#include "core/video/picture_video.h"
+#include "core/video/image_video.h"
 #include "core/workflow/import/chapter_names.h"
 
 #include <algorithm>
@@ -41,7 +41,7 @@ Result<MadeRecording> makeRecording(const RecordingSource &source, const std::ve
     made.media = ODO_TRY(makeInMedia(
         mediaFolder, name, ".mkv", quotedName(Named::file(source.called)),
         [&](const std::filesystem::path &claimed) {
-            return writePictureVideo(source.files, times, claimed, control);
+            return writeImageVideo(source.files, times, claimed, control);
         },
         control));
     return made;

@@ -10,7 +10,7 @@
 
 namespace odo {
 
-/// When the frames of one view were taken, if somebody says it: a table, or a rate of numbered pictures.
+/// When the frames of one view were taken, if somebody says it: a table, or a rate of numbered images.
 /// Empty: as its file says.
 using GivenTimes = std::vector<Nanoseconds>;
 
