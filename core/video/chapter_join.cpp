@@ -35,6 +35,19 @@ int commonTicks(const std::vector<Chapter> &chapters)
     return static_cast<int>(std::min<std::int64_t>(ticks, mostTicks));
 }
 
+constexpr std::int64_t longestSilenceS = 60;
+
+/// Of all channels; 0 of compressed sound.
+int bytesOfSample(const AVCodecParameters &parameters)
+{
+    constexpr int bitsOfByte = 8;
+    const bool isPlain =
+        parameters.codec_id >= AV_CODEC_ID_FIRST_AUDIO && parameters.codec_id < AV_CODEC_ID_ADPCM_IMA_QT;
+    return isPlain
+               ? av_get_bits_per_sample(parameters.codec_id) / bitsOfByte * parameters.ch_layout.nb_channels
+               : 0;
+}
+
 /// Puts packets of several files behind each other.
 class ChapterWriter
 {
@@ -71,6 +84,8 @@ private:
     Result<void> addStreams();
     Result<void> copyPackets(const Chapter &chapter, VideoInput &input, const JobControl &control);
     Result<void> addFrames(const Chapter &chapter, AVPacket &packet);
+    Result<void> addSound(const AVStream &from, AVPacket &packet);
+    Result<void> writeSilence(std::int64_t samples, int bytes);
     Result<void> write(AVPacket &packet, AVStream &to, std::int64_t shift, std::int64_t &last);
     std::int64_t inTicks(std::int64_t stamp, const AVStream &from) const
     {
@@ -86,6 +101,8 @@ private:
     libav::FilterPtr m_filter;
     std::int64_t m_shift = 0; ///< of the chapter's stamps, in ticks of the video
     std::int64_t m_lastDts = AV_NOPTS_VALUE, m_lastSound = AV_NOPTS_VALUE;
+    std::int64_t m_soundEnd = 0; ///< in samples, where they are not compressed
+    bool m_isJoint = false;      ///< no sound of this chapter was written yet, and some of those before
     std::size_t m_copied = 0;
 };
 
@@ -163,9 +180,12 @@ Result<void> ChapterWriter::begin()
 /// one begins behind it; and of frames with one stamp the first is kept, as when the file is read.
 Result<void> ChapterWriter::write(AVPacket &packet, AVStream &to, std::int64_t shift, std::int64_t &last)
 {
-    packet.pts = av_sat_add64(packet.pts, shift);
-    packet.dts = packet.dts == AV_NOPTS_VALUE ? last : av_sat_add64(packet.dts, shift);
     const bool reorders = to.codecpar->video_delay > 0;
+    packet.pts = av_sat_add64(packet.pts, shift);
+    if (!reorders)
+        packet.dts = packet.pts;
+    else
+        packet.dts = packet.dts == AV_NOPTS_VALUE ? last : av_sat_add64(packet.dts, shift);
     if (!reorders && last != AV_NOPTS_VALUE && packet.dts <= last)
         return {};
     if (last != AV_NOPTS_VALUE)
@@ -198,6 +218,46 @@ Result<void> ChapterWriter::addFrames(const Chapter &chapter, AVPacket &packet)
                : Result<void>();
 }
 
+/// QuickTime counts the samples of sound that is not compressed, whatever their stamps say: at a joint,
+/// silence fills what is missing, and what there is twice is left out.
+Result<void> ChapterWriter::addSound(const AVStream &from, AVPacket &packet)
+{
+    if (timeStampOf(packet) == AV_NOPTS_VALUE)
+        return {};
+    packet.pts = timeStampOf(packet);
+    av_packet_rescale_ts(&packet, from.time_base, m_sound->time_base);
+    const std::int64_t shift = av_rescale_q(m_shift, m_video->time_base, m_sound->time_base);
+    const int bytes = m_isMatroska ? 0 : bytesOfSample(*m_sound->codecpar);
+    if (bytes > 0) {
+        const std::int64_t gap = m_isJoint ? packet.pts + shift - m_soundEnd : 0;
+        if (gap > 0)
+            ODO_TRY(writeSilence(std::min(gap, longestSilenceS * m_sound->codecpar->sample_rate), bytes));
+        const auto twice = static_cast<int>(std::clamp<std::int64_t>(-gap, 0, packet.size / bytes));
+        packet.data += std::ptrdiff_t(twice) * bytes;
+        packet.size -= twice * bytes;
+        packet.pts = packet.dts = packet.pts + twice;
+        if (packet.size == 0)
+            return {};
+        m_isJoint = false;
+        m_soundEnd = packet.pts + shift + packet.size / bytes;
+    }
+    return write(packet, *m_sound, shift, m_lastSound);
+}
+
+Result<void> ChapterWriter::writeSilence(std::int64_t samples, int bytes)
+{
+    const libav::PacketPtr packet(libav::allocated(av_packet_alloc()));
+    if (av_new_packet(packet.get(), static_cast<int>(samples) * bytes) < 0)
+        throw std::bad_alloc();
+    constexpr int middleOfUnsigned = 0x80;
+    std::memset(packet->data, m_sound->codecpar->codec_id == AV_CODEC_ID_PCM_U8 ? middleOfUnsigned : 0,
+                static_cast<std::size_t>(packet->size));
+    packet->flags = AV_PKT_FLAG_KEY;
+    packet->pts = packet->dts = m_soundEnd;
+    packet->duration = samples;
+    return write(*packet, *m_sound, 0, m_lastSound);
+}
+
 Result<void> ChapterWriter::copyPackets(const Chapter &chapter, VideoInput &input, const JobControl &control)
 {
     std::size_t all = 0;
@@ -212,13 +272,7 @@ Result<void> ChapterWriter::copyPackets(const Chapter &chapter, VideoInput &inpu
         if (error < 0) // where it ends early, reading it before has said so
             return {};
         if (packet->stream_index == sound) {
-            const AVStream &from = *input.container().streams[sound];
-            if (timeStampOf(*packet) == AV_NOPTS_VALUE)
-                continue;
-            packet->pts = timeStampOf(*packet);
-            av_packet_rescale_ts(packet.get(), from.time_base, m_sound->time_base);
-            ODO_TRY(write(*packet, *m_sound, av_rescale_q(m_shift, m_video->time_base, m_sound->time_base),
-                          m_lastSound));
+            ODO_TRY(addSound(*input.container().streams[sound], *packet));
         } else if ((packet->flags & AV_PKT_FLAG_CORRUPT) == 0) {
             ODO_TRY(addFrames(chapter, *packet));
             control.report(
@@ -252,6 +306,7 @@ Result<void> ChapterWriter::add(std::size_t place, const JobControl &control)
                         ODO_TEXT("video.chapters_of_one_frame", "each of the files has a single frame"),
                         ODO_TEXT("video.give_as_images", "give images as a folder, with their rate"));
         ODO_TRY(openFilter(chapter));
+        m_isJoint = m_lastSound != AV_NOPTS_VALUE;
         m_shift += inTicks(before.lastPts, before.input->stream()) +
                    av_rescale_q(interval.count(), chapterNanoseconds, m_video->time_base) -
                    inTicks(chapter.firstPts, chapter.input->stream());

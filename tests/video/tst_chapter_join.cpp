@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/video/chapter_join.h"
+#include "core/video/video_input.h"
 #include "core/video/video_reader.h"
 #include "tests/support/registered_test.h"
 #include "tests/support/said_error.h"
@@ -152,6 +153,15 @@ void TestChapterJoin::keepsTurnAndSound()
     const auto joined = join(files, "loud");
     QVERIFY2(joined, joined ? "" : joined.error().message().c_str());
     QVERIFY(joined->empty());
+    const auto input = VideoInput::open(path("loud"));
+    QCOMPARE(int((*input)->container().nb_streams), 2);
+    const AVStream &sound = *(*input)->container().streams[1];
+    // the sound of each chapter at its own time, however long that of the one before is
+    const auto lastSound = VideoInput::open(files[1]);
+    const AVStream &second = *(*lastSound)->container().streams[1];
+    const double expectedS = framesEach / chapterRate + double(second.duration) * av_q2d(second.time_base),
+                 soundS = double(sound.duration) * av_q2d(sound.time_base);
+    QVERIFY2(std::abs(soundS - expectedS) < 0.001, std::to_string(soundS - expectedS).c_str());
     const auto twice = join({path("loud"), files[0]}, "loud3"); // whose sound goes on
     QVERIFY(twice && twice->empty());
     QCOMPARE(readWhole(path("loud3")).times.size(), std::size_t(3 * framesEach + 1));
