@@ -37,6 +37,7 @@ private Q_SLOTS:
     void imagesNeedTimes();
     void imagesOfOtherSizesAreRefused();
     void tablesGiveTheTimes();
+    void aRowIsOfBothFields();
     void tablesThatDoNotFitAreRefused();
     void oneCameraHasOneVideo();
 
@@ -308,6 +309,19 @@ void TestImportManyFiles::tablesGiveTheTimes()
     settings.timeUnit = TimeUnit::Microsecond;
     QCOMPARE(imported(settings), Told());
     QCOMPARE(stored().frameTimes.back(), Nanoseconds(29 * 20'000'000LL));
+}
+
+void TestImportManyFiles::aRowIsOfBothFields()
+{
+    QVERIFY(writeRaw(path("fields.mkv"), "ffv1", "yuv420p", 30, 1, 320, 25, true));
+    ImportSettings settings;
+    settings.videos = {{"A", path("fields.mkv")}};
+    settings.times = {{"A", table("t.csv", 30, 0.02)}};
+    QVERIFY(imported(settings).front().find("it is interlaced") != std::string::npos);
+    const std::vector<Nanoseconds> times = stored().frameTimes;
+    QCOMPARE(times.size(), std::size_t(60));
+    for (std::size_t i = 0; i < times.size(); ++i)
+        QVERIFY(std::abs(times[i].count() - 10'000'000LL * std::int64_t(i)) <= 2);
 }
 
 void TestImportManyFiles::tablesThatDoNotFitAreRefused()

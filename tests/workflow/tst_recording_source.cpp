@@ -116,7 +116,8 @@ void TestRecordingSource::refusesOtherFolders()
 {
     std::filesystem::create_directory(path("empty"));
     QCOMPARE(filesOf("empty"),
-             Names{"images 'empty': there are no numbered images (PNG, JPEG, TIFF, BMP, WebP) of that "
+             Names{"images 'empty': it is a folder; there are no numbered images (PNG, JPEG, TIFF, BMP, "
+                   "WebP) of that "
                    "name; give a folder with images such as 000001.png, or a pattern such as "
                    "FOLDER/%06d.png"});
     for (const char *name : {"two/a1.png", "two/a2.png", "two/b1.jpg", "two/b2.jpg"})

@@ -93,13 +93,16 @@ Result<ImageSeries> seriesIn(const std::filesystem::path &folder, const std::vec
                             Named::file(other->second), Named::file(name)),
                         ODO_TEXT("workflow.number_images_once", "give each image a number of its own"));
     }
-    if (byNumber.size() < 2)
-        return fail(ErrorCode::NotFound, imagesSubject(called),
-                    ODO_TEXT("workflow.no_image_series",
-                             "there are no numbered images (PNG, JPEG, TIFF, BMP, WebP) of that name"),
+    if (byNumber.size() < 2) {
+        Message why = ODO_TEXT("workflow.no_image_series",
+                               "there are no numbered images (PNG, JPEG, TIFF, BMP, WebP) of that name");
+        if (files::isFolder(called))
+            why = joined({files::insteadOfFile(files::Kind::Folder), std::move(why)}, Join::Semicolon);
+        return fail(ErrorCode::NotFound, imagesSubject(called), std::move(why),
                     ODO_TEXT("workflow.name_image_series",
                              "give a folder with images such as 000001.png, or a pattern such as "
                              "FOLDER/%1")(std::string("%06d.png")));
+    }
     ImageSeries series;
     for (const auto &[number, name] : byNumber) {
         series.numbers.push_back(number);
