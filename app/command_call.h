@@ -169,6 +169,7 @@ inline const QString teams = QStringLiteral("teams");
 inline const QString theme = QStringLiteral("theme");
 inline const QString through = QStringLiteral("through");
 inline const QString time = QStringLiteral("time");
+inline const QString times = QStringLiteral("times");
 inline const QString timeUnit = QStringLiteral("time-unit");
 inline const QString track = QStringLiteral("track");
 inline const QString trial = QStringLiteral("trial");

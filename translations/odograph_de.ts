@@ -8205,6 +8205,13 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
 </context>
 <context>
+    <name>exchange.frame_without_time</name>
+    <message>
+        <source>it has no time that can be read</source>
+        <translation>sie hat keine lesbare Zeit</translation>
+    </message>
+</context>
+<context>
     <name>exchange.frames_without_rate</name>
     <message>
         <source>it has frame numbers in place of times</source>
@@ -8534,6 +8541,13 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
 </context>
 <context>
+    <name>exchange.no_time_column</name>
+    <message>
+        <source>no column of it is called a time</source>
+        <translation>keine ihrer Spalten heißt wie eine Zeit</translation>
+    </message>
+</context>
+<context>
     <name>exchange.no_track_has_position</name>
     <message>
         <source>none of its tracks has a position</source>
@@ -8643,6 +8657,13 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>one of its two coordinates is blank</source>
         <translation>einer der beiden Orte ist leer</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.one_time_a_frame</name>
+    <message>
+        <source>give one time for each frame, in the order of the frames, under a name such as t_s</source>
+        <translation>geben Sie für jedes Bild eine Zeit an, in der Reihenfolge der Bilder, unter einem Namen wie t_s</translation>
     </message>
 </context>
 <context>
@@ -8947,6 +8968,13 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
 </context>
 <context>
+    <name>exchange.times_in_two_ways</name>
+    <message>
+        <source>its times can be read in two ways: &apos;%1&apos; with three decimals, or without</source>
+        <translation>ihre Zeiten lassen sich auf zwei Arten lesen: &apos;%1&apos; mit drei Nachkommastellen oder ohne</translation>
+    </message>
+</context>
+<context>
     <name>exchange.times_since_1970</name>
     <message>
         <source>times in %1 since 1970</source>
@@ -9112,6 +9140,13 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>write a line with class and team below the header</source>
         <translation>schreiben Sie unter die Kopfzeile eine Zeile mit Klasse und Team</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.write_decimal_point</name>
+    <message>
+        <source>write them with a decimal point</source>
+        <translation>schreiben Sie sie mit Dezimalpunkt</translation>
     </message>
 </context>
 <context>
@@ -11866,6 +11901,10 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>%1 has no time stamps and states no frame rate. Enter the rate of its camera.</source>
         <translation>%1 hat keine Zeitstempel und nennt keine Bildrate. Bitte die Rate der Kamera eingeben.</translation>
+    </message>
+    <message>
+        <source>Chapters of one recording are joined by +; images are given as their folder, or FOLDER/%06d.png, with the rate</source>
+        <translation>Kapitel einer Aufnahme werden mit + verbunden; Einzelbilder gibt man als ihren Ordner an oder als FOLDER/%06d.png, mit der Rate</translation>
     </message>
 </context>
 <context>
@@ -20184,6 +20223,13 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
 </context>
 <context>
+    <name>video.cannot_join</name>
+    <message>
+        <source>cannot join &apos;%1&apos; to a recording</source>
+        <translation>&apos;%1&apos; kann nicht mit einer Aufnahme verbunden werden</translation>
+    </message>
+</context>
+<context>
     <name>video.cannot_open</name>
     <message>
         <source>cannot open the video %1</source>
@@ -20205,6 +20251,13 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
 </context>
 <context>
+    <name>video.cannot_take_image</name>
+    <message>
+        <source>cannot take &apos;%1&apos; as a frame of a video</source>
+        <translation>&apos;%1&apos; kann nicht als Bild eines Videos genommen werden</translation>
+    </message>
+</context>
+<context>
     <name>video.cannot_write</name>
     <message>
         <source>cannot write the video %1</source>
@@ -20219,10 +20272,101 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
 </context>
 <context>
+    <name>video.cannot_write_joined</name>
+    <message>
+        <source>cannot write the joined recording %1</source>
+        <translation>die verbundene Aufnahme %1 kann nicht geschrieben werden</translation>
+    </message>
+</context>
+<context>
     <name>video.cannot_write_recording</name>
     <message>
         <source>cannot write the recording %1</source>
         <translation>die Aufnahme %1 kann nicht geschrieben werden</translation>
+    </message>
+</context>
+<context>
+    <name>video.chapter_after_gap</name>
+    <message>
+        <source>by its recording time %1 are missing between &apos;%2&apos; and it; if so, all times behind that are wrong</source>
+        <translation>nach der Aufnahmezeit fehlen %1 zwischen &apos;%2&apos; und dieser Datei; wenn das so ist, sind alle Zeiten dahinter falsch</translation>
+    </message>
+</context>
+<context>
+    <name>video.chapter_codec</name>
+    <message>
+        <source>its codec is %1, that of &apos;%2&apos; is %3</source>
+        <translation>ihr Codec ist %1, der von &apos;%2&apos; ist %3</translation>
+    </message>
+</context>
+<context>
+    <name>video.chapter_hides_frames</name>
+    <message>
+        <source>some of its frames are hidden, as an editor does that cuts a video</source>
+        <translation>einige ihrer Bilder sind verborgen, wie es ein Schnittprogramm macht, wenn es kürzt</translation>
+    </message>
+</context>
+<context>
+    <name>video.chapter_mirrored</name>
+    <message>
+        <source>its frames and those of &apos;%1&apos; are not mirrored alike</source>
+        <translation>ihre Bilder und die von &apos;%1&apos; sind nicht gleich gespiegelt</translation>
+    </message>
+</context>
+<context>
+    <name>video.chapter_pixels</name>
+    <message>
+        <source>its pixel format is %1, that of &apos;%2&apos; is %3</source>
+        <translation>ihr Pixelformat ist %1, das von &apos;%2&apos; ist %3</translation>
+    </message>
+</context>
+<context>
+    <name>video.chapter_recorded_before</name>
+    <message>
+        <source>by its recording time it was started before &apos;%1&apos;, behind which it was joined; check the order of the files</source>
+        <translation>nach der Aufnahmezeit begann sie vor &apos;%1&apos;, hinter die sie gesetzt wurde; prüfen Sie die Reihenfolge der Dateien</translation>
+    </message>
+</context>
+<context>
+    <name>video.chapter_restarts</name>
+    <message>
+        <source>its time stamps begin again or stand still after %1</source>
+        <translation>ihre Zeitstempel beginnen nach %1 von vorn oder bleiben stehen</translation>
+    </message>
+</context>
+<context>
+    <name>video.chapter_set_up</name>
+    <message>
+        <source>its encoder was set up in another way than that of &apos;%1&apos;</source>
+        <translation>ihr Encoder war anders eingestellt als der von &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>video.chapter_size</name>
+    <message>
+        <source>its frames are %1, those of &apos;%2&apos; are %3</source>
+        <translation>ihre Bilder haben %1, die von &apos;%2&apos; %3</translation>
+    </message>
+</context>
+<context>
+    <name>video.chapter_turn</name>
+    <message>
+        <source>its frames are to be turned by %1°, those of &apos;%2&apos; by %3°</source>
+        <translation>ihre Bilder sind um %1° zu drehen, die von &apos;%2&apos; um %3°</translation>
+    </message>
+</context>
+<context>
+    <name>video.chapter_without_stamps</name>
+    <message>
+        <source>its frames have no time stamps of their own</source>
+        <translation>ihre Bilder haben keine eigenen Zeitstempel</translation>
+    </message>
+</context>
+<context>
+    <name>video.chapters_of_one_frame</name>
+    <message>
+        <source>each of the files has a single frame</source>
+        <translation>jede der Dateien hat nur ein Bild</translation>
     </message>
 </context>
 <context>
@@ -20303,6 +20447,13 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
 </context>
 <context>
+    <name>video.copy_chapter_again</name>
+    <message>
+        <source>copy it from the camera again: what follows it would get wrong times</source>
+        <translation>kopieren Sie sie noch einmal von der Kamera: Was folgt, bekäme falsche Zeiten</translation>
+    </message>
+</context>
+<context>
     <name>video.copy_from_camera</name>
     <message>
         <source>copy it from the camera again</source>
@@ -20314,6 +20465,13 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>copy it from the camera again if it was cut short</source>
         <translation>kopieren Sie noch einmal von der Kamera, wenn etwas abgeschnitten wurde</translation>
+    </message>
+</context>
+<context>
+    <name>video.cut_chapter_there</name>
+    <message>
+        <source>cut it there, and give both parts</source>
+        <translation>trennen Sie sie dort und geben Sie beide Teile an</translation>
     </message>
 </context>
 <context>
@@ -20408,10 +20566,24 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
 </context>
 <context>
+    <name>video.give_as_images</name>
+    <message>
+        <source>give images as a folder, with their rate</source>
+        <translation>geben Sie Einzelbilder als Ordner an, mit ihrer Rate</translation>
+    </message>
+</context>
+<context>
     <name>video.give_camera_file</name>
     <message>
         <source>give the file that the camera recorded</source>
         <translation>geben Sie die Datei an, die die Kamera aufgenommen hat</translation>
+    </message>
+</context>
+<context>
+    <name>video.give_chapter_of_camera</name>
+    <message>
+        <source>give the file as the camera wrote it</source>
+        <translation>geben Sie die Datei an, wie die Kamera sie geschrieben hat</translation>
     </message>
 </context>
 <context>
@@ -20457,6 +20629,27 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
 </context>
 <context>
+    <name>video.image_of_other_kind</name>
+    <message>
+        <source>it is not an upright JPEG in colour as the first, &apos;%1&apos;, is</source>
+        <translation>es ist kein aufrechtes JPEG in Farbe wie das erste, &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>video.image_of_other_layout</name>
+    <message>
+        <source>its colours are stored in another way than those of the first, &apos;%1&apos;</source>
+        <translation>die Farben sind anders gespeichert als die des ersten, &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>video.image_of_other_size</name>
+    <message>
+        <source>its size is %1, that of the first, &apos;%2&apos;, is %3</source>
+        <translation>es hat %1, das erste, &apos;%2&apos;, hat %3</translation>
+    </message>
+</context>
+<context>
     <name>video.install_libavcodec</name>
     <message>
         <source>install Debian&apos;s libavcodec</source>
@@ -20478,10 +20671,31 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
 </context>
 <context>
+    <name>video.join_one_recording</name>
+    <message>
+        <source>join only the files into which a camera has split one recording</source>
+        <translation>verbinden Sie nur Dateien, in die eine Kamera eine einzige Aufnahme geteilt hat</translation>
+    </message>
+</context>
+<context>
+    <name>video.joining_chapters</name>
+    <message>
+        <source>joining &apos;%1&apos;</source>
+        <translation>&apos;%1&apos; wird verbunden</translation>
+    </message>
+</context>
+<context>
     <name>video.largest_picture</name>
     <message>
         <source>the limit is 50 megapixels and 32000 pixels a side</source>
         <translation>mehr als 50 Megapixel oder 32000 Pixel je Seite werden nicht gelesen</translation>
+    </message>
+</context>
+<context>
+    <name>video.leave_out_image</name>
+    <message>
+        <source>leave it out, or convert all of them in the same way</source>
+        <translation>lassen Sie es weg oder wandeln Sie alle auf dieselbe Art um</translation>
     </message>
 </context>
 <context>
@@ -20583,6 +20797,13 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
 </context>
 <context>
+    <name>video.of_chapter</name>
+    <message>
+        <source>video &apos;%1&apos;</source>
+        <translation>Video &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
     <name>video.packet_damaged</name>
     <message>
         <source>a packet is damaged</source>
@@ -20660,6 +20881,13 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
 </context>
 <context>
+    <name>video.put_into_mp4</name>
+    <message>
+        <source>put each file into MP4 first, e.g. ffmpeg -i FILE -c copy NEW.mp4</source>
+        <translation>bringen Sie erst jede Datei in MP4, z. B. ffmpeg -i FILE -c copy NEW.mp4</translation>
+    </message>
+</context>
+<context>
     <name>video.rate_not_positive</name>
     <message>
         <source>its frame rate is not positive</source>
@@ -20671,6 +20899,13 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>its frame rate varies: frames are %1 to %2 apart</source>
         <translation>seine Bildrate schwankt, die Bilder liegen %1 bis %2 auseinander</translation>
+    </message>
+</context>
+<context>
+    <name>video.reading_chapter</name>
+    <message>
+        <source>reading &apos;%1&apos;</source>
+        <translation>&apos;%1&apos; wird gelesen</translation>
     </message>
 </context>
 <context>
@@ -20692,6 +20927,13 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>its frame size could not be determined</source>
         <translation>die Größe der Bilder ließ sich nicht feststellen</translation>
+    </message>
+</context>
+<context>
+    <name>video.sound_left_out</name>
+    <message>
+        <source>the sound was left out, because the files it is joined with have none or another kind of it</source>
+        <translation>der Ton wurde weggelassen, weil die Dateien, mit denen sie verbunden ist, keinen oder einen anderen haben</translation>
     </message>
 </context>
 <context>
@@ -20727,6 +20969,13 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>start the video again</source>
         <translation>beginnen Sie das Video neu</translation>
+    </message>
+</context>
+<context>
+    <name>video.taking_image</name>
+    <message>
+        <source>taking image %1 of %2</source>
+        <translation>Bild %1 von %2 wird übernommen</translation>
     </message>
 </context>
 <context>
@@ -21091,6 +21340,27 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>they were changed in the file</source>
         <translation>sie wurden in der Datei geändert</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.chapter_missing</name>
+    <message>
+        <source>by their names a file is missing between &apos;%1&apos; and &apos;%2&apos;; if so, all times behind it are wrong</source>
+        <translation>nach ihren Namen fehlt eine Datei zwischen &apos;%1&apos; und &apos;%2&apos;; wenn das so ist, sind alle Zeiten dahinter falsch</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.chapter_twice</name>
+    <message>
+        <source>&apos;%1&apos; is given twice</source>
+        <translation>&apos;%1&apos; ist zweimal angegeben</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.chapters_out_of_order</name>
+    <message>
+        <source>by their names &apos;%1&apos; comes before &apos;%2&apos;, and was joined behind it; check the order of the files</source>
+        <translation>nach ihren Namen kommt &apos;%1&apos; vor &apos;%2&apos; und wurde dahinter gesetzt; prüfen Sie die Reihenfolge der Dateien</translation>
     </message>
 </context>
 <context>
@@ -21619,10 +21889,24 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
 </context>
 <context>
+    <name>workflow.give_chapter_once</name>
+    <message>
+        <source>give each file once, in their order</source>
+        <translation>geben Sie jede Datei einmal an, in ihrer Reihenfolge</translation>
+    </message>
+</context>
+<context>
     <name>workflow.give_each_file_once</name>
     <message>
         <source>give each file once, to its camera</source>
         <translation>geben Sie jede Datei einmal an, bei ihrer Kamera</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.give_each_frame_time</name>
+    <message>
+        <source>give one time for each frame</source>
+        <translation>geben Sie für jedes Bild eine Zeit an</translation>
     </message>
 </context>
 <context>
@@ -21661,6 +21945,13 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
 </context>
 <context>
+    <name>workflow.give_one_table</name>
+    <message>
+        <source>give one table for each view</source>
+        <translation>geben Sie für jede Ansicht eine Tabelle an</translation>
+    </message>
+</context>
+<context>
     <name>workflow.give_own_colours</name>
     <message>
         <source>give each its own colour</source>
@@ -21689,6 +21980,20 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
 </context>
 <context>
+    <name>workflow.give_rate_or_table</name>
+    <message>
+        <source>give one of them</source>
+        <translation>geben Sie eins davon an</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.give_rate_or_times</name>
+    <message>
+        <source>give their rate or a table of their times, like --rate 30 or --times A=stamps.csv</source>
+        <translation>geben Sie die tatsächliche Rate der Kamera ein</translation>
+    </message>
+</context>
+<context>
     <name>workflow.give_seconds</name>
     <message>
         <source>give the seconds, such as 10</source>
@@ -21696,10 +22001,24 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
 </context>
 <context>
+    <name>workflow.give_table_of_times</name>
+    <message>
+        <source>give a table of their times, like --times A=stamps.csv</source>
+        <translation>nummerieren Sie sie in Einerschritten</translation>
+    </message>
+</context>
+<context>
     <name>workflow.give_task</name>
     <message>
         <source>give %1 the task %2</source>
         <translation>%1 die Aufgabe %2 geben</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.give_times_to_view</name>
+    <message>
+        <source>name the camera of one of the videos</source>
+        <translation>nennen Sie die Kamera eines der Videos</translation>
     </message>
 </context>
 <context>
@@ -21735,6 +22054,34 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>one is an image and the other a video</source>
         <translation>die eine ist ein Bild, die andere ein Video</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.images</name>
+    <message>
+        <source>images &apos;%1&apos;</source>
+        <translation>Bilder &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.images_missing</name>
+    <message>
+        <source>missing numbers: %1, the first behind %2; their frames count as lost, and the others keep their times</source>
+        <translation>fehlende Nummern: %1, die erste hinter %2; ihre Bilder gelten als verloren, und die anderen behalten ihre Zeiten</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.images_share_number</name>
+    <message>
+        <source>&apos;%1&apos; and &apos;%2&apos; have the same number</source>
+        <translation>&apos;%1&apos; und &apos;%2&apos; haben dieselbe Nummer</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.images_without_times</name>
+    <message>
+        <source>images have no times</source>
+        <translation>Einzelbilder haben keine Zeiten</translation>
     </message>
 </context>
 <context>
@@ -21780,6 +22127,13 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
 </context>
 <context>
+    <name>workflow.import_trial_from</name>
+    <message>
+        <source>import trial %1 from %2</source>
+        <translation>Versuch %1 aus %2 importieren</translation>
+    </message>
+</context>
+<context>
     <name>workflow.interface_of_live_positions</name>
     <message>
         <source>interface &apos;%1&apos; of live positions</source>
@@ -21805,6 +22159,20 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>intrinsics of camera &apos;%1&apos;</source>
         <translation>Objektivdaten der Kamera &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.join_or_name_camera</name>
+    <message>
+        <source>give each view a camera of its own, or join the files of one recording with +, like --video A=1.mp4+2.mp4</source>
+        <translation>geben Sie jeder Ansicht eine eigene Kamera oder verbinden Sie die Dateien einer Aufnahme mit +</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.joined_videos</name>
+    <message>
+        <source>videos &apos;%1&apos;</source>
+        <translation>Videos &apos;%1&apos;</translation>
     </message>
 </context>
 <context>
@@ -22144,6 +22512,13 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
 </context>
 <context>
+    <name>workflow.name_image_series</name>
+    <message>
+        <source>give a folder with images such as 000001.png, or a pattern such as FOLDER/%1</source>
+        <translation>geben Sie einen Ordner mit Bildern wie 000001.png an oder ein Muster wie FOLDER/%1</translation>
+    </message>
+</context>
+<context>
     <name>workflow.name_its_camera</name>
     <message>
         <source>name one of its cameras</source>
@@ -22155,6 +22530,13 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>name one of its robots</source>
         <translation>nennen Sie einen seiner Roboter</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.name_one_series</name>
+    <message>
+        <source>name one of them, like FOLDER/%1</source>
+        <translation>nennen Sie eine davon, wie FOLDER/%1</translation>
     </message>
 </context>
 <context>
@@ -22253,6 +22635,13 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>the other camera has no file of its number</source>
         <translation>die andere Kamera hat keine Datei mit dieser Nummer</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.no_image_series</name>
+    <message>
+        <source>there are no numbered images (PNG, JPEG, TIFF, BMP, WebP) of that name</source>
+        <translation>es gibt keine nummerierten Bilder (PNG, JPEG, TIFF, BMP, WebP) dieses Namens</translation>
     </message>
 </context>
 <context>
@@ -22470,6 +22859,20 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>give as many of each, in the same order, or number their names alike</source>
         <translation>geben Sie von jeder gleich viele in derselben Reihenfolge an, oder nummerieren Sie ihre Namen gleich</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.number_images_once</name>
+    <message>
+        <source>give each image a number of its own</source>
+        <translation>geben Sie jedem Bild eine eigene Nummer</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.numbers_count_no_frames</name>
+    <message>
+        <source>their numbers go from %1 to %2, and there are %3 images: they do not count frames</source>
+        <translation>ihre Nummern gehen von %1 bis %2, und es sind %3 Bilder: Sie zählen keine Videobilder</translation>
     </message>
 </context>
 <context>
@@ -22771,6 +23174,13 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>put a plate of another colour on it, or set its true colour</source>
         <translation>setzen Sie eine Platte anderer Farbe darauf, oder geben Sie seine wirkliche Farbe an</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.rate_and_times</name>
+    <message>
+        <source>camera &apos;%1&apos; was given both a frame rate and frame times</source>
+        <translation>für Kamera &apos;%1&apos; wurden sowohl eine Bildrate als auch Bildzeiten angegeben</translation>
     </message>
 </context>
 <context>
@@ -23222,6 +23632,13 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
 </context>
 <context>
+    <name>workflow.several_image_series</name>
+    <message>
+        <source>the folder holds several series: %1 and %2</source>
+        <translation>der Ordner enthält mehrere Reihen: %1 und %2</translation>
+    </message>
+</context>
+<context>
     <name>workflow.several_robots</name>
     <message>
         <source>it has several robots</source>
@@ -23324,6 +23741,27 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>its times start at %1</source>
         <translation>die Zeiten zählen ab %1</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.times_given_twice</name>
+    <message>
+        <source>camera &apos;%1&apos; was given two tables of frame times</source>
+        <translation>für Kamera &apos;%1&apos; wurden zwei Tabellen mit Bildzeiten angegeben</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.times_of_no_view</name>
+    <message>
+        <source>there are frame times for camera &apos;%1&apos;, but no video of it</source>
+        <translation>für Kamera &apos;%1&apos; gibt es Bildzeiten, aber kein Video</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.times_of_other_count</name>
+    <message>
+        <source>it has %1 times, but the video of view &apos;%2&apos; has %3 frames</source>
+        <translation>sie hat %1 Zeiten, aber das Video der Ansicht &apos;%2&apos; hat %3 Bilder</translation>
     </message>
 </context>
 <context>

@@ -225,4 +225,25 @@
         <translation>track only the robots that are in view</translation>
     </message>
 </context>
+<context>
+    <name>workflow.join_or_name_camera</name>
+    <message>
+        <source>give each view a camera of its own, or join the files of one recording with +, like --video A=1.mp4+2.mp4</source>
+        <translation>give each view a camera of its own, or join the files of one recording with +</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.give_rate_or_times</name>
+    <message>
+        <source>give their rate or a table of their times, like --rate 30 or --times A=stamps.csv</source>
+        <translation>enter the camera&apos;s real rate</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.give_table_of_times</name>
+    <message>
+        <source>give a table of their times, like --times A=stamps.csv</source>
+        <translation>number them in steps of one</translation>
+    </message>
+</context>
 </TS>

@@ -8205,6 +8205,13 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     </message>
 </context>
 <context>
+    <name>exchange.frame_without_time</name>
+    <message>
+        <source>it has no time that can be read</source>
+        <translation>no tiene ningún tiempo legible</translation>
+    </message>
+</context>
+<context>
     <name>exchange.frames_without_rate</name>
     <message>
         <source>it has frame numbers in place of times</source>
@@ -8534,6 +8541,13 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     </message>
 </context>
 <context>
+    <name>exchange.no_time_column</name>
+    <message>
+        <source>no column of it is called a time</source>
+        <translation>ninguna de sus columnas se llama como un tiempo</translation>
+    </message>
+</context>
+<context>
     <name>exchange.no_track_has_position</name>
     <message>
         <source>none of its tracks has a position</source>
@@ -8643,6 +8657,13 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <message>
         <source>one of its two coordinates is blank</source>
         <translation>uno de sus dos lugares está en blanco</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.one_time_a_frame</name>
+    <message>
+        <source>give one time for each frame, in the order of the frames, under a name such as t_s</source>
+        <translation>indique un tiempo por fotograma, en el orden de los fotogramas, con un nombre como t_s</translation>
     </message>
 </context>
 <context>
@@ -8947,6 +8968,13 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     </message>
 </context>
 <context>
+    <name>exchange.times_in_two_ways</name>
+    <message>
+        <source>its times can be read in two ways: &apos;%1&apos; with three decimals, or without</source>
+        <translation>sus tiempos se pueden leer de dos maneras: &apos;%1&apos; con tres decimales o sin ellos</translation>
+    </message>
+</context>
+<context>
     <name>exchange.times_since_1970</name>
     <message>
         <source>times in %1 since 1970</source>
@@ -9112,6 +9140,13 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <message>
         <source>write a line with class and team below the header</source>
         <translation>escriba bajo la cabecera una línea con clase y equipo</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.write_decimal_point</name>
+    <message>
+        <source>write them with a decimal point</source>
+        <translation>escríbalos con punto decimal</translation>
     </message>
 </context>
 <context>
@@ -11866,6 +11901,10 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <message>
         <source>%1 has no time stamps and states no frame rate. Enter the rate of its camera.</source>
         <translation>%1 no tiene marcas de tiempo ni indica la frecuencia de imágenes. Introduzca la de su cámara.</translation>
+    </message>
+    <message>
+        <source>Chapters of one recording are joined by +; images are given as their folder, or FOLDER/%06d.png, with the rate</source>
+        <translation>Los capítulos de una grabación se unen con +; las imágenes se indican con su carpeta, o FOLDER/%06d.png, y la frecuencia</translation>
     </message>
 </context>
 <context>
@@ -20184,6 +20223,13 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     </message>
 </context>
 <context>
+    <name>video.cannot_join</name>
+    <message>
+        <source>cannot join &apos;%1&apos; to a recording</source>
+        <translation>no se puede unir &apos;%1&apos; a una grabación</translation>
+    </message>
+</context>
+<context>
     <name>video.cannot_open</name>
     <message>
         <source>cannot open the video %1</source>
@@ -20205,6 +20251,13 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     </message>
 </context>
 <context>
+    <name>video.cannot_take_image</name>
+    <message>
+        <source>cannot take &apos;%1&apos; as a frame of a video</source>
+        <translation>no se puede tomar &apos;%1&apos; como fotograma de un video</translation>
+    </message>
+</context>
+<context>
     <name>video.cannot_write</name>
     <message>
         <source>cannot write the video %1</source>
@@ -20219,10 +20272,101 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     </message>
 </context>
 <context>
+    <name>video.cannot_write_joined</name>
+    <message>
+        <source>cannot write the joined recording %1</source>
+        <translation>no se puede escribir la grabación unida %1</translation>
+    </message>
+</context>
+<context>
     <name>video.cannot_write_recording</name>
     <message>
         <source>cannot write the recording %1</source>
         <translation>no se puede escribir la grabación %1</translation>
+    </message>
+</context>
+<context>
+    <name>video.chapter_after_gap</name>
+    <message>
+        <source>by its recording time %1 are missing between &apos;%2&apos; and it; if so, all times behind that are wrong</source>
+        <translation>según su hora de grabación faltan %1 entre &apos;%2&apos; y él; si es así, todos los tiempos posteriores son erróneos</translation>
+    </message>
+</context>
+<context>
+    <name>video.chapter_codec</name>
+    <message>
+        <source>its codec is %1, that of &apos;%2&apos; is %3</source>
+        <translation>su códec es %1, el de &apos;%2&apos; es %3</translation>
+    </message>
+</context>
+<context>
+    <name>video.chapter_hides_frames</name>
+    <message>
+        <source>some of its frames are hidden, as an editor does that cuts a video</source>
+        <translation>algunos de sus fotogramas están ocultos, como hace un editor al recortar un video</translation>
+    </message>
+</context>
+<context>
+    <name>video.chapter_mirrored</name>
+    <message>
+        <source>its frames and those of &apos;%1&apos; are not mirrored alike</source>
+        <translation>sus fotogramas y los de &apos;%1&apos; no están reflejados del mismo modo</translation>
+    </message>
+</context>
+<context>
+    <name>video.chapter_pixels</name>
+    <message>
+        <source>its pixel format is %1, that of &apos;%2&apos; is %3</source>
+        <translation>su formato de píxel es %1, el de &apos;%2&apos; es %3</translation>
+    </message>
+</context>
+<context>
+    <name>video.chapter_recorded_before</name>
+    <message>
+        <source>by its recording time it was started before &apos;%1&apos;, behind which it was joined; check the order of the files</source>
+        <translation>según su hora de grabación empezó antes que &apos;%1&apos;, tras el cual se unió; compruebe el orden de los archivos</translation>
+    </message>
+</context>
+<context>
+    <name>video.chapter_restarts</name>
+    <message>
+        <source>its time stamps begin again or stand still after %1</source>
+        <translation>sus marcas de tiempo empiezan de nuevo o se detienen tras %1</translation>
+    </message>
+</context>
+<context>
+    <name>video.chapter_set_up</name>
+    <message>
+        <source>its encoder was set up in another way than that of &apos;%1&apos;</source>
+        <translation>su codificador estaba configurado de otro modo que el de &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>video.chapter_size</name>
+    <message>
+        <source>its frames are %1, those of &apos;%2&apos; are %3</source>
+        <translation>sus fotogramas son de %1, los de &apos;%2&apos; de %3</translation>
+    </message>
+</context>
+<context>
+    <name>video.chapter_turn</name>
+    <message>
+        <source>its frames are to be turned by %1°, those of &apos;%2&apos; by %3°</source>
+        <translation>sus fotogramas deben girarse %1°, los de &apos;%2&apos; %3°</translation>
+    </message>
+</context>
+<context>
+    <name>video.chapter_without_stamps</name>
+    <message>
+        <source>its frames have no time stamps of their own</source>
+        <translation>sus fotogramas no tienen marcas de tiempo propias</translation>
+    </message>
+</context>
+<context>
+    <name>video.chapters_of_one_frame</name>
+    <message>
+        <source>each of the files has a single frame</source>
+        <translation>cada archivo tiene un solo fotograma</translation>
     </message>
 </context>
 <context>
@@ -20303,6 +20447,13 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     </message>
 </context>
 <context>
+    <name>video.copy_chapter_again</name>
+    <message>
+        <source>copy it from the camera again: what follows it would get wrong times</source>
+        <translation>cópielo de nuevo de la cámara: lo que sigue tendría tiempos erróneos</translation>
+    </message>
+</context>
+<context>
     <name>video.copy_from_camera</name>
     <message>
         <source>copy it from the camera again</source>
@@ -20314,6 +20465,13 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <message>
         <source>copy it from the camera again if it was cut short</source>
         <translation>cópielo de nuevo de la cámara si quedó truncado</translation>
+    </message>
+</context>
+<context>
+    <name>video.cut_chapter_there</name>
+    <message>
+        <source>cut it there, and give both parts</source>
+        <translation>córtelo ahí e indique ambas partes</translation>
     </message>
 </context>
 <context>
@@ -20408,10 +20566,24 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     </message>
 </context>
 <context>
+    <name>video.give_as_images</name>
+    <message>
+        <source>give images as a folder, with their rate</source>
+        <translation>indique las imágenes como carpeta, con su frecuencia</translation>
+    </message>
+</context>
+<context>
     <name>video.give_camera_file</name>
     <message>
         <source>give the file that the camera recorded</source>
         <translation>dé el archivo que grabó la cámara</translation>
+    </message>
+</context>
+<context>
+    <name>video.give_chapter_of_camera</name>
+    <message>
+        <source>give the file as the camera wrote it</source>
+        <translation>indique el archivo tal como lo escribió la cámara</translation>
     </message>
 </context>
 <context>
@@ -20457,6 +20629,27 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     </message>
 </context>
 <context>
+    <name>video.image_of_other_kind</name>
+    <message>
+        <source>it is not an upright JPEG in colour as the first, &apos;%1&apos;, is</source>
+        <translation>no es un JPEG en color y derecho como la primera, &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>video.image_of_other_layout</name>
+    <message>
+        <source>its colours are stored in another way than those of the first, &apos;%1&apos;</source>
+        <translation>sus colores están guardados de otro modo que los de la primera, &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>video.image_of_other_size</name>
+    <message>
+        <source>its size is %1, that of the first, &apos;%2&apos;, is %3</source>
+        <translation>su tamaño es %1, el de la primera, &apos;%2&apos;, es %3</translation>
+    </message>
+</context>
+<context>
     <name>video.install_libavcodec</name>
     <message>
         <source>install Debian&apos;s libavcodec</source>
@@ -20478,10 +20671,31 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     </message>
 </context>
 <context>
+    <name>video.join_one_recording</name>
+    <message>
+        <source>join only the files into which a camera has split one recording</source>
+        <translation>una solo los archivos en que una cámara dividió una misma grabación</translation>
+    </message>
+</context>
+<context>
+    <name>video.joining_chapters</name>
+    <message>
+        <source>joining &apos;%1&apos;</source>
+        <translation>uniendo &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
     <name>video.largest_picture</name>
     <message>
         <source>the limit is 50 megapixels and 32000 pixels a side</source>
         <translation>no se leen más de 50 megapíxeles o 32000 píxeles por lado</translation>
+    </message>
+</context>
+<context>
+    <name>video.leave_out_image</name>
+    <message>
+        <source>leave it out, or convert all of them in the same way</source>
+        <translation>omítala o convierta todas del mismo modo</translation>
     </message>
 </context>
 <context>
@@ -20583,6 +20797,13 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     </message>
 </context>
 <context>
+    <name>video.of_chapter</name>
+    <message>
+        <source>video &apos;%1&apos;</source>
+        <translation>video &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
     <name>video.packet_damaged</name>
     <message>
         <source>a packet is damaged</source>
@@ -20660,6 +20881,13 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     </message>
 </context>
 <context>
+    <name>video.put_into_mp4</name>
+    <message>
+        <source>put each file into MP4 first, e.g. ffmpeg -i FILE -c copy NEW.mp4</source>
+        <translation>ponga antes cada archivo en MP4, p. ej. ffmpeg -i FILE -c copy NEW.mp4</translation>
+    </message>
+</context>
+<context>
     <name>video.rate_not_positive</name>
     <message>
         <source>its frame rate is not positive</source>
@@ -20671,6 +20899,13 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <message>
         <source>its frame rate varies: frames are %1 to %2 apart</source>
         <translation>su frecuencia de imagen varía, entre imágenes hay de %1 a %2</translation>
+    </message>
+</context>
+<context>
+    <name>video.reading_chapter</name>
+    <message>
+        <source>reading &apos;%1&apos;</source>
+        <translation>leyendo &apos;%1&apos;</translation>
     </message>
 </context>
 <context>
@@ -20692,6 +20927,13 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <message>
         <source>its frame size could not be determined</source>
         <translation>no se pudo averiguar el tamaño de sus imágenes</translation>
+    </message>
+</context>
+<context>
+    <name>video.sound_left_out</name>
+    <message>
+        <source>the sound was left out, because the files it is joined with have none or another kind of it</source>
+        <translation>se omitió el sonido, porque los archivos a los que se une no lo tienen o lo tienen de otro tipo</translation>
     </message>
 </context>
 <context>
@@ -20727,6 +20969,13 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <message>
         <source>start the video again</source>
         <translation>empiece de nuevo el video</translation>
+    </message>
+</context>
+<context>
+    <name>video.taking_image</name>
+    <message>
+        <source>taking image %1 of %2</source>
+        <translation>tomando la imagen %1 de %2</translation>
     </message>
 </context>
 <context>
@@ -21091,6 +21340,27 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <message>
         <source>they were changed in the file</source>
         <translation>se modificaron en el archivo</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.chapter_missing</name>
+    <message>
+        <source>by their names a file is missing between &apos;%1&apos; and &apos;%2&apos;; if so, all times behind it are wrong</source>
+        <translation>según sus nombres falta un archivo entre &apos;%1&apos; y &apos;%2&apos;; si es así, todos los tiempos posteriores son erróneos</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.chapter_twice</name>
+    <message>
+        <source>&apos;%1&apos; is given twice</source>
+        <translation>&apos;%1&apos; se indicó dos veces</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.chapters_out_of_order</name>
+    <message>
+        <source>by their names &apos;%1&apos; comes before &apos;%2&apos;, and was joined behind it; check the order of the files</source>
+        <translation>según sus nombres &apos;%1&apos; va antes que &apos;%2&apos;, y se unió detrás; compruebe el orden de los archivos</translation>
     </message>
 </context>
 <context>
@@ -21619,10 +21889,24 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     </message>
 </context>
 <context>
+    <name>workflow.give_chapter_once</name>
+    <message>
+        <source>give each file once, in their order</source>
+        <translation>indique cada archivo una vez, en su orden</translation>
+    </message>
+</context>
+<context>
     <name>workflow.give_each_file_once</name>
     <message>
         <source>give each file once, to its camera</source>
         <translation>indique cada archivo una vez, con su cámara</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.give_each_frame_time</name>
+    <message>
+        <source>give one time for each frame</source>
+        <translation>indique un tiempo por fotograma</translation>
     </message>
 </context>
 <context>
@@ -21661,6 +21945,13 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     </message>
 </context>
 <context>
+    <name>workflow.give_one_table</name>
+    <message>
+        <source>give one table for each view</source>
+        <translation>indique una tabla por vista</translation>
+    </message>
+</context>
+<context>
     <name>workflow.give_own_colours</name>
     <message>
         <source>give each its own colour</source>
@@ -21689,6 +21980,20 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     </message>
 </context>
 <context>
+    <name>workflow.give_rate_or_table</name>
+    <message>
+        <source>give one of them</source>
+        <translation>indique uno de los dos</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.give_rate_or_times</name>
+    <message>
+        <source>give their rate or a table of their times, like --rate 30 or --times A=stamps.csv</source>
+        <translation>indique la frecuencia real de la cámara</translation>
+    </message>
+</context>
+<context>
     <name>workflow.give_seconds</name>
     <message>
         <source>give the seconds, such as 10</source>
@@ -21696,10 +22001,24 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     </message>
 </context>
 <context>
+    <name>workflow.give_table_of_times</name>
+    <message>
+        <source>give a table of their times, like --times A=stamps.csv</source>
+        <translation>numérelas de una en una</translation>
+    </message>
+</context>
+<context>
     <name>workflow.give_task</name>
     <message>
         <source>give %1 the task %2</source>
         <translation>dar a %1 la tarea %2</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.give_times_to_view</name>
+    <message>
+        <source>name the camera of one of the videos</source>
+        <translation>indique la cámara de uno de los videos</translation>
     </message>
 </context>
 <context>
@@ -21735,6 +22054,34 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <message>
         <source>one is an image and the other a video</source>
         <translation>uno es una imagen y el otro un vídeo</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.images</name>
+    <message>
+        <source>images &apos;%1&apos;</source>
+        <translation>imágenes &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.images_missing</name>
+    <message>
+        <source>missing numbers: %1, the first behind %2; their frames count as lost, and the others keep their times</source>
+        <translation>números que faltan: %1, el primero tras el %2; sus fotogramas cuentan como perdidos y los demás conservan sus tiempos</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.images_share_number</name>
+    <message>
+        <source>&apos;%1&apos; and &apos;%2&apos; have the same number</source>
+        <translation>&apos;%1&apos; y &apos;%2&apos; tienen el mismo número</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.images_without_times</name>
+    <message>
+        <source>images have no times</source>
+        <translation>las imágenes no tienen tiempos</translation>
     </message>
 </context>
 <context>
@@ -21780,6 +22127,13 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     </message>
 </context>
 <context>
+    <name>workflow.import_trial_from</name>
+    <message>
+        <source>import trial %1 from %2</source>
+        <translation>importar el ensayo %1 de %2</translation>
+    </message>
+</context>
+<context>
     <name>workflow.interface_of_live_positions</name>
     <message>
         <source>interface &apos;%1&apos; of live positions</source>
@@ -21805,6 +22159,20 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <message>
         <source>intrinsics of camera &apos;%1&apos;</source>
         <translation>parámetros intrínsecos de la cámara &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.join_or_name_camera</name>
+    <message>
+        <source>give each view a camera of its own, or join the files of one recording with +, like --video A=1.mp4+2.mp4</source>
+        <translation>dé a cada vista su propia cámara, o una los archivos de una grabación con +</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.joined_videos</name>
+    <message>
+        <source>videos &apos;%1&apos;</source>
+        <translation>videos &apos;%1&apos;</translation>
     </message>
 </context>
 <context>
@@ -22144,6 +22512,13 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     </message>
 </context>
 <context>
+    <name>workflow.name_image_series</name>
+    <message>
+        <source>give a folder with images such as 000001.png, or a pattern such as FOLDER/%1</source>
+        <translation>indique una carpeta con imágenes como 000001.png, o un patrón como FOLDER/%1</translation>
+    </message>
+</context>
+<context>
     <name>workflow.name_its_camera</name>
     <message>
         <source>name one of its cameras</source>
@@ -22155,6 +22530,13 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <message>
         <source>name one of its robots</source>
         <translation>indique uno de sus robots</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.name_one_series</name>
+    <message>
+        <source>name one of them, like FOLDER/%1</source>
+        <translation>indique una de ellas, como FOLDER/%1</translation>
     </message>
 </context>
 <context>
@@ -22253,6 +22635,13 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <message>
         <source>the other camera has no file of its number</source>
         <translation>la otra cámara no tiene un archivo con ese número</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.no_image_series</name>
+    <message>
+        <source>there are no numbered images (PNG, JPEG, TIFF, BMP, WebP) of that name</source>
+        <translation>no hay imágenes numeradas (PNG, JPEG, TIFF, BMP, WebP) con ese nombre</translation>
     </message>
 </context>
 <context>
@@ -22470,6 +22859,20 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <message>
         <source>give as many of each, in the same order, or number their names alike</source>
         <translation>indique el mismo número de cada una, en el mismo orden, o numere sus nombres igual</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.number_images_once</name>
+    <message>
+        <source>give each image a number of its own</source>
+        <translation>dé a cada imagen un número propio</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.numbers_count_no_frames</name>
+    <message>
+        <source>their numbers go from %1 to %2, and there are %3 images: they do not count frames</source>
+        <translation>sus números van de %1 a %2 y hay %3 imágenes: no cuentan fotogramas</translation>
     </message>
 </context>
 <context>
@@ -22771,6 +23174,13 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <message>
         <source>put a plate of another colour on it, or set its true colour</source>
         <translation>póngale una placa de otro color, o indique el color que tiene en realidad</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.rate_and_times</name>
+    <message>
+        <source>camera &apos;%1&apos; was given both a frame rate and frame times</source>
+        <translation>a la cámara &apos;%1&apos; se le dieron una frecuencia de imágenes y también tiempos de fotogramas</translation>
     </message>
 </context>
 <context>
@@ -23222,6 +23632,13 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     </message>
 </context>
 <context>
+    <name>workflow.several_image_series</name>
+    <message>
+        <source>the folder holds several series: %1 and %2</source>
+        <translation>la carpeta contiene varias series: %1 y %2</translation>
+    </message>
+</context>
+<context>
     <name>workflow.several_robots</name>
     <message>
         <source>it has several robots</source>
@@ -23324,6 +23741,27 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <message>
         <source>its times start at %1</source>
         <translation>sus tiempos cuentan desde %1</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.times_given_twice</name>
+    <message>
+        <source>camera &apos;%1&apos; was given two tables of frame times</source>
+        <translation>a la cámara &apos;%1&apos; se le dieron dos tablas de tiempos de fotogramas</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.times_of_no_view</name>
+    <message>
+        <source>there are frame times for camera &apos;%1&apos;, but no video of it</source>
+        <translation>hay tiempos de fotogramas para la cámara &apos;%1&apos;, pero ningún video suyo</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.times_of_other_count</name>
+    <message>
+        <source>it has %1 times, but the video of view &apos;%2&apos; has %3 frames</source>
+        <translation>tiene %1 tiempos, pero el video de la vista &apos;%2&apos; tiene %3 fotogramas</translation>
     </message>
 </context>
 <context>

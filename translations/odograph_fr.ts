@@ -8205,6 +8205,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
 </context>
 <context>
+    <name>exchange.frame_without_time</name>
+    <message>
+        <source>it has no time that can be read</source>
+        <translation>elle n’a pas de temps lisible</translation>
+    </message>
+</context>
+<context>
     <name>exchange.frames_without_rate</name>
     <message>
         <source>it has frame numbers in place of times</source>
@@ -8534,6 +8541,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
 </context>
 <context>
+    <name>exchange.no_time_column</name>
+    <message>
+        <source>no column of it is called a time</source>
+        <translation>aucune de ses colonnes ne porte le nom d’un temps</translation>
+    </message>
+</context>
+<context>
     <name>exchange.no_track_has_position</name>
     <message>
         <source>none of its tracks has a position</source>
@@ -8643,6 +8657,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>one of its two coordinates is blank</source>
         <translation>une de ses deux places est vide</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.one_time_a_frame</name>
+    <message>
+        <source>give one time for each frame, in the order of the frames, under a name such as t_s</source>
+        <translation>indiquez un temps pour chaque image, dans l’ordre des images, sous un nom tel que t_s</translation>
     </message>
 </context>
 <context>
@@ -8947,6 +8968,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
 </context>
 <context>
+    <name>exchange.times_in_two_ways</name>
+    <message>
+        <source>its times can be read in two ways: &apos;%1&apos; with three decimals, or without</source>
+        <translation>ses temps se lisent de deux façons : &apos;%1&apos; avec trois décimales, ou sans</translation>
+    </message>
+</context>
+<context>
     <name>exchange.times_since_1970</name>
     <message>
         <source>times in %1 since 1970</source>
@@ -9112,6 +9140,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>write a line with class and team below the header</source>
         <translation>écrivez sous l’en-tête une ligne avec classe et équipe</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.write_decimal_point</name>
+    <message>
+        <source>write them with a decimal point</source>
+        <translation>écrivez-les avec un point décimal</translation>
     </message>
 </context>
 <context>
@@ -11866,6 +11901,10 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>%1 has no time stamps and states no frame rate. Enter the rate of its camera.</source>
         <translation>%1 n&apos;a pas d&apos;horodatage et n&apos;indique aucune fréquence d&apos;images. Saisissez celle de la caméra.</translation>
+    </message>
+    <message>
+        <source>Chapters of one recording are joined by +; images are given as their folder, or FOLDER/%06d.png, with the rate</source>
+        <translation>Les chapitres d’un enregistrement sont réunis par + ; les images sont indiquées par leur dossier, ou FOLDER/%06d.png, avec la fréquence</translation>
     </message>
 </context>
 <context>
@@ -20184,6 +20223,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
 </context>
 <context>
+    <name>video.cannot_join</name>
+    <message>
+        <source>cannot join &apos;%1&apos; to a recording</source>
+        <translation>impossible de réunir &apos;%1&apos; à un enregistrement</translation>
+    </message>
+</context>
+<context>
     <name>video.cannot_open</name>
     <message>
         <source>cannot open the video %1</source>
@@ -20205,6 +20251,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
 </context>
 <context>
+    <name>video.cannot_take_image</name>
+    <message>
+        <source>cannot take &apos;%1&apos; as a frame of a video</source>
+        <translation>impossible de prendre &apos;%1&apos; comme image d’une vidéo</translation>
+    </message>
+</context>
+<context>
     <name>video.cannot_write</name>
     <message>
         <source>cannot write the video %1</source>
@@ -20219,10 +20272,101 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
 </context>
 <context>
+    <name>video.cannot_write_joined</name>
+    <message>
+        <source>cannot write the joined recording %1</source>
+        <translation>impossible d’écrire l’enregistrement réuni %1</translation>
+    </message>
+</context>
+<context>
     <name>video.cannot_write_recording</name>
     <message>
         <source>cannot write the recording %1</source>
         <translation>impossible d’écrire l’enregistrement %1</translation>
+    </message>
+</context>
+<context>
+    <name>video.chapter_after_gap</name>
+    <message>
+        <source>by its recording time %1 are missing between &apos;%2&apos; and it; if so, all times behind that are wrong</source>
+        <translation>d’après son heure d’enregistrement, il manque %1 entre &apos;%2&apos; et lui ; si c’est le cas, tous les temps qui suivent sont faux</translation>
+    </message>
+</context>
+<context>
+    <name>video.chapter_codec</name>
+    <message>
+        <source>its codec is %1, that of &apos;%2&apos; is %3</source>
+        <translation>son codec est %1, celui de &apos;%2&apos; est %3</translation>
+    </message>
+</context>
+<context>
+    <name>video.chapter_hides_frames</name>
+    <message>
+        <source>some of its frames are hidden, as an editor does that cuts a video</source>
+        <translation>certaines de ses images sont masquées, comme le fait un logiciel de montage qui coupe une vidéo</translation>
+    </message>
+</context>
+<context>
+    <name>video.chapter_mirrored</name>
+    <message>
+        <source>its frames and those of &apos;%1&apos; are not mirrored alike</source>
+        <translation>ses images et celles de &apos;%1&apos; ne sont pas retournées de la même façon</translation>
+    </message>
+</context>
+<context>
+    <name>video.chapter_pixels</name>
+    <message>
+        <source>its pixel format is %1, that of &apos;%2&apos; is %3</source>
+        <translation>son format de pixel est %1, celui de &apos;%2&apos; est %3</translation>
+    </message>
+</context>
+<context>
+    <name>video.chapter_recorded_before</name>
+    <message>
+        <source>by its recording time it was started before &apos;%1&apos;, behind which it was joined; check the order of the files</source>
+        <translation>d’après son heure d’enregistrement, il a commencé avant &apos;%1&apos;, derrière lequel il a été placé ; vérifiez l’ordre des fichiers</translation>
+    </message>
+</context>
+<context>
+    <name>video.chapter_restarts</name>
+    <message>
+        <source>its time stamps begin again or stand still after %1</source>
+        <translation>ses horodatages recommencent ou s&apos;arrêtent après %1</translation>
+    </message>
+</context>
+<context>
+    <name>video.chapter_set_up</name>
+    <message>
+        <source>its encoder was set up in another way than that of &apos;%1&apos;</source>
+        <translation>son encodeur était réglé autrement que celui de &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>video.chapter_size</name>
+    <message>
+        <source>its frames are %1, those of &apos;%2&apos; are %3</source>
+        <translation>ses images sont en %1, celles de &apos;%2&apos; en %3</translation>
+    </message>
+</context>
+<context>
+    <name>video.chapter_turn</name>
+    <message>
+        <source>its frames are to be turned by %1°, those of &apos;%2&apos; by %3°</source>
+        <translation>ses images sont à tourner de %1°, celles de &apos;%2&apos; de %3°</translation>
+    </message>
+</context>
+<context>
+    <name>video.chapter_without_stamps</name>
+    <message>
+        <source>its frames have no time stamps of their own</source>
+        <translation>ses images n’ont pas d’horodatages propres</translation>
+    </message>
+</context>
+<context>
+    <name>video.chapters_of_one_frame</name>
+    <message>
+        <source>each of the files has a single frame</source>
+        <translation>chacun des fichiers n’a qu’une image</translation>
     </message>
 </context>
 <context>
@@ -20303,6 +20447,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
 </context>
 <context>
+    <name>video.copy_chapter_again</name>
+    <message>
+        <source>copy it from the camera again: what follows it would get wrong times</source>
+        <translation>recopiez-le depuis la caméra : ce qui suit aurait des temps faux</translation>
+    </message>
+</context>
+<context>
     <name>video.copy_from_camera</name>
     <message>
         <source>copy it from the camera again</source>
@@ -20314,6 +20465,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>copy it from the camera again if it was cut short</source>
         <translation>recopiez-le depuis la caméra s’il a été tronqué</translation>
+    </message>
+</context>
+<context>
+    <name>video.cut_chapter_there</name>
+    <message>
+        <source>cut it there, and give both parts</source>
+        <translation>coupez-le à cet endroit et indiquez les deux parties</translation>
     </message>
 </context>
 <context>
@@ -20408,10 +20566,24 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
 </context>
 <context>
+    <name>video.give_as_images</name>
+    <message>
+        <source>give images as a folder, with their rate</source>
+        <translation>indiquez les images par leur dossier, avec leur fréquence</translation>
+    </message>
+</context>
+<context>
     <name>video.give_camera_file</name>
     <message>
         <source>give the file that the camera recorded</source>
         <translation>donnez le fichier enregistré par la caméra</translation>
+    </message>
+</context>
+<context>
+    <name>video.give_chapter_of_camera</name>
+    <message>
+        <source>give the file as the camera wrote it</source>
+        <translation>indiquez le fichier tel que la caméra l’a écrit</translation>
     </message>
 </context>
 <context>
@@ -20457,6 +20629,27 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
 </context>
 <context>
+    <name>video.image_of_other_kind</name>
+    <message>
+        <source>it is not an upright JPEG in colour as the first, &apos;%1&apos;, is</source>
+        <translation>ce n’est pas un JPEG droit en couleur comme la première, &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>video.image_of_other_layout</name>
+    <message>
+        <source>its colours are stored in another way than those of the first, &apos;%1&apos;</source>
+        <translation>ses couleurs sont enregistrées autrement que celles de la première, &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>video.image_of_other_size</name>
+    <message>
+        <source>its size is %1, that of the first, &apos;%2&apos;, is %3</source>
+        <translation>sa taille est %1, celle de la première, &apos;%2&apos;, est %3</translation>
+    </message>
+</context>
+<context>
     <name>video.install_libavcodec</name>
     <message>
         <source>install Debian&apos;s libavcodec</source>
@@ -20478,10 +20671,31 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
 </context>
 <context>
+    <name>video.join_one_recording</name>
+    <message>
+        <source>join only the files into which a camera has split one recording</source>
+        <translation>ne réunissez que les fichiers en lesquels une caméra a divisé un même enregistrement</translation>
+    </message>
+</context>
+<context>
+    <name>video.joining_chapters</name>
+    <message>
+        <source>joining &apos;%1&apos;</source>
+        <translation>réunion de &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
     <name>video.largest_picture</name>
     <message>
         <source>the limit is 50 megapixels and 32000 pixels a side</source>
         <translation>plus de 50 mégapixels ou 32000 pixels de côté ne sont pas lus</translation>
+    </message>
+</context>
+<context>
+    <name>video.leave_out_image</name>
+    <message>
+        <source>leave it out, or convert all of them in the same way</source>
+        <translation>omettez-la ou convertissez-les toutes de la même façon</translation>
     </message>
 </context>
 <context>
@@ -20583,6 +20797,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
 </context>
 <context>
+    <name>video.of_chapter</name>
+    <message>
+        <source>video &apos;%1&apos;</source>
+        <translation>vidéo &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
     <name>video.packet_damaged</name>
     <message>
         <source>a packet is damaged</source>
@@ -20660,6 +20881,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
 </context>
 <context>
+    <name>video.put_into_mp4</name>
+    <message>
+        <source>put each file into MP4 first, e.g. ffmpeg -i FILE -c copy NEW.mp4</source>
+        <translation>mettez d’abord chaque fichier en MP4, p. ex. ffmpeg -i FILE -c copy NEW.mp4</translation>
+    </message>
+</context>
+<context>
     <name>video.rate_not_positive</name>
     <message>
         <source>its frame rate is not positive</source>
@@ -20671,6 +20899,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>its frame rate varies: frames are %1 to %2 apart</source>
         <translation>sa cadence varie, les images sont espacées de %1 à %2</translation>
+    </message>
+</context>
+<context>
+    <name>video.reading_chapter</name>
+    <message>
+        <source>reading &apos;%1&apos;</source>
+        <translation>lecture de &apos;%1&apos;</translation>
     </message>
 </context>
 <context>
@@ -20692,6 +20927,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>its frame size could not be determined</source>
         <translation>la taille de ses images n’a pas pu être trouvée</translation>
+    </message>
+</context>
+<context>
+    <name>video.sound_left_out</name>
+    <message>
+        <source>the sound was left out, because the files it is joined with have none or another kind of it</source>
+        <translation>le son a été omis, car les fichiers auxquels il est réuni n’en ont pas ou en ont d’une autre sorte</translation>
     </message>
 </context>
 <context>
@@ -20727,6 +20969,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>start the video again</source>
         <translation>recommencez la vidéo</translation>
+    </message>
+</context>
+<context>
+    <name>video.taking_image</name>
+    <message>
+        <source>taking image %1 of %2</source>
+        <translation>prise de l’image %1 sur %2</translation>
     </message>
 </context>
 <context>
@@ -21091,6 +21340,27 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>they were changed in the file</source>
         <translation>ils ont été modifiés dans le fichier</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.chapter_missing</name>
+    <message>
+        <source>by their names a file is missing between &apos;%1&apos; and &apos;%2&apos;; if so, all times behind it are wrong</source>
+        <translation>d’après leurs noms, il manque un fichier entre &apos;%1&apos; et &apos;%2&apos; ; si c’est le cas, tous les temps qui suivent sont faux</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.chapter_twice</name>
+    <message>
+        <source>&apos;%1&apos; is given twice</source>
+        <translation>&apos;%1&apos; est indiqué deux fois</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.chapters_out_of_order</name>
+    <message>
+        <source>by their names &apos;%1&apos; comes before &apos;%2&apos;, and was joined behind it; check the order of the files</source>
+        <translation>d’après leurs noms, &apos;%1&apos; vient avant &apos;%2&apos; et a été placé derrière ; vérifiez l’ordre des fichiers</translation>
     </message>
 </context>
 <context>
@@ -21619,10 +21889,24 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
 </context>
 <context>
+    <name>workflow.give_chapter_once</name>
+    <message>
+        <source>give each file once, in their order</source>
+        <translation>indiquez chaque fichier une fois, dans leur ordre</translation>
+    </message>
+</context>
+<context>
     <name>workflow.give_each_file_once</name>
     <message>
         <source>give each file once, to its camera</source>
         <translation>donnez chaque fichier une fois, avec sa caméra</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.give_each_frame_time</name>
+    <message>
+        <source>give one time for each frame</source>
+        <translation>indiquez un temps pour chaque image</translation>
     </message>
 </context>
 <context>
@@ -21661,6 +21945,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
 </context>
 <context>
+    <name>workflow.give_one_table</name>
+    <message>
+        <source>give one table for each view</source>
+        <translation>indiquez une table pour chaque vue</translation>
+    </message>
+</context>
+<context>
     <name>workflow.give_own_colours</name>
     <message>
         <source>give each its own colour</source>
@@ -21689,6 +21980,20 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
 </context>
 <context>
+    <name>workflow.give_rate_or_table</name>
+    <message>
+        <source>give one of them</source>
+        <translation>indiquez l’un des deux</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.give_rate_or_times</name>
+    <message>
+        <source>give their rate or a table of their times, like --rate 30 or --times A=stamps.csv</source>
+        <translation>indiquez la fréquence réelle de la caméra</translation>
+    </message>
+</context>
+<context>
     <name>workflow.give_seconds</name>
     <message>
         <source>give the seconds, such as 10</source>
@@ -21696,10 +22001,24 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
 </context>
 <context>
+    <name>workflow.give_table_of_times</name>
+    <message>
+        <source>give a table of their times, like --times A=stamps.csv</source>
+        <translation>numérotez-les de un en un</translation>
+    </message>
+</context>
+<context>
     <name>workflow.give_task</name>
     <message>
         <source>give %1 the task %2</source>
         <translation>épreuve %2 donnée à %1</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.give_times_to_view</name>
+    <message>
+        <source>name the camera of one of the videos</source>
+        <translation>indiquez la caméra de l’une des vidéos</translation>
     </message>
 </context>
 <context>
@@ -21735,6 +22054,34 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>one is an image and the other a video</source>
         <translation>l’un est une image et l’autre une vidéo</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.images</name>
+    <message>
+        <source>images &apos;%1&apos;</source>
+        <translation>images &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.images_missing</name>
+    <message>
+        <source>missing numbers: %1, the first behind %2; their frames count as lost, and the others keep their times</source>
+        <translation>numéros manquants : %1, le premier après %2 ; leurs images comptent comme perdues, et les autres gardent leurs temps</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.images_share_number</name>
+    <message>
+        <source>&apos;%1&apos; and &apos;%2&apos; have the same number</source>
+        <translation>&apos;%1&apos; et &apos;%2&apos; ont le même numéro</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.images_without_times</name>
+    <message>
+        <source>images have no times</source>
+        <translation>les images n’ont pas de temps</translation>
     </message>
 </context>
 <context>
@@ -21780,6 +22127,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
 </context>
 <context>
+    <name>workflow.import_trial_from</name>
+    <message>
+        <source>import trial %1 from %2</source>
+        <translation>import de l’essai %1 depuis %2</translation>
+    </message>
+</context>
+<context>
     <name>workflow.interface_of_live_positions</name>
     <message>
         <source>interface &apos;%1&apos; of live positions</source>
@@ -21805,6 +22159,20 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>intrinsics of camera &apos;%1&apos;</source>
         <translation>paramètres intrinsèques de la caméra &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.join_or_name_camera</name>
+    <message>
+        <source>give each view a camera of its own, or join the files of one recording with +, like --video A=1.mp4+2.mp4</source>
+        <translation>donnez à chaque vue sa propre caméra, ou réunissez les fichiers d’un enregistrement par +</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.joined_videos</name>
+    <message>
+        <source>videos &apos;%1&apos;</source>
+        <translation>vidéos &apos;%1&apos;</translation>
     </message>
 </context>
 <context>
@@ -22144,6 +22512,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
 </context>
 <context>
+    <name>workflow.name_image_series</name>
+    <message>
+        <source>give a folder with images such as 000001.png, or a pattern such as FOLDER/%1</source>
+        <translation>indiquez un dossier d’images telles que 000001.png, ou un motif tel que FOLDER/%1</translation>
+    </message>
+</context>
+<context>
     <name>workflow.name_its_camera</name>
     <message>
         <source>name one of its cameras</source>
@@ -22155,6 +22530,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>name one of its robots</source>
         <translation>nommez l&apos;un de ses robots</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.name_one_series</name>
+    <message>
+        <source>name one of them, like FOLDER/%1</source>
+        <translation>indiquez l’une d’elles, comme FOLDER/%1</translation>
     </message>
 </context>
 <context>
@@ -22253,6 +22635,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>the other camera has no file of its number</source>
         <translation>l’autre caméra n’a pas de fichier de ce numéro</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.no_image_series</name>
+    <message>
+        <source>there are no numbered images (PNG, JPEG, TIFF, BMP, WebP) of that name</source>
+        <translation>il n’y a pas d’images numérotées (PNG, JPEG, TIFF, BMP, WebP) de ce nom</translation>
     </message>
 </context>
 <context>
@@ -22470,6 +22859,20 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>give as many of each, in the same order, or number their names alike</source>
         <translation>donnez-en autant pour chacune, dans le même ordre, ou numérotez leurs noms de la même façon</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.number_images_once</name>
+    <message>
+        <source>give each image a number of its own</source>
+        <translation>donnez à chaque image un numéro propre</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.numbers_count_no_frames</name>
+    <message>
+        <source>their numbers go from %1 to %2, and there are %3 images: they do not count frames</source>
+        <translation>leurs numéros vont de %1 à %2, et il y a %3 images : ils ne comptent pas les images d’une vidéo</translation>
     </message>
 </context>
 <context>
@@ -22771,6 +23174,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>put a plate of another colour on it, or set its true colour</source>
         <translation>posez dessus une plaque d’une autre couleur, ou indiquez sa vraie couleur</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.rate_and_times</name>
+    <message>
+        <source>camera &apos;%1&apos; was given both a frame rate and frame times</source>
+        <translation>une fréquence d’images et des temps d’images ont été donnés pour la caméra &apos;%1&apos;</translation>
     </message>
 </context>
 <context>
@@ -23222,6 +23632,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
 </context>
 <context>
+    <name>workflow.several_image_series</name>
+    <message>
+        <source>the folder holds several series: %1 and %2</source>
+        <translation>le dossier contient plusieurs séries : %1 et %2</translation>
+    </message>
+</context>
+<context>
     <name>workflow.several_robots</name>
     <message>
         <source>it has several robots</source>
@@ -23324,6 +23741,27 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>its times start at %1</source>
         <translation>ses temps comptent à partir de %1</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.times_given_twice</name>
+    <message>
+        <source>camera &apos;%1&apos; was given two tables of frame times</source>
+        <translation>deux tables de temps d’images ont été données pour la caméra &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.times_of_no_view</name>
+    <message>
+        <source>there are frame times for camera &apos;%1&apos;, but no video of it</source>
+        <translation>il y a des temps d’images pour la caméra &apos;%1&apos;, mais aucune vidéo d’elle</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.times_of_other_count</name>
+    <message>
+        <source>it has %1 times, but the video of view &apos;%2&apos; has %3 frames</source>
+        <translation>il a %1 temps, mais la vidéo de la vue &apos;%2&apos; a %3 images</translation>
     </message>
 </context>
 <context>

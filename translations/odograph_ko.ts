@@ -8196,6 +8196,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>exchange.frame_without_time</name>
+    <message>
+        <source>it has no time that can be read</source>
+        <translation>읽을 수 있는 시간이 없습니다</translation>
+    </message>
+</context>
+<context>
     <name>exchange.frames_without_rate</name>
     <message>
         <source>it has frame numbers in place of times</source>
@@ -8525,6 +8532,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>exchange.no_time_column</name>
+    <message>
+        <source>no column of it is called a time</source>
+        <translation>시간으로 이름 붙은 열이 없습니다</translation>
+    </message>
+</context>
+<context>
     <name>exchange.no_track_has_position</name>
     <message>
         <source>none of its tracks has a position</source>
@@ -8634,6 +8648,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>one of its two coordinates is blank</source>
         <translation>두 위치 중 하나가 비어 있습니다</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.one_time_a_frame</name>
+    <message>
+        <source>give one time for each frame, in the order of the frames, under a name such as t_s</source>
+        <translation>프레임 순서대로 프레임마다 시간 하나를 t_s 같은 이름으로 지정하십시오</translation>
     </message>
 </context>
 <context>
@@ -8938,6 +8959,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>exchange.times_in_two_ways</name>
+    <message>
+        <source>its times can be read in two ways: &apos;%1&apos; with three decimals, or without</source>
+        <translation>시간을 두 가지로 읽을 수 있습니다: 소수점 이하 세 자리의 &apos;%1&apos; 또는 소수 없이</translation>
+    </message>
+</context>
+<context>
     <name>exchange.times_since_1970</name>
     <message>
         <source>times in %1 since 1970</source>
@@ -9103,6 +9131,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>write a line with class and team below the header</source>
         <translation>머리글 아래에 학급과 팀을 한 줄 쓰십시오</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.write_decimal_point</name>
+    <message>
+        <source>write them with a decimal point</source>
+        <translation>소수점(.)으로 쓰십시오</translation>
     </message>
 </context>
 <context>
@@ -11849,6 +11884,10 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>%1 has no time stamps and states no frame rate. Enter the rate of its camera.</source>
         <translation>%1에는 타임스탬프가 없고 프레임 속도도 적혀 있지 않습니다. 카메라의 속도를 입력하십시오.</translation>
+    </message>
+    <message>
+        <source>Chapters of one recording are joined by +; images are given as their folder, or FOLDER/%06d.png, with the rate</source>
+        <translation>한 녹화의 챕터는 +로 이어집니다. 그림은 폴더 또는 FOLDER/%06d.png와 속도로 지정합니다</translation>
     </message>
 </context>
 <context>
@@ -20144,6 +20183,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>video.cannot_join</name>
+    <message>
+        <source>cannot join &apos;%1&apos; to a recording</source>
+        <translation>&apos;%1&apos;을(를) 녹화에 이어 붙일 수 없습니다</translation>
+    </message>
+</context>
+<context>
     <name>video.cannot_open</name>
     <message>
         <source>cannot open the video %1</source>
@@ -20165,6 +20211,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>video.cannot_take_image</name>
+    <message>
+        <source>cannot take &apos;%1&apos; as a frame of a video</source>
+        <translation>&apos;%1&apos;을(를) 동영상의 프레임으로 쓸 수 없습니다</translation>
+    </message>
+</context>
+<context>
     <name>video.cannot_write</name>
     <message>
         <source>cannot write the video %1</source>
@@ -20179,10 +20232,101 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>video.cannot_write_joined</name>
+    <message>
+        <source>cannot write the joined recording %1</source>
+        <translation>이어 붙인 녹화 %1을(를) 쓸 수 없습니다</translation>
+    </message>
+</context>
+<context>
     <name>video.cannot_write_recording</name>
     <message>
         <source>cannot write the recording %1</source>
         <translation>녹화 %1을(를) 쓸 수 없습니다</translation>
+    </message>
+</context>
+<context>
+    <name>video.chapter_after_gap</name>
+    <message>
+        <source>by its recording time %1 are missing between &apos;%2&apos; and it; if so, all times behind that are wrong</source>
+        <translation>녹화 시각에 따르면 &apos;%2&apos;와(과) 이 파일 사이에 %1이(가) 빠져 있습니다. 그렇다면 그 뒤의 모든 시간이 틀립니다</translation>
+    </message>
+</context>
+<context>
+    <name>video.chapter_codec</name>
+    <message>
+        <source>its codec is %1, that of &apos;%2&apos; is %3</source>
+        <translation>코덱이 %1인데 &apos;%2&apos;의 코덱은 %3입니다</translation>
+    </message>
+</context>
+<context>
+    <name>video.chapter_hides_frames</name>
+    <message>
+        <source>some of its frames are hidden, as an editor does that cuts a video</source>
+        <translation>편집기가 동영상을 자를 때처럼 일부 프레임이 숨겨져 있습니다</translation>
+    </message>
+</context>
+<context>
+    <name>video.chapter_mirrored</name>
+    <message>
+        <source>its frames and those of &apos;%1&apos; are not mirrored alike</source>
+        <translation>이 파일의 프레임과 &apos;%1&apos;의 프레임은 좌우 반전이 서로 다릅니다</translation>
+    </message>
+</context>
+<context>
+    <name>video.chapter_pixels</name>
+    <message>
+        <source>its pixel format is %1, that of &apos;%2&apos; is %3</source>
+        <translation>픽셀 형식이 %1인데 &apos;%2&apos;의 형식은 %3입니다</translation>
+    </message>
+</context>
+<context>
+    <name>video.chapter_recorded_before</name>
+    <message>
+        <source>by its recording time it was started before &apos;%1&apos;, behind which it was joined; check the order of the files</source>
+        <translation>녹화 시각에 따르면 앞에 이어 붙인 &apos;%1&apos;보다 먼저 시작되었습니다. 파일 순서를 확인하십시오</translation>
+    </message>
+</context>
+<context>
+    <name>video.chapter_restarts</name>
+    <message>
+        <source>its time stamps begin again or stand still after %1</source>
+        <translation>타임스탬프가 %1 후에 다시 시작되거나 멈춥니다</translation>
+    </message>
+</context>
+<context>
+    <name>video.chapter_set_up</name>
+    <message>
+        <source>its encoder was set up in another way than that of &apos;%1&apos;</source>
+        <translation>인코더 설정이 &apos;%1&apos;과(와) 다릅니다</translation>
+    </message>
+</context>
+<context>
+    <name>video.chapter_size</name>
+    <message>
+        <source>its frames are %1, those of &apos;%2&apos; are %3</source>
+        <translation>프레임이 %1인데 &apos;%2&apos;의 프레임은 %3입니다</translation>
+    </message>
+</context>
+<context>
+    <name>video.chapter_turn</name>
+    <message>
+        <source>its frames are to be turned by %1°, those of &apos;%2&apos; by %3°</source>
+        <translation>프레임을 %1° 돌려야 하는데 &apos;%2&apos;의 프레임은 %3° 돌려야 합니다</translation>
+    </message>
+</context>
+<context>
+    <name>video.chapter_without_stamps</name>
+    <message>
+        <source>its frames have no time stamps of their own</source>
+        <translation>프레임에 자체 타임스탬프가 없습니다</translation>
+    </message>
+</context>
+<context>
+    <name>video.chapters_of_one_frame</name>
+    <message>
+        <source>each of the files has a single frame</source>
+        <translation>파일마다 프레임이 하나뿐입니다</translation>
     </message>
 </context>
 <context>
@@ -20263,6 +20407,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>video.copy_chapter_again</name>
+    <message>
+        <source>copy it from the camera again: what follows it would get wrong times</source>
+        <translation>카메라에서 다시 복사하십시오. 그 뒤의 시간이 틀리게 됩니다</translation>
+    </message>
+</context>
+<context>
     <name>video.copy_from_camera</name>
     <message>
         <source>copy it from the camera again</source>
@@ -20274,6 +20425,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>copy it from the camera again if it was cut short</source>
         <translation>잘렸다면 카메라에서 다시 복사하십시오</translation>
+    </message>
+</context>
+<context>
+    <name>video.cut_chapter_there</name>
+    <message>
+        <source>cut it there, and give both parts</source>
+        <translation>그 위치에서 잘라 두 부분을 모두 지정하십시오</translation>
     </message>
 </context>
 <context>
@@ -20368,10 +20526,24 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>video.give_as_images</name>
+    <message>
+        <source>give images as a folder, with their rate</source>
+        <translation>그림은 폴더와 속도로 지정하십시오</translation>
+    </message>
+</context>
+<context>
     <name>video.give_camera_file</name>
     <message>
         <source>give the file that the camera recorded</source>
         <translation>카메라가 녹화한 파일을 지정하십시오</translation>
+    </message>
+</context>
+<context>
+    <name>video.give_chapter_of_camera</name>
+    <message>
+        <source>give the file as the camera wrote it</source>
+        <translation>카메라가 쓴 그대로의 파일을 지정하십시오</translation>
     </message>
 </context>
 <context>
@@ -20417,6 +20589,27 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>video.image_of_other_kind</name>
+    <message>
+        <source>it is not an upright JPEG in colour as the first, &apos;%1&apos;, is</source>
+        <translation>첫 그림 &apos;%1&apos;과(와) 같은 똑바른 컬러 JPEG이 아닙니다</translation>
+    </message>
+</context>
+<context>
+    <name>video.image_of_other_layout</name>
+    <message>
+        <source>its colours are stored in another way than those of the first, &apos;%1&apos;</source>
+        <translation>색상이 첫 그림 &apos;%1&apos;과(와) 다르게 저장되어 있습니다</translation>
+    </message>
+</context>
+<context>
+    <name>video.image_of_other_size</name>
+    <message>
+        <source>its size is %1, that of the first, &apos;%2&apos;, is %3</source>
+        <translation>크기가 %1인데 첫 그림 &apos;%2&apos;의 크기는 %3입니다</translation>
+    </message>
+</context>
+<context>
     <name>video.install_libavcodec</name>
     <message>
         <source>install Debian&apos;s libavcodec</source>
@@ -20438,10 +20631,31 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>video.join_one_recording</name>
+    <message>
+        <source>join only the files into which a camera has split one recording</source>
+        <translation>카메라가 하나의 녹화를 나눈 파일만 이어 붙이십시오</translation>
+    </message>
+</context>
+<context>
+    <name>video.joining_chapters</name>
+    <message>
+        <source>joining &apos;%1&apos;</source>
+        <translation>&apos;%1&apos; 이어 붙이는 중</translation>
+    </message>
+</context>
+<context>
     <name>video.largest_picture</name>
     <message>
         <source>the limit is 50 megapixels and 32000 pixels a side</source>
         <translation>5천만 화소 또는 한 변 32000픽셀을 넘으면 읽지 않습니다</translation>
+    </message>
+</context>
+<context>
+    <name>video.leave_out_image</name>
+    <message>
+        <source>leave it out, or convert all of them in the same way</source>
+        <translation>빼거나 모두 같은 방식으로 변환하십시오</translation>
     </message>
 </context>
 <context>
@@ -20543,6 +20757,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>video.of_chapter</name>
+    <message>
+        <source>video &apos;%1&apos;</source>
+        <translation>동영상 &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
     <name>video.packet_damaged</name>
     <message>
         <source>a packet is damaged</source>
@@ -20620,6 +20841,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>video.put_into_mp4</name>
+    <message>
+        <source>put each file into MP4 first, e.g. ffmpeg -i FILE -c copy NEW.mp4</source>
+        <translation>먼저 각 파일을 MP4에 넣으십시오. 예: ffmpeg -i FILE -c copy NEW.mp4</translation>
+    </message>
+</context>
+<context>
     <name>video.rate_not_positive</name>
     <message>
         <source>its frame rate is not positive</source>
@@ -20631,6 +20859,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>its frame rate varies: frames are %1 to %2 apart</source>
         <translation>프레임 속도가 일정하지 않아 그림 간격이 %1~%2입니다</translation>
+    </message>
+</context>
+<context>
+    <name>video.reading_chapter</name>
+    <message>
+        <source>reading &apos;%1&apos;</source>
+        <translation>&apos;%1&apos; 읽는 중</translation>
     </message>
 </context>
 <context>
@@ -20652,6 +20887,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>its frame size could not be determined</source>
         <translation>영상의 크기를 알아내지 못했습니다</translation>
+    </message>
+</context>
+<context>
+    <name>video.sound_left_out</name>
+    <message>
+        <source>the sound was left out, because the files it is joined with have none or another kind of it</source>
+        <translation>이어 붙인 파일에 소리가 없거나 종류가 달라 소리를 뺐습니다</translation>
     </message>
 </context>
 <context>
@@ -20687,6 +20929,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>start the video again</source>
         <translation>동영상을 다시 시작하십시오</translation>
+    </message>
+</context>
+<context>
+    <name>video.taking_image</name>
+    <message>
+        <source>taking image %1 of %2</source>
+        <translation>그림 %2개 중 %1번째 처리 중</translation>
     </message>
 </context>
 <context>
@@ -21051,6 +21300,27 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>they were changed in the file</source>
         <translation>파일에서 변경되었습니다</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.chapter_missing</name>
+    <message>
+        <source>by their names a file is missing between &apos;%1&apos; and &apos;%2&apos;; if so, all times behind it are wrong</source>
+        <translation>이름에 따르면 &apos;%1&apos;과(와) &apos;%2&apos; 사이에 파일이 빠져 있습니다. 그렇다면 그 뒤의 모든 시간이 틀립니다</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.chapter_twice</name>
+    <message>
+        <source>&apos;%1&apos; is given twice</source>
+        <translation>&apos;%1&apos;이(가) 두 번 지정되었습니다</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.chapters_out_of_order</name>
+    <message>
+        <source>by their names &apos;%1&apos; comes before &apos;%2&apos;, and was joined behind it; check the order of the files</source>
+        <translation>이름에 따르면 &apos;%1&apos;이(가) &apos;%2&apos;보다 앞인데 뒤에 이어 붙였습니다. 파일 순서를 확인하십시오</translation>
     </message>
 </context>
 <context>
@@ -21579,10 +21849,24 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>workflow.give_chapter_once</name>
+    <message>
+        <source>give each file once, in their order</source>
+        <translation>각 파일을 순서대로 한 번씩 지정하십시오</translation>
+    </message>
+</context>
+<context>
     <name>workflow.give_each_file_once</name>
     <message>
         <source>give each file once, to its camera</source>
         <translation>파일마다 해당 카메라에 한 번만 지정하십시오</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.give_each_frame_time</name>
+    <message>
+        <source>give one time for each frame</source>
+        <translation>프레임마다 시간 하나를 지정하십시오</translation>
     </message>
 </context>
 <context>
@@ -21621,6 +21905,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>workflow.give_one_table</name>
+    <message>
+        <source>give one table for each view</source>
+        <translation>뷰마다 표 하나를 지정하십시오</translation>
+    </message>
+</context>
+<context>
     <name>workflow.give_own_colours</name>
     <message>
         <source>give each its own colour</source>
@@ -21649,6 +21940,20 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>workflow.give_rate_or_table</name>
+    <message>
+        <source>give one of them</source>
+        <translation>둘 중 하나를 지정하십시오</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.give_rate_or_times</name>
+    <message>
+        <source>give their rate or a table of their times, like --rate 30 or --times A=stamps.csv</source>
+        <translation>카메라의 실제 속도를 입력하십시오</translation>
+    </message>
+</context>
+<context>
     <name>workflow.give_seconds</name>
     <message>
         <source>give the seconds, such as 10</source>
@@ -21656,10 +21961,24 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>workflow.give_table_of_times</name>
+    <message>
+        <source>give a table of their times, like --times A=stamps.csv</source>
+        <translation>1씩 늘어나는 번호를 붙이십시오</translation>
+    </message>
+</context>
+<context>
     <name>workflow.give_task</name>
     <message>
         <source>give %1 the task %2</source>
         <translation>%1에 과제 %2 지정</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.give_times_to_view</name>
+    <message>
+        <source>name the camera of one of the videos</source>
+        <translation>동영상 중 하나의 카메라를 지정하십시오</translation>
     </message>
 </context>
 <context>
@@ -21695,6 +22014,34 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>one is an image and the other a video</source>
         <translation>하나는 영상 파일이고 다른 하나는 동영상입니다</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.images</name>
+    <message>
+        <source>images &apos;%1&apos;</source>
+        <translation>그림 &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.images_missing</name>
+    <message>
+        <source>missing numbers: %1, the first behind %2; their frames count as lost, and the others keep their times</source>
+        <translation>빠진 번호: %1개, 첫 번째는 %2 다음입니다. 그 프레임은 손실된 것으로 보고 나머지는 시간을 유지합니다</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.images_share_number</name>
+    <message>
+        <source>&apos;%1&apos; and &apos;%2&apos; have the same number</source>
+        <translation>&apos;%1&apos;과(와) &apos;%2&apos;의 번호가 같습니다</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.images_without_times</name>
+    <message>
+        <source>images have no times</source>
+        <translation>그림에는 시간이 없습니다</translation>
     </message>
 </context>
 <context>
@@ -21740,6 +22087,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>workflow.import_trial_from</name>
+    <message>
+        <source>import trial %1 from %2</source>
+        <translation>시행 %1을(를) %2에서 가져오기</translation>
+    </message>
+</context>
+<context>
     <name>workflow.interface_of_live_positions</name>
     <message>
         <source>interface &apos;%1&apos; of live positions</source>
@@ -21765,6 +22119,20 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>intrinsics of camera &apos;%1&apos;</source>
         <translation>카메라 &apos;%1&apos;의 내부 파라미터</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.join_or_name_camera</name>
+    <message>
+        <source>give each view a camera of its own, or join the files of one recording with +, like --video A=1.mp4+2.mp4</source>
+        <translation>뷰마다 다른 카메라를 지정하거나 한 녹화의 파일을 +로 이으십시오</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.joined_videos</name>
+    <message>
+        <source>videos &apos;%1&apos;</source>
+        <translation>동영상 &apos;%1&apos;</translation>
     </message>
 </context>
 <context>
@@ -22104,6 +22472,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>workflow.name_image_series</name>
+    <message>
+        <source>give a folder with images such as 000001.png, or a pattern such as FOLDER/%1</source>
+        <translation>000001.png 같은 그림이 있는 폴더나 FOLDER/%1 같은 패턴을 지정하십시오</translation>
+    </message>
+</context>
+<context>
     <name>workflow.name_its_camera</name>
     <message>
         <source>name one of its cameras</source>
@@ -22115,6 +22490,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>name one of its robots</source>
         <translation>시행의 로봇 가운데 하나를 지정하십시오</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.name_one_series</name>
+    <message>
+        <source>name one of them, like FOLDER/%1</source>
+        <translation>FOLDER/%1처럼 그중 하나를 지정하십시오</translation>
     </message>
 </context>
 <context>
@@ -22213,6 +22595,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>the other camera has no file of its number</source>
         <translation>다른 카메라에 같은 번호의 파일이 없습니다</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.no_image_series</name>
+    <message>
+        <source>there are no numbered images (PNG, JPEG, TIFF, BMP, WebP) of that name</source>
+        <translation>그 이름의 번호 붙은 그림(PNG, JPEG, TIFF, BMP, WebP)이 없습니다</translation>
     </message>
 </context>
 <context>
@@ -22430,6 +22819,20 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>give as many of each, in the same order, or number their names alike</source>
         <translation>각각 같은 수를 같은 순서로 지정하거나 이름의 번호를 맞추십시오</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.number_images_once</name>
+    <message>
+        <source>give each image a number of its own</source>
+        <translation>그림마다 다른 번호를 붙이십시오</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.numbers_count_no_frames</name>
+    <message>
+        <source>their numbers go from %1 to %2, and there are %3 images: they do not count frames</source>
+        <translation>번호는 %1부터 %2까지인데 그림은 %3개입니다. 번호가 프레임을 세지 않습니다</translation>
     </message>
 </context>
 <context>
@@ -22731,6 +23134,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>put a plate of another colour on it, or set its true colour</source>
         <translation>다른 색 판을 얹거나 실제 색을 지정하십시오</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.rate_and_times</name>
+    <message>
+        <source>camera &apos;%1&apos; was given both a frame rate and frame times</source>
+        <translation>카메라 &apos;%1&apos;에 프레임 속도와 프레임 시간이 모두 지정되었습니다</translation>
     </message>
 </context>
 <context>
@@ -23182,6 +23592,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>workflow.several_image_series</name>
+    <message>
+        <source>the folder holds several series: %1 and %2</source>
+        <translation>폴더에 여러 시리즈가 있습니다: %1, %2</translation>
+    </message>
+</context>
+<context>
     <name>workflow.several_robots</name>
     <message>
         <source>it has several robots</source>
@@ -23284,6 +23701,27 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>its times start at %1</source>
         <translation>시간은 %1부터 셈</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.times_given_twice</name>
+    <message>
+        <source>camera &apos;%1&apos; was given two tables of frame times</source>
+        <translation>카메라 &apos;%1&apos;에 프레임 시간 표가 두 개 지정되었습니다</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.times_of_no_view</name>
+    <message>
+        <source>there are frame times for camera &apos;%1&apos;, but no video of it</source>
+        <translation>카메라 &apos;%1&apos;의 프레임 시간은 있지만 동영상이 없습니다</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.times_of_other_count</name>
+    <message>
+        <source>it has %1 times, but the video of view &apos;%2&apos; has %3 frames</source>
+        <translation>시간은 %1개인데 뷰 &apos;%2&apos;의 동영상은 %3프레임입니다</translation>
     </message>
 </context>
 <context>

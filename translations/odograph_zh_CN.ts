@@ -8196,6 +8196,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>exchange.frame_without_time</name>
+    <message>
+        <source>it has no time that can be read</source>
+        <translation>其中没有可读的时间</translation>
+    </message>
+</context>
+<context>
     <name>exchange.frames_without_rate</name>
     <message>
         <source>it has frame numbers in place of times</source>
@@ -8525,6 +8532,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>exchange.no_time_column</name>
+    <message>
+        <source>no column of it is called a time</source>
+        <translation>没有以时间命名的列</translation>
+    </message>
+</context>
+<context>
     <name>exchange.no_track_has_position</name>
     <message>
         <source>none of its tracks has a position</source>
@@ -8634,6 +8648,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>one of its two coordinates is blank</source>
         <translation>两个位置值中有一个为空</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.one_time_a_frame</name>
+    <message>
+        <source>give one time for each frame, in the order of the frames, under a name such as t_s</source>
+        <translation>请按帧的顺序为每一帧给出一个时间，列名如 t_s</translation>
     </message>
 </context>
 <context>
@@ -8938,6 +8959,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>exchange.times_in_two_ways</name>
+    <message>
+        <source>its times can be read in two ways: &apos;%1&apos; with three decimals, or without</source>
+        <translation>其时间有两种读法：带三位小数的“%1”，或者不带小数</translation>
+    </message>
+</context>
+<context>
     <name>exchange.times_since_1970</name>
     <message>
         <source>times in %1 since 1970</source>
@@ -9103,6 +9131,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>write a line with class and team below the header</source>
         <translation>请在标题行下写一行班级和小组</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.write_decimal_point</name>
+    <message>
+        <source>write them with a decimal point</source>
+        <translation>请用小数点书写</translation>
     </message>
 </context>
 <context>
@@ -11849,6 +11884,10 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>%1 has no time stamps and states no frame rate. Enter the rate of its camera.</source>
         <translation>%1 没有时间戳，也未给出帧率。请输入其相机的帧率。</translation>
+    </message>
+    <message>
+        <source>Chapters of one recording are joined by +; images are given as their folder, or FOLDER/%06d.png, with the rate</source>
+        <translation>同一录像的各段用 + 连接；图片以其文件夹或 FOLDER/%06d.png 给出，并给出帧率</translation>
     </message>
 </context>
 <context>
@@ -20144,6 +20183,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>video.cannot_join</name>
+    <message>
+        <source>cannot join &apos;%1&apos; to a recording</source>
+        <translation>无法将“%1”拼接到录像</translation>
+    </message>
+</context>
+<context>
     <name>video.cannot_open</name>
     <message>
         <source>cannot open the video %1</source>
@@ -20165,6 +20211,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>video.cannot_take_image</name>
+    <message>
+        <source>cannot take &apos;%1&apos; as a frame of a video</source>
+        <translation>无法将“%1”用作视频的一帧</translation>
+    </message>
+</context>
+<context>
     <name>video.cannot_write</name>
     <message>
         <source>cannot write the video %1</source>
@@ -20179,10 +20232,101 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>video.cannot_write_joined</name>
+    <message>
+        <source>cannot write the joined recording %1</source>
+        <translation>无法写出拼接的录像 %1</translation>
+    </message>
+</context>
+<context>
     <name>video.cannot_write_recording</name>
     <message>
         <source>cannot write the recording %1</source>
         <translation>无法写出录像 %1</translation>
+    </message>
+</context>
+<context>
+    <name>video.chapter_after_gap</name>
+    <message>
+        <source>by its recording time %1 are missing between &apos;%2&apos; and it; if so, all times behind that are wrong</source>
+        <translation>按录制时间，“%2”与它之间缺少 %1；若是如此，其后的所有时间都不正确</translation>
+    </message>
+</context>
+<context>
+    <name>video.chapter_codec</name>
+    <message>
+        <source>its codec is %1, that of &apos;%2&apos; is %3</source>
+        <translation>其编码为 %1，而“%2”的编码为 %3</translation>
+    </message>
+</context>
+<context>
+    <name>video.chapter_hides_frames</name>
+    <message>
+        <source>some of its frames are hidden, as an editor does that cuts a video</source>
+        <translation>其部分帧被隐藏，如编辑软件剪切视频时所为</translation>
+    </message>
+</context>
+<context>
+    <name>video.chapter_mirrored</name>
+    <message>
+        <source>its frames and those of &apos;%1&apos; are not mirrored alike</source>
+        <translation>其帧与“%1”的帧镜像方式不同</translation>
+    </message>
+</context>
+<context>
+    <name>video.chapter_pixels</name>
+    <message>
+        <source>its pixel format is %1, that of &apos;%2&apos; is %3</source>
+        <translation>其像素格式为 %1，而“%2”的为 %3</translation>
+    </message>
+</context>
+<context>
+    <name>video.chapter_recorded_before</name>
+    <message>
+        <source>by its recording time it was started before &apos;%1&apos;, behind which it was joined; check the order of the files</source>
+        <translation>按录制时间，它在“%1”之前开始，却被拼接在其后；请检查文件的顺序</translation>
+    </message>
+</context>
+<context>
+    <name>video.chapter_restarts</name>
+    <message>
+        <source>its time stamps begin again or stand still after %1</source>
+        <translation>其时间戳在 %1 后重新开始或停滞</translation>
+    </message>
+</context>
+<context>
+    <name>video.chapter_set_up</name>
+    <message>
+        <source>its encoder was set up in another way than that of &apos;%1&apos;</source>
+        <translation>其编码器设置与“%1”不同</translation>
+    </message>
+</context>
+<context>
+    <name>video.chapter_size</name>
+    <message>
+        <source>its frames are %1, those of &apos;%2&apos; are %3</source>
+        <translation>其帧为 %1，而“%2”的帧为 %3</translation>
+    </message>
+</context>
+<context>
+    <name>video.chapter_turn</name>
+    <message>
+        <source>its frames are to be turned by %1°, those of &apos;%2&apos; by %3°</source>
+        <translation>其帧需旋转 %1°，而“%2”的帧需旋转 %3°</translation>
+    </message>
+</context>
+<context>
+    <name>video.chapter_without_stamps</name>
+    <message>
+        <source>its frames have no time stamps of their own</source>
+        <translation>其帧没有自己的时间戳</translation>
+    </message>
+</context>
+<context>
+    <name>video.chapters_of_one_frame</name>
+    <message>
+        <source>each of the files has a single frame</source>
+        <translation>每个文件只有一帧</translation>
     </message>
 </context>
 <context>
@@ -20263,6 +20407,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>video.copy_chapter_again</name>
+    <message>
+        <source>copy it from the camera again: what follows it would get wrong times</source>
+        <translation>请从相机重新复制：其后的内容会得到错误的时间</translation>
+    </message>
+</context>
+<context>
     <name>video.copy_from_camera</name>
     <message>
         <source>copy it from the camera again</source>
@@ -20274,6 +20425,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>copy it from the camera again if it was cut short</source>
         <translation>若被截断，请从相机重新复制</translation>
+    </message>
+</context>
+<context>
+    <name>video.cut_chapter_there</name>
+    <message>
+        <source>cut it there, and give both parts</source>
+        <translation>请在该处剪开，并给出两部分</translation>
     </message>
 </context>
 <context>
@@ -20368,10 +20526,24 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>video.give_as_images</name>
+    <message>
+        <source>give images as a folder, with their rate</source>
+        <translation>请以文件夹给出图片，并给出其帧率</translation>
+    </message>
+</context>
+<context>
     <name>video.give_camera_file</name>
     <message>
         <source>give the file that the camera recorded</source>
         <translation>请给出相机录制的文件</translation>
+    </message>
+</context>
+<context>
+    <name>video.give_chapter_of_camera</name>
+    <message>
+        <source>give the file as the camera wrote it</source>
+        <translation>请给出相机所写的原文件</translation>
     </message>
 </context>
 <context>
@@ -20417,6 +20589,27 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>video.image_of_other_kind</name>
+    <message>
+        <source>it is not an upright JPEG in colour as the first, &apos;%1&apos;, is</source>
+        <translation>它不像第一张“%1”那样是正向的彩色 JPEG</translation>
+    </message>
+</context>
+<context>
+    <name>video.image_of_other_layout</name>
+    <message>
+        <source>its colours are stored in another way than those of the first, &apos;%1&apos;</source>
+        <translation>其颜色的存储方式与第一张“%1”不同</translation>
+    </message>
+</context>
+<context>
+    <name>video.image_of_other_size</name>
+    <message>
+        <source>its size is %1, that of the first, &apos;%2&apos;, is %3</source>
+        <translation>其尺寸为 %1，而第一张“%2”的尺寸为 %3</translation>
+    </message>
+</context>
+<context>
     <name>video.install_libavcodec</name>
     <message>
         <source>install Debian&apos;s libavcodec</source>
@@ -20438,10 +20631,31 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>video.join_one_recording</name>
+    <message>
+        <source>join only the files into which a camera has split one recording</source>
+        <translation>请只拼接相机从同一录像分出的文件</translation>
+    </message>
+</context>
+<context>
+    <name>video.joining_chapters</name>
+    <message>
+        <source>joining &apos;%1&apos;</source>
+        <translation>正在拼接“%1”</translation>
+    </message>
+</context>
+<context>
     <name>video.largest_picture</name>
     <message>
         <source>the limit is 50 megapixels and 32000 pixels a side</source>
         <translation>超过 5000 万像素或单边 32000 像素则不读取</translation>
+    </message>
+</context>
+<context>
+    <name>video.leave_out_image</name>
+    <message>
+        <source>leave it out, or convert all of them in the same way</source>
+        <translation>请略去它，或将所有图片以同样方式转换</translation>
     </message>
 </context>
 <context>
@@ -20543,6 +20757,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>video.of_chapter</name>
+    <message>
+        <source>video &apos;%1&apos;</source>
+        <translation>视频“%1”</translation>
+    </message>
+</context>
+<context>
     <name>video.packet_damaged</name>
     <message>
         <source>a packet is damaged</source>
@@ -20620,6 +20841,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>video.put_into_mp4</name>
+    <message>
+        <source>put each file into MP4 first, e.g. ffmpeg -i FILE -c copy NEW.mp4</source>
+        <translation>请先将每个文件放入 MP4，例如 ffmpeg -i FILE -c copy NEW.mp4</translation>
+    </message>
+</context>
+<context>
     <name>video.rate_not_positive</name>
     <message>
         <source>its frame rate is not positive</source>
@@ -20631,6 +20859,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>its frame rate varies: frames are %1 to %2 apart</source>
         <translation>其帧率不恒定，图片间隔为 %1 到 %2</translation>
+    </message>
+</context>
+<context>
+    <name>video.reading_chapter</name>
+    <message>
+        <source>reading &apos;%1&apos;</source>
+        <translation>正在读取“%1”</translation>
     </message>
 </context>
 <context>
@@ -20652,6 +20887,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>its frame size could not be determined</source>
         <translation>无法得知其画面尺寸</translation>
+    </message>
+</context>
+<context>
+    <name>video.sound_left_out</name>
+    <message>
+        <source>the sound was left out, because the files it is joined with have none or another kind of it</source>
+        <translation>声音已略去，因为与之拼接的文件没有声音或声音类型不同</translation>
     </message>
 </context>
 <context>
@@ -20687,6 +20929,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>start the video again</source>
         <translation>请重新开始该视频</translation>
+    </message>
+</context>
+<context>
+    <name>video.taking_image</name>
+    <message>
+        <source>taking image %1 of %2</source>
+        <translation>正在处理第 %1 张图片，共 %2 张</translation>
     </message>
 </context>
 <context>
@@ -21051,6 +21300,27 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>they were changed in the file</source>
         <translation>它们在文件中被更改过</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.chapter_missing</name>
+    <message>
+        <source>by their names a file is missing between &apos;%1&apos; and &apos;%2&apos;; if so, all times behind it are wrong</source>
+        <translation>按名称，“%1”与“%2”之间缺少一个文件；若是如此，其后的所有时间都不正确</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.chapter_twice</name>
+    <message>
+        <source>&apos;%1&apos; is given twice</source>
+        <translation>“%1”被给出两次</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.chapters_out_of_order</name>
+    <message>
+        <source>by their names &apos;%1&apos; comes before &apos;%2&apos;, and was joined behind it; check the order of the files</source>
+        <translation>按名称，“%1”在“%2”之前，却被拼接在其后；请检查文件的顺序</translation>
     </message>
 </context>
 <context>
@@ -21579,10 +21849,24 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>workflow.give_chapter_once</name>
+    <message>
+        <source>give each file once, in their order</source>
+        <translation>请按顺序将每个文件给出一次</translation>
+    </message>
+</context>
+<context>
     <name>workflow.give_each_file_once</name>
     <message>
         <source>give each file once, to its camera</source>
         <translation>请把每个文件只给对应的相机一次</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.give_each_frame_time</name>
+    <message>
+        <source>give one time for each frame</source>
+        <translation>请为每一帧给出一个时间</translation>
     </message>
 </context>
 <context>
@@ -21621,6 +21905,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>workflow.give_one_table</name>
+    <message>
+        <source>give one table for each view</source>
+        <translation>请为每个视图给出一个表格</translation>
+    </message>
+</context>
+<context>
     <name>workflow.give_own_colours</name>
     <message>
         <source>give each its own colour</source>
@@ -21649,6 +21940,20 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>workflow.give_rate_or_table</name>
+    <message>
+        <source>give one of them</source>
+        <translation>请给出其中之一</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.give_rate_or_times</name>
+    <message>
+        <source>give their rate or a table of their times, like --rate 30 or --times A=stamps.csv</source>
+        <translation>请输入相机的实际帧率</translation>
+    </message>
+</context>
+<context>
     <name>workflow.give_seconds</name>
     <message>
         <source>give the seconds, such as 10</source>
@@ -21656,10 +21961,24 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>workflow.give_table_of_times</name>
+    <message>
+        <source>give a table of their times, like --times A=stamps.csv</source>
+        <translation>请以 1 为步长编号</translation>
+    </message>
+</context>
+<context>
     <name>workflow.give_task</name>
     <message>
         <source>give %1 the task %2</source>
         <translation>将任务 %2 赋予 %1</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.give_times_to_view</name>
+    <message>
+        <source>name the camera of one of the videos</source>
+        <translation>请指明其中一个视频的相机</translation>
     </message>
 </context>
 <context>
@@ -21695,6 +22014,34 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>one is an image and the other a video</source>
         <translation>一个是图片，另一个是视频</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.images</name>
+    <message>
+        <source>images &apos;%1&apos;</source>
+        <translation>图片“%1”</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.images_missing</name>
+    <message>
+        <source>missing numbers: %1, the first behind %2; their frames count as lost, and the others keep their times</source>
+        <translation>缺少的编号：%1 个，首个在 %2 之后；其帧视为丢失，其余保持各自的时间</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.images_share_number</name>
+    <message>
+        <source>&apos;%1&apos; and &apos;%2&apos; have the same number</source>
+        <translation>“%1”和“%2”的编号相同</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.images_without_times</name>
+    <message>
+        <source>images have no times</source>
+        <translation>图片没有时间</translation>
     </message>
 </context>
 <context>
@@ -21740,6 +22087,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>workflow.import_trial_from</name>
+    <message>
+        <source>import trial %1 from %2</source>
+        <translation>从 %2 导入试验 %1</translation>
+    </message>
+</context>
+<context>
     <name>workflow.interface_of_live_positions</name>
     <message>
         <source>interface &apos;%1&apos; of live positions</source>
@@ -21765,6 +22119,20 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>intrinsics of camera &apos;%1&apos;</source>
         <translation>相机“%1”的内参</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.join_or_name_camera</name>
+    <message>
+        <source>give each view a camera of its own, or join the files of one recording with +, like --video A=1.mp4+2.mp4</source>
+        <translation>请为每个视图指定各自的相机，或用 + 连接同一录像的文件</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.joined_videos</name>
+    <message>
+        <source>videos &apos;%1&apos;</source>
+        <translation>视频“%1”</translation>
     </message>
 </context>
 <context>
@@ -22104,6 +22472,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>workflow.name_image_series</name>
+    <message>
+        <source>give a folder with images such as 000001.png, or a pattern such as FOLDER/%1</source>
+        <translation>请给出含 000001.png 之类图片的文件夹，或 FOLDER/%1 之类的模式</translation>
+    </message>
+</context>
+<context>
     <name>workflow.name_its_camera</name>
     <message>
         <source>name one of its cameras</source>
@@ -22115,6 +22490,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>name one of its robots</source>
         <translation>请指定它的一个机器人</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.name_one_series</name>
+    <message>
+        <source>name one of them, like FOLDER/%1</source>
+        <translation>请指明其中之一，如 FOLDER/%1</translation>
     </message>
 </context>
 <context>
@@ -22213,6 +22595,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>the other camera has no file of its number</source>
         <translation>另一台相机没有该编号的文件</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.no_image_series</name>
+    <message>
+        <source>there are no numbered images (PNG, JPEG, TIFF, BMP, WebP) of that name</source>
+        <translation>没有该名称的编号图片（PNG、JPEG、TIFF、BMP、WebP）</translation>
     </message>
 </context>
 <context>
@@ -22430,6 +22819,20 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>give as many of each, in the same order, or number their names alike</source>
         <translation>请按相同顺序各给出相同数量，或让文件名编号一致</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.number_images_once</name>
+    <message>
+        <source>give each image a number of its own</source>
+        <translation>请为每张图片指定各自的编号</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.numbers_count_no_frames</name>
+    <message>
+        <source>their numbers go from %1 to %2, and there are %3 images: they do not count frames</source>
+        <translation>其编号从 %1 到 %2，而图片有 %3 张：编号并非帧计数</translation>
     </message>
 </context>
 <context>
@@ -22731,6 +23134,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>put a plate of another colour on it, or set its true colour</source>
         <translation>请在其上放另一种颜色的板，或给出它真实的颜色</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.rate_and_times</name>
+    <message>
+        <source>camera &apos;%1&apos; was given both a frame rate and frame times</source>
+        <translation>给相机“%1”同时指定了帧率和帧时间</translation>
     </message>
 </context>
 <context>
@@ -23182,6 +23592,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>workflow.several_image_series</name>
+    <message>
+        <source>the folder holds several series: %1 and %2</source>
+        <translation>文件夹中有多个系列：%1 和 %2</translation>
+    </message>
+</context>
+<context>
     <name>workflow.several_robots</name>
     <message>
         <source>it has several robots</source>
@@ -23284,6 +23701,27 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>its times start at %1</source>
         <translation>其时间从 %1 起算</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.times_given_twice</name>
+    <message>
+        <source>camera &apos;%1&apos; was given two tables of frame times</source>
+        <translation>给相机“%1”指定了两个帧时间表</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.times_of_no_view</name>
+    <message>
+        <source>there are frame times for camera &apos;%1&apos;, but no video of it</source>
+        <translation>有相机“%1”的帧时间，但没有它的视频</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.times_of_other_count</name>
+    <message>
+        <source>it has %1 times, but the video of view &apos;%2&apos; has %3 frames</source>
+        <translation>它有 %1 个时间，而视图“%2”的视频有 %3 帧</translation>
     </message>
 </context>
 <context>

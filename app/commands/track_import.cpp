@@ -45,8 +45,7 @@ Result<TrackReading> readingOf(const CommandCall &call)
 {
     TrackReading reading;
     reading.unit = ODO_TRY(chosen(call, option::unit, lengthUnitOf, "m, cm, mm, in, ft or px"));
-    reading.timeUnit =
-        ODO_TRY(chosen(call, option::timeUnit, timeUnitOf, "s, ms, us, ns, min, h, d or frame"));
+    reading.timeUnit = ODO_TRY(timeUnitOf(call));
     reading.axes = ODO_TRY(chosen(call, option::axes, floorAxesOf, "xy, xz or yz"));
     reading.decimal = ODO_TRY(chosen(call, option::decimal, decimalSignOf, "point or comma"));
     reading.pixelM = ODO_TRY(lengthOf(call, option::pixel));
@@ -62,45 +61,6 @@ Result<TrackReading> readingOf(const CommandCall &call)
         reading.rate = ODO_TRY(frameRateOf(call));
     }
     return reading;
-}
-
-/// What to choose, as an option of this command.
-Message withOption(const Message &advice)
-{
-    const std::string_view code = advice.code();
-    const std::string likely = advice.arguments.empty() ? std::string() : advice.arguments.front().text;
-    if (code == "exchange.choose_time_unit")
-        return likely == "frame"
-                   ? ODO_TEXT("app.give_frames_or_seconds",
-                              "give their unit: --time-unit frame --rate 30 if they are frame numbers, or "
-                              "--time-unit s")
-                   : ODO_TEXT("app.give_time_unit",
-                              "give their unit, likely --time-unit %1 (s, ms, us, ns, min, h, d or frame)")(
-                         likely);
-    if (code == "exchange.choose_likely_unit")
-        return ODO_TEXT("app.give_unit",
-                        "give their unit, likely --unit %1 (m, cm, mm, in, ft or px)")(likely);
-    if (code == "exchange.choose_unit")
-        return ODO_TEXT("app.give_a_unit", "give their unit with --unit: m, cm, mm, in, ft or px");
-    if (code == "exchange.check_both_units")
-        return ODO_TEXT("app.give_both_units",
-                        "give the units of its times and positions: --time-unit and --unit");
-    if (code == "exchange.choose_axes")
-        return ODO_TEXT("app.give_axes",
-                        "give the axes of the floor: --axes %1, or --axes xy if that is right")(likely);
-    if (code == "exchange.choose_decimal_sign")
-        return ODO_TEXT("app.give_decimal_sign", "give the decimal sign: --decimal point or --decimal comma");
-    if (code == "exchange.give_rate")
-        return giveRateOption();
-    if (code == "exchange.give_pixel_length")
-        return ODO_TEXT(
-            "app.give_pixel_length",
-            "give how long a pixel is on the floor, like --pixel 2mm, or another unit with --unit");
-    if (code == "exchange.write_finer_times")
-        return ODO_TEXT("app.give_rate_of_series",
-                        "write the times with more digits, or give the frame rate of an even series, like "
-                        "--rate 30");
-    return advice;
 }
 
 /// Standard input as a file, which can be read twice.
@@ -181,11 +141,56 @@ QString importedTrackText(const ImportedTrack &source)
              QString::fromStdString(source.sha256.substr(0, 12)), english(source.reading));
 }
 
+Message adviceAsOption(const Message &advice)
+{
+    const std::string_view code = advice.code();
+    const std::string likely = advice.arguments.empty() ? std::string() : advice.arguments.front().text;
+    if (code == "exchange.choose_time_unit")
+        return likely == "frame"
+                   ? ODO_TEXT("app.give_frames_or_seconds",
+                              "give their unit: --time-unit frame --rate 30 if they are frame numbers, or "
+                              "--time-unit s")
+                   : ODO_TEXT("app.give_time_unit",
+                              "give their unit, likely --time-unit %1 (s, ms, us, ns, min, h, d or frame)")(
+                         likely);
+    if (code == "exchange.choose_likely_unit")
+        return ODO_TEXT("app.give_unit",
+                        "give their unit, likely --unit %1 (m, cm, mm, in, ft or px)")(likely);
+    if (code == "exchange.choose_unit")
+        return ODO_TEXT("app.give_a_unit", "give their unit with --unit: m, cm, mm, in, ft or px");
+    if (code == "exchange.check_both_units")
+        return ODO_TEXT("app.give_both_units",
+                        "give the units of its times and positions: --time-unit and --unit");
+    if (code == "exchange.choose_axes")
+        return ODO_TEXT("app.give_axes",
+                        "give the axes of the floor: --axes %1, or --axes xy if that is right")(likely);
+    if (code == "exchange.choose_decimal_sign")
+        return ODO_TEXT("app.give_decimal_sign", "give the decimal sign: --decimal point or --decimal comma");
+    if (code == "exchange.give_rate" || code == "workflow.give_camera_rate")
+        return giveRateOption();
+    if (code == "exchange.give_pixel_length")
+        return ODO_TEXT(
+            "app.give_pixel_length",
+            "give how long a pixel is on the floor, like --pixel 2mm, or another unit with --unit");
+    if (code == "exchange.write_finer_times")
+        return ODO_TEXT("app.give_rate_of_series",
+                        "write the times with more digits, or give the frame rate of an even series, like "
+                        "--rate 30");
+    return advice;
+}
+
+Result<std::optional<TimeUnit>> timeUnitOf(const CommandCall &call)
+{
+    return chosen<TimeUnit>(call, option::timeUnit, timeUnitOf, "s, ms, us, ns, min, h, d or frame");
+}
+
 Result<void> refuseTrackOptions(const CommandCall &call)
 {
     for (const QCommandLineOption &each : trackReadingOptions()) {
-        if (call.isSet(each.names().constFirst()))
-            return call.lacks(each.names().constFirst(), option::track);
+        const QString name = each.names().constFirst();
+        const bool isForTimes = name == option::timeUnit && call.isSet(option::times);
+        if (call.isSet(name) && !isForTimes)
+            return call.lacks(name, option::track);
     }
     return {};
 }
@@ -194,7 +199,8 @@ QList<QCommandLineOption> trackReadingOptions()
 {
     return {{option::unit, QStringLiteral("The unit of a track's positions, if the file does not say it."),
              QStringLiteral("m|cm|mm|px|in|ft")},
-            {option::timeUnit, QStringLiteral("The unit of its times, if the file does not say it."),
+            {option::timeUnit,
+             QStringLiteral("The unit of its times, or of those of --times, if the file does not say it."),
              QStringLiteral("s|ms|us|ns|frame|min|h|d")},
             {option::axes, QStringLiteral("Which coordinates of a track span the floor."),
              QStringLiteral("xy|xz|yz")},
@@ -228,7 +234,7 @@ Result<void> importTracks(const CommandCall &call)
 {
     if (!call.isSet(option::trial))
         return call.wrongCall(ODO_TEXT("app.trial_and_track_needed", "--trial and --track are needed"));
-    for (const QString &other : {option::video, option::robot, option::sync}) {
+    for (const QString &other : {option::video, option::times, option::robot, option::sync}) {
         if (call.isSet(other))
             return call.wrongCall(
                 ODO_TEXT("app.track_goes_with",
@@ -251,7 +257,7 @@ Result<void> importTracks(const CommandCall &call)
     }
     ImportTracksJob job(std::move(settings));
     if (auto done = runToEnd(job, *project, call.control()); !done) {
-        done.error().advice = withOption(done.error().advice);
+        done.error().advice = adviceAsOption(done.error().advice);
         return done;
     }
     QJsonObject robots;

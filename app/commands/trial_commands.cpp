@@ -29,6 +29,10 @@ Result<ImportSettings> importSettings(const CommandCall &call)
     const auto videos = ODO_TRY(call.pairs(option::video));
     for (const auto &[camera, file] : videos)
         settings.videos.emplace_back(camera, file);
+    const auto times = ODO_TRY(call.pairs(option::times));
+    for (const auto &[camera, table] : times)
+        settings.times.emplace_back(camera, table);
+    settings.timeUnit = ODO_TRY(timeUnitOf(call));
     for (const QString &text :
          QString::fromStdString(call.value(option::sync)).split(u',', Qt::SkipEmptyParts)) {
         const std::string how = text.trimmed().toStdString();
@@ -73,8 +77,9 @@ Result<void> runImport(const QStringList &arguments, const CancelToken &cancel)
     CommandCall call(
         {QStringLiteral("import"),
          QStringLiteral(
-             "P.odo --trial NAME --video A=a.mp4 [--video B=b.mp4]... [--sync auto|none|SECONDS[,...]] "
-             "[--team T] [--task TASK] [--robot R]... [--rate 240] [--json] | "
+             "P.odo --trial NAME --video A=a.mp4 [--video B=b.mp4]... [--times A=stamps.csv]... "
+             "[--sync auto|none|SECONDS[,...]] [--team T] [--task TASK] [--robot R]... [--rate 240] [--json] "
+             "| "
              "P.odo --trial NAME --track R=FILE|-... [--team T] [--task TASK] [--unit "
              "UNIT] "
              "[--time-unit UNIT] [--axes xz] [--min-confidence 0.6] [--sigma 5mm] [--rate 30] [--pixel 2mm] "
@@ -82,7 +87,15 @@ Result<void> runImport(const QStringList &arguments, const CancelToken &cancel)
          1, 1,
          QList<QCommandLineOption>{
              {option::trial, QStringLiteral("What the trial is called."), QStringLiteral("NAME")},
-             {option::video, QStringLiteral("A view: the camera's name and the file."),
+             {option::video,
+              QStringLiteral(
+                  "A view: the camera's name and the file; FILE+FILE: the chapters of one recording; "
+                  "FOLDER or FOLDER/%06d.png: numbered images."),
+              QStringLiteral("CAMERA=FILE")},
+             {option::times,
+              QStringLiteral(
+                  "When the frames of a view were taken: a table with one time for each, in place of "
+                  "the file's own times."),
               QStringLiteral("CAMERA=FILE")},
              {option::track,
               QStringLiteral(
@@ -100,7 +113,8 @@ Result<void> runImport(const QStringList &arguments, const CancelToken &cancel)
               QStringLiteral("R")},
              {option::rate,
               QStringLiteral(
-                  "The camera's frame rate, if the file says another, or a track only frame numbers."),
+                  "The camera's frame rate, if the file says another, or a track only frame numbers; of "
+                  "images, the rate of their numbers."),
               QStringLiteral("FPS")}} +
              trackReadingOptions()},
         cancel);
@@ -117,8 +131,7 @@ Result<void> runImport(const QStringList &arguments, const CancelToken &cancel)
         settings.robots = robotsOfTeam(*project, settings.team);
     ImportTrialJob job(std::move(settings));
     if (auto done = runToEnd(job, *project, call.control()); !done) {
-        if (done.error().advice.code() == "workflow.give_camera_rate")
-            done.error().advice = giveRateOption();
+        done.error().advice = adviceAsOption(done.error().advice);
         return done;
     }
     QJsonObject views;

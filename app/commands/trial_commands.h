@@ -2,6 +2,7 @@
 #pragma once
 
 #include "app/command_call.h"
+#include "core/exchange/table/track_reading.h"
 #include "core/project/records.h"
 
 namespace odo {
@@ -9,13 +10,17 @@ namespace odo {
 /// `import` of finished tracks, and the options that go with them alone.
 Result<void> importTracks(const CommandCall &call);
 QList<QCommandLineOption> trackReadingOptions();
-/// WrongCall where one of them was given without a track.
+/// WrongCall where one of them was given without a track; --time-unit goes with --times too.
 Result<void> refuseTrackOptions(const CommandCall &call);
 
 /// --rate, within its limits.
 Result<double> frameRateOf(const CommandCall &call);
 /// Advice to give it.
 Message giveRateOption();
+/// --time-unit.
+Result<std::optional<TimeUnit>> timeUnitOf(const CommandCall &call);
+/// Advice on what a file leaves open, as an option of `import`; any other as it is.
+Message adviceAsOption(const Message &advice);
 
 /// Where a track came from, as `import` and `show` print it.
 QJsonObject importedTrackJson(const ImportedTrack &source);

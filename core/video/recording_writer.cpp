@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/video/recording_writer.h"
 
-#include "core/base/file_system.h"
-#include "core/base/platform/file_handle.h"
+#include "core/video/internal/claimed_output.h"
 #include "core/video/internal/libav.h"
 
 #include <algorithm>
-#include <cerrno>
 #include <chrono>
 #include <cmath>
 
@@ -25,8 +23,6 @@ AVPixelFormat pixelFormatOf(const FrameFormat &format)
     return format.chromaShiftY == 0 ? AV_PIX_FMT_YUVJ422P : AV_PIX_FMT_YUVJ420P;
 }
 
-constexpr int bufferBytes = 1 << 16;
-
 } // namespace
 
 struct RecordingWriter::Impl
@@ -34,7 +30,7 @@ struct RecordingWriter::Impl
     std::filesystem::path file;
     AVFormatContext *container = nullptr;
     AVStream *stream = nullptr;
-    FileHandle handle;
+    ClaimedOutput output;
     std::int64_t lastMs = -1, frameMs = 33;
     Nanoseconds synced{0};
 
@@ -55,42 +51,18 @@ struct RecordingWriter::Impl
     {
         return problem(foreignWords(reason.message()));
     }
-    Result<void> openFile();
     Result<void> open(const FrameFormat &format);
     std::error_code close();
-    /// As libav calls it. It opens no file by its name, which could be another one's by then.
-    static int writeToFile(void *impl, std::uint8_t *bytes, int count);
-    static std::int64_t seekInFile(void *impl, std::int64_t offset, int whence);
 };
-
-/// Never through a link, nor over what is there: the name may be claimed, with nothing in the file yet.
-Result<void> RecordingWriter::Impl::openFile()
-{
-    auto opened =
-        FileHandle::openOrCreate(file, FileHandle::Use::Write, FileHandle::Permissions::UserDefault);
-    if (!opened)
-        return systemProblem(opened.error());
-    handle = std::move(*opened);
-    const auto there = handle.status();
-    if (!there)
-        return systemProblem(there.error());
-    return there->bytes > 0 || there->kind != files::Kind::File
-               ? systemProblem(std::make_error_code(std::errc::file_exists))
-               : Result<void>();
-}
 
 Result<void> RecordingWriter::Impl::open(const FrameFormat &format)
 {
-    ODO_TRY(openFile());
+    if (const std::error_code problem = output.open(file))
+        return systemProblem(problem);
     const int error = avformat_alloc_output_context2(&container, nullptr, "matroska", nullptr);
     if (error < 0)
         return libavProblem(error);
-    auto *buffer = static_cast<unsigned char *>(libav::allocated(av_malloc(bufferBytes)));
-    container->pb = avio_alloc_context(buffer, bufferBytes, 1, this, nullptr, writeToFile, seekInFile);
-    if (!container->pb) {
-        av_free(buffer);
-        return libavProblem(AVERROR(ENOMEM));
-    }
+    container->pb = output.io();
     container->flags |= AVFMT_FLAG_FLUSH_PACKETS | AVFMT_FLAG_BITEXACT;
     stream = libav::allocated(avformat_new_stream(container, nullptr));
     AVCodecParameters &parameters = *stream->codecpar;
@@ -111,40 +83,12 @@ Result<void> RecordingWriter::Impl::open(const FrameFormat &format)
     return begun < 0 ? libavProblem(begun) : Result<void>();
 }
 
-int RecordingWriter::Impl::writeToFile(void *impl, std::uint8_t *bytes, int count)
-{
-    const auto *begin = reinterpret_cast<const char *>(bytes);
-    const std::error_code problem =
-        static_cast<Impl *>(impl)->handle.write({begin, static_cast<std::size_t>(count)});
-    return problem ? AVERROR(problem.value()) : count;
-}
-
-std::int64_t RecordingWriter::Impl::seekInFile(void *impl, std::int64_t offset, int whence)
-{
-    if ((whence & AVSEEK_SIZE) != 0)
-        return AVERROR(ENOSYS);
-    const auto at = static_cast<Impl *>(impl)->handle.seek(offset, whence & ~AVSEEK_FORCE);
-    return at ? *at : AVERROR(at.error().value());
-}
-
 /// Why what was written may not all be on the disk.
 std::error_code RecordingWriter::Impl::close()
 {
-    std::error_code failed;
-    if (container && container->pb) {
-        avio_flush(container->pb);
-        if (container->pb->error < 0)
-            failed.assign(AVUNERROR(container->pb->error), std::generic_category());
-        av_freep(static_cast<void *>(&container->pb->buffer));
-        avio_context_free(&container->pb);
-    }
     avformat_free_context(container);
     container = nullptr;
-    if (handle.isOpen())
-        if (const std::error_code unsafe = handle.sync())
-            failed = unsafe;
-    handle = {};
-    return failed;
+    return output.close();
 }
 
 RecordingWriter::RecordingWriter(std::unique_ptr<Impl> impl) : m_impl(std::move(impl)) {}
@@ -180,7 +124,7 @@ Result<void> RecordingWriter::write(std::span<const std::uint8_t> jpeg, Nanoseco
     int error = av_write_frame(d.container, packet.get());
     const bool syncNow = time - d.synced >= syncEach;
     if (error >= 0 && syncNow)
-        if (const std::error_code unsafe = d.handle.syncData())
+        if (const std::error_code unsafe = d.output.syncData())
             error = AVERROR(unsafe.value());
     if (error < 0) {
         d.close(); // after a failed write to the disk, a later one may seem to succeed

@@ -203,7 +203,7 @@ AVRational VideoInput::pixelAspect() const
     return av_guess_sample_aspect_ratio(m_container, m_stream, nullptr);
 }
 
-int VideoInput::read(AVPacket &packet)
+int VideoInput::read(AVPacket &packet, int orOfStream)
 {
     for (;;) {
         av_packet_unref(&packet);
@@ -221,7 +221,8 @@ int VideoInput::read(AVPacket &packet)
                                                   AVRational{1, AV_TIME_BASE});
             m_lastEnd = std::max(m_lastEnd, av_sat_sub64(end, start));
         }
-        if (packet.stream_index == m_stream->index && packet.size > 0)
+        const bool isAskedFor = packet.stream_index == m_stream->index || packet.stream_index == orOfStream;
+        if (isAskedFor && packet.size > 0)
             return 0;
     }
 }
@@ -416,7 +417,8 @@ void warnIfCutShort(PacketIndex &index, const VideoInput &input, const Walk &wal
             why = ODO_TEXT("video.header_promises", "its header promises %1")(quantity(
                 toSeconds(Nanoseconds(std::min(container.duration, longestVideoNs / 1000) * 1000)), 2, "s"));
     }
-    if (!why.isEmpty())
+    index.endsEarly = !why.isEmpty();
+    if (index.endsEarly)
         addWarning(
             index,
             ODO_TEXT("video.ends_early", "ends early at %1")(quantity(toSeconds(index.times.back()), 2, "s")),

@@ -54,8 +54,9 @@ public:
     /// Width to height of a pixel, as the container says, or else the codec; 0 where neither does.
     AVRational pixelAspect() const;
 
-    /// The next packet of the video stream. 0, AVERROR_EOF or another error of libav.
-    int read(AVPacket &packet);
+    /// The next packet of the video stream, or of the one with this index too. 0, AVERROR_EOF or another
+    /// error of libav.
+    int read(AVPacket &packet, int orOfStream = -1);
     /// Whether the headers of the packet read last say that it holds two fields, of two moments. Of codecs
     /// that say it nowhere but in the file's header: false.
     bool isInterlaced() const;
@@ -111,6 +112,7 @@ struct PacketIndex
     std::optional<Nanoseconds> restartsAt;
     /// empty, or such as "ends early at 12.40 s: …"
     Message warning;
+    bool endsEarly = false;                            ///< as the warning says
     std::size_t interlacedPackets = 0;                 ///< whose headers say that the frame holds two fields
     std::vector<std::vector<std::uint8_t>> firstJpegs; ///< of MJPEG: the first packets
 

@@ -4,6 +4,7 @@
 #include "core/base/error.h"
 #include "core/base/units.h"
 #include "core/files/output_file.h"
+#include "core/video/internal/claimed_output.h"
 #include "core/video/internal/libav.h"
 #include "core/video/internal/video_encoder.h"
 
@@ -85,7 +86,9 @@ FileKind videoKind(const std::filesystem::path &file)
 struct VideoWriter::Impl
 {
     std::filesystem::path file;
-    std::unique_ptr<OutputFile> output;
+    std::unique_ptr<OutputFile> output; ///< null: of a claimed file
+    ClaimedOutput claimed;
+    std::filesystem::path written; ///< until it is finished
     FrameFormat format;
     VideoWriterOptions options;
     bool matroska = false;
@@ -106,6 +109,7 @@ struct VideoWriter::Impl
                              "check that the folder exists, may be written to and has free space"));
     }
     Result<void> openContainer(const OutputTarget &target);
+    Result<void> openClaimed();
     Result<void> addStream();
     Result<void> encode(const AVFrame *avFrame);
     Result<void> mux(AVPacket *packet) const;
@@ -127,7 +131,8 @@ Result<void> VideoWriter::Impl::openContainer(const OutputTarget &target)
                     ODO_TEXT("video.no_ffv1_in_mp4", "MP4 cannot contain FFV1"),
                     ODO_TEXT("video.use_mkv", "use the ending .mkv"));
     output = ODO_TRY(OutputFile::open(target, videoKind(file)));
-    const std::string name = "file:" + output->temporary().string(); // absolute
+    written = output->temporary();
+    const std::string name = "file:" + written.string(); // absolute
     int error =
         avformat_alloc_output_context2(&container, nullptr, matroska ? "matroska" : "mp4", name.c_str());
     if (error < 0)
@@ -136,6 +141,19 @@ Result<void> VideoWriter::Impl::openContainer(const OutputTarget &target)
     error = avio_open2(&container->pb, name.c_str(), AVIO_FLAG_WRITE, nullptr, nullptr);
     if (error < 0)
         return problem(error);
+    return {};
+}
+
+Result<void> VideoWriter::Impl::openClaimed()
+{
+    matroska = true;
+    written = file;
+    if (const std::error_code unopened = claimed.open(file))
+        return problem(AVERROR(unopened.value()));
+    if (const int error = avformat_alloc_output_context2(&container, nullptr, "matroska", nullptr); error < 0)
+        return problem(error);
+    container->flags |= AVFMT_FLAG_BITEXACT;
+    container->pb = claimed.io();
     return {};
 }
 
@@ -206,7 +224,13 @@ Result<void> VideoWriter::Impl::encode(const AVFrame *avFrame)
 
 int VideoWriter::Impl::closeFile()
 {
-    const int error = container && container->pb ? avio_closep(&container->pb) : 0;
+    int error = 0;
+    if (claimed.io()) {
+        const std::error_code unsafe = claimed.close();
+        error = unsafe ? AVERROR(unsafe.value()) : 0;
+    } else if (container && container->pb) {
+        error = avio_closep(&container->pb);
+    }
     avformat_free_context(container);
     container = nullptr;
     return error;
@@ -220,19 +244,37 @@ Nanoseconds VideoWriter::Impl::duration() const
 VideoWriter::VideoWriter(std::unique_ptr<Impl> impl) : m_impl(std::move(impl)) {}
 VideoWriter::~VideoWriter() = default;
 
-Result<std::unique_ptr<VideoWriter>>
-VideoWriter::create(const OutputTarget &target, const FrameFormat &format, const VideoWriterOptions &options)
+Result<std::unique_ptr<VideoWriter::Impl>> VideoWriter::prepared(const std::filesystem::path &file,
+                                                                 const FrameFormat &format,
+                                                                 const VideoWriterOptions &options)
 {
     libav::quieten();
     if (!(options.nominalFramesPerSecond > 0.0 && options.nominalFramesPerSecond <= 100'000.0))
-        return fail(ErrorCode::InvalidInput, cannotWrite(target.file),
+        return fail(ErrorCode::InvalidInput, cannotWrite(file),
                     ODO_TEXT("video.rate_not_positive", "its frame rate is not positive"),
                     ODO_TEXT("video.give_rate", "give the frames per second, e.g. 30"));
     auto impl = std::make_unique<Impl>();
-    impl->file = target.file;
+    impl->file = file;
     impl->format = format;
     impl->options = options;
+    return impl;
+}
+
+Result<std::unique_ptr<VideoWriter>>
+VideoWriter::create(const OutputTarget &target, const FrameFormat &format, const VideoWriterOptions &options)
+{
+    auto impl = ODO_TRY(prepared(target.file, format, options));
     ODO_TRY(impl->openContainer(target));
+    ODO_TRY(impl->addStream());
+    return std::unique_ptr<VideoWriter>(new VideoWriter(std::move(impl)));
+}
+
+Result<std::unique_ptr<VideoWriter>> VideoWriter::createClaimed(const std::filesystem::path &claimed,
+                                                                const FrameFormat &format,
+                                                                const VideoWriterOptions &options)
+{
+    auto impl = ODO_TRY(prepared(claimed, format, options));
+    ODO_TRY(impl->openClaimed());
     ODO_TRY(impl->addStream());
     return std::unique_ptr<VideoWriter>(new VideoWriter(std::move(impl)));
 }
@@ -285,8 +327,8 @@ Result<void> VideoWriter::finish()
     if (const int error = d.closeFile(); error < 0)
         return d.problem(error);
     if (d.matroska)
-        ODO_TRY(setMicrosecondScale(d.output->temporary(), d.duration()));
-    return d.output->commit();
+        ODO_TRY(setMicrosecondScale(d.written, d.duration()));
+    return d.output ? d.output->commit() : Result<void>();
 }
 
 } // namespace odo

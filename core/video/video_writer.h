@@ -37,6 +37,10 @@ public:
     /// needs an even size).
     static Result<std::unique_ptr<VideoWriter>> create(const OutputTarget &target, const FrameFormat &format,
                                                        const VideoWriterOptions &options);
+    /// Matroska in an empty file whose name was claimed, and that whoever did so removes where this fails.
+    static Result<std::unique_ptr<VideoWriter>> createClaimed(const std::filesystem::path &claimed,
+                                                              const FrameFormat &format,
+                                                              const VideoWriterOptions &options);
     ~VideoWriter(); ///< without finish(): removes the partial file
     VideoWriter(const VideoWriter &) = delete;
     VideoWriter &operator=(const VideoWriter &) = delete;
@@ -48,6 +52,8 @@ public:
 private:
     struct Impl;
     explicit VideoWriter(std::unique_ptr<Impl> impl);
+    static Result<std::unique_ptr<Impl>>
+    prepared(const std::filesystem::path &file, const FrameFormat &format, const VideoWriterOptions &options);
     std::unique_ptr<Impl> m_impl;
 };
 

@@ -115,7 +115,30 @@ Result<MediaCopy> copied(const std::filesystem::path &source, const std::filesys
     return MediaCopy{std::move(*file), std::move(hash)};
 }
 
+Result<MediaCopy> withSize(MediaCopy copy, const Message &what)
+{
+    const auto bytes = copy.file.bytes();
+    if (!bytes)
+        return cannotBeInspected(what, bytes.error(), checkFileIsThere());
+    copy.bytes = *bytes;
+    return copy;
+}
+
 } // namespace
+
+Result<MediaCopy> makeInMedia(const std::filesystem::path &mediaFolder, const std::string &name,
+                              const std::string &ending, const Message &what,
+                              const std::function<Result<void>(const std::filesystem::path &claimed)> &make,
+                              const JobControl &control)
+{
+    auto file = inFolder(mediaFolder, [&] { return ClaimedFile::begin(mediaFolder); });
+    if (!file)
+        return fail(ErrorCode::Io, what, foreignWords(file.error().message()), checkProjectFolder());
+    ODO_TRY(make(file->path()));
+    auto hash = ODO_TRY(fileSha256(file->path(), control));
+    ODO_TRY(published(*file, name, ending, what));
+    return withSize(MediaCopy{std::move(*file), std::move(hash)}, what);
+}
 
 Result<ClaimedFile> claimMediaFile(const std::filesystem::path &folder, const std::string &name,
                                    const std::string &ending)
@@ -149,11 +172,7 @@ Result<MediaCopy> copyIntoMedia(const std::filesystem::path &source, const std::
         files::isSame(original.parent_path(), mediaFolder) || isOwnMedia(original, mediaFolder);
     auto copy =
         ODO_TRY(isThere ? held(original, what, control) : copied(original, mediaFolder, name, what, control));
-    const auto bytes = copy.file.bytes();
-    if (!bytes)
-        return cannotBeInspected(what, bytes.error(), checkFileIsThere());
-    copy.bytes = *bytes;
-    return copy;
+    return withSize(std::move(copy), what);
 }
 
 } // namespace odo

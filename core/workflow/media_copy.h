@@ -7,6 +7,8 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
+#include <span>
 #include <string>
 
 namespace odo {
@@ -24,6 +26,14 @@ struct MediaCopy
 /// writes or removes it).
 Result<MediaCopy> copyIntoMedia(const std::filesystem::path &source, const std::filesystem::path &mediaFolder,
                                 const std::string &name, const JobControl &control);
+
+/// What `make` writes to an empty file, which it finds under an unforeseeable name, as a file of the media
+/// folder: as copyIntoMedia, it appears under its name only when whole and on the disk, and goes where
+/// anything fails. what: names it in messages. Errors: Io, Cancelled and those of `make`.
+Result<MediaCopy> makeInMedia(const std::filesystem::path &mediaFolder, const std::string &name,
+                              const std::string &ending, const Message &what,
+                              const std::function<Result<void>(const std::filesystem::path &claimed)> &make,
+                              const JobControl &control);
 
 /// A new empty file in the media folder (made when missing), called after a name, which is made safe for
 /// every file system and cut to 80 letters, so that different names may give the same; then it gets a number.

@@ -25,7 +25,8 @@ class TestOneWay : public QObject
              QStringLiteral("a copy to be read, in the folder for temporary files")},
             {QStringLiteral("core/project/project_locks.cpp"), QStringLiteral("locks")},
             {QStringLiteral("core/project/new_file.cpp"), QStringLiteral("a database, in a TemporaryFolder")},
-            {QStringLiteral("core/video/recording_writer.cpp"), QStringLiteral("recordings, which are new")},
+            {QStringLiteral("core/video/internal/claimed_output.cpp"),
+             QStringLiteral("recordings, in files whose names were claimed")},
             {QStringLiteral("core/video/video_writer.cpp"),
              QStringLiteral("the temporary file of an OutputFile")}};
         return all;

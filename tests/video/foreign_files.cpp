@@ -87,9 +87,41 @@ void setDisplayMatrix(AVStream &stream, const std::array<int, 4> &turn)
         std::memcpy(data, matrix.data(), sizeof(matrix));
 }
 
+constexpr int silenceRate = 8000;
+
+void addSilence(AVFormatContext &container)
+{
+    AVStream *stream = avformat_new_stream(&container, nullptr);
+    stream->codecpar->codec_type = AVMEDIA_TYPE_AUDIO;
+    stream->codecpar->codec_id = AV_CODEC_ID_PCM_S16LE;
+    stream->codecpar->sample_rate = silenceRate;
+    stream->codecpar->format = AV_SAMPLE_FMT_S16;
+    av_channel_layout_default(&stream->codecpar->ch_layout, 1);
+    stream->codecpar->bits_per_coded_sample = 16;
+    stream->codecpar->block_align = 2;
+    stream->time_base = {1, silenceRate};
+}
+
+/// As long as a frame.
+bool writeSilence(AVFormatContext &container, AVRational frameRate)
+{
+    AVStream *stream = container.streams[1];
+    const auto samples = static_cast<int>(av_rescale_q(1, av_inv_q(frameRate), {1, silenceRate}));
+    const libav::PacketPtr packet(av_packet_alloc());
+    if (av_new_packet(packet.get(), 2 * samples) < 0)
+        return false;
+    std::memset(packet->data, 0, static_cast<std::size_t>(packet->size));
+    packet->stream_index = 1;
+    packet->pts = packet->dts = stream->nb_frames > 0 ? AV_NOPTS_VALUE : 0;
+    packet->duration = samples;
+    packet->flags = AV_PKT_FLAG_KEY;
+    return av_interleaved_write_frame(&container, packet.get()) >= 0;
+}
+
 } // namespace
 
-bool remux(const std::filesystem::path &from, const std::filesystem::path &to, const std::array<int, 4> &turn)
+bool remux(const std::filesystem::path &from, const std::filesystem::path &to, const std::array<int, 4> &turn,
+           const std::string &recordedAt, bool withSound)
 {
     AVFormatContext *input = nullptr;
     if (avformat_open_input(&input, from.c_str(), nullptr, nullptr) < 0)
@@ -105,6 +137,10 @@ bool remux(const std::filesystem::path &from, const std::filesystem::path &to, c
         stream->time_base = av_inv_q(stream->avg_frame_rate);
         if (turn != std::array<int, 4>{})
             setDisplayMatrix(*stream, turn);
+        if (!recordedAt.empty())
+            av_dict_set(&out.container->metadata, "creation_time", recordedAt.c_str(), 0);
+        if (withSound)
+            addSilence(*out.container);
         good = avformat_write_header(out.container, nullptr) >= 0;
         const libav::FilterPtr startCodes =
             annexBFilter(*input->streams[0]->codecpar, to.extension() == ".avi");
@@ -114,6 +150,7 @@ bool remux(const std::filesystem::path &from, const std::filesystem::path &to, c
                    av_bsf_receive_packet(startCodes.get(), packet.get()) >= 0;
             av_packet_rescale_ts(packet.get(), input->streams[0]->time_base, stream->time_base);
             good = av_interleaved_write_frame(out.container, packet.get()) >= 0;
+            good = good && (!withSound || writeSilence(*out.container, stream->avg_frame_rate));
         }
         good = good && av_write_trailer(out.container) >= 0;
     }

@@ -17,8 +17,9 @@ namespace odo::test {
 /// Copies the packets of a video into another container, chosen by its name, as an editor or a camera would
 /// have written them. False when libav would not. turn: a, b, c, d of a display matrix that it writes, 1 or
 /// -1 each (orientationOfMatrix); all zero: none.
+/// recordedAt: the time that a camera notes, "2024-05-06T10:11:03Z". withSound: a track of silence beside it.
 bool remux(const std::filesystem::path &from, const std::filesystem::path &to,
-           const std::array<int, 4> &turn = {});
+           const std::array<int, 4> &turn = {}, const std::string &recordedAt = {}, bool withSound = false);
 
 /// A video to be written by one of libav's encoders.
 struct RawVideo

@@ -49,6 +49,40 @@ private Q_SLOTS:
         QVERIFY(imported("one picture", {Nanoseconds(0)}).empty());
     }
 
+    /// As Android's recorder writes it: played at 30 frames a second, filmed at another rate.
+    void slowMotionIsMeasuredAsItWasFilmed()
+    {
+        const auto importedAs = [this](const char *trial, const char *filmed,
+                                       std::optional<double> rate = {}) {
+            RawVideo video{"libx264", "yuv420p", 31, 64, 48, 30};
+            video.fill = [](AVFrame &, int) {};
+            video.muxing = {{"movflags", "use_metadata_tags"}};
+            video.metadata = {{"com.android.capture.fps", filmed}};
+            return writeRaw(path(std::string(trial) + ".mp4"), video)
+                       ? importFile(trial, ".mp4", rate)
+                       : std::vector<std::string>{"not written"};
+        };
+        const auto lastTime = [this](const char *trial) {
+            const auto stored = m_project->trials().recordings(m_project->trials().find(trial)->id);
+            return std::lround(toSeconds(stored->front().frameTimes.back()) * 1e6);
+        };
+        QCOMPARE(importedAs("slow", "240.000000"),
+                 std::vector<std::string>{"video 'slow.mp4': it was filmed at 240.0, as its file says, and "
+                                          "plays at 30.0 frames/s; its times are those of filming"});
+        QCOMPARE(lastTime("slow"), 125'000);
+        QCOMPARE(importedAs("lapse", "1").size(), std::size_t(1));
+        QCOMPARE(lastTime("lapse"), 30'000'000);
+        QVERIFY(importedAs("usual", "29.4").empty());
+        QCOMPARE(lastTime("usual"), 1'000'000);
+        QVERIFY(importedAs("told", "240", 30.0).empty());
+        QCOMPARE(lastTime("told"), 1'000'000);
+        QCOMPARE(
+            importedAs("doubtful", "40"),
+            std::vector<std::string>{"video 'doubtful.mp4': its file says that it was filmed at 40.0, but "
+                                     "its time stamps mean 30.0 frames/s; give the rate at which the "
+                                     "camera took the frames"});
+    }
+
     void aVideoThatEndsEarlyIsTold()
     {
         QVERIFY(imported("whole", evenTimes(60, 30)).empty());

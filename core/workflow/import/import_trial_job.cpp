@@ -14,6 +14,7 @@
 #include "core/video/frame_times.h"
 #include "core/video/video_reader.h"
 #include "core/workflow/calibrate/cameras.h"
+#include "core/workflow/import/internal/view_times.h"
 #include "core/workflow/import/teams.h"
 #include "core/workflow/media_copy.h"
 #include "core/workflow/shared_words.h"
@@ -134,11 +135,6 @@ Result<FoundClocks> findClipOffsets(const std::string &trial, std::vector<Regist
 
 namespace {
 
-Message giveCameraRate()
-{
-    return ODO_TEXT("workflow.give_camera_rate", "give the rate at which the camera took the frames");
-}
-
 double durationOf(const RecordingRecord &recording)
 {
     return recording.frameTimes.empty() ? 0 : toSeconds(recording.frameTimes.back());
@@ -151,6 +147,7 @@ ImportTrialJob::ImportTrialJob(ImportSettings settings) : m_settings(std::move(s
 ImportTrialJob::~ImportTrialJob()
 {
     m_files.clear(); // those that no trial has go
+    m_sources.clear();
     if (!m_folderWasThere)
         files::remove(m_mediaFolder); // only when empty
 }
@@ -172,14 +169,16 @@ Result<void> ImportTrialJob::prepare(Project &project)
     if (project.trials().find(m_settings.trial))
         return trialIsThere(what);
     std::set<std::string> names;
-    for (const auto &[camera, file] : m_settings.videos) {
-        if (!names.insert(camera).second)
+    for (const auto &video : m_settings.videos) {
+        if (!names.insert(video.first).second)
             return fail(ErrorCode::InvalidInput, what,
                         ODO_TEXT("workflow.camera_given_two_videos",
-                                 "camera '%1' was given two videos")(Named::camera(camera)),
-                        giveEachViewItsCamera());
-        ODO_TRY(checkMayBeRead(file, quotedName(Named::file(file))));
+                                 "camera '%1' was given two videos")(Named::camera(video.first)),
+                        ODO_TEXT("workflow.join_or_name_camera",
+                                 "give each view a camera of its own, or join the files of one recording "
+                                 "with +, like --video A=1.mp4+2.mp4"));
     }
+    m_sources = ODO_TRY(viewSourcesOf(m_settings));
     m_trial.name = m_settings.trial;
     m_trial.task = m_settings.task;
     const bool looks = std::any_of(m_settings.steps.begin(), m_settings.steps.end(), [](const auto &step) {
@@ -196,10 +195,10 @@ Result<void> ImportTrialJob::prepare(Project &project)
     m_folderWasThere = files::exists(m_mediaFolder);
 
     const auto cameras = ODO_TRY(project.cameras().all());
-    for (const auto &[name, file] : m_settings.videos) {
+    for (const auto &video : m_settings.videos) {
+        const std::string &name = video.first;
         RegisteredView view;
         std::optional<Intrinsics> lens;
-        view.file = file;
         view.recording.cameraName = name;
         for (const CameraRecord &camera : cameras) {
             if (camera.name != name)
@@ -221,8 +220,12 @@ Result<void> ImportTrialJob::prepare(Project &project)
 
 Result<void> ImportTrialJob::run(const JobControl &control)
 {
-    for (std::size_t view = 0; view < m_settings.videos.size(); ++view)
+    for (std::size_t view = 0; view < m_settings.videos.size(); ++view) {
+        std::ranges::move(ODO_TRY(findFile(m_sources[view], m_settings, view, m_mediaFolder, control)),
+                          std::back_inserter(m_warnings));
+        m_views[view].file = m_sources[view].file;
         ODO_TRY(readVideo(view, control.cancel));
+    }
     std::ranges::move(
         sceneWarnings(m_settings.trial, m_views, changesSinceRegistration(m_views, control.cancel)),
         std::back_inserter(m_warnings));
@@ -233,65 +236,16 @@ Result<void> ImportTrialJob::run(const JobControl &control)
     return {};
 }
 
-namespace {
-
-/// Refuses times that are out of order, and those that are made up, or that no camera's frames have, where
-/// nobody gives their rate.
-Result<void> checkTimes(const std::filesystem::path &file, const VideoInfo &info, bool isRateGiven)
-{
-    const Message what = ODO_TEXT("workflow.video", "video '%1'")(Named::file(file.filename()));
-    if (info.restartsAt)
-        return fail(
-            ErrorCode::Undetermined, what,
-            ODO_TEXT("workflow.clock_restarts",
-                     "its time stamps begin again or stand still after %1: two files were joined, or the "
-                     "camera's clock was reset")(quantity(toSeconds(*info.restartsAt), 2, "s")),
-            ODO_TEXT("workflow.cut_at_restart", "cut it there, and import each part as its own trial"));
-    if (isRateGiven)
-        return {};
-    if (info.timeSource == TimeSource::Nowhere && info.frameTimes.size() > 1)
-        return fail(ErrorCode::Undetermined, what,
-                    ODO_TEXT("workflow.no_times_in_file", "it has no time stamps and states no frame rate"),
-                    giveCameraRate());
-    if (info.framesPerSecond > highestFrameRate)
-        return fail(ErrorCode::InvalidInput, what,
-                    ODO_TEXT("workflow.stamps_too_dense", "its time stamps mean %1, which no camera takes")(
-                        quantity(std::round(info.framesPerSecond), 0, "frames/s")),
-                    giveCameraRate());
-    return {};
-}
-
-/// What the user should know of a video's times.
-std::vector<Message> timeRemarks(const VideoInfo &info, bool isRateGiven)
-{
-    std::vector<Message> remarks{info.warning, unevenRateWords(info.frameTimes)};
-    if (info.areFields)
-        remarks.push_back(
-            joined({measuredByFields(), ODO_TEXT("workflow.film_progressive",
-                                                 "choose a progressive mode of the camera (p, not i)")},
-                   Join::Semicolon));
-    if (info.timeSource == TimeSource::Rate && !isRateGiven)
-        remarks.push_back(joined({ODO_TEXT("video.no_time_stamps", "the file has no time stamps"),
-                                  ODO_TEXT("workflow.rate_of_header", "its header states an even %1")(
-                                      quantity(info.framesPerSecond, 3, "frames/s"))},
-                                 Join::Colon));
-    return remarks;
-}
-
-} // namespace
-
 Result<void> ImportTrialJob::readVideo(std::size_t view, const CancelToken &cancel)
 {
-    const auto &[camera, file] = m_settings.videos[view];
-    const auto reader = ODO_TRY(VideoReader::open(file, cancel));
+    const std::string &camera = m_settings.videos[view].first;
+    const ViewSource &own = m_sources[view];
+    const auto reader = ODO_TRY(VideoReader::open(m_views[view].file, cancel));
     const VideoInfo &info = reader->info();
-    ODO_TRY(checkTimes(file, info, m_settings.rate.has_value()));
-    for (const Message &warning : timeRemarks(info, m_settings.rate.has_value())) {
-        if (!warning.isEmpty())
-            m_warnings.push_back(
-                joined({ODO_TEXT("workflow.video", "video '%1'")(Named::file(file.filename())), warning},
-                       Join::Colon));
-    }
+    const bool areGiven = m_settings.rate.has_value() || !own.times.empty();
+    ODO_TRY(checkTimes(own.source.called, info, areGiven));
+    const std::optional<double> rate =
+        areGiven ? m_settings.rate : ODO_TRY(filmedRate(own.source.called, info));
     RecordingRecord recording;
     recording.cameraName = camera;
     recording.position = static_cast<int>(view);
@@ -300,12 +254,25 @@ Result<void> ImportTrialJob::readVideo(std::size_t view, const CancelToken &canc
     recording.orientation = info.orientation;
     recording.framesPerSecond = info.framesPerSecond;
     recording.frameTimes = info.frameTimes;
-    if (m_settings.rate && info.framesPerSecond > 0) {
+    if (!own.times.empty()) {
+        recording.frameTimes = ODO_TRY(timesForFrames(own.times, own.table, info, camera));
+        recording.framesPerSecond = rateOfTimes(own.times);
+    } else if (rate && info.framesPerSecond > 0) {
         // The file plays at another rate than the camera took the frames at (slow motion).
-        const double scale = info.framesPerSecond / *m_settings.rate;
+        const double scale = info.framesPerSecond / *rate;
         for (Nanoseconds &time : recording.frameTimes)
             time = fromSeconds(toSeconds(time) * scale);
-        recording.framesPerSecond = *m_settings.rate;
+        recording.framesPerSecond = *rate;
+    }
+    const std::vector<Nanoseconds> &times = own.times.empty() ? info.frameTimes : recording.frameTimes;
+    std::vector<Message> remarks = timeRemarks(info, times, areGiven);
+    if (rate && !areGiven)
+        remarks.push_back(filmedRateWords(info, *rate));
+    for (const Message &warning : remarks) {
+        if (!warning.isEmpty())
+            m_warnings.push_back(
+                joined({ODO_TEXT("workflow.video", "video '%1'")(Named::file(own.source.called)), warning},
+                       Join::Colon));
     }
     m_views[view].recording = recording;
     ODO_TRY(fitView(m_views[view], m_viewIntrinsics[view]));
@@ -482,8 +449,10 @@ Result<void> ImportTrialJob::compareViews()
 
 Result<void> ImportTrialJob::copyVideo(std::size_t view, const JobControl &control)
 {
-    const auto &[camera, file] = m_settings.videos[view];
-    auto copy = ODO_TRY(copyIntoMedia(file, m_mediaFolder, m_settings.trial + "_" + camera, control));
+    ViewSource &own = m_sources[view];
+    const std::string name = m_settings.trial + "_" + m_settings.videos[view].first;
+    auto copy = own.made ? std::move(*own.made)
+                         : ODO_TRY(copyIntoMedia(m_views[view].file, m_mediaFolder, name, control));
     m_recordings[view].path = files::absolute(copy.file.path()).string(); // stored relative to the project
     m_recordings[view].sha256 = copy.sha256;
     m_recordings[view].bytes = copy.bytes;
@@ -493,7 +462,7 @@ Result<void> ImportTrialJob::copyVideo(std::size_t view, const JobControl &contr
 
 Result<void> ImportTrialJob::commit(Project &project)
 {
-    auto committed = project.note(importChange(m_settings.trial), [&]() -> Result<void> {
+    auto committed = project.note(importChange(m_settings.trial, m_sources), [&]() -> Result<void> {
         for (RecordingRecord &recording : m_recordings) {
             const auto camera = ODO_TRY(findOrAddCamera(project, recording.cameraName));
             recording.camera = camera.id;

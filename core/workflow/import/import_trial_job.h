@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/exchange/table/track_reading.h"
 #include "core/files/temporary.h"
 #include "core/project/records.h"
 #include "core/synchronisation/clock_repair.h"
+#include "core/workflow/import/internal/view_source.h"
 #include "core/workflow/job.h"
 #include "core/workflow/trial_sources.h"
 
@@ -26,8 +28,11 @@ struct ImportSettings
     };
 
     std::string trial;
-    /// camera's name and file, first view first
+    /// camera's name and file, first view first; or several files, as recordingSourceOf() reads it
     std::vector<std::pair<std::string, std::filesystem::path>> videos;
+    /// camera's name and a table of when its frames were taken (readFrameTimes), in place of its file's times
+    std::vector<std::pair<std::string, std::filesystem::path>> times;
+    std::optional<TimeUnit> timeUnit; ///< of those tables, where they do not say it
     /// for each view but the first; a single one without an offset holds for all, none is automatic
     std::vector<ViewStep> steps;
     std::string team; ///< made when new; empty: none
@@ -45,10 +50,11 @@ struct ViewCoding
     bool variableRate = false; ///< intervals differ by more than 10 % of the median
 };
 
-/// Brings the videos of one trial into the project: each is copied beside it (with its hash), its frame times
-/// are read, and the views are synchronised. An import that fails or is cancelled removes what it made, and
-/// only that. Where the robot's motion shows that a file's time stamps are wrong (lost or doubled frames, a
-/// pause, a jump), the stored frame times are those at which the frames were taken, and a warning says so.
+/// Brings the videos of one trial into the project: each is copied beside it (with its hash), or made there
+/// of the chapters or images that it consists of; its frame times are read, and the views are synchronised.
+/// An import that fails or is cancelled removes what it made, and only that. Where the robot's motion shows
+/// that a file's time stamps are wrong (lost or doubled frames, a pause, a jump), the stored frame times are
+/// those at which the frames were taken, and a warning says so.
 class ImportTrialJob : public Job
 {
 public:
@@ -78,6 +84,7 @@ private:
     ImportSettings m_settings;
     std::filesystem::path m_mediaFolder;
     bool m_folderWasThere = true;
+    std::vector<ViewSource> m_sources;
     std::vector<RobotRecord> m_robots;
     std::vector<RegisteredView> m_views; ///< only to synchronise
     std::vector<std::optional<Intrinsics>>

@@ -11,11 +11,16 @@
 #include <QComboBox>
 #include <QDialogButtonBox>
 #include <QDoubleSpinBox>
+#include <QDragEnterEvent>
+#include <QDropEvent>
+#include <QFile>
 #include <QLabel>
 #include <QLineEdit>
+#include <QMimeData>
 #include <QPushButton>
 #include <QTemporaryDir>
 #include <QTest>
+#include <QUrl>
 
 using namespace odo;
 using odo::test::writeRaw;
@@ -32,6 +37,8 @@ private Q_SLOTS:
     void aTeamProposesItsRobots();
     void aViewWithoutAVideoNeedsNoStep();
     void aVideoWithoutTimesNeedsItsRate();
+    void chaptersShareARow();
+    void imagesNeedTheirRate();
     void isReachedByTheTabKey();
     void paintsThePicture_data();
     void paintsThePicture();
@@ -184,6 +191,50 @@ void TestImportTrialDialog::aVideoWithoutTimesNeedsItsRate()
     QCOMPARE(m_dialog->settings().rate, std::optional(30.0));
     files.at(1)->setPath(QStringLiteral("b.mp4"));
     QVERIFY(canImport() && given->isEnabled() && !given->isChecked() && !m_dialog->settings().rate);
+}
+
+void TestImportTrialDialog::chaptersShareARow()
+{
+    m_dialog->addVideos({QStringLiteral("/d/GX020007.MP4"), QStringLiteral("/d/side.mp4"),
+                         QStringLiteral("/d/GX010007.MP4")});
+    const auto videos = m_dialog->settings().videos;
+    QCOMPARE(videos.size(), std::size_t(2));
+    QCOMPARE(videos[0].first, std::string("Door"));
+    QCOMPARE(videos[0].second.string(), std::string("/d/GX010007.MP4+GX020007.MP4"));
+    QCOMPARE(videos[1].second.string(), std::string("/d/side.mp4"));
+
+    // several files dropped on one camera
+    auto *field = m_dialog->findChildren<PathField *>().at(1);
+    const auto drop = [&](const QStringList &files) {
+        QMimeData data;
+        QList<QUrl> urls;
+        for (const QString &file : files)
+            urls << QUrl::fromLocalFile(file);
+        data.setUrls(urls);
+        QDragEnterEvent enter(QPoint(5, 5), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+        QCoreApplication::sendEvent(field, &enter);
+        QDropEvent event(QPointF(5, 5), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+        QCoreApplication::sendEvent(field, &event);
+        return QString::fromStdString(field->path().string());
+    };
+    QCOMPARE(drop({QStringLiteral("/d/GOPR0003.MP4"), QStringLiteral("/d/GP010003.MP4")}),
+             QStringLiteral("/d/GOPR0003.MP4+GP010003.MP4"));
+    QCOMPARE(drop({QStringLiteral("/d/one.mp4"), QStringLiteral("/d/other.mp4")}),
+             QStringLiteral("/d/one.mp4"));
+}
+
+void TestImportTrialDialog::imagesNeedTheirRate()
+{
+    QTemporaryDir folder;
+    for (const char *name : {"1.png", "2.png"}) {
+        QFile file(folder.filePath(QLatin1String(name)));
+        QVERIFY(file.open(QIODevice::WriteOnly));
+    }
+    m_dialog->findChildren<PathField *>().at(0)->setPath(folder.path());
+    QVERIFY(m_dialog->findChild<QCheckBox *>()->isChecked());
+    QVERIFY(!test::button(*m_dialog, "Import")->isEnabled());
+    field<QDoubleSpinBox>("Camera's real rate")->setValue(30);
+    QVERIFY(test::button(*m_dialog, "Import")->isEnabled());
 }
 
 void TestImportTrialDialog::isReachedByTheTabKey()

@@ -3,6 +3,8 @@
 
 #include "core/project/names.h"
 #include "core/video/video_reader.h"
+#include "core/workflow/import/chapter_names.h"
+#include "core/workflow/import/recording_source.h"
 #include "ui/views/widgets/form_fields.h"
 #include "ui/views/widgets/labels.h"
 
@@ -23,6 +25,27 @@ namespace odo {
 namespace {
 constexpr int usualViews = 2;
 constexpr double usualRate = 240, lowestRate = 1;
+
+/// One text for each recording; chapters that belong together are joined.
+QStringList recordingsOf(const QStringList &files)
+{
+    std::vector<std::filesystem::path> paths;
+    for (const QString &file : files)
+        paths.emplace_back(file.toStdString());
+    QStringList recordings;
+    for (const auto &group : chapterGroups(paths))
+        recordings << QString::fromStdString(joinedNames(group).string());
+    return recordings;
+}
+
+/// A codec's bare stream may say nothing of when its frames were taken, and images never do.
+bool lacksTimes(const std::filesystem::path &video)
+{
+    const auto source = recordingSourceOf(video);
+    return source &&
+           (source->kind == RecordingSource::Kind::Images || VideoReader::lacksTimes(source->files.front()));
+}
+
 } // namespace
 
 ImportTrialDialog::ImportTrialDialog(const Offer &offer, QWidget *parent)
@@ -115,10 +138,9 @@ QWidget *ImportTrialDialog::makeRate()
     return m_rate;
 }
 
-/// A codec's bare stream may say nothing of when its frames were taken.
 void ImportTrialDialog::findMissingTimes(std::size_t row)
 {
-    m_videos[row].lacksTimes = VideoReader::lacksTimes(m_videos[row].file->path());
+    m_videos[row].lacksTimes = lacksTimes(m_videos[row].file->path());
     requireRate();
 }
 
@@ -155,6 +177,12 @@ void ImportTrialDialog::orderTabs()
         setTabOrder(chain.at(i - 1), chain.at(i));
 }
 
+void ImportTrialDialog::addVideos(const QStringList &files)
+{
+    for (const QString &recording : recordingsOf(files))
+        addVideo({}, recording);
+}
+
 void ImportTrialDialog::addVideo(const QString &camera, const QString &file)
 {
     for (const VideoRow &row : m_videos) // a dropped file goes to the first row that waits for one
@@ -172,6 +200,9 @@ void ImportTrialDialog::addVideo(const QString &camera, const QString &file)
     auto *path = new PathField(tr("Video of view %1").arg(number),
                                tr("Videos (*.mp4 *.mkv *.avi *.mov *.webm *.m4v);;All files (*)"));
     path->setPath(file);
+    path->setSeveral([](const QStringList &files) { return recordingsOf(files).constFirst(); });
+    path->setToolTip(tr("Chapters of one recording are joined by +; images are given as their folder, or "
+                        "FOLDER/%06d.png, with the rate"));
     m_videoGrid->addWidget(name, number, 0);
     auto *badge = new BadgeLabel({});
     badge->setAccessibleName(tr("Registration of the camera of view %1").arg(number));

@@ -48,6 +48,8 @@ public:
     ImportSettings settings() const;
     /// One more row; file may be empty.
     void addVideo(const QString &camera, const QString &file);
+    /// A row for each; files that look like the chapters of one recording (chapterGroups) share theirs.
+    void addVideos(const QStringList &files);
 
 private:
     struct VideoRow

@@ -258,8 +258,7 @@ void TrialActions::askImport(const QStringList &videos)
                               std::move(cameras), teams.shown, teams.robots,
                               namesOf(project.tasks().current())},
                              &m_window);
-    for (const QString &video : videos)
-        dialog.addVideo({}, video);
+    dialog.addVideos(videos);
     if (dialog.exec() != QDialog::Accepted)
         return;
     startImport(std::make_shared<ImportTrialJob>(dialog.settings()), dialog.settings().trial);

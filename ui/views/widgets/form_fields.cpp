@@ -279,9 +279,15 @@ void PathField::setPath(const QString &path)
 
 void PathField::browse()
 {
-    const QString file = QFileDialog::getOpenFileName(this, m_name, m_line->text(), m_filter);
-    if (!file.isEmpty())
-        m_line->setText(file);
+    const QString there = m_line->text();
+    take(m_joined ? QFileDialog::getOpenFileNames(this, m_name, there, m_filter)
+                  : QStringList(QFileDialog::getOpenFileName(this, m_name, there, m_filter)));
+}
+
+void PathField::take(const QStringList &files)
+{
+    if (!files.isEmpty() && !files.constFirst().isEmpty())
+        m_line->setText(m_joined ? m_joined(files) : files.constFirst());
 }
 
 void PathField::dragEnterEvent(QDragEnterEvent *event)
@@ -292,7 +298,7 @@ void PathField::dragEnterEvent(QDragEnterEvent *event)
 
 void PathField::dropEvent(QDropEvent *event)
 {
-    m_line->setText(localFiles(*event->mimeData()).constFirst());
+    take(localFiles(*event->mimeData()));
     event->acceptProposedAction();
 }
 

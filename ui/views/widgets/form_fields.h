@@ -11,6 +11,7 @@
 #include <QStringList>
 #include <QWidget>
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -114,6 +115,9 @@ public:
     PathField(const QString &name, const QString &filter, QWidget *parent = nullptr);
     std::filesystem::path path() const;
     void setPath(const QString &path);
+    /// How several files that were chosen or dropped at once become one text; without it only the first
+    /// counts.
+    void setSeveral(std::function<QString(const QStringList &)> joined) { m_joined = std::move(joined); }
 
 Q_SIGNALS:
     void changed();
@@ -124,8 +128,10 @@ protected:
 
 private:
     void browse();
+    void take(const QStringList &files);
     QLineEdit *m_line;
     QString m_name, m_filter;
+    std::function<QString(const QStringList &)> m_joined;
 };
 
 } // namespace odo

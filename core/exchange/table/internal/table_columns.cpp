@@ -83,6 +83,15 @@ public:
         return Result<TableColumns>(std::move(m_table));
     }
 
+    std::optional<Result<TableColumns::Time>> readTime()
+    {
+        findTime();
+        if (!m_table.time)
+            return std::nullopt;
+        return m_unknownUnit ? Result<TableColumns::Time>(tl::unexpected(*m_unknownUnit))
+                             : Result<TableColumns::Time>(*m_table.time);
+    }
+
 private:
     void findTime();
     bool findRosTime();
@@ -316,6 +325,12 @@ std::optional<Result<TableColumns>> tableColumnsOf(const std::vector<std::string
     if (cells.size() < 3)
         return std::nullopt;
     return HeaderSearch(cells, namesAbove).read();
+}
+
+std::optional<Result<TableColumns::Time>> timeColumnOf(const std::vector<std::string_view> &cells)
+{
+    const std::vector<std::string_view> noneAbove;
+    return HeaderSearch(cells, noneAbove).readTime();
 }
 
 TableColumns tumColumns()

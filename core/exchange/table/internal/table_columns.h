@@ -64,6 +64,10 @@ struct TableColumns
 std::optional<Result<TableColumns>> tableColumnsOf(const std::vector<std::string_view> &cells,
                                                    const std::vector<std::string_view> &namesAbove);
 
+/// Of a header, the column of times or, failing it, of frame numbers, found by the same names. nullopt: it
+/// has none. The Error as above.
+std::optional<Result<TableColumns::Time>> timeColumnOf(const std::vector<std::string_view> &cells);
+
 /// Of lines of `timestamp tx ty tz qx qy qz qw`, and of the twelve numbers of a KITTI pose.
 TableColumns tumColumns();
 TableColumns kittiColumns();

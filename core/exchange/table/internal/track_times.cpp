@@ -248,10 +248,7 @@ Result<void> takeOutBad(RawTrack &track, std::vector<Nanoseconds> &times, Unders
     const auto count = static_cast<std::size_t>(std::ranges::count(isOut, true));
     if (count > mostBadRows(times.size()))
         return how.wrong(
-            track.lines[row],
-            times[row] == times[row - 1]
-                ? ODO_TEXT("exchange.time_repeated", "its time is the same as in the line before")
-                : ODO_TEXT("exchange.time_goes_back", "its time is earlier than in the line before"),
+            track.lines[row], whyNotLater(times[row - 1], times[row]),
             ODO_TEXT("exchange.order_lines", "sort the lines by time, with each time only once"));
     const auto first = static_cast<std::size_t>(std::ranges::find(isOut, true) - isOut.begin());
     how.notices.push_back(
@@ -334,14 +331,35 @@ Result<void> unround(RawTrack &track, std::vector<Nanoseconds> &times, Understan
     return {};
 }
 
-} // namespace
-
-Result<std::vector<Nanoseconds>> timesOf(RawTrack &track, const RawTable &table, Understanding &how)
+/// What clocks show, as seconds or frames that go on.
+Result<void> readClocks(RawTrack &track, const Understanding &how)
 {
     if (track.stampKind == Stamp::Kind::Timecode)
         ODO_TRY(readTimecodes(track, how));
     if (track.stampKind == Stamp::Kind::Clock)
         passMidnight(track);
+    return {};
+}
+
+} // namespace
+
+Message whyNotLater(Nanoseconds before, Nanoseconds time)
+{
+    return time == before
+               ? ODO_TEXT("exchange.time_repeated", "its time is the same as in the line before")
+               : ODO_TEXT("exchange.time_goes_back", "its time is earlier than in the line before");
+}
+
+Result<std::vector<Nanoseconds>> statedTimesOf(RawTrack &track, const RawTable &table, Understanding &how)
+{
+    ODO_TRY(readClocks(track, how));
+    const TimeUnit unit = ODO_TRY(unitOf(track, table, how));
+    return converted(track, unit, how);
+}
+
+Result<std::vector<Nanoseconds>> timesOf(RawTrack &track, const RawTable &table, Understanding &how)
+{
+    ODO_TRY(readClocks(track, how));
     takeOutUnset(track, how);
     const bool isOneStamp =
         track.size() >= enoughRows && track.stamps.front() == track.stamps.back() && how.reading.rate;

@@ -16,4 +16,10 @@ namespace odo {
 /// a track of more than a week.
 Result<std::vector<Nanoseconds>> timesOf(RawTrack &track, const RawTable &table, Understanding &how);
 
+/// The same with every row at the very time that it states, in whatever order.
+Result<std::vector<Nanoseconds>> statedTimesOf(RawTrack &track, const RawTable &table, Understanding &how);
+
+/// Why a time cannot follow another one that is not earlier.
+Message whyNotLater(Nanoseconds before, Nanoseconds time);
+
 } // namespace odo
