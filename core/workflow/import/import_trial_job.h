@@ -3,7 +3,7 @@
 
 #include "core/files/temporary.h"
 #include "core/project/records.h"
-#include "core/synchronisation/clock_repair.h"
+#include "core/synchronisation/clip_evidence.h"
 #include "core/workflow/job.h"
 #include "core/workflow/trial_sources.h"
 
@@ -17,7 +17,9 @@ namespace odo {
 
 struct ImportSettings
 {
-    enum class Sync { Automatic, None, Given };
+    /// Of Motion, Flash or Sound nothing else is looked at, and an import that does not find the offset ends
+    /// with the reason.
+    enum class Sync { Automatic, None, Given, Motion, Flash, Sound };
     /// How a view is synchronised with the first.
     struct ViewStep
     {
@@ -70,7 +72,8 @@ private:
     std::filesystem::path m_mediaFolder;
     bool m_folderWasThere = true;
     std::vector<RobotRecord> m_robots;
-    std::vector<RegisteredView> m_views; ///< only to synchronise
+    std::vector<RegisteredView> m_views;                       ///< only to synchronise
+    std::vector<std::optional<MicrophonePlace>> m_microphones; ///< of each view
     std::vector<std::optional<Intrinsics>>
         m_viewIntrinsics; ///< of each view: that of its registration, or in force
     TrialRecord m_trial;
