@@ -72,7 +72,7 @@ void TestSoundSynchronisation::findsIt_data()
     QTest::addColumn<double>("leastAnswered");
     QTest::newRow("clap") << HeardKind::Clap << 0.9;
     QTest::newRow("double clap") << HeardKind::DoubleClap << 0.9;
-    QTest::newRow("whistle") << HeardKind::Whistle << 0.6;
+    QTest::newRow("whistle") << HeardKind::Whistle << 0.5;
     QTest::newRow("knock") << HeardKind::Knock << 0.9;
     QTest::newRow("clap over speech") << HeardKind::ClapOverSpeech << 0.9;
 }

@@ -22,8 +22,7 @@ constexpr double pieceBeforeS = 0.004, fadeS = 0.0015;
 constexpr std::size_t mostPieces = 300; ///< by which the usual sound is known
 constexpr double fromHz = 300, toHz = 7000;
 constexpr double longestLagS = 0.004;
-constexpr double peakFlankS = 0.00025; ///< of a peak: its own flank
-constexpr std::size_t finer = 8;       ///< the lags, than the samples
+constexpr std::size_t finer = 8; ///< the lags, than the samples
 constexpr int smoothedBins = 6;
 constexpr double timesUsual = 3;
 
@@ -44,6 +43,18 @@ std::vector<float> inverseOf(const Spectrum &spectrum)
     return values;
 }
 
+/// Of a spectrum without negative frequencies.
+std::vector<float> envelopeOf(const Spectrum &spectrum)
+{
+    Eigen::FFT<float> transform;
+    Spectrum values;
+    transform.inv(values, spectrum);
+    std::vector<float> envelope(values.size());
+    std::ranges::transform(values, envelope.begin(),
+                           [](const std::complex<float> &value) { return std::abs(value); });
+    return envelope;
+}
+
 std::size_t powerOfTwo(std::size_t least)
 {
     std::size_t size = 2;
@@ -55,14 +66,22 @@ std::size_t powerOfTwo(std::size_t least)
 /// How long the compared pieces are, and what is taken as alike in them.
 struct Extent
 {
-    std::size_t samples, size; ///< the transform's: twice as much, of a power of two
-    double leastBins;          ///< of the spectrum that stand out in both
-    double leastShare;         ///< of the spectrum that agrees at one lag
-    double highestRival = 0.5; ///< height of the second peak, in parts of the first
+    std::size_t samples, size;       ///< the transform's: twice as much, of a power of two
+    double leastBins;                ///< of the spectrum that stand out in both
+    double leastShare;               ///< of the spectrum that agrees at one lag
+    double highestRival;             ///< second peak, in parts of the first
+    double rivalWithinS, peakFlankS; ///< a second peak is looked for so far about the first, beyond its flank
+    double sigmaS;                   ///< of the lag
+    /// Not the phases alone are compared but the waves as they are, and by the envelope of their correlation:
+    /// the phases of a pure tone are few, and its waves too close together to tell them apart.
+    bool byEnvelope = false;
 };
 
-constexpr Extent strike{352, 1024, 120, 0.42};   ///< the direct sound of a clap and little more
-constexpr Extent whistle{4000, 8192, 800, 0.25}; ///< a quarter of a second
+/// The direct sound of a clap and little more; a quarter of a second of a shrill whistle; the same of a pure
+/// tone that rises or falls.
+constexpr Extent strike{352, 1024, 120, 0.42, 0.5, 0.008, 0.00025, 0.0002};
+constexpr Extent whistle{4000, 8192, 800, 0.25, 0.5, 0.008, 0.00025, 0.0002};
+constexpr Extent tone{4000, 8192, 100, 0.8, 0.85, 0.06, 0.007, 0.001, true};
 
 /// From a sample on, faded at both ends; silence where the track does not reach.
 std::vector<float> pieceOf(const SoundTrack &track, std::int64_t from, std::size_t samples)
@@ -187,44 +206,53 @@ WaveLikeness compare(const HeardSound &first, double firstS, const HeardSound &s
 {
     const Piece a = pieceAbout(first, firstS, extent), b = pieceAbout(second, secondS, extent);
     Spectrum cross(extent.size * finer);
-    double whole = 0;
+    double whole = 0, firstPower = 0, secondPower = 0;
     const double hzPerBin = SoundTrack::rate / double(extent.size);
     for (auto i = std::size_t(fromHz / hzPerBin); i < std::size_t(toHz / hzPerBin); ++i) {
         const std::complex<float> product = a.spectrum[i] * std::conj(b.spectrum[i]);
         const double weight = a.weights[i] * b.weights[i], magnitude = std::abs(product);
         if (magnitude <= 0)
             continue;
-        cross[i] = product * float(weight / magnitude);
-        cross[cross.size() - i] = std::conj(cross[i]);
+        cross[i] = product * float(extent.byEnvelope ? weight : weight / magnitude);
+        firstPower += weight * double(std::norm(a.spectrum[i]));
+        secondPower += weight * double(std::norm(b.spectrum[i]));
+        if (!extent.byEnvelope)
+            cross[cross.size() - i] = std::conj(cross[i]);
         whole += weight;
     }
     if (whole < extent.leastBins)
         return {};
-    const std::vector<float> lags = inverseOf(cross);
+    const std::vector<float> lags = extent.byEnvelope ? envelopeOf(cross) : inverseOf(cross);
     const double lagStepS = 1 / (SoundTrack::rate * double(finer));
     const auto height = [&lags](std::int64_t lag) {
         return double(lags[std::size_t(lag < 0 ? lag + std::int64_t(lags.size()) : lag)]);
     };
-    const auto longest = std::int64_t(longestLagS / lagStepS), beside = std::int64_t(peakFlankS / lagStepS);
+    const auto longest = std::int64_t(longestLagS / lagStepS),
+               beside = std::int64_t(extent.peakFlankS / lagStepS),
+               farthest = std::int64_t(extent.rivalWithinS / lagStepS);
     std::int64_t best = 0;
     for (std::int64_t lag = -longest; lag <= longest; ++lag)
         best = height(lag) > height(best) ? lag : best;
-    double rival = 0;
-    for (std::int64_t lag = -longest; lag <= longest; ++lag)
-        rival = std::abs(lag - best) > beside ? std::max(rival, height(lag)) : rival;
     if (height(best) <= 0)
         return {};
-    const double share = height(best) * double(lags.size()) / (2 * whole);
+    double rival = 0;
+    for (std::int64_t lag = best - farthest; lag <= best + farthest; ++lag)
+        rival = std::abs(lag - best) > beside ? std::max(rival, height(lag)) : rival;
+    const double share = height(best) * double(lags.size()) /
+                         (extent.byEnvelope ? std::sqrt(firstPower * secondPower) : 2 * whole);
     return {share >= extent.leastShare && rival <= extent.highestRival * height(best),
-            double(best) * lagStepS + (a.startS - firstS) - (b.startS - secondS)};
+            double(best) * lagStepS + (a.startS - firstS) - (b.startS - secondS), extent.sigmaS};
 }
 
 } // namespace
 
 WaveLikeness compareWaves(const HeardSound &first, double firstS, const HeardSound &second, double secondS)
 {
-    const WaveLikeness likeness = compare(first, firstS, second, secondS, strike);
-    return likeness.isAlike ? likeness : compare(first, firstS, second, secondS, whistle);
+    WaveLikeness likeness;
+    for (const Extent *extent : {&strike, &whistle, &tone})
+        if (likeness = compare(first, firstS, second, secondS, *extent); likeness.isAlike)
+            break;
+    return likeness;
 }
 
 } // namespace odo

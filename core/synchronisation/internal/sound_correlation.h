@@ -40,10 +40,12 @@ struct WaveLikeness
 {
     bool isAlike = false;
     double lagS = 0; ///< how much later than expected the first has it
+    double sigmaS = 0;
 };
 
 /// Compares the sound about firstS in the first track with that about secondS in the second, by the phase
-/// transform in the frequencies that stand out of the usual sound. Lags up to 4 ms are looked at. What two
+/// transform in the frequencies that stand out of the usual sound. Lags up to 4 ms are looked at, in
+/// pieces of 22 ms and a quarter of a second. What two
 /// microphones hear of one event agrees as far as the direct sound is part of it; other events of the same
 /// kind do not. Pure; any thread.
 WaveLikeness compareWaves(const HeardSound &first, double firstS, const HeardSound &second, double secondS);

@@ -15,7 +15,7 @@ constexpr double soundSpeed = 343;           ///< m/s
 constexpr double unknownWayM = 1.5;          ///< σ of the difference of the ways
 constexpr double stampSigmaS = 0.002 * 1.41; ///< of both cameras: sound against frames
 constexpr double clockSigma = 50e-6;
-constexpr double waveSigmaS = 0.0002, onsetSigmaS = 0.0008;
+constexpr double leastSigmaS = 0.0002, onsetSigmaS = 0.0008;
 constexpr double standsOut = 5;        ///< strength of an onset
 constexpr std::size_t mostEvents = 60; ///< the strongest
 constexpr std::size_t mostProposals = 24;
@@ -49,6 +49,7 @@ struct SoundPair
     double firstS = 0, secondS = 0;
     double strength = 0; ///< of the weaker
     bool isAlike = false;
+    double sigmaS = onsetSigmaS;
 
     double offsetS() const { return firstS - secondS; }
 };
@@ -181,7 +182,7 @@ private:
                                                     {m_second.track, m_second.usual}, thereS);
             if (!waves.isAlike)
                 continue;
-            const SoundPair alike{event.timeS, thereS - waves.lagS, event.strength, true};
+            const SoundPair alike{event.timeS, thereS - waves.lagS, event.strength, true, waves.sigmaS};
             if (pair == proposal.pairs.end())
                 proposal.pairs.push_back(alike);
             else
@@ -243,7 +244,7 @@ ClipOffset soundOffset(const SoundProposal &proposal, const SoundDelay &delay)
     std::vector<EventPair> pairs;
     double middleS = 0, weights = 0;
     for (const SoundPair &pair : proposal.pairs) {
-        const double variance = std::pow(pair.isAlike ? waveSigmaS : onsetSigmaS, 2);
+        const double variance = pair.sigmaS * pair.sigmaS;
         pairs.push_back({pair.firstS, pair.secondS, variance});
         middleS += pair.secondS / variance;
         weights += 1 / variance;
@@ -257,7 +258,7 @@ ClipOffset soundOffset(const SoundProposal &proposal, const SoundDelay &delay)
     if (line.rate == 0)
         clockS = (line.rateSigma > 0 ? std::min(clockSigma, line.rateSigma) : clockSigma) *
                  std::abs(middleS / weights);
-    result.sigmaS = std::sqrt(std::pow(std::max(waveSigmaS, line.offsetSigmaS), 2) + clockS * clockS +
+    result.sigmaS = std::sqrt(std::pow(std::max(leastSigmaS, line.offsetSigmaS), 2) + clockS * clockS +
                               delay.sigmaS * delay.sigmaS + stampSigmaS * stampSigmaS);
     return result;
 }
