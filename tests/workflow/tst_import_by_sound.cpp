@@ -161,20 +161,23 @@ void TestImportBySound::refuses_data()
     QTest::addColumn<Sync>("how");
     QTest::addColumn<bool>("isSlow");
     QTest::addColumn<QString>("words");
-    const QString clap = QStringLiteral(
-        "; clap twice near the middle of the floor while both cameras record, or give --sync SECONDS");
-    QTest::newRow("no sound") << QStringLiteral("mute.mp4") << Sync::Sound << false
-                              << "view 'B' has no sound" + clap;
-    QTest::newRow("nothing loud") << QStringLiteral("quiet.mp4") << Sync::Sound << false
-                                  << "no clap, knock or whistle stands out from the sound of both clips" +
-                                         clap;
-    QTest::newRow("slow motion") << QStringLiteral("b.mp4") << Sync::Sound << true
-                                 << "sound cannot be compared in clips that play in slow motion" + clap;
-    QTest::newRow("no flash") << QStringLiteral("b.mp4") << Sync::Flash << false
-                              << "neither view shows a flash of light; flash the room lights once while both "
-                                 "cameras record, or give --sync SECONDS";
-    QTest::newRow("no motion") << QStringLiteral("b.mp4") << Sync::Motion << false
-                               << "camera 'A' is not registered to the floor";
+    const auto row = [](const char *title, const char *second, Sync how, const char *words,
+                        bool isSlow = false) {
+        QTest::newRow(title) << QString::fromLatin1(second) << how << isSlow << QString::fromLatin1(words);
+    };
+    row("no sound", "mute.mp4", Sync::Sound,
+        "view 'B' has no sound; clap twice near the middle of the floor while both cameras record, or give "
+        "--sync "
+        "SECONDS");
+    row("nothing loud", "quiet.mp4", Sync::Sound,
+        "no clap, knock or whistle stands out from the sound of both clips; clap twice near");
+    row("slow motion", "b.mp4", Sync::Sound,
+        "sound cannot be compared in clips that play in slow motion; clap twice near", true);
+    row("no flash", "b.mp4", Sync::Flash,
+        "neither view shows a flash of light; flash the room lights once while both cameras record, or give "
+        "--sync "
+        "SECONDS");
+    row("no motion", "b.mp4", Sync::Motion, "camera 'A' is not registered to the floor");
 }
 
 void TestImportBySound::refuses()
