@@ -81,7 +81,7 @@ struct Extent
 /// tone that rises or falls.
 constexpr Extent strike{352, 1024, 120, 0.42, 0.5, 0.008, 0.00025, 0.0002};
 constexpr Extent whistle{4000, 8192, 800, 0.25, 0.5, 0.008, 0.00025, 0.0002};
-constexpr Extent tone{4000, 8192, 100, 0.8, 0.85, 0.06, 0.007, 0.001, true};
+constexpr Extent tone{4000, 8192, 100, 0.8, 0.85, 0.06, 0.007, 0.0015, true};
 
 /// From a sample on, faded at both ends; silence where the track does not reach.
 std::vector<float> pieceOf(const SoundTrack &track, std::int64_t from, std::size_t samples)
