@@ -18530,7 +18530,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
 <context>
     <name>synchronisation.no_loud_sound</name>
     <message>
-        <source>no clap, knock or whistle stands out from the sound of both clips</source>
+        <source>no clap, knock or whistle is heard clearly in both clips</source>
         <translation>kein Klatschen, Klopfen oder Pfiff hebt sich im Ton beider Clips ab</translation>
     </message>
 </context>

@@ -18530,7 +18530,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
 <context>
     <name>synchronisation.no_loud_sound</name>
     <message>
-        <source>no clap, knock or whistle stands out from the sound of both clips</source>
+        <source>no clap, knock or whistle is heard clearly in both clips</source>
         <translation>ninguna palmada, golpe o silbido destaca en el sonido de ambos clips</translation>
     </message>
 </context>

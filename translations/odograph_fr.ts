@@ -18530,7 +18530,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>synchronisation.no_loud_sound</name>
     <message>
-        <source>no clap, knock or whistle stands out from the sound of both clips</source>
+        <source>no clap, knock or whistle is heard clearly in both clips</source>
         <translation>aucun claquement de mains, coup ou sifflet ne ressort dans le son des deux clips</translation>
     </message>
 </context>

@@ -18491,7 +18491,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
 <context>
     <name>synchronisation.no_loud_sound</name>
     <message>
-        <source>no clap, knock or whistle stands out from the sound of both clips</source>
+        <source>no clap, knock or whistle is heard clearly in both clips</source>
         <translation>두 클립의 소리에서 두드러지는 박수, 두드림, 휘파람이 없습니다</translation>
     </message>
 </context>

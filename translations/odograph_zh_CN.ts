@@ -18491,7 +18491,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
 <context>
     <name>synchronisation.no_loud_sound</name>
     <message>
-        <source>no clap, knock or whistle stands out from the sound of both clips</source>
+        <source>no clap, knock or whistle is heard clearly in both clips</source>
         <translation>两段视频的声音中都没有突出的拍手、敲击或哨声</translation>
     </message>
 </context>

@@ -29,7 +29,7 @@ struct ClipEvidence
     LightCourse light;
     std::shared_ptr<const SoundCourse> sound = nullptr; ///< null: not looked for, or there is none
     Message whyNoSound = {}; ///< where there is none: "view 'A' has no sound"; empty: not looked for
-    std::optional<MicrophonePlace> microphone = std::nullopt; ///< where it is known
+    std::optional<MicrophonePosition> microphone = std::nullopt; ///< where it is known
 };
 
 /// For each view the tracks of all robots, by its own clock; none where it is not registered. Robots of like

@@ -241,7 +241,8 @@ void TestClipEvidence::worksWithoutAnyRobot()
     }
     const auto found = findClipOffset(evidence[0], evidence[1], tenSeconds);
     QVERIFY2(found, found ? "" : found.error().message().c_str());
-    QVERIFY(found->from == OffsetSource::Flash && std::abs(found->clock.offsetS - 0.5) < 3 * found->clock.sigmaS);
+    QVERIFY(found->from == OffsetSource::Flash &&
+            std::abs(found->clock.offsetS - 0.5) < 3 * found->clock.sigmaS);
     evidence[1].light = {};
     const auto none = findClipOffset(evidence[0], evidence[1], tenSeconds);
     QVERIFY(!none);

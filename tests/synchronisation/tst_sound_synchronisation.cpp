@@ -173,11 +173,10 @@ void TestSoundSynchronisation::saysWhyNot_data()
 {
     QTest::addColumn<int>("kind");
     QTest::addColumn<QString>("why");
-    QTest::newRow("silence") << 0 << "no clap, knock or whistle stands out from the sound of both clips";
+    QTest::newRow("silence") << 0 << "no clap, knock or whistle is heard clearly in both clips";
     QTest::newRow("applause") << 1 << "the sound is full of beats that are alike, as in music";
     QTest::newRow("others") << 2 << "the loud sounds of the clips do not match";
-    QTest::newRow("nothing at all") << 3
-                                    << "no clap, knock or whistle stands out from the sound of both clips";
+    QTest::newRow("nothing at all") << 3 << "no clap, knock or whistle is heard clearly in both clips";
 }
 
 void TestSoundSynchronisation::saysWhyNot()
@@ -208,7 +207,7 @@ void TestSoundSynchronisation::saysWhyNot()
 
 void TestSoundSynchronisation::theWayOfSound()
 {
-    MicrophonePlace near, far;
+    MicrophonePosition near, far;
     near.camera = {0, -1.2, 0.5};
     far.camera = {0, 4.8, 2.0};
     near.floorRadiusM = far.floorRadiusM = 1;

@@ -151,10 +151,11 @@ void TestSoundTrack::damagedSound()
         const double heardS = track ? clickNear(*track, clickS) : -1;
         QVERIFY2(heardS < 0 || std::abs(heardS - clickS) < 0.001, qPrintable(QString::number(heardS)));
     }
-    QVERIFY(file.resize(bytes.size() / 2));
+    QVERIFY(writeSoundClip(path(name), clip));
+    QVERIFY(QFile::resize(m_folder.filePath(name), bytes.size() * 3 / 4));
     const auto half = readSound(path(name), {});
     QVERIFY2(half, half ? "" : half.error().message().c_str());
-    QVERIFY2(half->durationS() < 2.5 && std::abs(clickNear(*half, 0.5) - 0.5) < 0.001,
+    QVERIFY2(half->durationS() < 2.8 && std::abs(clickNear(*half, 0.5) - 0.5) < 0.001,
              qPrintable(QStringLiteral("%1 %2").arg(half->durationS()).arg(clickNear(*half, 0.5))));
 }
 

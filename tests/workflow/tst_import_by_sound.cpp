@@ -170,7 +170,7 @@ void TestImportBySound::refuses_data()
         "--sync "
         "SECONDS");
     row("nothing loud", "quiet.mp4", Sync::Sound,
-        "no clap, knock or whistle stands out from the sound of both clips; clap twice near");
+        "no clap, knock or whistle is heard clearly in both clips; clap twice near");
     row("slow motion", "b.mp4", Sync::Sound,
         "sound cannot be compared in clips that play in slow motion; clap twice near", true);
     row("no flash", "b.mp4", Sync::Flash,

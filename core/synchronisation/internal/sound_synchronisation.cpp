@@ -299,8 +299,8 @@ Message clapForSound()
         "clap twice near the middle of the floor while both cameras record, or give --sync SECONDS");
 }
 
-SoundDelay soundDelay(const std::optional<MicrophonePlace> &first,
-                      const std::optional<MicrophonePlace> &second)
+SoundDelay soundDelay(const std::optional<MicrophonePosition> &first,
+                      const std::optional<MicrophonePosition> &second)
 {
     if (!first || !second)
         return {0, unknownWayM / soundSpeed};
@@ -323,9 +323,8 @@ Result<ClipOffset> estimateSoundOffset(const SoundCourse &first, const SoundCour
                                        const SoundDelay &delay)
 {
     if (std::min(strongestOf(first), strongestOf(second)) < standsOut)
-        return undeterminedBySound(
-            ODO_TEXT("synchronisation.no_loud_sound",
-                     "no clap, knock or whistle stands out from the sound of both clips"));
+        return undeterminedBySound(ODO_TEXT("synchronisation.no_loud_sound",
+                                            "no clap, knock or whistle is heard clearly in both clips"));
     if (hasBeats(first) || hasBeats(second))
         return undeterminedBySound(ODO_TEXT("synchronisation.sound_beats",
                                             "the sound is full of beats that are alike, as in music"));

@@ -21,7 +21,7 @@ struct SoundCourse
 SoundCourse soundCourseOf(SoundTrack track);
 
 /// Where a camera hears from. Metres, in the world.
-struct MicrophonePlace
+struct MicrophonePosition
 {
     Eigen::Vector3d camera = Eigen::Vector3d::Zero();
     Eigen::Vector2d floorMiddle = Eigen::Vector2d::Zero();
@@ -36,8 +36,8 @@ struct SoundDelay
 
 /// Sound takes 2.9 ms a metre. Of cameras whose places are known: for a sound from the middle of the floor,
 /// with the σ of one from anywhere on it. Of others: none, with the σ of a metre and a half.
-SoundDelay soundDelay(const std::optional<MicrophonePlace> &first,
-                      const std::optional<MicrophonePlace> &second);
+SoundDelay soundDelay(const std::optional<MicrophonePosition> &first,
+                      const std::optional<MicrophonePosition> &second);
 
 /// "clap twice …", as advice.
 Message clapForSound();

@@ -13,7 +13,7 @@
 #include "core/video/frame_times.h"
 #include "core/video/video_reader.h"
 #include "core/workflow/calibrate/cameras.h"
-#include "core/workflow/import/clip_offsets.h"
+#include "core/workflow/import/internal/clip_offsets.h"
 #include "core/workflow/import/teams.h"
 #include "core/workflow/media_copy.h"
 #include "core/workflow/shared_words.h"
@@ -135,7 +135,7 @@ Result<void> ImportTrialJob::prepare(Project &project)
             }
         }
         m_viewIntrinsics.push_back(std::move(lens));
-        m_microphones.push_back(ODO_TRY(microphonePlaceOf(project, view)));
+        m_microphones.push_back(ODO_TRY(microphonePositionOf(project, view)));
         m_views.push_back(std::move(view));
     }
     return {};

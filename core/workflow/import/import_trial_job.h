@@ -72,8 +72,8 @@ private:
     std::filesystem::path m_mediaFolder;
     bool m_folderWasThere = true;
     std::vector<RobotRecord> m_robots;
-    std::vector<RegisteredView> m_views;                       ///< only to synchronise
-    std::vector<std::optional<MicrophonePlace>> m_microphones; ///< of each view
+    std::vector<RegisteredView> m_views;                          ///< only to synchronise
+    std::vector<std::optional<MicrophonePosition>> m_microphones; ///< of each view
     std::vector<std::optional<Intrinsics>>
         m_viewIntrinsics; ///< of each view: that of its registration, or in force
     TrialRecord m_trial;

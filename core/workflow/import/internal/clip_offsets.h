@@ -12,7 +12,7 @@ namespace odo {
 
 /// Where a registered camera hears from, over the floor that its markers span; nullopt where it is not
 /// registered. Project's thread.
-Result<std::optional<MicrophonePlace>> microphonePlaceOf(Project &project, const RegisteredView &view);
+Result<std::optional<MicrophonePosition>> microphonePositionOf(Project &project, const RegisteredView &view);
 
 /// What is to be found of some views' clocks.
 struct ClipOffsetSearch
@@ -20,7 +20,7 @@ struct ClipOffsetSearch
     std::string trial;
     std::vector<OffsetSource> sources; ///< that are allowed for each view but the first
     std::vector<RobotRecord> robots;
-    std::vector<std::optional<MicrophonePlace>> microphones; ///< of each view
+    std::vector<std::optional<MicrophonePosition>> microphones; ///< of each view
     bool isSlowMotion = false; ///< the files play at another rate than they were filmed at
 };
 

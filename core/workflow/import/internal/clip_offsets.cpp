@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/workflow/import/clip_offsets.h"
+#include "core/workflow/import/internal/clip_offsets.h"
 
 #include "core/project/project.h"
 #include "core/project/project_words.h"
@@ -144,7 +144,7 @@ FoundClocks clocksFrom(std::vector<ClipEvidence> evidence, const std::vector<Off
 
 } // namespace
 
-Result<std::optional<MicrophonePlace>> microphonePlaceOf(Project &project, const RegisteredView &view)
+Result<std::optional<MicrophonePosition>> microphonePositionOf(Project &project, const RegisteredView &view)
 {
     if (!view.floorView || !view.registration)
         return std::nullopt;
@@ -154,7 +154,7 @@ Result<std::optional<MicrophonePlace>> microphonePlaceOf(Project &project, const
         floor.extend(marker.pointInWorld);
     if (floor.isEmpty())
         return std::nullopt;
-    return MicrophonePlace{view.floorView->cameraInWorld(), floor.center(), floor.diagonal().norm() / 2};
+    return MicrophonePosition{view.floorView->cameraInWorld(), floor.center(), floor.diagonal().norm() / 2};
 }
 
 Result<FoundClocks> findClipOffsets(std::vector<RegisteredView> &views, const ClipOffsetSearch &search,
