@@ -400,6 +400,7 @@ QString stepText(const RecordingRecord &view)
                        .arg(milliseconds(view.startOffsetSigmaS),
                             view.syncMethod == "clock"   ? QStringLiteral("the cameras' time stamps")
                             : view.syncMethod == "flash" ? QStringLiteral("a flash of light")
+                            : view.syncMethod == "audio" ? QStringLiteral("sound")
                                                          : QStringLiteral("the motion"),
                             begunText(view.startOffsetS));
     if (view.clockRate != 0)

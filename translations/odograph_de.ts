@@ -74,6 +74,10 @@
         <source>%1 to %2 ms apart</source>
         <translation>%1 bis %2 ms auseinander</translation>
     </message>
+    <message>
+        <source>synchronised to %1 by sound; %2</source>
+        <translation>synchron auf %1, aus dem Ton bestimmt; %2</translation>
+    </message>
 </context>
 <context>
     <name>AnnotatedFrame</name>
@@ -730,6 +734,14 @@
     <message>
         <source>The solid (box or cylinder, on the floor or a plate at the robot&apos;s top) whose silhouettes best match the outlines in all views, by weighted least squares at about forty times of the run. If no such solid explains them: the height at which all views give the same floor position.</source>
         <translation>Der Körper (Quader oder Zylinder, auf dem Boden, oder eine Platte oben auf dem Roboter), dessen Silhouetten die Umrisse in allen Sichten sind, nach gewichteten kleinsten Quadraten zu rund vierzig Zeitpunkten der Fahrt; wo kein solcher Körper sie erklärt, die Höhe, bei der alle Sichten den Roboter an denselben Ort setzen.</translation>
+    </message>
+    <message>
+        <source>The time offset at which claps, knocks or whistles in the sound of both views coincide: the weighted mean of the pairs, less the time that sound takes to reach each camera. It is used if every other offset is at least 150 times less likely.</source>
+        <translation>Der Versatz, bei dem Klatschen, Klopfen oder Pfiffe im Ton beider Sichten zusammenfallen: das gewichtete Mittel der Paare, ohne die Zeit, die der Schall zu jeder Kamera braucht. Er wird übernommen, wenn jeder andere Versatz mindestens 150-mal weniger wahrscheinlich ist.</translation>
+    </message>
+    <message>
+        <source>from the pairs, from where on the floor the sound may have come, 50 ppm of the time from the start of the recording to the sound, and 2 ms by which each camera may record its sound early or late</source>
+        <translation>der Paare, des möglichen Orts des Schalls auf dem Boden, 50 ppm der Zeit vom Beginn der Aufnahme bis zum Ton, und 2 ms, um die jede Kamera ihren Ton zu früh oder zu spät aufnehmen kann</translation>
     </message>
 </context>
 <context>
@@ -16198,10 +16210,6 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
 <context>
     <name>odo::ViewSteps</name>
     <message>
-        <source>From the motion or a flash</source>
-        <translation>Aus der Bewegung oder einem Blitz</translation>
-    </message>
-    <message>
         <source>Same start time</source>
         <translation>Gleichzeitig begonnen</translation>
     </message>
@@ -16212,10 +16220,6 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>How to synchronise view %1 with the first</source>
         <translation>Wie Sicht %1 synchron zur ersten wird</translation>
-    </message>
-    <message>
-        <source>A flash: switch the room lights on and off once while all cameras record</source>
-        <translation>Ein Blitz: Schalten Sie das Raumlicht einmal an und aus, während alle Kameras aufnehmen</translation>
     </message>
     <message>
         <source> s</source>
@@ -16232,6 +16236,26 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>View %1</source>
         <translation>Sicht %1</translation>
+    </message>
+    <message>
+        <source>Automatic: motion, flash or sound</source>
+        <translation>Automatisch: Bewegung, Lichtblitz oder Ton</translation>
+    </message>
+    <message>
+        <source>By the motion</source>
+        <translation>Aus der Bewegung</translation>
+    </message>
+    <message>
+        <source>By a flash of light</source>
+        <translation>Aus einem Lichtblitz</translation>
+    </message>
+    <message>
+        <source>By sound</source>
+        <translation>Aus dem Ton</translation>
+    </message>
+    <message>
+        <source>A flash: switch the room lights on and off once while all cameras record. Sound: clap twice near the middle of the floor</source>
+        <translation>Lichtblitz: Schalten Sie das Raumlicht einmal ein und aus, während alle Kameras aufnehmen. Ton: Klatschen Sie zweimal nahe der Mitte des Bodens</translation>
     </message>
 </context>
 <context>
@@ -18515,6 +18539,34 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
 </context>
 <context>
+    <name>synchronisation.by_flash</name>
+    <message>
+        <source>%1 by the flash of light</source>
+        <translation>%1 aus dem Lichtblitz</translation>
+    </message>
+</context>
+<context>
+    <name>synchronisation.by_motion</name>
+    <message>
+        <source>%1 by the motion</source>
+        <translation>%1 aus der Bewegung</translation>
+    </message>
+</context>
+<context>
+    <name>synchronisation.by_sound</name>
+    <message>
+        <source>%1 by the sound</source>
+        <translation>%1 aus dem Ton</translation>
+    </message>
+</context>
+<context>
+    <name>synchronisation.clap_twice</name>
+    <message>
+        <source>clap twice near the middle of the floor while both cameras record, or give --sync SECONDS</source>
+        <translation>klatschen Sie zweimal nahe der Mitte des Bodens, während beide Kameras aufnehmen, oder geben Sie den Versatz an</translation>
+    </message>
+</context>
+<context>
     <name>synchronisation.clocks_ambiguous</name>
     <message>
         <source>several time offsets, pauses or missing frames explain the views&apos; tracks about equally well</source>
@@ -18543,6 +18595,13 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
 </context>
 <context>
+    <name>synchronisation.flash_or_clap</name>
+    <message>
+        <source>flash the room lights or clap twice while both cameras record, or give --sync SECONDS</source>
+        <translation>lassen Sie das Raumlicht aufblitzen oder klatschen Sie zweimal, während beide Kameras aufnehmen, oder geben Sie den Versatz an</translation>
+    </message>
+</context>
+<context>
     <name>synchronisation.flashes_fit_alike</name>
     <message>
         <source>the flashes of light fit equally well at time offsets of %1 and %2</source>
@@ -18554,6 +18613,13 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>measured by a flash of light to only ±%1, because %2</source>
         <translation>aus einem Lichtblitz, nur auf %1, denn %2</translation>
+    </message>
+</context>
+<context>
+    <name>synchronisation.from_sound</name>
+    <message>
+        <source>measured by the sound to only ±%1, because %2</source>
+        <translation>aus dem Ton, nur auf ±%1, denn %2</translation>
     </message>
 </context>
 <context>
@@ -18592,6 +18658,20 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
 </context>
 <context>
+    <name>synchronisation.no_loud_sound</name>
+    <message>
+        <source>no clap, knock or whistle is heard clearly in both clips</source>
+        <translation>kein Klatschen, Klopfen oder Pfiff hebt sich im Ton beider Clips ab</translation>
+    </message>
+</context>
+<context>
+    <name>synchronisation.none_tells</name>
+    <message>
+        <source>%1, %2, and %3</source>
+        <translation>%1, %2, und %3</translation>
+    </message>
+</context>
+<context>
     <name>synchronisation.of_clips</name>
     <message>
         <source>synchronisation of the clips</source>
@@ -18624,6 +18704,13 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>the flashes of light in the views do not match</source>
         <translation>die Lichtblitze der Sichten gehören nicht zusammen</translation>
+    </message>
+</context>
+<context>
+    <name>synchronisation.other_sounds</name>
+    <message>
+        <source>the loud sounds of the clips do not match</source>
+        <translation>die lauten Geräusche der Clips gehören nicht zusammen</translation>
     </message>
 </context>
 <context>
@@ -18669,10 +18756,31 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
 </context>
 <context>
+    <name>synchronisation.sound_beats</name>
+    <message>
+        <source>the sound is full of beats that are alike, as in music</source>
+        <translation>der Ton ist voll gleicher Schläge, wie in Musik</translation>
+    </message>
+</context>
+<context>
+    <name>synchronisation.sounds_fit_alike</name>
+    <message>
+        <source>the sounds of the clips fit equally well at time offsets of %1 and %2</source>
+        <translation>der Ton der Clips passt bei einem Versatz von %1 und von %2 gleich gut</translation>
+    </message>
+</context>
+<context>
     <name>synchronisation.views_distorted</name>
     <message>
         <source>the views show the same run, but with another size or direction: a camera has moved since its registration, or the videos are exchanged</source>
         <translation>die Ansichten zeigen dieselbe Fahrt, aber in anderer Größe oder Richtung: Eine Kamera wurde seit ihrer Registrierung bewegt, oder die Videos sind vertauscht</translation>
+    </message>
+</context>
+<context>
+    <name>synchronisation.ways_disagree</name>
+    <message>
+        <source>the time offsets found disagree: %1; the first was used</source>
+        <translation>die gefundenen Versätze widersprechen sich: %1; der erste wurde genommen</translation>
     </message>
 </context>
 <context>
@@ -20244,6 +20352,13 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
 </context>
 <context>
+    <name>video.cannot_read_sound</name>
+    <message>
+        <source>cannot read the sound of %1</source>
+        <translation>der Ton von %1 kann nicht gelesen werden</translation>
+    </message>
+</context>
+<context>
     <name>video.cannot_show_frame</name>
     <message>
         <source>cannot show frame %1 of %2</source>
@@ -20409,6 +20524,13 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>choose one of these</source>
         <translation>wählen Sie eines davon</translation>
+    </message>
+</context>
+<context>
+    <name>video.convert_sound_to_aac</name>
+    <message>
+        <source>convert its sound to AAC</source>
+        <translation>wandeln Sie seinen Ton in AAC um</translation>
     </message>
 </context>
 <context>
@@ -20608,6 +20730,13 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
 </context>
 <context>
+    <name>video.give_shorter_clip</name>
+    <message>
+        <source>give a shorter clip</source>
+        <translation>geben Sie einen kürzeren Clip an</translation>
+    </message>
+</context>
+<context>
     <name>video.h264_needs_even</name>
     <message>
         <source>H.264 needs an even width and height, not %1</source>
@@ -20762,6 +20891,13 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
 </context>
 <context>
+    <name>video.no_sound</name>
+    <message>
+        <source>it has no sound</source>
+        <translation>er hat keinen Ton</translation>
+    </message>
+</context>
+<context>
     <name>video.no_stream</name>
     <message>
         <source>it contains no readable video stream</source>
@@ -20909,6 +21045,13 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
 </context>
 <context>
+    <name>video.record_with_sound</name>
+    <message>
+        <source>switch the camera&apos;s sound on</source>
+        <translation>schalten Sie den Ton der Kamera ein</translation>
+    </message>
+</context>
+<context>
     <name>video.report_bug</name>
     <message>
         <source>report this as a bug</source>
@@ -20941,6 +21084,13 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>its undamaged part is used</source>
         <translation>verwendet wird der unbeschädigte Teil</translation>
+    </message>
+</context>
+<context>
+    <name>video.sound_too_long</name>
+    <message>
+        <source>its sound is longer than %1</source>
+        <translation>sein Ton ist länger als %1</translation>
     </message>
 </context>
 <context>
@@ -21753,6 +21903,20 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>choose a progressive mode of the camera (p, not i)</source>
         <translation>wählen Sie einen progressiven Modus der Kamera (p statt i)</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.filmed_at_doubtful_rate</name>
+    <message>
+        <source>its file says that it was filmed at %1, but its time stamps mean %2</source>
+        <translation>laut Datei wurde es mit %1 aufgenommen, aber seine Zeitstempel bedeuten %2</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.filmed_at_rate</name>
+    <message>
+        <source>it was filmed at %1, as its file says, and plays at %2; its times are those of filming</source>
+        <translation>laut Datei wurde es mit %1 aufgenommen und läuft mit %2; seine Zeiten sind die der Aufnahme</translation>
     </message>
 </context>
 <context>
@@ -23660,6 +23824,20 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
 </context>
 <context>
+    <name>workflow.sound_of_slow_motion</name>
+    <message>
+        <source>sound cannot be compared in clips that play in slow motion</source>
+        <translation>in Clips, die in Zeitlupe laufen, lässt sich der Ton nicht vergleichen</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.sound_unreadable</name>
+    <message>
+        <source>the sound of view &apos;%1&apos; cannot be read (%2)</source>
+        <translation>der Ton der Sicht &apos;%1&apos; kann nicht gelesen werden (%2)</translation>
+    </message>
+</context>
+<context>
     <name>workflow.spikes_change</name>
     <message>
         <source>Spikes: %1 instead of %2.</source>
@@ -23993,6 +24171,13 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>it recorded nothing and was left out</source>
         <translation>sie wird weggelassen, weil nichts von ihr aufgenommen wurde</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.view_without_sound</name>
+    <message>
+        <source>view &apos;%1&apos; has no sound</source>
+        <translation>Sicht &apos;%1&apos; hat keinen Ton</translation>
     </message>
 </context>
 <context>

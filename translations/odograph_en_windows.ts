@@ -86,10 +86,24 @@
     </message>
 </context>
 <context>
+    <name>synchronisation.clap_twice</name>
+    <message>
+        <source>clap twice near the middle of the floor while both cameras record, or give --sync SECONDS</source>
+        <translation>clap twice near the middle of the floor while both cameras record, or enter the time offset</translation>
+    </message>
+</context>
+<context>
     <name>synchronisation.flash_lights</name>
     <message>
         <source>flash the room lights once while both cameras record, or give --sync SECONDS</source>
         <translation>flash the room lights once while both cameras record, or enter the time offset</translation>
+    </message>
+</context>
+<context>
+    <name>synchronisation.flash_or_clap</name>
+    <message>
+        <source>flash the room lights or clap twice while both cameras record, or give --sync SECONDS</source>
+        <translation>flash the room lights or clap twice while both cameras record, or enter the time offset</translation>
     </message>
 </context>
 <context>

@@ -74,6 +74,10 @@
         <source>%1 to %2 ms apart</source>
         <translation>separadas de %1 a %2 ms</translation>
     </message>
+    <message>
+        <source>synchronised to %1 by sound; %2</source>
+        <translation>sincronizada a %1 por el sonido; %2</translation>
+    </message>
 </context>
 <context>
     <name>AnnotatedFrame</name>
@@ -730,6 +734,14 @@
     <message>
         <source>The solid (box or cylinder, on the floor or a plate at the robot&apos;s top) whose silhouettes best match the outlines in all views, by weighted least squares at about forty times of the run. If no such solid explains them: the height at which all views give the same floor position.</source>
         <translation>El sólido (caja o cilindro sobre el suelo, o una placa en lo alto del robot) cuyas siluetas son los contornos en todas las vistas, por mínimos cuadrados ponderados en unos cuarenta instantes del recorrido; si ningún sólido así los explica, la altura a la que todas las vistas sitúan el robot en el mismo lugar.</translation>
+    </message>
+    <message>
+        <source>The time offset at which claps, knocks or whistles in the sound of both views coincide: the weighted mean of the pairs, less the time that sound takes to reach each camera. It is used if every other offset is at least 150 times less likely.</source>
+        <translation>El desfase con el que coinciden las palmadas, los golpes o los silbidos en el sonido de ambas vistas: la media ponderada de los pares, menos el tiempo que el sonido tarda en llegar a cada cámara. Se acepta si cualquier otro desfase es al menos 150 veces menos probable.</translation>
+    </message>
+    <message>
+        <source>from the pairs, from where on the floor the sound may have come, 50 ppm of the time from the start of the recording to the sound, and 2 ms by which each camera may record its sound early or late</source>
+        <translation>de los pares, del lugar del suelo del que pudo venir el sonido, 50 ppm del tiempo desde el inicio de la grabación hasta el sonido, y 2 ms que cada cámara puede adelantar o retrasar su sonido</translation>
     </message>
 </context>
 <context>
@@ -16198,10 +16210,6 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
 <context>
     <name>odo::ViewSteps</name>
     <message>
-        <source>From the motion or a flash</source>
-        <translation>Por el movimiento o un destello</translation>
-    </message>
-    <message>
         <source>Same start time</source>
         <translation>Iniciadas a la vez</translation>
     </message>
@@ -16212,10 +16220,6 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <message>
         <source>How to synchronise view %1 with the first</source>
         <translation>Cómo se sincroniza la vista %1 con la primera</translation>
-    </message>
-    <message>
-        <source>A flash: switch the room lights on and off once while all cameras record</source>
-        <translation>Un destello: encienda y apague una vez las luces de la sala mientras graban todas las cámaras</translation>
     </message>
     <message>
         <source> s</source>
@@ -16232,6 +16236,26 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <message>
         <source>View %1</source>
         <translation>Vista %1</translation>
+    </message>
+    <message>
+        <source>Automatic: motion, flash or sound</source>
+        <translation>Automático: movimiento, destello o sonido</translation>
+    </message>
+    <message>
+        <source>By the motion</source>
+        <translation>Por el movimiento</translation>
+    </message>
+    <message>
+        <source>By a flash of light</source>
+        <translation>Por un destello de luz</translation>
+    </message>
+    <message>
+        <source>By sound</source>
+        <translation>Por el sonido</translation>
+    </message>
+    <message>
+        <source>A flash: switch the room lights on and off once while all cameras record. Sound: clap twice near the middle of the floor</source>
+        <translation>Destello: encienda y apague una vez las luces de la sala mientras graban todas las cámaras. Sonido: dé dos palmadas cerca del centro del suelo</translation>
     </message>
 </context>
 <context>
@@ -18515,6 +18539,34 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     </message>
 </context>
 <context>
+    <name>synchronisation.by_flash</name>
+    <message>
+        <source>%1 by the flash of light</source>
+        <translation>%1 por el destello de luz</translation>
+    </message>
+</context>
+<context>
+    <name>synchronisation.by_motion</name>
+    <message>
+        <source>%1 by the motion</source>
+        <translation>%1 por el movimiento</translation>
+    </message>
+</context>
+<context>
+    <name>synchronisation.by_sound</name>
+    <message>
+        <source>%1 by the sound</source>
+        <translation>%1 por el sonido</translation>
+    </message>
+</context>
+<context>
+    <name>synchronisation.clap_twice</name>
+    <message>
+        <source>clap twice near the middle of the floor while both cameras record, or give --sync SECONDS</source>
+        <translation>dé dos palmadas cerca del centro del suelo mientras graban ambas cámaras, o indique el desfase</translation>
+    </message>
+</context>
+<context>
     <name>synchronisation.clocks_ambiguous</name>
     <message>
         <source>several time offsets, pauses or missing frames explain the views&apos; tracks about equally well</source>
@@ -18543,6 +18595,13 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     </message>
 </context>
 <context>
+    <name>synchronisation.flash_or_clap</name>
+    <message>
+        <source>flash the room lights or clap twice while both cameras record, or give --sync SECONDS</source>
+        <translation>destelle las luces de la sala o dé dos palmadas mientras graban ambas cámaras, o indique el desfase</translation>
+    </message>
+</context>
+<context>
     <name>synchronisation.flashes_fit_alike</name>
     <message>
         <source>the flashes of light fit equally well at time offsets of %1 and %2</source>
@@ -18554,6 +18613,13 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <message>
         <source>measured by a flash of light to only ±%1, because %2</source>
         <translation>por un destello de luz, solo a %1, pues %2</translation>
+    </message>
+</context>
+<context>
+    <name>synchronisation.from_sound</name>
+    <message>
+        <source>measured by the sound to only ±%1, because %2</source>
+        <translation>por el sonido, solo a ±%1, pues %2</translation>
     </message>
 </context>
 <context>
@@ -18592,6 +18658,20 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     </message>
 </context>
 <context>
+    <name>synchronisation.no_loud_sound</name>
+    <message>
+        <source>no clap, knock or whistle is heard clearly in both clips</source>
+        <translation>ninguna palmada, golpe o silbido destaca en el sonido de ambos clips</translation>
+    </message>
+</context>
+<context>
+    <name>synchronisation.none_tells</name>
+    <message>
+        <source>%1, %2, and %3</source>
+        <translation>%1, %2, y %3</translation>
+    </message>
+</context>
+<context>
     <name>synchronisation.of_clips</name>
     <message>
         <source>synchronisation of the clips</source>
@@ -18624,6 +18704,13 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <message>
         <source>the flashes of light in the views do not match</source>
         <translation>los destellos de luz de las vistas no se corresponden</translation>
+    </message>
+</context>
+<context>
+    <name>synchronisation.other_sounds</name>
+    <message>
+        <source>the loud sounds of the clips do not match</source>
+        <translation>los sonidos fuertes de los clips no se corresponden</translation>
     </message>
 </context>
 <context>
@@ -18669,10 +18756,31 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     </message>
 </context>
 <context>
+    <name>synchronisation.sound_beats</name>
+    <message>
+        <source>the sound is full of beats that are alike, as in music</source>
+        <translation>el sonido está lleno de golpes iguales, como en la música</translation>
+    </message>
+</context>
+<context>
+    <name>synchronisation.sounds_fit_alike</name>
+    <message>
+        <source>the sounds of the clips fit equally well at time offsets of %1 and %2</source>
+        <translation>los sonidos de los clips encajan por igual con desfases de %1 y %2</translation>
+    </message>
+</context>
+<context>
     <name>synchronisation.views_distorted</name>
     <message>
         <source>the views show the same run, but with another size or direction: a camera has moved since its registration, or the videos are exchanged</source>
         <translation>las vistas muestran el mismo recorrido, pero con otro tamaño u otra dirección: una cámara se movió desde su registro o los vídeos están intercambiados</translation>
+    </message>
+</context>
+<context>
+    <name>synchronisation.ways_disagree</name>
+    <message>
+        <source>the time offsets found disagree: %1; the first was used</source>
+        <translation>los desfases hallados no concuerdan: %1; se tomó el primero</translation>
     </message>
 </context>
 <context>
@@ -20244,6 +20352,13 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     </message>
 </context>
 <context>
+    <name>video.cannot_read_sound</name>
+    <message>
+        <source>cannot read the sound of %1</source>
+        <translation>no se puede leer el sonido de %1</translation>
+    </message>
+</context>
+<context>
     <name>video.cannot_show_frame</name>
     <message>
         <source>cannot show frame %1 of %2</source>
@@ -20409,6 +20524,13 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <message>
         <source>choose one of these</source>
         <translation>elija uno de estos</translation>
+    </message>
+</context>
+<context>
+    <name>video.convert_sound_to_aac</name>
+    <message>
+        <source>convert its sound to AAC</source>
+        <translation>convierta su sonido a AAC</translation>
     </message>
 </context>
 <context>
@@ -20608,6 +20730,13 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     </message>
 </context>
 <context>
+    <name>video.give_shorter_clip</name>
+    <message>
+        <source>give a shorter clip</source>
+        <translation>indique un clip más corto</translation>
+    </message>
+</context>
+<context>
     <name>video.h264_needs_even</name>
     <message>
         <source>H.264 needs an even width and height, not %1</source>
@@ -20762,6 +20891,13 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     </message>
 </context>
 <context>
+    <name>video.no_sound</name>
+    <message>
+        <source>it has no sound</source>
+        <translation>no tiene sonido</translation>
+    </message>
+</context>
+<context>
     <name>video.no_stream</name>
     <message>
         <source>it contains no readable video stream</source>
@@ -20909,6 +21045,13 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     </message>
 </context>
 <context>
+    <name>video.record_with_sound</name>
+    <message>
+        <source>switch the camera&apos;s sound on</source>
+        <translation>active el sonido de la cámara</translation>
+    </message>
+</context>
+<context>
     <name>video.report_bug</name>
     <message>
         <source>report this as a bug</source>
@@ -20941,6 +21084,13 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <message>
         <source>its undamaged part is used</source>
         <translation>se usa la parte intacta</translation>
+    </message>
+</context>
+<context>
+    <name>video.sound_too_long</name>
+    <message>
+        <source>its sound is longer than %1</source>
+        <translation>su sonido dura más de %1</translation>
     </message>
 </context>
 <context>
@@ -21753,6 +21903,20 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <message>
         <source>choose a progressive mode of the camera (p, not i)</source>
         <translation>elija un modo progresivo de la cámara (p, no i)</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.filmed_at_doubtful_rate</name>
+    <message>
+        <source>its file says that it was filmed at %1, but its time stamps mean %2</source>
+        <translation>su archivo indica que se grabó a %1, pero sus marcas de tiempo significan %2</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.filmed_at_rate</name>
+    <message>
+        <source>it was filmed at %1, as its file says, and plays at %2; its times are those of filming</source>
+        <translation>según su archivo se grabó a %1 y se reproduce a %2; sus tiempos son los de la grabación</translation>
     </message>
 </context>
 <context>
@@ -23660,6 +23824,20 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     </message>
 </context>
 <context>
+    <name>workflow.sound_of_slow_motion</name>
+    <message>
+        <source>sound cannot be compared in clips that play in slow motion</source>
+        <translation>el sonido no se puede comparar en clips a cámara lenta</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.sound_unreadable</name>
+    <message>
+        <source>the sound of view &apos;%1&apos; cannot be read (%2)</source>
+        <translation>no se puede leer el sonido de la vista &apos;%1&apos; (%2)</translation>
+    </message>
+</context>
+<context>
     <name>workflow.spikes_change</name>
     <message>
         <source>Spikes: %1 instead of %2.</source>
@@ -23993,6 +24171,13 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <message>
         <source>it recorded nothing and was left out</source>
         <translation>se omite, porque no se grabó nada de ella</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.view_without_sound</name>
+    <message>
+        <source>view &apos;%1&apos; has no sound</source>
+        <translation>la vista &apos;%1&apos; no tiene sonido</translation>
     </message>
 </context>
 <context>

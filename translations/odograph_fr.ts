@@ -74,6 +74,10 @@
         <source>%1 to %2 ms apart</source>
         <translation>espacées de %1 à %2 ms</translation>
     </message>
+    <message>
+        <source>synchronised to %1 by sound; %2</source>
+        <translation>synchronisée à %1 près, d’après le son&#xa0;; %2</translation>
+    </message>
 </context>
 <context>
     <name>AnnotatedFrame</name>
@@ -730,6 +734,14 @@
     <message>
         <source>The solid (box or cylinder, on the floor or a plate at the robot&apos;s top) whose silhouettes best match the outlines in all views, by weighted least squares at about forty times of the run. If no such solid explains them: the height at which all views give the same floor position.</source>
         <translation>Le solide (boîte ou cylindre, au sol, ou plaque au sommet du robot) dont les contours de toutes les vues sont les silhouettes, par moindres carrés pondérés à une quarantaine d’instants du passage&#xa0;; si aucun solide de ce genre ne les explique, la hauteur à laquelle toutes les vues placent le robot au même endroit.</translation>
+    </message>
+    <message>
+        <source>The time offset at which claps, knocks or whistles in the sound of both views coincide: the weighted mean of the pairs, less the time that sound takes to reach each camera. It is used if every other offset is at least 150 times less likely.</source>
+        <translation>Le décalage pour lequel les claquements de mains, les coups ou les sifflets dans le son des deux vues coïncident&#xa0;: la moyenne pondérée des paires, moins le temps que le son met à atteindre chaque caméra. Il est retenu si tout autre décalage est au moins 150 fois moins probable.</translation>
+    </message>
+    <message>
+        <source>from the pairs, from where on the floor the sound may have come, 50 ppm of the time from the start of the recording to the sound, and 2 ms by which each camera may record its sound early or late</source>
+        <translation>des paires, de l’endroit du sol d’où le son a pu venir, de 50 ppm du temps entre le début de l’enregistrement et le son, et de 2 ms dont chaque caméra peut avancer ou retarder son son</translation>
     </message>
 </context>
 <context>
@@ -16198,10 +16210,6 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>odo::ViewSteps</name>
     <message>
-        <source>From the motion or a flash</source>
-        <translation>D’après le mouvement ou un éclair</translation>
-    </message>
-    <message>
         <source>Same start time</source>
         <translation>Commencées ensemble</translation>
     </message>
@@ -16212,10 +16220,6 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>How to synchronise view %1 with the first</source>
         <translation>Comment la vue %1 est synchronisée avec la première</translation>
-    </message>
-    <message>
-        <source>A flash: switch the room lights on and off once while all cameras record</source>
-        <translation>Un éclair&#xa0;: allumez et éteignez une fois la lumière de la pièce pendant que toutes les caméras filment</translation>
     </message>
     <message>
         <source> s</source>
@@ -16232,6 +16236,26 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>View %1</source>
         <translation>Vue %1</translation>
+    </message>
+    <message>
+        <source>Automatic: motion, flash or sound</source>
+        <translation>Automatique&#xa0;: mouvement, éclair ou son</translation>
+    </message>
+    <message>
+        <source>By the motion</source>
+        <translation>D’après le mouvement</translation>
+    </message>
+    <message>
+        <source>By a flash of light</source>
+        <translation>D’après un éclair de lumière</translation>
+    </message>
+    <message>
+        <source>By sound</source>
+        <translation>D’après le son</translation>
+    </message>
+    <message>
+        <source>A flash: switch the room lights on and off once while all cameras record. Sound: clap twice near the middle of the floor</source>
+        <translation>Éclair&#xa0;: allumez et éteignez une fois la lumière de la salle pendant que toutes les caméras filment. Son&#xa0;: tapez deux fois dans vos mains près du milieu du sol</translation>
     </message>
 </context>
 <context>
@@ -18515,6 +18539,34 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
 </context>
 <context>
+    <name>synchronisation.by_flash</name>
+    <message>
+        <source>%1 by the flash of light</source>
+        <translation>%1 d’après l’éclair de lumière</translation>
+    </message>
+</context>
+<context>
+    <name>synchronisation.by_motion</name>
+    <message>
+        <source>%1 by the motion</source>
+        <translation>%1 d’après le mouvement</translation>
+    </message>
+</context>
+<context>
+    <name>synchronisation.by_sound</name>
+    <message>
+        <source>%1 by the sound</source>
+        <translation>%1 d’après le son</translation>
+    </message>
+</context>
+<context>
+    <name>synchronisation.clap_twice</name>
+    <message>
+        <source>clap twice near the middle of the floor while both cameras record, or give --sync SECONDS</source>
+        <translation>tapez deux fois dans vos mains près du milieu du sol pendant que les deux caméras filment, ou donnez le décalage</translation>
+    </message>
+</context>
+<context>
     <name>synchronisation.clocks_ambiguous</name>
     <message>
         <source>several time offsets, pauses or missing frames explain the views&apos; tracks about equally well</source>
@@ -18543,6 +18595,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
 </context>
 <context>
+    <name>synchronisation.flash_or_clap</name>
+    <message>
+        <source>flash the room lights or clap twice while both cameras record, or give --sync SECONDS</source>
+        <translation>faites clignoter la lumière de la salle ou tapez deux fois dans vos mains pendant que les deux caméras filment, ou donnez le décalage</translation>
+    </message>
+</context>
+<context>
     <name>synchronisation.flashes_fit_alike</name>
     <message>
         <source>the flashes of light fit equally well at time offsets of %1 and %2</source>
@@ -18554,6 +18613,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>measured by a flash of light to only ±%1, because %2</source>
         <translation>d’après un éclair de lumière, à %1 seulement, car %2</translation>
+    </message>
+</context>
+<context>
+    <name>synchronisation.from_sound</name>
+    <message>
+        <source>measured by the sound to only ±%1, because %2</source>
+        <translation>d’après le son, à ±%1 seulement, car %2</translation>
     </message>
 </context>
 <context>
@@ -18592,6 +18658,20 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
 </context>
 <context>
+    <name>synchronisation.no_loud_sound</name>
+    <message>
+        <source>no clap, knock or whistle is heard clearly in both clips</source>
+        <translation>aucun claquement de mains, coup ou sifflet ne ressort dans le son des deux clips</translation>
+    </message>
+</context>
+<context>
+    <name>synchronisation.none_tells</name>
+    <message>
+        <source>%1, %2, and %3</source>
+        <translation>%1, %2, et %3</translation>
+    </message>
+</context>
+<context>
     <name>synchronisation.of_clips</name>
     <message>
         <source>synchronisation of the clips</source>
@@ -18624,6 +18704,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>the flashes of light in the views do not match</source>
         <translation>les éclairs de lumière des vues ne se correspondent pas</translation>
+    </message>
+</context>
+<context>
+    <name>synchronisation.other_sounds</name>
+    <message>
+        <source>the loud sounds of the clips do not match</source>
+        <translation>les sons forts des clips ne se correspondent pas</translation>
     </message>
 </context>
 <context>
@@ -18669,10 +18756,31 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
 </context>
 <context>
+    <name>synchronisation.sound_beats</name>
+    <message>
+        <source>the sound is full of beats that are alike, as in music</source>
+        <translation>le son est plein de battements semblables, comme en musique</translation>
+    </message>
+</context>
+<context>
+    <name>synchronisation.sounds_fit_alike</name>
+    <message>
+        <source>the sounds of the clips fit equally well at time offsets of %1 and %2</source>
+        <translation>les sons des clips conviennent autant à des décalages de %1 et %2</translation>
+    </message>
+</context>
+<context>
     <name>synchronisation.views_distorted</name>
     <message>
         <source>the views show the same run, but with another size or direction: a camera has moved since its registration, or the videos are exchanged</source>
         <translation>les vues montrent le même parcours, mais avec une autre taille ou direction : une caméra a bougé depuis son enregistrement, ou les vidéos sont échangées</translation>
+    </message>
+</context>
+<context>
+    <name>synchronisation.ways_disagree</name>
+    <message>
+        <source>the time offsets found disagree: %1; the first was used</source>
+        <translation>les décalages trouvés ne concordent pas&#xa0;: %1&#xa0;; le premier a été retenu</translation>
     </message>
 </context>
 <context>
@@ -20244,6 +20352,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
 </context>
 <context>
+    <name>video.cannot_read_sound</name>
+    <message>
+        <source>cannot read the sound of %1</source>
+        <translation>impossible de lire le son de %1</translation>
+    </message>
+</context>
+<context>
     <name>video.cannot_show_frame</name>
     <message>
         <source>cannot show frame %1 of %2</source>
@@ -20409,6 +20524,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>choose one of these</source>
         <translation>choisissez-en une</translation>
+    </message>
+</context>
+<context>
+    <name>video.convert_sound_to_aac</name>
+    <message>
+        <source>convert its sound to AAC</source>
+        <translation>convertissez son son en AAC</translation>
     </message>
 </context>
 <context>
@@ -20608,6 +20730,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
 </context>
 <context>
+    <name>video.give_shorter_clip</name>
+    <message>
+        <source>give a shorter clip</source>
+        <translation>donnez un clip plus court</translation>
+    </message>
+</context>
+<context>
     <name>video.h264_needs_even</name>
     <message>
         <source>H.264 needs an even width and height, not %1</source>
@@ -20762,6 +20891,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
 </context>
 <context>
+    <name>video.no_sound</name>
+    <message>
+        <source>it has no sound</source>
+        <translation>il n’a pas de son</translation>
+    </message>
+</context>
+<context>
     <name>video.no_stream</name>
     <message>
         <source>it contains no readable video stream</source>
@@ -20909,6 +21045,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
 </context>
 <context>
+    <name>video.record_with_sound</name>
+    <message>
+        <source>switch the camera&apos;s sound on</source>
+        <translation>activez le son de la caméra</translation>
+    </message>
+</context>
+<context>
     <name>video.report_bug</name>
     <message>
         <source>report this as a bug</source>
@@ -20941,6 +21084,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>its undamaged part is used</source>
         <translation>la partie intacte est utilisée</translation>
+    </message>
+</context>
+<context>
+    <name>video.sound_too_long</name>
+    <message>
+        <source>its sound is longer than %1</source>
+        <translation>son son dure plus de %1</translation>
     </message>
 </context>
 <context>
@@ -21753,6 +21903,20 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>choose a progressive mode of the camera (p, not i)</source>
         <translation>choisissez un mode progressif de la caméra (p et non i)</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.filmed_at_doubtful_rate</name>
+    <message>
+        <source>its file says that it was filmed at %1, but its time stamps mean %2</source>
+        <translation>son fichier indique qu’elle a été filmée à %1, mais ses horodatages signifient %2</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.filmed_at_rate</name>
+    <message>
+        <source>it was filmed at %1, as its file says, and plays at %2; its times are those of filming</source>
+        <translation>d’après son fichier, elle a été filmée à %1 et est lue à %2 ; ses temps sont ceux de la prise de vue</translation>
     </message>
 </context>
 <context>
@@ -23660,6 +23824,20 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
 </context>
 <context>
+    <name>workflow.sound_of_slow_motion</name>
+    <message>
+        <source>sound cannot be compared in clips that play in slow motion</source>
+        <translation>le son ne peut être comparé dans des clips au ralenti</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.sound_unreadable</name>
+    <message>
+        <source>the sound of view &apos;%1&apos; cannot be read (%2)</source>
+        <translation>impossible de lire le son de la vue &apos;%1&apos; (%2)</translation>
+    </message>
+</context>
+<context>
     <name>workflow.spikes_change</name>
     <message>
         <source>Spikes: %1 instead of %2.</source>
@@ -23993,6 +24171,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>it recorded nothing and was left out</source>
         <translation>elle est écartée, car rien n’en a été enregistré</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.view_without_sound</name>
+    <message>
+        <source>view &apos;%1&apos; has no sound</source>
+        <translation>la vue &apos;%1&apos; n’a pas de son</translation>
     </message>
 </context>
 <context>

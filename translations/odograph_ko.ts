@@ -74,6 +74,10 @@
         <source>%1 to %2 ms apart</source>
         <translation>간격 %1–%2 ms</translation>
     </message>
+    <message>
+        <source>synchronised to %1 by sound; %2</source>
+        <translation>동기 오차 %1, 소리로 구함; %2</translation>
+    </message>
 </context>
 <context>
     <name>AnnotatedFrame</name>
@@ -726,6 +730,14 @@
     <message>
         <source>The solid (box or cylinder, on the floor or a plate at the robot&apos;s top) whose silhouettes best match the outlines in all views, by weighted least squares at about forty times of the run. If no such solid explains them: the height at which all views give the same floor position.</source>
         <translation>모든 뷰의 윤곽을 실루엣으로 갖는 입체(바닥 위, 또는 로봇 윗면의 판인 상자나 원기둥)이며, 주행 중 약 40개 시각에서 가중 최소 제곱으로 구합니다. 그런 입체로 설명되지 않으면 모든 뷰가 로봇을 같은 위치에 놓는 높이입니다.</translation>
+    </message>
+    <message>
+        <source>The time offset at which claps, knocks or whistles in the sound of both views coincide: the weighted mean of the pairs, less the time that sound takes to reach each camera. It is used if every other offset is at least 150 times less likely.</source>
+        <translation>두 뷰의 소리에 있는 박수, 두드림, 휘파람이 서로 겹치는 오프셋입니다. 쌍들의 가중 평균에서 소리가 각 카메라에 닿는 시간을 뺀 값입니다. 다른 모든 오프셋의 가능도가 150분의 1 이하일 때만 채택합니다.</translation>
+    </message>
+    <message>
+        <source>from the pairs, from where on the floor the sound may have come, 50 ppm of the time from the start of the recording to the sound, and 2 ms by which each camera may record its sound early or late</source>
+        <translation>쌍들의 오차, 소리가 났을 바닥 위치, 녹화 시작부터 소리까지 시간의 50 ppm, 그리고 카메라마다 소리가 이르거나 늦을 수 있는 2 ms</translation>
     </message>
 </context>
 <context>
@@ -16158,10 +16170,6 @@ Much more than expected means that a setting is wrong: the views are not synchro
 <context>
     <name>odo::ViewSteps</name>
     <message>
-        <source>From the motion or a flash</source>
-        <translation>움직임이나 번쩍임에서</translation>
-    </message>
-    <message>
         <source>Same start time</source>
         <translation>동시에 시작</translation>
     </message>
@@ -16172,10 +16180,6 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>How to synchronise view %1 with the first</source>
         <translation>뷰 %1을(를) 첫째 뷰와 동기화하는 방법</translation>
-    </message>
-    <message>
-        <source>A flash: switch the room lights on and off once while all cameras record</source>
-        <translation>번쩍임: 모든 카메라가 녹화하는 동안 실내등을 한 번 켰다 끄십시오</translation>
     </message>
     <message>
         <source> s</source>
@@ -16192,6 +16196,26 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>View %1</source>
         <translation>뷰 %1</translation>
+    </message>
+    <message>
+        <source>Automatic: motion, flash or sound</source>
+        <translation>자동: 움직임, 빛의 번쩍임 또는 소리</translation>
+    </message>
+    <message>
+        <source>By the motion</source>
+        <translation>움직임으로</translation>
+    </message>
+    <message>
+        <source>By a flash of light</source>
+        <translation>빛의 번쩍임으로</translation>
+    </message>
+    <message>
+        <source>By sound</source>
+        <translation>소리로</translation>
+    </message>
+    <message>
+        <source>A flash: switch the room lights on and off once while all cameras record. Sound: clap twice near the middle of the floor</source>
+        <translation>번쩍임: 모든 카메라가 녹화하는 동안 실내 조명을 한 번 켰다 끄십시오. 소리: 바닥 가운데 근처에서 박수를 두 번 치십시오</translation>
     </message>
 </context>
 <context>
@@ -18475,6 +18499,34 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>synchronisation.by_flash</name>
+    <message>
+        <source>%1 by the flash of light</source>
+        <translation>빛의 번쩍임으로 %1</translation>
+    </message>
+</context>
+<context>
+    <name>synchronisation.by_motion</name>
+    <message>
+        <source>%1 by the motion</source>
+        <translation>움직임으로 %1</translation>
+    </message>
+</context>
+<context>
+    <name>synchronisation.by_sound</name>
+    <message>
+        <source>%1 by the sound</source>
+        <translation>소리로 %1</translation>
+    </message>
+</context>
+<context>
+    <name>synchronisation.clap_twice</name>
+    <message>
+        <source>clap twice near the middle of the floor while both cameras record, or give --sync SECONDS</source>
+        <translation>두 카메라가 녹화하는 동안 바닥 가운데 근처에서 박수를 두 번 치거나 오프셋을 지정하십시오</translation>
+    </message>
+</context>
+<context>
     <name>synchronisation.clocks_ambiguous</name>
     <message>
         <source>several time offsets, pauses or missing frames explain the views&apos; tracks about equally well</source>
@@ -18503,6 +18555,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>synchronisation.flash_or_clap</name>
+    <message>
+        <source>flash the room lights or clap twice while both cameras record, or give --sync SECONDS</source>
+        <translation>두 카메라가 녹화하는 동안 실내 조명을 깜박이거나 박수를 두 번 치거나, 오프셋을 지정하십시오</translation>
+    </message>
+</context>
+<context>
     <name>synchronisation.flashes_fit_alike</name>
     <message>
         <source>the flashes of light fit equally well at time offsets of %1 and %2</source>
@@ -18514,6 +18573,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>measured by a flash of light to only ±%1, because %2</source>
         <translation>빛의 깜박임에서 구해 %1까지만 맞습니다. 이유는 %2</translation>
+    </message>
+</context>
+<context>
+    <name>synchronisation.from_sound</name>
+    <message>
+        <source>measured by the sound to only ±%1, because %2</source>
+        <translation>소리에서 구해 ±%1까지만 맞습니다. 이유는 %2</translation>
     </message>
 </context>
 <context>
@@ -18552,6 +18618,20 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>synchronisation.no_loud_sound</name>
+    <message>
+        <source>no clap, knock or whistle is heard clearly in both clips</source>
+        <translation>두 클립의 소리에서 두드러지는 박수, 두드림, 휘파람이 없습니다</translation>
+    </message>
+</context>
+<context>
+    <name>synchronisation.none_tells</name>
+    <message>
+        <source>%1, %2, and %3</source>
+        <translation>%1. %2. 또한 %3</translation>
+    </message>
+</context>
+<context>
     <name>synchronisation.of_clips</name>
     <message>
         <source>synchronisation of the clips</source>
@@ -18584,6 +18664,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>the flashes of light in the views do not match</source>
         <translation>뷰들의 빛 깜박임이 서로 맞지 않습니다</translation>
+    </message>
+</context>
+<context>
+    <name>synchronisation.other_sounds</name>
+    <message>
+        <source>the loud sounds of the clips do not match</source>
+        <translation>클립들의 큰 소리가 서로 맞지 않습니다</translation>
     </message>
 </context>
 <context>
@@ -18629,10 +18716,31 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>synchronisation.sound_beats</name>
+    <message>
+        <source>the sound is full of beats that are alike, as in music</source>
+        <translation>소리에 음악처럼 비슷한 박자가 가득합니다</translation>
+    </message>
+</context>
+<context>
+    <name>synchronisation.sounds_fit_alike</name>
+    <message>
+        <source>the sounds of the clips fit equally well at time offsets of %1 and %2</source>
+        <translation>클립들의 소리가 오프셋 %1와 %2에서 똑같이 맞습니다</translation>
+    </message>
+</context>
+<context>
     <name>synchronisation.views_distorted</name>
     <message>
         <source>the views show the same run, but with another size or direction: a camera has moved since its registration, or the videos are exchanged</source>
         <translation>뷰들이 같은 주행을 보여 주지만 크기나 방향이 다릅니다. 등록 후 카메라가 움직였거나 비디오가 서로 바뀌었습니다</translation>
+    </message>
+</context>
+<context>
+    <name>synchronisation.ways_disagree</name>
+    <message>
+        <source>the time offsets found disagree: %1; the first was used</source>
+        <translation>찾은 오프셋이 서로 다릅니다: %1. 첫째 값을 택했습니다</translation>
     </message>
 </context>
 <context>
@@ -20204,6 +20312,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>video.cannot_read_sound</name>
+    <message>
+        <source>cannot read the sound of %1</source>
+        <translation>%1의 소리를 읽을 수 없습니다</translation>
+    </message>
+</context>
+<context>
     <name>video.cannot_show_frame</name>
     <message>
         <source>cannot show frame %1 of %2</source>
@@ -20369,6 +20484,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>choose one of these</source>
         <translation>그중에서 고르십시오</translation>
+    </message>
+</context>
+<context>
+    <name>video.convert_sound_to_aac</name>
+    <message>
+        <source>convert its sound to AAC</source>
+        <translation>소리를 AAC로 변환하십시오</translation>
     </message>
 </context>
 <context>
@@ -20568,6 +20690,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>video.give_shorter_clip</name>
+    <message>
+        <source>give a shorter clip</source>
+        <translation>더 짧은 클립을 지정하십시오</translation>
+    </message>
+</context>
+<context>
     <name>video.h264_needs_even</name>
     <message>
         <source>H.264 needs an even width and height, not %1</source>
@@ -20722,6 +20851,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>video.no_sound</name>
+    <message>
+        <source>it has no sound</source>
+        <translation>소리가 없습니다</translation>
+    </message>
+</context>
+<context>
     <name>video.no_stream</name>
     <message>
         <source>it contains no readable video stream</source>
@@ -20869,6 +21005,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>video.record_with_sound</name>
+    <message>
+        <source>switch the camera&apos;s sound on</source>
+        <translation>카메라의 소리를 켜십시오</translation>
+    </message>
+</context>
+<context>
     <name>video.report_bug</name>
     <message>
         <source>report this as a bug</source>
@@ -20901,6 +21044,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>its undamaged part is used</source>
         <translation>온전한 부분만 씁니다</translation>
+    </message>
+</context>
+<context>
+    <name>video.sound_too_long</name>
+    <message>
+        <source>its sound is longer than %1</source>
+        <translation>소리가 %1보다 깁니다</translation>
     </message>
 </context>
 <context>
@@ -21713,6 +21863,20 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>choose a progressive mode of the camera (p, not i)</source>
         <translation>카메라의 순차 주사 모드(i가 아닌 p)를 선택하십시오</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.filmed_at_doubtful_rate</name>
+    <message>
+        <source>its file says that it was filmed at %1, but its time stamps mean %2</source>
+        <translation>파일에는 %1(으)로 촬영되었다고 되어 있지만, 타임스탬프는 %2을(를) 뜻합니다</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.filmed_at_rate</name>
+    <message>
+        <source>it was filmed at %1, as its file says, and plays at %2; its times are those of filming</source>
+        <translation>파일에 따르면 %1(으)로 촬영되었고 %2(으)로 재생됩니다. 시간은 촬영 때의 것입니다</translation>
     </message>
 </context>
 <context>
@@ -23620,6 +23784,20 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>workflow.sound_of_slow_motion</name>
+    <message>
+        <source>sound cannot be compared in clips that play in slow motion</source>
+        <translation>슬로 모션으로 재생되는 클립에서는 소리를 비교할 수 없습니다</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.sound_unreadable</name>
+    <message>
+        <source>the sound of view &apos;%1&apos; cannot be read (%2)</source>
+        <translation>뷰 &apos;%1&apos;의 소리를 읽을 수 없습니다 (%2)</translation>
+    </message>
+</context>
+<context>
     <name>workflow.spikes_change</name>
     <message>
         <source>Spikes: %1 instead of %2.</source>
@@ -23953,6 +24131,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>it recorded nothing and was left out</source>
         <translation>녹화된 것이 없어 제외됩니다</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.view_without_sound</name>
+    <message>
+        <source>view &apos;%1&apos; has no sound</source>
+        <translation>뷰 &apos;%1&apos;에 소리가 없습니다</translation>
     </message>
 </context>
 <context>

@@ -74,6 +74,10 @@
         <source>%1 to %2 ms apart</source>
         <translation>间隔 %1 至 %2 ms</translation>
     </message>
+    <message>
+        <source>synchronised to %1 by sound; %2</source>
+        <translation>同步至 %1，由声音得出；%2</translation>
+    </message>
 </context>
 <context>
     <name>AnnotatedFrame</name>
@@ -726,6 +730,14 @@
     <message>
         <source>The solid (box or cylinder, on the floor or a plate at the robot&apos;s top) whose silhouettes best match the outlines in all views, by weighted least squares at about forty times of the run. If no such solid explains them: the height at which all views give the same floor position.</source>
         <translation>以某种几何体（立于地面的长方体或圆柱体，或位于机器人顶部的平板）的剪影来解释所有视角中的轮廓，在运行中约四十个时刻作加权最小二乘；若没有这样的几何体能解释，则取使所有视角把机器人定在同一位置的高度。</translation>
+    </message>
+    <message>
+        <source>The time offset at which claps, knocks or whistles in the sound of both views coincide: the weighted mean of the pairs, less the time that sound takes to reach each camera. It is used if every other offset is at least 150 times less likely.</source>
+        <translation>使两个视角声音中的拍手、敲击或哨声相重合的时间偏移：各对的加权平均值，减去声音到达每台相机所需的时间。只有当其他偏移的可能性都至少小 150 倍时才采用。</translation>
+    </message>
+    <message>
+        <source>from the pairs, from where on the floor the sound may have come, 50 ppm of the time from the start of the recording to the sound, and 2 ms by which each camera may record its sound early or late</source>
+        <translation>各对的误差、声音在地面上可能的位置、从录制开始到该声音的时间的 50 ppm，以及每台相机声音可能提前或滞后的 2 ms</translation>
     </message>
 </context>
 <context>
@@ -16158,10 +16170,6 @@ Much more than expected means that a setting is wrong: the views are not synchro
 <context>
     <name>odo::ViewSteps</name>
     <message>
-        <source>From the motion or a flash</source>
-        <translation>由运动或闪光得出</translation>
-    </message>
-    <message>
         <source>Same start time</source>
         <translation>同时开始</translation>
     </message>
@@ -16172,10 +16180,6 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>How to synchronise view %1 with the first</source>
         <translation>视角 %1 如何与视角 1 同步</translation>
-    </message>
-    <message>
-        <source>A flash: switch the room lights on and off once while all cameras record</source>
-        <translation>闪光：在所有相机录制期间，将室内的灯开关一次</translation>
     </message>
     <message>
         <source> s</source>
@@ -16192,6 +16196,26 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>View %1</source>
         <translation>视角 %1</translation>
+    </message>
+    <message>
+        <source>Automatic: motion, flash or sound</source>
+        <translation>自动：运动、闪光或声音</translation>
+    </message>
+    <message>
+        <source>By the motion</source>
+        <translation>由运动</translation>
+    </message>
+    <message>
+        <source>By a flash of light</source>
+        <translation>由闪光</translation>
+    </message>
+    <message>
+        <source>By sound</source>
+        <translation>由声音</translation>
+    </message>
+    <message>
+        <source>A flash: switch the room lights on and off once while all cameras record. Sound: clap twice near the middle of the floor</source>
+        <translation>闪光：在所有相机录制时开关一次室内灯。声音：在地面中央附近拍两次手</translation>
     </message>
 </context>
 <context>
@@ -18475,6 +18499,34 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>synchronisation.by_flash</name>
+    <message>
+        <source>%1 by the flash of light</source>
+        <translation>由闪光得 %1</translation>
+    </message>
+</context>
+<context>
+    <name>synchronisation.by_motion</name>
+    <message>
+        <source>%1 by the motion</source>
+        <translation>由运动得 %1</translation>
+    </message>
+</context>
+<context>
+    <name>synchronisation.by_sound</name>
+    <message>
+        <source>%1 by the sound</source>
+        <translation>由声音得 %1</translation>
+    </message>
+</context>
+<context>
+    <name>synchronisation.clap_twice</name>
+    <message>
+        <source>clap twice near the middle of the floor while both cameras record, or give --sync SECONDS</source>
+        <translation>请在两台相机录制时在地面中央附近拍两次手，或给出偏移</translation>
+    </message>
+</context>
+<context>
     <name>synchronisation.clocks_ambiguous</name>
     <message>
         <source>several time offsets, pauses or missing frames explain the views&apos; tracks about equally well</source>
@@ -18503,6 +18555,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>synchronisation.flash_or_clap</name>
+    <message>
+        <source>flash the room lights or clap twice while both cameras record, or give --sync SECONDS</source>
+        <translation>请在两台相机录制时闪一下室内灯或拍两次手，或给出偏移</translation>
+    </message>
+</context>
+<context>
     <name>synchronisation.flashes_fit_alike</name>
     <message>
         <source>the flashes of light fit equally well at time offsets of %1 and %2</source>
@@ -18514,6 +18573,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>measured by a flash of light to only ±%1, because %2</source>
         <translation>由闪光得出，仅精确到 %1，因为%2</translation>
+    </message>
+</context>
+<context>
+    <name>synchronisation.from_sound</name>
+    <message>
+        <source>measured by the sound to only ±%1, because %2</source>
+        <translation>由声音得出，仅精确到 ±%1，因为%2</translation>
     </message>
 </context>
 <context>
@@ -18552,6 +18618,20 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>synchronisation.no_loud_sound</name>
+    <message>
+        <source>no clap, knock or whistle is heard clearly in both clips</source>
+        <translation>两段视频的声音中都没有突出的拍手、敲击或哨声</translation>
+    </message>
+</context>
+<context>
+    <name>synchronisation.none_tells</name>
+    <message>
+        <source>%1, %2, and %3</source>
+        <translation>%1，%2，并且%3</translation>
+    </message>
+</context>
+<context>
     <name>synchronisation.of_clips</name>
     <message>
         <source>synchronisation of the clips</source>
@@ -18584,6 +18664,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>the flashes of light in the views do not match</source>
         <translation>各视角的闪光互不对应</translation>
+    </message>
+</context>
+<context>
+    <name>synchronisation.other_sounds</name>
+    <message>
+        <source>the loud sounds of the clips do not match</source>
+        <translation>各段视频中的响声互不对应</translation>
     </message>
 </context>
 <context>
@@ -18629,10 +18716,31 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>synchronisation.sound_beats</name>
+    <message>
+        <source>the sound is full of beats that are alike, as in music</source>
+        <translation>声音中充满相似的节拍，如同音乐</translation>
+    </message>
+</context>
+<context>
+    <name>synchronisation.sounds_fit_alike</name>
+    <message>
+        <source>the sounds of the clips fit equally well at time offsets of %1 and %2</source>
+        <translation>各段视频的声音在偏移 %1 和 %2 处同样吻合</translation>
+    </message>
+</context>
+<context>
     <name>synchronisation.views_distorted</name>
     <message>
         <source>the views show the same run, but with another size or direction: a camera has moved since its registration, or the videos are exchanged</source>
         <translation>各视图显示同一次运行，但大小或方向不同：相机在配准后移动过，或视频互换了</translation>
+    </message>
+</context>
+<context>
+    <name>synchronisation.ways_disagree</name>
+    <message>
+        <source>the time offsets found disagree: %1; the first was used</source>
+        <translation>求得的偏移不一致：%1；已采用第一个</translation>
     </message>
 </context>
 <context>
@@ -20204,6 +20312,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>video.cannot_read_sound</name>
+    <message>
+        <source>cannot read the sound of %1</source>
+        <translation>无法读取 %1 的声音</translation>
+    </message>
+</context>
+<context>
     <name>video.cannot_show_frame</name>
     <message>
         <source>cannot show frame %1 of %2</source>
@@ -20369,6 +20484,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>choose one of these</source>
         <translation>请从中选择</translation>
+    </message>
+</context>
+<context>
+    <name>video.convert_sound_to_aac</name>
+    <message>
+        <source>convert its sound to AAC</source>
+        <translation>请将其声音转换为 AAC</translation>
     </message>
 </context>
 <context>
@@ -20568,6 +20690,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>video.give_shorter_clip</name>
+    <message>
+        <source>give a shorter clip</source>
+        <translation>请给出更短的视频</translation>
+    </message>
+</context>
+<context>
     <name>video.h264_needs_even</name>
     <message>
         <source>H.264 needs an even width and height, not %1</source>
@@ -20722,6 +20851,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>video.no_sound</name>
+    <message>
+        <source>it has no sound</source>
+        <translation>它没有声音</translation>
+    </message>
+</context>
+<context>
     <name>video.no_stream</name>
     <message>
         <source>it contains no readable video stream</source>
@@ -20869,6 +21005,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>video.record_with_sound</name>
+    <message>
+        <source>switch the camera&apos;s sound on</source>
+        <translation>请打开相机的声音</translation>
+    </message>
+</context>
+<context>
     <name>video.report_bug</name>
     <message>
         <source>report this as a bug</source>
@@ -20901,6 +21044,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>its undamaged part is used</source>
         <translation>使用其完好部分</translation>
+    </message>
+</context>
+<context>
+    <name>video.sound_too_long</name>
+    <message>
+        <source>its sound is longer than %1</source>
+        <translation>其声音长于 %1</translation>
     </message>
 </context>
 <context>
@@ -21713,6 +21863,20 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>choose a progressive mode of the camera (p, not i)</source>
         <translation>选择相机的逐行模式（p，而非 i）</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.filmed_at_doubtful_rate</name>
+    <message>
+        <source>its file says that it was filmed at %1, but its time stamps mean %2</source>
+        <translation>其文件称以 %1 拍摄，但其时间戳表示 %2</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.filmed_at_rate</name>
+    <message>
+        <source>it was filmed at %1, as its file says, and plays at %2; its times are those of filming</source>
+        <translation>据其文件，以 %1 拍摄、以 %2 播放；其时间为拍摄时的时间</translation>
     </message>
 </context>
 <context>
@@ -23620,6 +23784,20 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>workflow.sound_of_slow_motion</name>
+    <message>
+        <source>sound cannot be compared in clips that play in slow motion</source>
+        <translation>慢动作播放的视频无法比较声音</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.sound_unreadable</name>
+    <message>
+        <source>the sound of view &apos;%1&apos; cannot be read (%2)</source>
+        <translation>无法读取视角“%1”的声音（%2）</translation>
+    </message>
+</context>
+<context>
     <name>workflow.spikes_change</name>
     <message>
         <source>Spikes: %1 instead of %2.</source>
@@ -23953,6 +24131,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>it recorded nothing and was left out</source>
         <translation>它被舍去，因为没有录到任何内容</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.view_without_sound</name>
+    <message>
+        <source>view &apos;%1&apos; has no sound</source>
+        <translation>视角“%1”没有声音</translation>
     </message>
 </context>
 <context>

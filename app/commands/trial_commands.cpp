@@ -14,10 +14,24 @@
 #include "core/workflow/shared_words.h"
 
 #include <cmath>
+#include <map>
+#include <optional>
 
 namespace odo {
 
 namespace {
+
+std::optional<ImportSettings::Sync> namedSync(const std::string &name)
+{
+    using Sync = ImportSettings::Sync;
+    static const std::map<std::string, Sync> names{{"auto", Sync::Automatic},
+                                                   {"motion", Sync::Motion},
+                                                   {"flash", Sync::Flash},
+                                                   {"audio", Sync::Sound},
+                                                   {"none", Sync::None}};
+    const auto found = names.find(name);
+    return found != names.end() ? std::optional(found->second) : std::nullopt;
+}
 
 Result<ImportSettings> importSettings(const CommandCall &call)
 {
@@ -36,15 +50,16 @@ Result<ImportSettings> importSettings(const CommandCall &call)
     for (const QString &text :
          QString::fromStdString(call.value(option::sync)).split(u',', Qt::SkipEmptyParts)) {
         const std::string how = text.trimmed().toStdString();
-        if (how == "auto" || how == "none") {
-            settings.steps.push_back(
-                {how == "auto" ? ImportSettings::Sync::Automatic : ImportSettings::Sync::None, 0});
+        if (const auto named = namedSync(how)) {
+            settings.steps.push_back({*named, 0});
             continue;
         }
         const auto offset = parseNumber(how);
         if (!offset)
             return call.wrongCall(
-                ODO_TEXT("app.sync_is", "--sync is auto, none or seconds, one for each view but the first"));
+                ODO_TEXT("app.sync_is",
+                         "--sync is auto, motion, flash, audio, none or seconds, one for each view but the "
+                         "first"));
         if (std::abs(*offset) > largestOffsetS)
             return call.wrongCall(
                 ODO_TEXT("app.sync_takes_seconds", "--sync takes seconds from -3600 to 3600"));
@@ -78,7 +93,8 @@ Result<void> runImport(const QStringList &arguments, const CancelToken &cancel)
         {QStringLiteral("import"),
          QStringLiteral(
              "P.odo --trial NAME --video A=a.mp4 [--video B=b.mp4]... [--times A=stamps.csv]... "
-             "[--sync auto|none|SECONDS[,...]] [--team T] [--task TASK] [--robot R]... [--rate 240] [--json] "
+             "[--sync auto|motion|flash|audio|none|SECONDS[,...]] [--team T] [--task TASK] [--robot R]... "
+             "[--rate 240] [--json] "
              "| "
              "P.odo --trial NAME --track R=FILE|-... [--team T] [--task TASK] [--unit "
              "UNIT] "
@@ -103,9 +119,10 @@ Result<void> runImport(const QStringList &arguments, const CancelToken &cancel)
                   "standard input."),
               QStringLiteral("ROBOT=FILE|-")},
              {option::sync,
-              QStringLiteral("How much later each other view's first frame was taken than the first view's; "
-                             "auto: found by the motion or a flash of light."),
-              QStringLiteral("auto|none|SECONDS[,...]")},
+              QStringLiteral(
+                  "How much later each other view's first frame was taken than the first view's; "
+                  "auto: found by the motion, a flash of light or a clap, whichever is most precise."),
+              QStringLiteral("auto|motion|flash|audio|none|SECONDS[,...]")},
              {option::team, QStringLiteral("The team of the trial."), QStringLiteral("T")},
              {option::task, QStringLiteral("The task of the trial; see odograph task add."),
               QStringLiteral("TASK")},

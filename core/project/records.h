@@ -136,7 +136,7 @@ struct TrialRecord
     std::string task;                ///< its name; empty: none
     Instant date;
     std::string notes;
-    /// of the second view: "none", "told", "auto" (from the motion), "flash" (of light), "clock"
+    /// of the second view: "none", "told", "auto" (from the motion), "flash" (of light), "audio", "clock"
     std::string syncMethod;
     ///< (recorded here, by the cameras' time stamps)
     double syncOffsetS = 0; ///< how much later the second view's first frame was taken than the first's
@@ -192,7 +192,8 @@ struct RecordingRecord
 /// unsynchronised.
 inline bool isStepMeasured(const RecordingRecord &view)
 {
-    return view.syncMethod == "auto" || view.syncMethod == "flash" || view.syncMethod == "clock";
+    return view.syncMethod == "auto" || view.syncMethod == "flash" || view.syncMethod == "audio" ||
+           view.syncMethod == "clock";
 }
 
 /// What the tracker saw of one robot in one recording.

@@ -4,6 +4,7 @@
 #include "core/base/error.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 
@@ -13,7 +14,7 @@ namespace {
 
 constexpr double leastEvidenceScore = 0.5; // of an observation; uncertain ones only blur the answer
 constexpr double disagreementSigmas = 4;
-constexpr double nearFlashSigmas = 5;
+constexpr double nearSigmas = 5;
 constexpr double rarely = 0.05;              // of the frames
 constexpr double leastDisagreementS = 0.002; // less is no harm
 
@@ -164,43 +165,134 @@ std::vector<std::vector<MotionTrack>> motionTracks(const std::vector<NamedView> 
     return tracks;
 }
 
-Result<FoundOffset> findClipOffset(const ClipEvidence &first, const ClipEvidence &second,
-                                   const OffsetRange &range)
+namespace {
+
+/// What each kind of evidence says of the offset.
+struct Answers
 {
-    FoundOffset found;
-    const auto flash = estimateFlashOffset(first.light, second.light);
-    Result<ClipOffset> motion = ClipOffset{};
-    if (auto has = hasTracks(first, second); !has)
-        motion = tl::unexpected(has.error());
-    else
-        motion = fromMotion(first, second, range, found.remarks);
-    const auto nearFlash = [&]() -> Result<ClipOffset> {
-        const double halfWidthS = nearFlashSigmas * flash->sigmaS;
-        return fromMotion(first, second, {flash->offsetS, halfWidthS}, found.remarks);
-    };
-    if (!motion && flash && !first.tracks.empty() && !second.tracks.empty()) {
-        if (const auto near = nearFlash())
-            motion = near;
+    Result<ClipOffset> motion, flash, sound;
+};
+
+Result<ClipOffset> fromSound(const ClipEvidence &first, const ClipEvidence &second)
+{
+    for (const ClipEvidence *view : {&first, &second}) {
+        if (!view->sound)
+            return fail(ErrorCode::Undetermined, clipsSubject(), view->whyNoSound, clapForSound());
     }
-    if (!motion && !flash)
-        return fail(
-            ErrorCode::Undetermined, clipsSubject(),
-            ODO_TEXT("synchronisation.neither_tells", "%1, and %2")(motion.error().why, flash.error().why),
-            flash.error().advice);
-    if (motion) {
-        found.clock = *motion;
-        if (flash && disagree(*motion, *flash))
-            found.remarks.push_back(ODO_TEXT(
-                "synchronisation.flash_disagrees",
-                "the motion gives a time offset of %1, the flash of light gives %2; the motion was used")(
-                plusMinus(*motion), plusMinus(*flash)));
-        return found;
+    return estimateSoundOffset(*first.sound, *second.sound, soundDelay(first.microphone, second.microphone));
+}
+
+Answers answersOf(const ClipEvidence &first, const ClipEvidence &second, const OffsetRange &range,
+                  std::vector<Message> &remarks)
+{
+    Answers all{ClipOffset{}, estimateFlashOffset(first.light, second.light), fromSound(first, second)};
+    if (auto has = hasTracks(first, second); !has) {
+        all.motion = tl::unexpected(has.error());
+        return all;
     }
-    found.clock = *flash;
-    found.fromFlash = true;
+    all.motion = fromMotion(first, second, range, remarks);
+    for (const Result<ClipOffset> *other : {&all.sound, &all.flash}) {
+        if (all.motion || !*other)
+            continue;
+        const double halfWidthS = nearSigmas * (*other)->sigmaS;
+        if (auto near = fromMotion(first, second, {(*other)->offsetS, halfWidthS}, remarks))
+            all.motion = near;
+    }
+    return all;
+}
+
+tl::unexpected<Error> noneTells(const Answers &answers)
+{
+    const Message &motion = answers.motion.error().why, &flash = answers.flash.error().why,
+                  &sound = answers.sound.error().why;
+    if (sound.isEmpty())
+        return fail(ErrorCode::Undetermined, clipsSubject(),
+                    ODO_TEXT("synchronisation.neither_tells", "%1, and %2")(motion, flash),
+                    answers.flash.error().advice);
+    return fail(
+        ErrorCode::Undetermined, clipsSubject(),
+        ODO_TEXT("synchronisation.none_tells", "%1, %2, and %3")(motion, flash, sound),
+        ODO_TEXT("synchronisation.flash_or_clap",
+                 "flash the room lights or clap twice while both cameras record, or give --sync SECONDS"));
+}
+
+Message saidBy(OffsetSource source, const ClipOffset &offset)
+{
+    if (source == OffsetSource::Sound)
+        return ODO_TEXT("synchronisation.by_sound", "%1 by the sound")(plusMinus(offset));
+    return source == OffsetSource::Flash
+               ? ODO_TEXT("synchronisation.by_flash", "%1 by the flash of light")(plusMinus(offset))
+               : ODO_TEXT("synchronisation.by_motion", "%1 by the motion")(plusMinus(offset));
+}
+
+Message disagreement(const FoundOffset &used, OffsetSource other, const ClipOffset &offset)
+{
+    if (used.from == OffsetSource::Motion && other == OffsetSource::Flash)
+        return ODO_TEXT(
+            "synchronisation.flash_disagrees",
+            "the motion gives a time offset of %1, the flash of light gives %2; the motion was used")(
+            plusMinus(used.clock), plusMinus(offset));
+    return ODO_TEXT("synchronisation.ways_disagree",
+                    "the time offsets found disagree: %1; the first was used")(
+        listed({saidBy(used.from, used.clock), saidBy(other, offset)}));
+}
+
+/// On an offset that the motion does not give: how well it is known, and why not better.
+void remarkOnSource(FoundOffset &found, const Answers &answers)
+{
+    if (answers.motion || found.from == OffsetSource::Motion)
+        return;
+    const MessageArgument sigma = quantity(1e3 * found.clock.sigmaS, 1, "ms");
     found.remarks.push_back(
-        ODO_TEXT("synchronisation.from_flash", "measured by a flash of light to only ±%1, because %2")(
-            quantity(1e3 * flash->sigmaS, 1, "ms"), motion.error().why));
+        found.from == OffsetSource::Flash
+            ? ODO_TEXT("synchronisation.from_flash", "measured by a flash of light to only ±%1, because %2")(
+                  sigma, answers.motion.error().why)
+            : ODO_TEXT("synchronisation.from_sound",
+                       "measured by the sound to only ±%1, because %2")(sigma, answers.motion.error().why));
+}
+
+Result<FoundOffset> findBy(const ClipEvidence &first, const ClipEvidence &second, const OffsetRange &range,
+                           OffsetSource source)
+{
+    FoundOffset found{{}, source, {}};
+    if (source == OffsetSource::Sound)
+        found.clock = ODO_TRY(fromSound(first, second));
+    else if (source == OffsetSource::Flash)
+        found.clock = ODO_TRY(estimateFlashOffset(first.light, second.light));
+    else {
+        ODO_TRY(hasTracks(first, second));
+        found.clock = ODO_TRY(fromMotion(first, second, range, found.remarks));
+    }
+    return found;
+}
+
+} // namespace
+
+Result<FoundOffset> findClipOffset(const ClipEvidence &first, const ClipEvidence &second,
+                                   const OffsetRange &range, OffsetSource allowed)
+{
+    if (allowed != OffsetSource::Any)
+        return findBy(first, second, range, allowed);
+    FoundOffset found;
+    const Answers answers = answersOf(first, second, range, found.remarks);
+    const std::array all{std::pair(OffsetSource::Motion, &answers.motion),
+                         std::pair(OffsetSource::Sound, &answers.sound),
+                         std::pair(OffsetSource::Flash, &answers.flash)};
+    const Result<ClipOffset> *best = nullptr;
+    for (const auto &[source, answer] : all) {
+        if (*answer && (!best || (*answer)->sigmaS < (*best)->sigmaS)) {
+            best = answer;
+            found.from = source;
+        }
+    }
+    if (!best)
+        return noneTells(answers);
+    found.clock = **best;
+    for (const auto &[source, answer] : all) {
+        if (*answer && disagree(found.clock, **answer))
+            found.remarks.push_back(disagreement(found, source, **answer));
+    }
+    remarkOnSource(found, answers);
     return found;
 }
 

@@ -2,8 +2,11 @@
 #pragma once
 
 #include "core/synchronisation/internal/flash_synchronisation.h"
+#include "core/synchronisation/internal/sound_synchronisation.h"
 #include "core/trajectory/name_assignment.h"
 
+#include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -24,6 +27,9 @@ struct ClipEvidence
     /// where there are none: "the project has no robot to look for"
     Message whyNoTracks;
     LightCourse light;
+    std::shared_ptr<const SoundCourse> sound = nullptr; ///< null: not looked for, or there is none
+    Message whyNoSound = {}; ///< where there is none: "view 'A' has no sound"; empty: not looked for
+    std::optional<MicrophonePosition> microphone = std::nullopt; ///< where it is known
 };
 
 /// For each view the tracks of all robots, by its own clock; none where it is not registered. Robots of like
@@ -34,19 +40,23 @@ std::vector<std::vector<MotionTrack>> motionTracks(const std::vector<NamedView> 
                                                    const std::vector<NamedRobot> &robots,
                                                    const std::vector<std::string> &names);
 
+/// By what an offset is found, or may be.
+enum class OffsetSource { Any, Motion, Flash, Sound };
+
 /// The offset of the second view against the first, and from what it is known.
 struct FoundOffset
 {
     ClipOffset clock;
-    bool fromFlash = false;
+    OffsetSource from = OffsetSource::Motion;
     std::vector<Message> remarks; ///< on what does not fit
 };
 
-/// From the motion of the robots if it determines the offset (of several robots the one that does so best),
-/// because that is the most precise; if the motion alone fits at several offsets, or the offset is beyond the
-/// searched range, from the motion near a flash of light. Otherwise from the flash. Disagreement is reported
-/// as a remark. Pure; any thread. Undetermined: neither determines it.
+/// From the motion of the robots (of several robots the one that determines the offset best), a flash of
+/// light or a sound: the one with the least σ. If the motion alone fits at several offsets, or the offset is
+/// beyond the searched range, it is the motion near the offset of the sound or the flash. Disagreement is
+/// reported as a remark. allowed: if not Any, nothing else is looked at. Pure; any thread. Undetermined: none
+/// of those allowed determines it.
 Result<FoundOffset> findClipOffset(const ClipEvidence &first, const ClipEvidence &second,
-                                   const OffsetRange &range);
+                                   const OffsetRange &range, OffsetSource allowed = OffsetSource::Any);
 
 } // namespace odo

@@ -148,9 +148,9 @@ Result<void> ChapterWriter::addStreams()
                     turn, bytes);
     if (m_hasSound) {
         m_sound = libav::allocated(avformat_new_stream(m_container, nullptr));
-        libav::checked(avcodec_parameters_copy(m_sound->codecpar, &first.soundParameters()));
+        libav::checked(avcodec_parameters_copy(m_sound->codecpar, first.sound()->codecpar));
         m_sound->codecpar->codec_tag = 0;
-        m_sound->time_base = first.input->container().streams[first.sound]->time_base;
+        m_sound->time_base = first.sound()->time_base;
     }
     return {};
 }
@@ -263,16 +263,15 @@ Result<void> ChapterWriter::copyPackets(const Chapter &chapter, VideoInput &inpu
     std::size_t all = 0;
     for (const Chapter &each : m_chapters)
         all += each.packets;
-    const int sound = m_hasSound ? chapter.sound : -1;
     const libav::PacketPtr packet(libav::allocated(av_packet_alloc()));
     for (;;) {
-        const int error = input.read(*packet, sound);
+        const int error = m_hasSound ? input.readWithSound(*packet) : input.read(*packet);
         if (error == AVERROR_EXIT)
             return cancelled(cannotJoin(chapter.file));
         if (error < 0) // where it ends early, reading it before has said so
             return {};
-        if (packet->stream_index == sound) {
-            ODO_TRY(addSound(*input.container().streams[sound], *packet));
+        if (packet->stream_index != input.stream().index) {
+            ODO_TRY(addSound(*input.sound(), *packet));
         } else if ((packet->flags & AV_PKT_FLAG_CORRUPT) == 0) {
             ODO_TRY(addFrames(chapter, *packet));
             control.report(
@@ -360,7 +359,8 @@ std::vector<Message> remarksOn(const std::vector<Chapter> &chapters, bool hasSou
         if (Message remark = timeRemark(before, chapter); !remark.isEmpty())
             remarks.push_back(about(chapter, std::move(remark)));
     }
-    const bool someSound = std::ranges::any_of(chapters, [](const Chapter &each) { return each.sound >= 0; });
+    const bool someSound =
+        std::ranges::any_of(chapters, [](const Chapter &each) { return each.sound() != nullptr; });
     if (someSound && !hasSound)
         remarks.push_back(about(chapters.front(), ODO_TEXT("video.sound_left_out",
                                                            "the sound was left out, because the files it is "

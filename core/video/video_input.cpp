@@ -157,6 +157,8 @@ Result<void> VideoInput::findStream()
                     ODO_TEXT("video.give_camera_file", "give the file that the camera recorded"));
     m_stream = m_container->streams[best];
     libav::forgetUnknownColours(*m_stream->codecpar);
+    const int sound = av_find_best_stream(m_container, AVMEDIA_TYPE_AUDIO, -1, best, nullptr, 0);
+    m_sound = sound < 0 ? nullptr : m_container->streams[sound];
     if (static_cast<std::size_t>(best) < stated.size())
         m_containerChromaLocation = stated[static_cast<std::size_t>(best)];
     return {};
@@ -203,27 +205,43 @@ AVRational VideoInput::pixelAspect() const
     return av_guess_sample_aspect_ratio(m_container, m_stream, nullptr);
 }
 
-int VideoInput::read(AVPacket &packet, int orOfStream)
+/// The next packet of any stream.
+int VideoInput::readAny(AVPacket &packet)
+{
+    av_packet_unref(&packet);
+    if (m_cancel.isCancelled())
+        return AVERROR_EXIT;
+    const int error = av_read_frame(m_container, &packet);
+    if (error < 0)
+        return error;
+    const AVStream &from = *m_container->streams[packet.stream_index];
+    const std::int64_t begin = packet.pts != AV_NOPTS_VALUE ? packet.pts : packet.dts;
+    if (begin != AV_NOPTS_VALUE) {
+        const std::int64_t start = m_container->start_time == AV_NOPTS_VALUE ? 0 : m_container->start_time;
+        const std::int64_t end =
+            av_rescale_q(av_sat_add64(begin, packet.duration), from.time_base, AVRational{1, AV_TIME_BASE});
+        m_lastEnd = std::max(m_lastEnd, av_sat_sub64(end, start));
+    }
+    return 0;
+}
+
+int VideoInput::read(AVPacket &packet)
 {
     for (;;) {
-        av_packet_unref(&packet);
-        if (m_cancel.isCancelled())
-            return AVERROR_EXIT;
-        const int error = av_read_frame(m_container, &packet);
-        if (error < 0)
+        const int error = readAny(packet);
+        if (error < 0 || (packet.stream_index == m_stream->index && packet.size > 0))
             return error;
-        const AVStream &from = *m_container->streams[packet.stream_index];
-        const std::int64_t begin = packet.pts != AV_NOPTS_VALUE ? packet.pts : packet.dts;
-        if (begin != AV_NOPTS_VALUE) {
-            const std::int64_t start =
-                m_container->start_time == AV_NOPTS_VALUE ? 0 : m_container->start_time;
-            const std::int64_t end = av_rescale_q(av_sat_add64(begin, packet.duration), from.time_base,
-                                                  AVRational{1, AV_TIME_BASE});
-            m_lastEnd = std::max(m_lastEnd, av_sat_sub64(end, start));
-        }
-        const bool isAskedFor = packet.stream_index == m_stream->index || packet.stream_index == orOfStream;
-        if (isAskedFor && packet.size > 0)
-            return 0;
+    }
+}
+
+int VideoInput::readWithSound(AVPacket &packet)
+{
+    for (;;) {
+        const int error = readAny(packet);
+        if (error < 0 ||
+            ((packet.stream_index == m_stream->index || (m_sound && packet.stream_index == m_sound->index)) &&
+             packet.size > 0))
+            return error;
     }
 }
 
@@ -244,15 +262,6 @@ constexpr std::size_t firstPackets = 5;
 
 constexpr AVRational nanosecondBase{1, 1'000'000'000};
 constexpr std::int64_t longestVideoNs = 100LL * 24 * 3600 * 1'000'000'000LL;
-
-/// A VP8 packet may hold a frame that is only referred to and never shown (RFC 6386 §9.1: bit 4,
-/// show_frame).
-bool isNeverShown(const AVPacket &packet, AVCodecID codec)
-{
-    if ((packet.flags & AV_PKT_FLAG_DISCARD) != 0)
-        return true;
-    return codec == AV_CODEC_ID_VP8 && (packet.data[0] & 0x10) == 0;
-}
 
 void addWarning(PacketIndex &index, Message what, Message why)
 {
@@ -426,6 +435,14 @@ void warnIfCutShort(PacketIndex &index, const VideoInput &input, const Walk &wal
 }
 
 } // namespace
+
+// A VP8 packet may hold a frame that is only referred to and never shown (RFC 6386 §9.1: bit 4, show_frame).
+bool isNeverShown(const AVPacket &packet, AVCodecID codec)
+{
+    if ((packet.flags & AV_PKT_FLAG_DISCARD) != 0)
+        return true;
+    return codec == AV_CODEC_ID_VP8 && (packet.data[0] & 0x10) == 0;
+}
 
 std::int64_t timeStampOf(const AVPacket &packet)
 {

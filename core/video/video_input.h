@@ -35,6 +35,8 @@ public:
     bool isCancelled() const { return m_cancel.isCancelled(); }
     const AVFormatContext &container() const { return *m_container; }
     const AVStream &stream() const { return *m_stream; }
+    /// The sound that goes with it; null where the file has none.
+    const AVStream *sound() const { return m_sound; }
     /// It is a codec's bare stream, which holds no time stamps; those that libav gives it are made up.
     bool isBareStream() const;
     /// The frame rate that the headers of a bare stream state, frames/s: not what libav takes where they
@@ -54,9 +56,10 @@ public:
     /// Width to height of a pixel, as the container says, or else the codec; 0 where neither does.
     AVRational pixelAspect() const;
 
-    /// The next packet of the video stream, or of the one with this index too. 0, AVERROR_EOF or another
-    /// error of libav.
-    int read(AVPacket &packet, int orOfStream = -1);
+    /// The next packet of the video stream. 0, AVERROR_EOF or another error of libav.
+    int read(AVPacket &packet);
+    /// The same of the video or the sound stream.
+    int readWithSound(AVPacket &packet);
     /// Whether the headers of the packet read last say that it holds two fields, of two moments. Of codecs
     /// that say it nowhere but in the file's header: false.
     bool isInterlaced() const;
@@ -75,12 +78,14 @@ private:
                                                     const AVInputFormat *known, const CancelToken &cancel);
     Result<void> openContainer(const AVInputFormat *known);
     Result<void> findStream();
+    int readAny(AVPacket &packet);
 
     std::filesystem::path m_file;
     CancelToken m_cancel;
     AVIOContext *m_io = nullptr;
     AVFormatContext *m_container = nullptr;
     AVStream *m_stream = nullptr;
+    AVStream *m_sound = nullptr;
     AVChromaLocation m_containerChromaLocation = AVCHROMA_LOC_UNSPECIFIED;
     std::int64_t m_lastEnd = 0;
 };
@@ -132,6 +137,10 @@ Result<PacketIndex> indexPackets(VideoInput &input);
 
 /// The time stamp that identifies a packet: pts, else dts.
 std::int64_t timeStampOf(const AVPacket &packet);
+
+/// Whether no frame is shown of a packet of a video stream: an edit list cuts it off, or it is only referred
+/// to.
+bool isNeverShown(const AVPacket &packet, AVCodecID codec);
 
 /// Whether every slice of an FFV1 packet carries a CRC and it holds. libav's decoder hides a slice whose CRC
 /// fails behind the frame before and reports nothing, so it must be checked beforehand. A packet coded

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/video/image.h"
+#include "core/video/sound_track.h"
 #include "core/video/video_reader.h"
 #include "tests/fuzz/fuzz_file.h"
 
@@ -13,14 +14,16 @@ void show(const odo::Result<odo::Frame> &frame)
 
 } // namespace
 
-/// An imported video: its header and packets, the first frames, a part of one, and the last one by seeking.
-/// Pictures of a size that would only be slow are not decoded.
+/// An imported video: its sound, its header and packets, the first frames, a part of one, and the last one by
+/// seeking. Pictures of a size that would only be slow are not decoded.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t *bytes, std::size_t count)
 {
     using namespace odo;
     constexpr int mostPixels = 1 << 18;
     static fuzz::File file(".mkv");
-    const auto reader = VideoReader::open(file.holding(bytes, count));
+    const auto path = file.holding(bytes, count);
+    static_cast<void>(readSound(path, {}));
+    const auto reader = VideoReader::open(path);
     if (!reader)
         return 0;
     const VideoInfo info = (*reader)->info();

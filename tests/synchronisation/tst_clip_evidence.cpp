@@ -117,7 +117,7 @@ void TestClipEvidence::theMotionIsFinerThanTheFlash()
     filmed.flash({{4, 1.5}, {4.4, 1}});
     const auto found = filmed.find();
     QVERIFY2(found, found ? "" : found.error().message().c_str());
-    QVERIFY(!found->fromFlash);
+    QVERIFY(found->from == OffsetSource::Motion);
     QVERIFY(std::abs(found->clock.offsetS - 0.321) < 0.002);
     // in it is what a rate of 0.1 % that the motion cannot tell would make at the ends
     QVERIFY2(found->clock.sigmaS < 0.004, qPrintable(QString::number(found->clock.sigmaS)));
@@ -130,7 +130,7 @@ void TestClipEvidence::theFlashHelpsWhereTheMotionDoesNotTell()
     filmed.flash({{4, 1.5}, {4.4, 1}});
     const auto found = filmed.find();
     QVERIFY2(found, found ? "" : found.error().message().c_str());
-    QVERIFY(found->fromFlash);
+    QVERIFY(found->from == OffsetSource::Flash);
     QVERIFY(std::abs(found->clock.offsetS - 0.321) < 3 * found->clock.sigmaS);
     QCOMPARE(found->remarks.size(), std::size_t(1));
     QVERIFY2(found->remarks[0].english().find("straight at constant speed") != std::string::npos,
@@ -144,7 +144,7 @@ void TestClipEvidence::theFlashPicksAmongOffsetsThatFitAlike()
     filmed.flash({{4, 1.5}, {4.4, 1}});
     const auto found = filmed.find();
     QVERIFY2(found, found ? "" : found.error().message().c_str());
-    QVERIFY(!found->fromFlash);
+    QVERIFY(found->from == OffsetSource::Motion);
     QVERIFY(std::abs(found->clock.offsetS - 0.321) < 0.002 && found->clock.sigmaS < 0.002);
 }
 
@@ -154,7 +154,7 @@ void TestClipEvidence::saysWhenTheyDisagree()
     filmed.flash({{4, 1.5}}, {{4.2, 1.5}});
     const auto found = filmed.find();
     QVERIFY2(found, found ? "" : found.error().message().c_str());
-    QVERIFY(!found->fromFlash && std::abs(found->clock.offsetS - 0.321) < 0.002);
+    QVERIFY(found->from == OffsetSource::Motion && std::abs(found->clock.offsetS - 0.321) < 0.002);
     QCOMPARE(found->remarks.size(), std::size_t(1));
     QVERIFY2(found->remarks[0].english().find("the motion gives a time offset of 0.3") == 0,
              found->remarks[0].english().c_str());
@@ -241,7 +241,8 @@ void TestClipEvidence::worksWithoutAnyRobot()
     }
     const auto found = findClipOffset(evidence[0], evidence[1], tenSeconds);
     QVERIFY2(found, found ? "" : found.error().message().c_str());
-    QVERIFY(found->fromFlash && std::abs(found->clock.offsetS - 0.5) < 3 * found->clock.sigmaS);
+    QVERIFY(found->from == OffsetSource::Flash &&
+            std::abs(found->clock.offsetS - 0.5) < 3 * found->clock.sigmaS);
     evidence[1].light = {};
     const auto none = findClipOffset(evidence[0], evidence[1], tenSeconds);
     QVERIFY(!none);

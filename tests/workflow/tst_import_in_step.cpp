@@ -112,10 +112,12 @@ void TestImportInStep::saysWhatToDoWithoutAFlash()
     const auto done = runToEnd(job, *m_project, {});
     QVERIFY2(done, done ? "" : done.error().message().c_str());
     QCOMPARE(m_project->trials().find("dull")->syncMethod, std::string("none"));
-    QCOMPARE(job.warnings().front().english(),
-             std::string("synchronisation of view 'B': camera 'A' is not registered to the floor, and only "
-                         "one of the views shows a flash of light; the same start time was assumed; flash "
-                         "the room lights once while both cameras record, or give --sync SECONDS"));
+    QCOMPARE(
+        job.warnings().front().english(),
+        std::string("synchronisation of view 'B': camera 'A' is not registered to the floor, only "
+                    "one of the views shows a flash of light, and view 'A' has no sound; the same start "
+                    "time was assumed; flash the room lights or clap twice while both cameras record, or "
+                    "give --sync SECONDS"));
 }
 
 void TestImportInStep::refusesStepsOfOtherNumber()

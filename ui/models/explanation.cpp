@@ -60,6 +60,8 @@ QString stepText(const RecordingRecord &view)
         text = AnalysisWords::tr("synchronised to %1 by the motion; %2").arg(sigma, begun);
     else if (view.syncMethod == "flash")
         text = AnalysisWords::tr("synchronised to %1 by a flash of light; %2").arg(sigma, begun);
+    else if (view.syncMethod == "audio")
+        text = AnalysisWords::tr("synchronised to %1 by sound; %2").arg(sigma, begun);
     else if (view.syncMethod == "clock")
         text = AnalysisWords::tr("synchronised to %1 by the cameras' time stamps; %2").arg(sigma, begun);
     else

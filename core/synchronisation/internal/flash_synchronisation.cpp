@@ -3,8 +3,8 @@
 
 #include "core/base/percentile.h"
 #include "core/base/units.h"
+#include "core/synchronisation/internal/event_pairs.h"
 
-#include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -173,24 +173,14 @@ constexpr double againstAMiss = 2.3; ///< ln 10
 constexpr double clearLead = 5;      ///< ln 150
 constexpr double shutterSigma = 0.1; ///< of the frame interval
 constexpr double toleranceSigmas = 4;
-constexpr double usualRate = 2e-4; ///< by which clocks may differ while edges are paired
-constexpr double shortestRateSpanS = 20;
-constexpr std::size_t fewestForRate = 3;
+constexpr double usualRate = 2e-4;     ///< by which clocks may differ while edges are paired
 constexpr std::size_t mostEdges = 200; ///< more is a flickering lamp, which gives no offset
-
-struct Pair
-{
-    double firstS = 0, secondS = 0; ///< each by its own clock
-    double variance = 0;            ///< of their difference, s²
-
-    double offsetS() const { return firstS - secondS; }
-};
 
 /// What speaks for an offset, and against it.
 struct Proposal
 {
     double offsetS = 0;
-    std::vector<Pair> pairs;
+    std::vector<EventPair> pairs;
     std::size_t missed = 0;
 
     double likelihood() const { return forAPair * double(pairs.size()) - againstAMiss * double(missed); }
@@ -267,58 +257,15 @@ private:
     const LightCourse &m_first, &m_second;
 };
 
-/// Weighted least squares of firstS = offset + secondS · (1 − rate), or with the rate left at 0.
-struct Line
-{
-    double offsetS = 0, rate = 0, offsetSigmaS = 0, rateSigma = 0;
-};
-
-Line lineThrough(const std::vector<Pair> &pairs, bool withRate)
-{
-    Eigen::Matrix2d normal = Eigen::Matrix2d::Zero();
-    Eigen::Vector2d right = Eigen::Vector2d::Zero();
-    for (const Pair &pair : pairs) {
-        const Eigen::Vector2d row(1, withRate ? -pair.secondS : 0.0);
-        normal += row * row.transpose() / pair.variance;
-        right += row * pair.offsetS() / pair.variance;
-    }
-    if (!withRate)
-        normal(1, 1) = 1;
-    const Eigen::Matrix2d covariance = normal.inverse();
-    const Eigen::Vector2d solved = covariance * right;
-    double chiSquare = 0;
-    for (const Pair &pair : pairs) {
-        const double residual = pair.offsetS() - solved.x() + (withRate ? solved.y() * pair.secondS : 0.0);
-        chiSquare += residual * residual / pair.variance;
-    }
-    const double freedom = std::max(1.0, double(pairs.size()) - (withRate ? 2 : 1));
-    const double scatter = std::sqrt(std::max(1.0, chiSquare / freedom));
-    return {solved.x(), withRate ? solved.y() : 0.0, scatter * std::sqrt(covariance(0, 0)),
-            withRate ? scatter * std::sqrt(covariance(1, 1)) : 0.0};
-}
-
-double spanS(const std::vector<Pair> &pairs)
-{
-    const auto [from, to] = std::minmax_element(
-        pairs.begin(), pairs.end(), [](const Pair &a, const Pair &b) { return a.secondS < b.secondS; });
-    return to->secondS - from->secondS;
-}
-
 ClipOffset flashOffset(const Proposal &proposal, double shutterS)
 {
-    const std::vector<Pair> &pairs = proposal.pairs;
-    Line line = lineThrough(pairs, false);
+    const ClockLine line = clockLineThrough(proposal.pairs);
     ClipOffset result;
-    if (pairs.size() >= fewestForRate && spanS(pairs) > shortestRateSpanS) {
-        const Line tilted = lineThrough(pairs, true);
-        result.rateSigma = tilted.rateSigma;
-        if (std::abs(tilted.rate) > 3 * tilted.rateSigma && std::abs(tilted.rate) < largestClockRate)
-            line = tilted;
-    }
     result.offsetS = line.offsetS;
     result.sigmaS = std::hypot(line.offsetSigmaS, shutterS);
     result.rate = line.rate;
-    result.score = double(pairs.size()) / double(pairs.size() + proposal.missed);
+    result.rateSigma = line.rateSigma;
+    result.score = double(proposal.pairs.size()) / double(proposal.pairs.size() + proposal.missed);
     return result;
 }
 
@@ -326,8 +273,8 @@ ClipOffset flashOffset(const Proposal &proposal, double shutterS)
 /// their offsets differ by what the clocks gained from one to the other.
 bool isSame(const Proposal &a, const Proposal &b)
 {
-    return std::any_of(a.pairs.begin(), a.pairs.end(), [&b](const Pair &pair) {
-        return std::any_of(b.pairs.begin(), b.pairs.end(), [&pair](const Pair &other) {
+    return std::any_of(a.pairs.begin(), a.pairs.end(), [&b](const EventPair &pair) {
+        return std::any_of(b.pairs.begin(), b.pairs.end(), [&pair](const EventPair &other) {
             return pair.firstS == other.firstS && pair.secondS == other.secondS;
         });
     });

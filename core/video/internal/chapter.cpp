@@ -66,16 +66,6 @@ Message differenceOf(const Chapter &chapter, const Chapter &first)
     return {};
 }
 
-int soundStreamOf(const VideoInput &input)
-{
-    for (unsigned i = 0; i < input.container().nb_streams; ++i) {
-        const AVCodecParameters &parameters = *input.container().streams[i]->codecpar;
-        if (parameters.codec_type == AVMEDIA_TYPE_AUDIO && parameters.codec_id != AV_CODEC_ID_NONE)
-            return static_cast<int>(i);
-    }
-    return -1;
-}
-
 std::optional<Nanoseconds> recordedAt(const VideoInput &input)
 {
     const AVDictionaryEntry *entry = av_dict_get(input.container().metadata, "creation_time", nullptr, 0);
@@ -117,7 +107,6 @@ Result<Chapter> readChapter(const std::filesystem::path &file, const JobControl 
     chapter.packets = index.packets.size();
     chapter.warning = index.warning;
     chapter.endsEarly = index.endsEarly;
-    chapter.sound = soundStreamOf(*chapter.input);
     if (const auto at = recordedAt(*chapter.input))
         chapter.recorded = RecordedSpan{*at, index.times.back() + chapter.usual};
     return chapter;
@@ -152,9 +141,9 @@ bool haveSameSetUp(const AVCodecParameters &a, const AVCodecParameters &b)
 bool haveSameSound(const std::vector<Chapter> &chapters)
 {
     return std::ranges::all_of(chapters, [&](const Chapter &chapter) {
-        if (chapter.sound < 0 || chapters.front().sound < 0)
+        if (!chapter.sound() || !chapters.front().sound())
             return false;
-        const AVCodecParameters &own = chapter.soundParameters(), &its = chapters.front().soundParameters();
+        const AVCodecParameters &own = *chapter.sound()->codecpar, &its = *chapters.front().sound()->codecpar;
         return own.codec_id == its.codec_id && own.sample_rate == its.sample_rate &&
                own.ch_layout.nb_channels == its.ch_layout.nb_channels && own.format == its.format &&
                haveSameSetUp(own, its);

@@ -20,13 +20,12 @@ struct Chapter
     std::int64_t firstPts = 0, lastPts = 0;
     Nanoseconds usual{0}; ///< interval of its frames; 0 of a single one
     std::size_t packets = 0;
-    int sound = -1; ///< stream; -1: none
     Message warning;
     bool endsEarly = false;
     std::optional<RecordedSpan> recorded; ///< as its headers say, with the duration of its frames
 
     const AVCodecParameters &parameters() const { return *input->stream().codecpar; }
-    const AVCodecParameters &soundParameters() const { return *input->container().streams[sound]->codecpar; }
+    const AVStream *sound() const { return input->sound(); } ///< null: none
 };
 
 /// Opens the files and walks through their packets. Errors as of joinChapters, except for those of writing.

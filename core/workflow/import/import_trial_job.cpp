@@ -10,10 +10,10 @@
 #include "core/project/project_words.h"
 #include "core/project/records.h"
 #include "core/project/repositories.h"
-#include "core/synchronisation/clip_evidence.h"
 #include "core/video/frame_times.h"
 #include "core/video/video_reader.h"
 #include "core/workflow/calibrate/cameras.h"
+#include "core/workflow/import/internal/clip_offsets.h"
 #include "core/workflow/import/internal/view_times.h"
 #include "core/workflow/import/teams.h"
 #include "core/workflow/media_copy.h"
@@ -33,107 +33,29 @@ namespace odo {
 
 namespace {
 
-constexpr double longestOffsetS = 10;
-
-std::vector<std::vector<MotionTrack>> tracksOf(const std::vector<RegisteredView> &views,
-                                               const std::vector<RobotRecord> &robots,
-                                               const std::vector<TrackedView> &tracked)
+/// By what a view's offset is to be found; nullopt: it is not.
+std::optional<OffsetSource> sourceOf(ImportSettings::Sync how)
 {
-    std::vector<NamedRobot> named;
-    std::vector<std::string> names;
-    for (const RobotRecord &robot : robots) {
-        named.push_back(namedRobot(robot));
-        names.push_back(robot.name);
+    switch (how) {
+    case ImportSettings::Sync::Automatic:
+        return OffsetSource::Any;
+    case ImportSettings::Sync::Motion:
+        return OffsetSource::Motion;
+    case ImportSettings::Sync::Flash:
+        return OffsetSource::Flash;
+    case ImportSettings::Sync::Sound:
+        return OffsetSource::Sound;
+    case ImportSettings::Sync::None:
+    case ImportSettings::Sync::Given:
+        break;
     }
-    std::vector<NamedView> seen;
-    for (std::size_t v = 0; v < views.size(); ++v) {
-        // the views' time offsets are not known yet: each decides alone which moving things are the robots
-        std::vector<NamedView> alone(1);
-        alone.front().floorView = views[v].floorView;
-        for (const ObservationSeries &series : tracked[v].series)
-            alone.front().robots.push_back(series.observations);
-        alone.front().others = tracked[v].others;
-        if (!tracked[v].others.empty())
-            assignNames(alone, named);
-        seen.push_back(std::move(alone.front()));
-    }
-    return motionTracks(seen, named, names);
+    return std::nullopt;
 }
 
-Message whyNoTracks(const RegisteredView &view, const std::vector<RobotRecord> &robots)
+const char *methodOf(OffsetSource source)
 {
-    if (!view.floorView)
-        return ODO_TEXT("workflow.camera_not_on_floor", "camera '%1' is not registered to the floor")(
-            Named::camera(view.recording.cameraName));
-    return robots.empty() ? noRobotToTrack() : Message();
+    return source == OffsetSource::Sound ? "audio" : source == OffsetSource::Flash ? "flash" : "auto";
 }
-
-/// What is found of the clocks of all views.
-struct FoundClocks
-{
-    std::vector<Result<FoundOffset>> views; ///< for each but the first, against the first as repaired
-    std::vector<Message> frameSteps;        ///< whole sentences on frames that were missing or doubled
-    std::optional<ClockRepair> first;       ///< of the first view's stamps
-};
-
-/// Once a view shows that the first one's stamps are uneven, all are compared with the repaired ones.
-FoundClocks clocksFrom(std::vector<ClipEvidence> evidence)
-{
-    FoundClocks found;
-    for (std::size_t v = 1; v < evidence.size(); ++v) {
-        auto offset = findClipOffset(evidence.front(), evidence[v], {0, longestOffsetS});
-        if (offset && !offset->clock.first.steps.empty() && !found.first) {
-            found.first = offset->clock.first;
-            for (MotionTrack &track : evidence.front().tracks)
-                for (TimedPosition &position : track.positions)
-                    position.timeS = found.first->timeS(position.timeS);
-            found.views.clear();
-            v = 0;
-            continue;
-        }
-        found.views.push_back(std::move(offset));
-    }
-    return found;
-}
-
-} // namespace
-
-/// Reads all views once, tracks the robots where two views or more are registered and measures the light, and
-/// finds for each view but the first its time offset to the first (findClipOffset): Undetermined, with the
-/// reason, if neither motion nor a flash gives it. Touches no project. Errors: a video that cannot be read;
-/// cancelled. Before that the frame times of each view by itself are corrected (correctFrameTimes).
-Result<FoundClocks> findClipOffsets(const std::string &trial, std::vector<RegisteredView> &views,
-                                    const std::vector<RobotRecord> &robots, const JobControl &control)
-{
-    const auto registered =
-        std::count_if(views.begin(), views.end(), [](const RegisteredView &view) { return view.floorView; });
-    const bool canTrack = views.front().floorView && registered > 1 && !robots.empty();
-    auto tracked = ODO_TRY(
-        trackViews(views, canTrack ? robots : std::vector<RobotRecord>{}, control, WithLight::Measured));
-    std::vector<std::vector<MotionTrack>> tracks(views.size());
-    std::vector<Message> frameSteps;
-    if (canTrack) {
-        const std::vector<std::size_t> byFields = takeFields(views, tracked, control.cancel);
-        if (!byFields.empty())
-            tracked = ODO_TRY(trackViews(views, robots, control, WithLight::Measured));
-        for (std::size_t v = 0; v < views.size(); ++v)
-            if (tracked[v].interlace == Interlace::Fields && std::ranges::find(byFields, v) == byFields.end())
-                tracked[v].interlace = Interlace::None; // said already
-        correctFrameTimes(views, robots, tracked);
-        frameSteps = frameStepWarnings(trial, views, tracked);
-        tracks = tracksOf(views, robots, tracked);
-    }
-    std::vector<ClipEvidence> evidence;
-    for (std::size_t v = 0; v < views.size(); ++v)
-        evidence.push_back(
-            {std::move(tracks[v]), whyNoTracks(views[v], robots), lightCourseOf(tracked[v].light)});
-
-    FoundClocks found = clocksFrom(std::move(evidence));
-    found.frameSteps = std::move(frameSteps);
-    return found;
-}
-
-namespace {
 
 double durationOf(const RecordingRecord &recording)
 {
@@ -181,9 +103,8 @@ Result<void> ImportTrialJob::prepare(Project &project)
     m_sources = ODO_TRY(viewSourcesOf(m_settings));
     m_trial.name = m_settings.trial;
     m_trial.task = m_settings.task;
-    const bool looks = std::any_of(m_settings.steps.begin(), m_settings.steps.end(), [](const auto &step) {
-        return step.how == ImportSettings::Sync::Automatic;
-    });
+    const bool looks = std::any_of(m_settings.steps.begin(), m_settings.steps.end(),
+                                   [](const auto &step) { return sourceOf(step.how).has_value(); });
     if (!m_settings.robots.empty() || looks) {
         auto robots = robotsToTrack(project, m_trial, m_settings.robots);
         if (!robots && !m_settings.robots.empty())
@@ -213,6 +134,7 @@ Result<void> ImportTrialJob::prepare(Project &project)
             }
         }
         m_viewIntrinsics.push_back(std::move(lens));
+        m_microphones.push_back(ODO_TRY(microphonePositionOf(project, view)));
         m_views.push_back(std::move(view));
     }
     return {};
@@ -335,7 +257,7 @@ Result<void> ImportTrialJob::synchronise(const JobControl &control)
     for (std::size_t view = 1; view < m_recordings.size(); ++view) {
         const ImportSettings::ViewStep &step = m_settings.steps[view - 1];
         m_recordings[view].syncMethod = "none";
-        if (step.how == ImportSettings::Sync::Automatic)
+        if (sourceOf(step.how))
             toFind.push_back(view);
         if (step.how == ImportSettings::Sync::Given) {
             m_recordings[view].syncMethod = "told";
@@ -370,10 +292,14 @@ void ImportTrialJob::repairTimes(RecordingRecord &recording, const ClockRepair &
 Result<void> ImportTrialJob::findOffsets(const std::vector<std::size_t> &toFind, const JobControl &control)
 {
     std::vector<RegisteredView> views{m_views.front()};
-    for (const std::size_t view : toFind)
+    ClipOffsetSearch search{
+        m_settings.trial, {}, m_robots, {m_microphones.front()}, m_settings.rate.has_value()};
+    for (const std::size_t view : toFind) {
         views.push_back(m_views[view]);
-    auto [found, frameSteps, firstRepair] =
-        ODO_TRY(findClipOffsets(m_settings.trial, views, m_robots, control));
+        search.sources.push_back(*sourceOf(m_settings.steps[view - 1].how));
+        search.microphones.push_back(m_microphones[view]);
+    }
+    auto [found, frameSteps, firstRepair] = ODO_TRY(findClipOffsets(views, search, control));
     std::ranges::move(frameSteps, std::back_inserter(m_warnings));
     m_recordings.front().frameTimes = views.front().recording.frameTimes;
     for (std::size_t i = 0; i < toFind.size(); ++i)
@@ -385,6 +311,8 @@ Result<void> ImportTrialJob::findOffsets(const std::vector<std::size_t> &toFind,
         const Result<FoundOffset> &offset = found[i];
         const Message what = ODO_TEXT("workflow.synchronisation_of_view",
                                       "synchronisation of view '%1'")(Named::camera(recording.cameraName));
+        if (!offset && search.sources[i] != OffsetSource::Any)
+            return fail(offset.error().code, what, offset.error().why, offset.error().advice);
         if (!offset) {
             const Message taken = ODO_TEXT("workflow.taken_as_begun_together",
                                            "%1; the same start time was assumed")(offset.error().why);
@@ -397,7 +325,7 @@ Result<void> ImportTrialJob::findOffsets(const std::vector<std::size_t> &toFind,
         if (Message sentence = clockRateSentence(recording, m_recordings.front(), offset->clock.rate);
             !sentence.isEmpty())
             m_warnings.push_back(joined({what, std::move(sentence)}, Join::Colon));
-        recording.syncMethod = offset->fromFlash ? "flash" : "auto";
+        recording.syncMethod = methodOf(offset->from);
         recording.startOffsetS = offset->clock.offsetS;
         recording.startOffsetSigmaS = offset->clock.sigmaS;
         recording.clockRate = offset->clock.rate;

@@ -4,7 +4,7 @@
 #include "core/exchange/table/track_reading.h"
 #include "core/files/temporary.h"
 #include "core/project/records.h"
-#include "core/synchronisation/clock_repair.h"
+#include "core/synchronisation/clip_evidence.h"
 #include "core/workflow/import/internal/view_source.h"
 #include "core/workflow/job.h"
 #include "core/workflow/trial_sources.h"
@@ -19,7 +19,9 @@ namespace odo {
 
 struct ImportSettings
 {
-    enum class Sync { Automatic, None, Given };
+    /// Of Motion, Flash or Sound nothing else is looked at, and an import that does not find the offset ends
+    /// with the reason.
+    enum class Sync { Automatic, None, Given, Motion, Flash, Sound };
     /// How a view is synchronised with the first.
     struct ViewStep
     {
@@ -86,7 +88,8 @@ private:
     bool m_folderWasThere = true;
     std::vector<ViewSource> m_sources;
     std::vector<RobotRecord> m_robots;
-    std::vector<RegisteredView> m_views; ///< only to synchronise
+    std::vector<RegisteredView> m_views;                          ///< only to synchronise
+    std::vector<std::optional<MicrophonePosition>> m_microphones; ///< of each view
     std::vector<std::optional<Intrinsics>>
         m_viewIntrinsics; ///< of each view: that of its registration, or in force
     TrialRecord m_trial;

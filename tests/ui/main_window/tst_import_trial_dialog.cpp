@@ -121,8 +121,10 @@ void TestImportTrialDialog::asksOneStepForEachFurtherView()
     QCOMPARE(automatic.steps.size(), std::size_t(2));
     QVERIFY(automatic.steps[0].how == Sync::Automatic && automatic.steps[1].how == Sync::Automatic);
 
-    how->setCurrentIndex(1);
-    howThird->setCurrentIndex(2);
+    how->setCurrentIndex(how->findData(int(Sync::Sound)));
+    QVERIFY(m_dialog->settings().steps[0].how == Sync::Sound && !later->isEnabled());
+    how->setCurrentIndex(how->findData(int(Sync::None)));
+    howThird->setCurrentIndex(howThird->findData(int(Sync::Given)));
     QVERIFY(!later->isEnabled() && laterThird->isEnabled());
     laterThird->setValue(-0.1375);
     const ImportSettings told = m_dialog->settings();
@@ -152,8 +154,8 @@ void TestImportTrialDialog::aCameraShowsHowWellItIsRegistered()
 void TestImportTrialDialog::aViewWithoutAVideoNeedsNoStep()
 {
     addThirdView();
-    field<QComboBox>("How to synchronise view 2 with the first")->setCurrentIndex(1);
-    field<QComboBox>("How to synchronise view 3 with the first")->setCurrentIndex(2);
+    field<QComboBox>("How to synchronise view 2 with the first")->setCurrentIndex(4);
+    field<QComboBox>("How to synchronise view 3 with the first")->setCurrentIndex(5);
     const auto files = m_dialog->findChildren<PathField *>();
     files.at(1)->setPath({});
     const ImportSettings gap = m_dialog->settings();
@@ -240,7 +242,7 @@ void TestImportTrialDialog::imagesNeedTheirRate()
 void TestImportTrialDialog::isReachedByTheTabKey()
 {
     addThirdView();
-    field<QComboBox>("How to synchronise view 2 with the first")->setCurrentIndex(2);
+    field<QComboBox>("How to synchronise view 2 with the first")->setCurrentIndex(5);
     m_dialog->show();
     QVERIFY(QTest::qWaitForWindowActive(m_dialog.get()));
     QStringList reached;
@@ -289,7 +291,7 @@ void TestImportTrialDialog::paintsThePicture()
     QFETCH(bool, dark);
     m_dialog->setPalette(dark ? darkPalette() : lightPalette());
     addThirdView();
-    field<QComboBox>("How to synchronise view 3 with the first")->setCurrentIndex(2);
+    field<QComboBox>("How to synchronise view 3 with the first")->setCurrentIndex(5);
     field<QDoubleSpinBox>("Time offset of view 3")->setValue(0.4137);
     m_dialog->adjustSize();
     const QPixmap image = m_dialog->grab();

@@ -36,6 +36,8 @@ private Q_SLOTS:
         QTest::newRow("flash") << "flash" << 0.0 << "synchronised to 0.4 ms"
                                << "B: synchronised to 0.4 ms by a flash of light; started 12.5 ms earlier"
                                << false;
+        QTest::newRow("sound") << "audio" << 0.0 << "synchronised to 0.4 ms"
+                               << "B: synchronised to 0.4 ms by sound; started 12.5 ms earlier" << false;
         QTest::newRow("by hand") << "told" << 0.0 << "manual offset"
                                  << "B: started 12.5 ms earlier, set by hand" << false;
         QTest::newRow("none") << "none" << 0.0 << "not synchronised"

@@ -286,11 +286,15 @@ void ViewSteps::addView()
         return;
     const int number = static_cast<int>(m_views);
     Row row{new ElidedLabel, new QComboBox, new NumberBox};
-    row.how->addItem(tr("From the motion or a flash"), static_cast<int>(Sync::Automatic));
+    row.how->addItem(tr("Automatic: motion, flash or sound"), static_cast<int>(Sync::Automatic));
+    row.how->addItem(tr("By the motion"), static_cast<int>(Sync::Motion));
+    row.how->addItem(tr("By a flash of light"), static_cast<int>(Sync::Flash));
+    row.how->addItem(tr("By sound"), static_cast<int>(Sync::Sound));
     row.how->addItem(tr("Same start time"), static_cast<int>(Sync::None));
     row.how->addItem(tr("By hand: time offset"), static_cast<int>(Sync::Given));
     row.how->setAccessibleName(tr("How to synchronise view %1 with the first").arg(number));
-    row.how->setToolTip(tr("A flash: switch the room lights on and off once while all cameras record"));
+    row.how->setToolTip(tr("A flash: switch the room lights on and off once while all cameras record. Sound: "
+                           "clap twice near the middle of the floor"));
     row.later->setRange(-highestOffsetS, highestOffsetS);
     row.later->setDecimals(4);
     row.later->setSingleStep(0.01);

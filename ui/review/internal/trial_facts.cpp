@@ -34,7 +34,8 @@ struct StepWords
     QString formula, uncertainty;
 };
 
-/// As core/synchronisation/internal/clip_synchronisation.h and flash_synchronisation.h have it.
+/// As clip_synchronisation.h, flash_synchronisation.h and sound_synchronisation.h have it
+/// (core/synchronisation).
 std::optional<StepWords> stepWords(const std::string &method)
 {
     if (method == "auto")
@@ -52,6 +53,17 @@ std::optional<StepWords> stepWords(const std::string &method)
                 "of the pairs. It is used if every other offset is at least 150 times less likely."),
             FactExplanationsWords::tr("from the pairs and their scatter, plus a tenth of a frame interval "
                                       "per view for its shutter")};
+    if (method == "audio")
+        return StepWords{
+            FactExplanationsWords::tr(
+                "The time offset at which claps, knocks or whistles in the sound of both views coincide: the "
+                "weighted mean of the pairs, less the time that sound takes to reach each camera. It is used "
+                "if "
+                "every other offset is at least 150 times less likely."),
+            FactExplanationsWords::tr(
+                "from the pairs, from where on the floor the sound may have come, 50 ppm "
+                "of the time from the start of the recording to the sound, and 2 ms by which "
+                "each camera may record its sound early or late")};
     if (method == "clock")
         return StepWords{
             FactExplanationsWords::tr("Each camera's time stamps, converted to this computer's clock by "
