@@ -2,7 +2,6 @@
 #include "core/video/video_reader.h"
 
 #include "core/base/shortage.h"
-#include "core/video/field_motion.h"
 #include "core/video/frame_times.h"
 #include "core/video/frame_turn.h"
 #include "core/video/internal/fields.h"
@@ -11,6 +10,7 @@
 #include "core/video/internal/pixel_planes.h"
 #include "core/video/internal/stream_format.h"
 #include "core/video/jpeg.h"
+#include "core/video/planes/field_motion.h"
 #include "core/video/video_input.h"
 
 #include <algorithm>

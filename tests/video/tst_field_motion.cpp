@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/video/field_motion.h"
+#include "core/video/planes/field_motion.h"
 #include "tests/support/registered_test.h"
 #include "tests/video/moving_square.h"
 

@@ -5,7 +5,7 @@
 #include "core/capture/aravis/internal/aravis_library.h"
 #include "core/capture/aravis/internal/gvcp.h"
 #include "core/capture/camera_source.h"
-#include "core/video/camera_planes.h"
+#include "core/video/planes/camera_planes.h"
 
 #include <algorithm>
 #include <array>

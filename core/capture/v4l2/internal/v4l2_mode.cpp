@@ -2,8 +2,8 @@
 #include "core/capture/v4l2/internal/v4l2_mode.h"
 
 #include "core/capture/camera_source.h"
-#include "core/video/camera_planes.h"
 #include "core/video/jpeg.h"
+#include "core/video/planes/camera_planes.h"
 
 #include <algorithm>
 #include <array>

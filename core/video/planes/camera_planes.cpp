@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/video/camera_planes.h"
+#include "core/video/planes/camera_planes.h"
 
 #include <algorithm>
 #include <array>
