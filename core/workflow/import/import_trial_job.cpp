@@ -186,6 +186,8 @@ Result<void> ImportTrialJob::readVideo(std::size_t view, const CancelToken &canc
             time = fromSeconds(toSeconds(time) * scale);
         recording.framesPerSecond = *rate;
     }
+    const double playsS = toSeconds(info.frameTimes.back()), tookS = durationOf(recording);
+    m_playsOtherwise = m_playsOtherwise || std::abs(tookS - playsS) > 0.01 * playsS;
     const std::vector<Nanoseconds> &times = own.times.empty() ? info.frameTimes : recording.frameTimes;
     std::vector<Message> remarks = timeRemarks(info, times, areGiven);
     if (rate && !areGiven)
@@ -292,8 +294,7 @@ void ImportTrialJob::repairTimes(RecordingRecord &recording, const ClockRepair &
 Result<void> ImportTrialJob::findOffsets(const std::vector<std::size_t> &toFind, const JobControl &control)
 {
     std::vector<RegisteredView> views{m_views.front()};
-    ClipOffsetSearch search{
-        m_settings.trial, {}, m_robots, {m_microphones.front()}, m_settings.rate.has_value()};
+    ClipOffsetSearch search{m_settings.trial, {}, m_robots, {m_microphones.front()}, m_playsOtherwise};
     for (const std::size_t view : toFind) {
         views.push_back(m_views[view]);
         search.sources.push_back(*sourceOf(m_settings.steps[view - 1].how));

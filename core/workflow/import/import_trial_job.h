@@ -95,6 +95,7 @@ private:
     TrialRecord m_trial;
     std::vector<RecordingRecord> m_recordings;
     std::vector<ViewCoding> m_codings;
+    bool m_playsOtherwise = false;    ///< a view was not taken as fast as its file plays
     std::vector<ClaimedFile> m_files; ///< until they are the trial's
     std::vector<Message> m_warnings;
 };

@@ -5,6 +5,7 @@
 #include "core/simulation/renderer.h"
 #include "core/video/image.h"
 #include "core/workflow/calibrate/cameras.h"
+#include "core/workflow/import/import_trial_job.h"
 #include "tests/support/registered_test.h"
 #include "tests/ui/support/driven_window.h"
 #include "tests/ui/support/found_widgets.h"
@@ -89,7 +90,8 @@ private:
     QString message() const { return m_window->findChild<MessageBar *>()->text(); }
     Project &project() const { return *m_window->workspace().project(); }
     QStringList content() const { return contentOf(project()); }
-    Answer importAnswer(const QString &trial, const QString &first, const QString &second, int sync) const;
+    Answer importAnswer(const QString &trial, const QString &first, const QString &second,
+                        ImportSettings::Sync sync) const;
 
     QTemporaryDir m_folder;
     SimulatedScene m_scene = demoTestbed(3);
@@ -295,14 +297,14 @@ void TestWindowFlows::importsIntrinsics()
 }
 
 Answer TestWindowFlows::importAnswer(const QString &trial, const QString &first, const QString &second,
-                                     int sync) const
+                                     ImportSettings::Sync sync) const
 {
     return [this, trial, first, second, sync](QDialog &dialog) {
         auto &import = dynamic_cast<ImportTrialDialog &>(dialog);
         import.findChildren<QLineEdit *>().at(0)->setText(trial);
         for (auto *box : import.findChildren<QComboBox *>())
             if (const int index = box->findText(QStringLiteral("By hand: time offset")); index >= 0)
-                box->setCurrentIndex(sync);
+                box->setCurrentIndex(box->findData(int(sync)));
         setFile(dialog, 0, path(first));
         setFile(dialog, 1, path(second));
         press(dialog);
@@ -311,12 +313,13 @@ Answer TestWindowFlows::importAnswer(const QString &trial, const QString &first,
 
 void TestWindowFlows::importsATrial()
 {
-    run("Import trial from videos…",
-        {importAnswer(QStringLiteral("told"), QStringLiteral("a.mkv"), QStringLiteral("b.mkv"), 2)});
+    run("Import trial from videos…", {importAnswer(QStringLiteral("told"), QStringLiteral("a.mkv"),
+                                                   QStringLiteral("b.mkv"), ImportSettings::Sync::Given)});
     QVERIFY2(project().trials().find("told"), qPrintable(message()));
     QCOMPARE(project().trials().find("told")->syncMethod, std::string("told"));
     run("Import trial from videos…",
-        {importAnswer(QStringLiteral("found"), QStringLiteral("a.mkv"), QStringLiteral("b.mkv"), 0)});
+        {importAnswer(QStringLiteral("found"), QStringLiteral("a.mkv"), QStringLiteral("b.mkv"),
+                      ImportSettings::Sync::Automatic)});
     const auto found = project().trials().find("found");
     QVERIFY2(found, qPrintable(message()));
     QCOMPARE(project().trials().recordings(found->id)->size(), std::size_t(2));
@@ -346,7 +349,8 @@ void TestWindowFlows::refusesABadTrial()
     QFETCH(QString, second);
     QFETCH(QString, words);
     const QStringList before = content();
-    run("Import trial from videos…", {importAnswer(trial, QStringLiteral("a.mkv"), second, 1)});
+    run("Import trial from videos…",
+        {importAnswer(trial, QStringLiteral("a.mkv"), second, ImportSettings::Sync::None)});
     QVERIFY2(message().contains(words), qPrintable(message()));
     QCOMPARE(content(), before);
 }
