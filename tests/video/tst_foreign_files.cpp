@@ -281,10 +281,12 @@ void TestForeignFiles::coloursWithoutANameCountAsNotStated()
     const auto state = [](auto &what, int number) { std::memcpy(&what, &number, sizeof what); };
     state(parameters->color_space, 67); // in unknown_colours.m2v of the fuzzing seeds
     state(parameters->color_range, 3);
+    state(parameters->color_trc, 67);
     state(parameters->chroma_location, -1);
     libav::forgetUnknownColours(*parameters);
     QCOMPARE(parameters->color_space, AVCOL_SPC_UNSPECIFIED);
     QCOMPARE(parameters->color_range, AVCOL_RANGE_UNSPECIFIED);
+    QCOMPARE(parameters->color_trc, AVCOL_TRC_UNSPECIFIED);
     QCOMPARE(parameters->chroma_location, AVCHROMA_LOC_UNSPECIFIED);
     parameters->color_space = AVCOL_SPC_BT709;
     parameters->color_range = AVCOL_RANGE_JPEG;
