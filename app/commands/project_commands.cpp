@@ -195,7 +195,7 @@ Result<void> runCheck(const QStringList &arguments, const CancelToken &cancel)
     auto problems = project->check(!call.isSet(quick), call.control());
     if (!problems)
         return stopped(problems.error(), repairs);
-    if (const auto turned = turnedRecordings(*project, call.isSet(quick)))
+    if (const auto turned = turnedRecordings(*project, call.isSet(quick) ? Opened::NeverTurned : Opened::All))
         problems->insert(problems->end(), turned->begin(), turned->end());
     const auto unproved = ODO_TRY(project->analyses().countWithoutDigest());
     QJsonArray list;

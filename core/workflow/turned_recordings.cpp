@@ -14,9 +14,10 @@ namespace odo {
 
 namespace {
 
-bool wouldBeShownOtherwise(const RecordingRecord &recording, const std::filesystem::path &file)
+bool wouldBeShownOtherwise(const RecordingRecord &recording, const std::filesystem::path &file, Opened which)
 {
-    return VideoReader::isShownOtherwise(file, knownRecording(recording));
+    return (which == Opened::All || recording.orientation == 0) &&
+           VideoReader::isShownOtherwise(file, knownRecording(recording));
 }
 
 Message measuredAsStored()
@@ -33,9 +34,9 @@ Message importToTurn()
 } // namespace
 
 Message storedFrameWarning(const std::string &trialName, const RecordingRecord &recording,
-                           const std::filesystem::path &file)
+                           const std::filesystem::path &file, Opened which)
 {
-    if (!wouldBeShownOtherwise(recording, file))
+    if (!wouldBeShownOtherwise(recording, file, which))
         return {};
     return wholeMessage(viewInTrialSubject(recording.cameraName, trialName), measuredAsStored(),
                         importToTurn());
@@ -92,7 +93,8 @@ Message oldRegistrationWarning(const std::string &trialName, const RegisteredVie
         ODO_TEXT("workflow.register_upright", "register the camera again"));
 }
 
-std::vector<Message> turnedWarnings(const std::string &trialName, const std::vector<RegisteredView> &views)
+std::vector<Message> turnedWarnings(const std::string &trialName, const std::vector<RegisteredView> &views,
+                                    Opened which)
 {
     std::vector<Message> sentences;
     const auto add = [&sentences](Message sentence) {
@@ -100,13 +102,13 @@ std::vector<Message> turnedWarnings(const std::string &trialName, const std::vec
             sentences.push_back(std::move(sentence));
     };
     for (const RegisteredView &view : views) {
-        add(storedFrameWarning(trialName, view.recording, view.file));
+        add(storedFrameWarning(trialName, view.recording, view.file, which));
         add(oldRegistrationWarning(trialName, view));
     }
     return sentences;
 }
 
-Result<std::vector<ProjectProblem>> turnedRecordings(Project &project, bool isQuick)
+Result<std::vector<ProjectProblem>> turnedRecordings(Project &project, Opened which)
 {
     std::map<RecordId, std::string> trials;
     const auto names = ODO_TRY(project.trials().names());
@@ -118,8 +120,7 @@ Result<std::vector<ProjectProblem>> turnedRecordings(Project &project, bool isQu
     const auto recordings = ODO_TRY(project.trials().allRecordings());
     for (const RecordingRecord &recording : recordings) {
         const auto trial = trials.find(recording.trial);
-        if (trial != trials.end() && (!isQuick || recording.orientation == 0) &&
-            wouldBeShownOtherwise(recording, project.resolve(recording)))
+        if (trial != trials.end() && wouldBeShownOtherwise(recording, project.resolve(recording), which))
             problems.push_back({measuredAsStored(), viewInTrialSubject(recording.cameraName, trial->second),
                                 importToTurn()});
     }

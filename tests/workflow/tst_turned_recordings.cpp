@@ -119,7 +119,7 @@ private Q_SLOTS:
                         "its file says to turn, mirror or stretch them; import the video again to measure it "
                         "as it is shown"));
         QVERIFY(storedFrameWarning("old plain", plain, path("plain.mkv")).isEmpty());
-        const auto problems = turnedRecordings(*m_project, true).value();
+        const auto problems = turnedRecordings(*m_project, Opened::NeverTurned).value();
         QCOMPARE(problems.size(), std::size_t(1));
         QCOMPARE(problems[0].where.english(), std::string("view 'A' in trial 'old'"));
         RegisteredView view;

@@ -300,7 +300,7 @@ void TrialActions::askTrack(const QString &trial)
     if (const auto views = registeredViews(project, *record)) { // what else is wrong, tracking will say
         for (const Message &sentence : stepWarnings(record->name, *views))
             caveats << shownWords(sentence) + u'.';
-        for (const Message &sentence : turnedWarnings(record->name, *views))
+        for (const Message &sentence : turnedWarnings(record->name, *views, Opened::NeverTurned))
             caveats << shownWords(sentence) + u'.';
         for (QString &sentence : caveats)
             sentence.front() = sentence.front().toUpper();
