@@ -23369,6 +23369,13 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
 </context>
 <context>
+    <name>workflow.record_for_longer</name>
+    <message>
+        <source>record again, for longer</source>
+        <translation>nehmen Sie noch einmal länger auf</translation>
+    </message>
+</context>
+<context>
     <name>workflow.record_it_again</name>
     <message>
         <source>record it again</source>
@@ -23849,6 +23856,13 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>its time stamps mean %1, which no camera takes</source>
         <translation>ihre Zeitstempel bedeuten %1, was keine Kamera aufnimmt</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.stopped_before_first_frame</name>
+    <message>
+        <source>it was stopped before the first frame came</source>
+        <translation>sie wurde beendet, bevor das erste Bild kam</translation>
     </message>
 </context>
 <context>

@@ -23369,6 +23369,13 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     </message>
 </context>
 <context>
+    <name>workflow.record_for_longer</name>
+    <message>
+        <source>record again, for longer</source>
+        <translation>grabe de nuevo, durante más tiempo</translation>
+    </message>
+</context>
+<context>
     <name>workflow.record_it_again</name>
     <message>
         <source>record it again</source>
@@ -23849,6 +23856,13 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <message>
         <source>its time stamps mean %1, which no camera takes</source>
         <translation>sus marcas de tiempo significan %1, que ninguna cámara toma</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.stopped_before_first_frame</name>
+    <message>
+        <source>it was stopped before the first frame came</source>
+        <translation>se detuvo antes de que llegara el primer fotograma</translation>
     </message>
 </context>
 <context>

@@ -23369,6 +23369,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
 </context>
 <context>
+    <name>workflow.record_for_longer</name>
+    <message>
+        <source>record again, for longer</source>
+        <translation>enregistrez de nouveau, plus longtemps</translation>
+    </message>
+</context>
+<context>
     <name>workflow.record_it_again</name>
     <message>
         <source>record it again</source>
@@ -23849,6 +23856,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>its time stamps mean %1, which no camera takes</source>
         <translation>ses horodatages signifient %1, ce qu&apos;aucune caméra ne prend</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.stopped_before_first_frame</name>
+    <message>
+        <source>it was stopped before the first frame came</source>
+        <translation>il a été arrêté avant l’arrivée de la première image</translation>
     </message>
 </context>
 <context>

@@ -23329,6 +23329,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>workflow.record_for_longer</name>
+    <message>
+        <source>record again, for longer</source>
+        <translation>더 길게 다시 녹화하십시오</translation>
+    </message>
+</context>
+<context>
     <name>workflow.record_it_again</name>
     <message>
         <source>record it again</source>
@@ -23809,6 +23816,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>its time stamps mean %1, which no camera takes</source>
         <translation>타임스탬프대로라면 %1인데, 그런 카메라는 없습니다</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.stopped_before_first_frame</name>
+    <message>
+        <source>it was stopped before the first frame came</source>
+        <translation>첫 프레임이 오기 전에 중지되었습니다</translation>
     </message>
 </context>
 <context>

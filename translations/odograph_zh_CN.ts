@@ -23329,6 +23329,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>workflow.record_for_longer</name>
+    <message>
+        <source>record again, for longer</source>
+        <translation>请重新录制，时间长一些</translation>
+    </message>
+</context>
+<context>
     <name>workflow.record_it_again</name>
     <message>
         <source>record it again</source>
@@ -23809,6 +23816,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>its time stamps mean %1, which no camera takes</source>
         <translation>其时间戳意味着 %1，没有相机能做到</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.stopped_before_first_frame</name>
+    <message>
+        <source>it was stopped before the first frame came</source>
+        <translation>在第一帧到达之前就已停止</translation>
     </message>
 </context>
 <context>

@@ -85,6 +85,7 @@ private Q_SLOTS:
     void viewsNeverShareAFile();
     void aViewWithoutPicturesIsLeftOut();
     void withoutAnyPictureItFails();
+    void stoppedBeforeTheFirstFrameItSaysSo();
     void whatWasCutOffIsRecovered();
     void whatIsBeingRecordedIsLeftAlone();
     void aMissingFileIsWaitedFor();
@@ -207,6 +208,20 @@ void TestLiveTrial::withoutAnyPictureItFails()
     QCOMPARE(ended.error().message(),
              std::string("recording of trial 'run': no camera delivered a frame; check that they are "
                          "connected and not used by another program"));
+    QVERIFY(sitting.project->trials().all()->empty());
+}
+
+void TestLiveTrial::stoppedBeforeTheFirstFrameItSaysSo()
+{
+    Sitting sitting;
+    sitting.a->frames(10);
+    QTRY_COMPARE(sitting.session->health().views[0].delivered, 10u);
+    const auto live = sitting.begin();
+    const auto ended = runToEnd(**live, *sitting.project, {});
+    QCOMPARE(
+        ended.error().message(),
+        std::string("recording of trial 'run': it was stopped before the first frame came; record again, "
+                    "for longer"));
     QVERIFY(sitting.project->trials().all()->empty());
 }
 

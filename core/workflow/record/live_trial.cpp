@@ -141,6 +141,8 @@ Result<void> LiveTrial::run(const JobControl &control)
 {
     control.report(0, ODO_TEXT("workflow.writing_last_pictures", "writing the last frames"));
     const std::vector<ViewHealth> health = m_session.health().views;
+    m_delivering = std::ranges::any_of(
+        health, [](const ViewHealth &view) { return view.state == ViewHealth::State::Delivering; });
     m_outcome = m_session.stopRecording();
     m_recording = false;
     std::vector<EndedView> ended;
@@ -174,17 +176,27 @@ Result<void> LiveTrial::run(const JobControl &control)
     return {};
 }
 
+/// Why nothing was recorded.
+Error LiveTrial::withoutFrames() const
+{
+    const Message subject = recordingSubject(m_trial.name);
+    if (const std::optional<Error> &problem = m_outcome.views.front().problem)
+        return {ErrorCode::Io, subject, problem->why, problem->advice};
+    if (m_delivering)
+        return {ErrorCode::Io, subject,
+                ODO_TEXT("workflow.stopped_before_first_frame", "it was stopped before the first frame came"),
+                ODO_TEXT("workflow.record_for_longer", "record again, for longer")};
+    return {ErrorCode::Io, subject,
+            ODO_TEXT("workflow.no_camera_gave_picture", "no camera delivered a frame"),
+            ODO_TEXT("workflow.check_they_are_connected",
+                     "check that they are connected and not used by another program")};
+}
+
 Result<void> LiveTrial::commit(Project &project)
 {
     if (m_recordings.empty()) {
-        const std::optional<Error> &problem = m_outcome.views.front().problem;
         ODO_TRY(discard(project));
-        return fail(ErrorCode::Io, recordingSubject(m_trial.name),
-                    problem ? problem->why
-                            : ODO_TEXT("workflow.no_camera_gave_picture", "no camera delivered a frame"),
-                    problem ? problem->advice
-                            : ODO_TEXT("workflow.check_they_are_connected",
-                                       "check that they are connected and not used by another program"));
+        return tl::unexpected(withoutFrames());
     }
     auto completed = project.note(ODO_TEXT("workflow.record", "record %1")(Named::trial(m_trial.name)),
                                   [&]() -> Result<void> {

@@ -68,6 +68,7 @@ private:
     Result<void> addTo(Project &project, const std::vector<std::string> &cameras);
     Result<void> store(Project &project);
     Result<void> appendPending(Project &project) const;
+    Error withoutFrames() const;
     void warnOf(const ViewRecording &view, const std::string &camera, bool byWire);
 
     CaptureSession &m_session;
@@ -79,6 +80,7 @@ private:
     RecordingOutcome m_outcome;
     std::vector<Message> m_warnings;
     bool m_recording = false;
+    bool m_delivering = false; ///< a camera, as the recording was stopped
 };
 
 } // namespace odo

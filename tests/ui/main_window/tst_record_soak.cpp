@@ -127,15 +127,15 @@ void TestRecordSoak::recordTrial(int number, double seconds)
     QTRY_VERIFY_WITH_TIMEOUT(button->isEnabled(), longestMs);
     button->click();
     QTRY_VERIFY_WITH_TIMEOUT(page->isRecording(), longestMs);
-    const auto recorded = [&] {
+    const auto recorded = [&] { // the newest comes first
         const auto trials = m_project->trials().all();
-        return trials && trials->size() == std::size_t(number) && trials->back().durationS > seconds;
+        return trials && trials->size() == std::size_t(number) && trials->front().durationS > seconds;
     };
     QTRY_VERIFY_WITH_TIMEOUT(recorded() || !failure.isEmpty(), longestMs + int(2000 * seconds));
     QVERIFY2(failure.isEmpty(), qPrintable(failure));
     button->click();
     const auto measured = [&] {
-        const auto metrics = m_project->analyses().currentMetrics(m_project->trials().all()->back().id);
+        const auto metrics = m_project->analyses().currentMetrics(m_project->trials().all()->front().id);
         return metrics && metrics->size() == 1;
     };
     const auto ended = [&] { return !page->isRecording() && measured(); };
