@@ -162,6 +162,7 @@ inline const QString spike = QStringLiteral("spike");
 inline const QString square = QStringLiteral("square");
 inline const QString sslVision = QStringLiteral("ssl-vision");
 inline const QString sync = QStringLiteral("sync");
+inline const QString checkLine = QStringLiteral("check-line");
 inline const QString tape = QStringLiteral("tape");
 inline const QString task = QStringLiteral("task");
 inline const QString team = QStringLiteral("team");

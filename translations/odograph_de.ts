@@ -807,8 +807,8 @@
         <translation>Das war es</translation>
     </message>
     <message>
-        <source>For your own robots: create a project (Ctrl+N), set up the floor in Testbed (Ctrl+1), then record (Ctrl+2) or import videos (Ctrl+I). F1 explains each page.</source>
-        <translation>Mit Ihren eigenen Robotern: Legen Sie ein Projekt an (Strg+N), richten Sie unter Messplatz den Boden ein (Strg+1), nehmen Sie dann auf (Strg+2) oder importieren Sie Videos (Strg+I). F1 erklärt jede Seite.</translation>
+        <source>For your own robots: create a project (Ctrl+N). Its Start page leads you from the clips of two phones, or from connected cameras, to a first result. F1 explains each page.</source>
+        <translation>Mit Ihren eigenen Robotern: Legen Sie ein Projekt an (Strg+N). Seine Seite Start führt Sie von den Videos zweier Handys oder von angeschlossenen Kameras zu einem ersten Ergebnis. F1 erklärt jede Seite.</translation>
     </message>
 </context>
 <context>
@@ -877,6 +877,45 @@ Das Verfahren folgt S. Park, „Computational Vision for Automatic Tracking and 
     </message>
 </context>
 <context>
+    <name>MatWords</name>
+    <message>
+        <source>Row %1, sheet %2</source>
+        <translation>Reihe %1, Blatt %2</translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>This line is %1 long on the whole mat. Measure it.</source>
+        <translation>Diese Linie ist auf der ganzen Matte %1 lang. Messen Sie nach.</translation>
+    </message>
+    <message>
+        <source>Floor mat of %1 × %2 sheets. Print at 100 % (actual size). Cut along the dashed lines.</source>
+        <translation>Bodenmatte aus %1 × %2 Blättern. Mit 100 % (Originalgröße) drucken. An den gestrichelten Linien abschneiden.</translation>
+    </message>
+    <message>
+        <source>Floor mat of %1 × %2 sheets</source>
+        <translation>Bodenmatte aus %1 × %2 Blättern</translation>
+    </message>
+    <message>
+        <source>1. Print all pages at 100 % (actual size), not fitted to the page.</source>
+        <translation>1. Drucken Sie alle Seiten mit 100 % (Originalgröße), nicht an die Seite angepasst.</translation>
+    </message>
+    <message>
+        <source>2. Cut each sheet along its dashed lines. Lay it on its neighbours, up to their thin lines, as drawn below, and tape the sheets together.</source>
+        <translation>2. Schneiden Sie jedes Blatt an den gestrichelten Linien ab. Legen Sie es bis an die dünnen Linien auf seine Nachbarn, wie unten gezeichnet, und kleben Sie die Blätter zusammen.</translation>
+    </message>
+    <message>
+        <source>3. Measure the line at the lower edge. It should be %1 long; Odograph asks for what you measure.</source>
+        <translation>3. Messen Sie die Linie am unteren Rand. Sie sollte %1 lang sein; Odograph fragt nach dem, was Sie messen.</translation>
+    </message>
+    <message>
+        <source>4. Lay the mat flat where every camera sees all of it. The lower left corner is the origin, the lower edge the x axis.</source>
+        <translation>4. Legen Sie die Matte flach hin, wo jede Kamera sie ganz sieht. Die linke untere Ecke ist der Ursprung, der untere Rand die x-Achse.</translation>
+    </message>
+</context>
+<context>
     <name>Modes</name>
     <message>
         <source>Testbed</source>
@@ -897,6 +936,10 @@ Das Verfahren folgt S. Park, „Computational Vision for Automatic Tracking and 
     <message>
         <source>History</source>
         <translation>Verlauf</translation>
+    </message>
+    <message>
+        <source>Start</source>
+        <translation>Start</translation>
     </message>
 </context>
 <context>
@@ -1539,6 +1582,65 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
 </context>
 <context>
+    <name>SetupWords</name>
+    <message>
+        <source>Two phones on tripods are enough. Film the robot with both, import the clips or drop them on this window; or connect cameras.</source>
+        <translation>Zwei Handys auf Stativen genügen. Filmen Sie den Roboter mit beiden und importieren Sie die Videos oder ziehen Sie sie auf dieses Fenster; oder schließen Sie Kameras an.</translation>
+    </message>
+    <message>
+        <source>Cameras: %1.</source>
+        <translation>Kameras: %1.</translation>
+    </message>
+    <message>
+        <source>Print the mat, tape it together and lay it where every camera sees it while it films: from it Odograph knows where the floor is.</source>
+        <translation>Drucken Sie die Matte, kleben Sie sie zusammen und legen Sie sie hin, wo jede Kamera sie beim Filmen sieht: Daraus weiß Odograph, wo der Boden ist.</translation>
+    </message>
+    <message>
+        <source>Positions on the floor: %1.</source>
+        <translation>Positionen auf dem Boden: %1.</translation>
+    </message>
+    <message>
+        <source>Not registered yet: %1.</source>
+        <translation>Noch nicht eingemessen: %1.</translation>
+    </message>
+    <message>
+        <source>Optional. A printed board shows how the lens bends the image; without it positions far from the mat are less exact, and their ± says so.</source>
+        <translation>Freiwillig. Eine gedruckte Tafel zeigt, wie das Objektiv das Bild verbiegt; ohne sie sind Positionen weit von der Matte weniger genau, und ihr ± sagt es.</translation>
+    </message>
+    <message>
+        <source>Calibrated: %1.</source>
+        <translation>Vermessen: %1.</translation>
+    </message>
+    <message>
+        <source>A name is enough: Odograph finds a robot of any look by its motion.</source>
+        <translation>Ein Name genügt: Odograph findet einen Roboter, wie er auch aussieht, an seiner Bewegung.</translation>
+    </message>
+    <message>
+        <source>%1 and %2 more</source>
+        <translation>%1 und %2 weitere</translation>
+    </message>
+    <message>
+        <source>Robots: %1.</source>
+        <translation>Roboter: %1.</translation>
+    </message>
+    <message>
+        <source>Imported clips are tracked here, or record with connected cameras.</source>
+        <translation>Hier werden importierte Videos verfolgt; oder nehmen Sie mit angeschlossenen Kameras auf.</translation>
+    </message>
+    <message>
+        <source>%1 is not measured yet.</source>
+        <translation>%1 ist noch nicht gemessen.</translation>
+    </message>
+    <message>
+        <source>%1 is measured.</source>
+        <translation>%1 ist gemessen.</translation>
+    </message>
+    <message>
+        <source>Path, speed, acceleration and their ±, spikes with reasons: one PDF for each trial, or for the class.</source>
+        <translation>Weg, Geschwindigkeit, Beschleunigung mit ihrem ±, Ausreißer mit Gründen: ein PDF für jeden Versuch oder für die Klasse.</translation>
+    </message>
+</context>
+<context>
     <name>ShownMessageWords</name>
     <message>
         <source>%1: %2</source>
@@ -1613,6 +1715,10 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>Print at 100 % (actual size). Lay it flat; the marker&apos;s position is its middle, where the four lines at the edges point.</source>
         <translation>Mit 100 % (tatsächliche Größe) drucken. Flach hinlegen; der Ort des Markers ist seine Mitte, wohin die vier Striche an den Rändern zeigen.</translation>
+    </message>
+    <message>
+        <source>Floor mat of %1 × %2 sheets</source>
+        <translation>Bodenmatte aus %1 × %2 Blättern</translation>
     </message>
 </context>
 <context>
@@ -11638,6 +11744,10 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <source>%1 could not be deleted; delete it by hand.</source>
         <translation>%1 ließ sich nicht löschen; löschen Sie es von Hand.</translation>
     </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
 </context>
 <context>
     <name>odo::HistoryPage</name>
@@ -11759,6 +11869,93 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>An image or a &amp;video</source>
         <translation>In einem &amp;Bild oder Video</translation>
+    </message>
+</context>
+<context>
+    <name>odo::ImportLessonDialog</name>
+    <message>
+        <source>Robots in the trials</source>
+        <translation>Roboter in den Versuchen</translation>
+    </message>
+    <message>
+        <source>Import a lesson</source>
+        <translation>Unterrichtsstunde importieren</translation>
+    </message>
+    <message>
+        <source>Clips that were recorded at the same time belong to one trial. Untick what is no run; names and teams can be changed.</source>
+        <translation>Videos, die zur selben Zeit aufgenommen wurden, gehören zu einem Versuch. Entfernen Sie den Haken bei dem, was keine Fahrt ist; Namen und Teams lassen sich ändern.</translation>
+    </message>
+    <message>
+        <source>Cameras</source>
+        <translation>Kameras</translation>
+    </message>
+    <message>
+        <source>Tas&amp;k</source>
+        <translation>Auf&amp;gabe</translation>
+    </message>
+    <message>
+        <source>R&amp;obots</source>
+        <translation>&amp;Roboter</translation>
+    </message>
+    <message>
+        <source>Import</source>
+        <translation>Importieren</translation>
+    </message>
+    <message>
+        <source>Camera of view %1</source>
+        <translation>Kamera der Sicht %1</translation>
+    </message>
+    <message>
+        <source>Trials</source>
+        <translation>Versuche</translation>
+    </message>
+    <message>
+        <source>Trial %1</source>
+        <translation>Versuch %1</translation>
+    </message>
+    <message>
+        <source>Team of row %1</source>
+        <translation>Team in Zeile %1</translation>
+    </message>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 s</translation>
+    </message>
+    <message>
+        <source>no clip</source>
+        <translation>kein Video</translation>
+    </message>
+    <message>
+        <source>Each view needs a camera of its own.</source>
+        <translation>Jede Sicht braucht eine eigene Kamera.</translation>
+    </message>
+    <message>
+        <source>Each trial needs a name of its own.</source>
+        <translation>Jeder Versuch braucht einen eigenen Namen.</translation>
+    </message>
+    <message>
+        <source>Tick the trials to import.</source>
+        <translation>Wählen Sie die Versuche, die importiert werden sollen.</translation>
+    </message>
+    <message>
+        <source>Trial</source>
+        <translation>Versuch</translation>
+    </message>
+    <message>
+        <source>Team</source>
+        <translation>Team</translation>
+    </message>
+    <message>
+        <source>Recorded</source>
+        <translation>Aufgenommen</translation>
+    </message>
+    <message>
+        <source>Length</source>
+        <translation>Länge</translation>
+    </message>
+    <message>
+        <source>Clip of %1</source>
+        <translation>Video von %1</translation>
     </message>
 </context>
 <context>
@@ -12694,6 +12891,33 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>not visible</source>
         <translation>nicht gesehen</translation>
+    </message>
+</context>
+<context>
+    <name>odo::MatDialog</name>
+    <message>
+        <source>Find the floor mat</source>
+        <translation>Bodenmatte suchen</translation>
+    </message>
+    <message>
+        <source>The mat is looked for in the newest recording of each camera: %1.</source>
+        <translation>Die Matte wird in der neuesten Aufnahme jeder Kamera gesucht: %1.</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>Measure the line at the mat&apos;s lower edge from end mark to end mark. Printers often shrink by 2 to 4 %; what you enter makes up for it.</source>
+        <translation>Messen Sie die Linie am unteren Rand der Matte von Endstrich zu Endstrich. Drucker verkleinern oft um 2 bis 4 %; Ihre Eingabe gleicht das aus.</translation>
+    </message>
+    <message>
+        <source>&amp;Check line</source>
+        <translation>&amp;Prüflinie</translation>
+    </message>
+    <message>
+        <source>Find the mat</source>
+        <translation>Matte suchen</translation>
     </message>
 </context>
 <context>
@@ -14430,6 +14654,13 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
 </context>
 <context>
+    <name>odo::StartActions</name>
+    <message>
+        <source>Registered to the floor mat: %1.</source>
+        <translation>Nach der Bodenmatte eingemessen: %1.</translation>
+    </message>
+</context>
+<context>
     <name>odo::StartCard</name>
     <message>
         <source>Recording</source>
@@ -14478,6 +14709,81 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>Stop</source>
         <translation>Stopp</translation>
+    </message>
+</context>
+<context>
+    <name>odo::StartPage</name>
+    <message>
+        <source>Cameras or clips</source>
+        <translation>Kameras oder Videos</translation>
+    </message>
+    <message>
+        <source>Import clips…</source>
+        <translation>Videos importieren…</translation>
+    </message>
+    <message>
+        <source>Connect cameras</source>
+        <translation>Kameras anschließen</translation>
+    </message>
+    <message>
+        <source>Floor</source>
+        <translation>Boden</translation>
+    </message>
+    <message>
+        <source>Find the mat in the clips…</source>
+        <translation>Matte in den Videos suchen…</translation>
+    </message>
+    <message>
+        <source>Print a mat…</source>
+        <translation>Matte drucken…</translation>
+    </message>
+    <message>
+        <source>Use other markers…</source>
+        <translation>Andere Marker verwenden…</translation>
+    </message>
+    <message>
+        <source>Lens (optional)</source>
+        <translation>Objektiv (freiwillig)</translation>
+    </message>
+    <message>
+        <source>Calibrate…</source>
+        <translation>Vermessen…</translation>
+    </message>
+    <message>
+        <source>Robot</source>
+        <translation>Roboter</translation>
+    </message>
+    <message>
+        <source>Add a robot…</source>
+        <translation>Roboter hinzufügen…</translation>
+    </message>
+    <message>
+        <source>First run</source>
+        <translation>Erste Fahrt</translation>
+    </message>
+    <message>
+        <source>Track…</source>
+        <translation>Verfolgen…</translation>
+    </message>
+    <message>
+        <source>Record</source>
+        <translation>Aufnehmen</translation>
+    </message>
+    <message>
+        <source>Report</source>
+        <translation>Bericht</translation>
+    </message>
+    <message>
+        <source>Report…</source>
+        <translation>Bericht…</translation>
+    </message>
+    <message>
+        <source>From clips to a first result</source>
+        <translation>Von den Videos zum ersten Ergebnis</translation>
+    </message>
+    <message>
+        <source>Steps to a first result</source>
+        <translation>Schritte zum ersten Ergebnis</translation>
     </message>
 </context>
 <context>
@@ -14544,6 +14850,13 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>&amp;Keep working</source>
         <translation>&amp;Weiterarbeiten</translation>
+    </message>
+</context>
+<context>
+    <name>odo::StepRow</name>
+    <message>
+        <source>Done. %1</source>
+        <translation>Erledigt. %1</translation>
     </message>
 </context>
 <context>
@@ -14663,6 +14976,26 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>%1: %2.</source>
         <translation>%1: %2.</translation>
+    </message>
+    <message>
+        <source>Sheets in a row of the mat</source>
+        <translation>Blätter in einer Reihe der Matte</translation>
+    </message>
+    <message>
+        <source>Rows of the mat</source>
+        <translation>Reihen der Matte</translation>
+    </message>
+    <message>
+        <source>Floor mat</source>
+        <translation>Bodenmatte</translation>
+    </message>
+    <message>
+        <source>S&amp;heets</source>
+        <translation>&amp;Blätter</translation>
+    </message>
+    <message>
+        <source>A plan and %1 sheets, to be taped together to a mat of %2 × %3 m. Its markers are known: nothing on the floor needs to be measured. The larger the mat, the more exact the floor.</source>
+        <translation>Ein Plan und %1 Blätter, die zu einer Matte von %2 × %3 m zusammengeklebt werden. Ihre Marker sind bekannt: Auf dem Boden muss nichts gemessen werden. Je größer die Matte, desto genauer der Boden.</translation>
     </message>
 </context>
 <context>
@@ -19603,6 +19936,20 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
 </context>
 <context>
+    <name>ui.finding_mat</name>
+    <message>
+        <source>Finding the floor mat</source>
+        <translation>Bodenmatte wird gesucht</translation>
+    </message>
+</context>
+<context>
+    <name>ui.floor_mat</name>
+    <message>
+        <source>floor mat</source>
+        <translation>Bodenmatte</translation>
+    </message>
+</context>
+<context>
     <name>ui.give_board_size</name>
     <message>
         <source>give a size such as 9x6</source>
@@ -19614,6 +19961,13 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>give its size, such as 150mm</source>
         <translation>geben Sie seine Größe an, etwa 150mm</translation>
+    </message>
+</context>
+<context>
+    <name>ui.give_mat_size</name>
+    <message>
+        <source>give a size such as 4x3</source>
+        <translation>geben Sie eine Größe wie 4x3 an</translation>
     </message>
 </context>
 <context>
@@ -19635,6 +19989,13 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>Importing %1</source>
         <translation>%1 wird importiert</translation>
+    </message>
+</context>
+<context>
+    <name>ui.importing_trials</name>
+    <message>
+        <source>Importing %1 (%2 of %3)</source>
+        <translation>%1 wird importiert (%2 von %3)</translation>
     </message>
 </context>
 <context>
@@ -19754,6 +20115,13 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>many trials</source>
         <translation>viele Versuche</translation>
+    </message>
+</context>
+<context>
+    <name>ui.mat_has_sheets</name>
+    <message>
+        <source>a mat has 1 to %1 sheets in a row and 1 to %2 rows</source>
+        <translation>eine Matte hat 1 bis %1 Blätter in einer Reihe und 1 bis %2 Reihen</translation>
     </message>
 </context>
 <context>
@@ -20002,6 +20370,13 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
 </context>
 <context>
+    <name>ui.registering</name>
+    <message>
+        <source>Registering camera %1</source>
+        <translation>Kamera %1 wird eingemessen</translation>
+    </message>
+</context>
+<context>
     <name>ui.registration_through_another</name>
     <message>
         <source>registration via another camera</source>
@@ -20174,6 +20549,13 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>the trial has no recording</source>
         <translation>der Versuch hat keine Aufnahme</translation>
+    </message>
+</context>
+<context>
+    <name>ui.trials_imported</name>
+    <message>
+        <source>Trials imported: %1 of %2</source>
+        <translation>Importierte Versuche: %1 von %2</translation>
     </message>
 </context>
 <context>
@@ -21206,6 +21588,13 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
 </context>
 <context>
+    <name>workflow.add_layout_of_mat</name>
+    <message>
+        <source>add layout %1</source>
+        <translation>Plan %1 hinzufügen</translation>
+    </message>
+</context>
+<context>
     <name>workflow.add_robot</name>
     <message>
         <source>add one with: odograph robot add PROJECT NAME --colour #rrggbb</source>
@@ -21437,6 +21826,13 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
 </context>
 <context>
+    <name>workflow.cameras_given_one_file</name>
+    <message>
+        <source>cameras &apos;%1&apos; and &apos;%2&apos; were given the same file, &apos;%3&apos;</source>
+        <translation>die Kameras „%1“ und „%2“ bekamen dieselbe Datei, „%3“</translation>
+    </message>
+</context>
+<context>
     <name>workflow.cause_camera_moved</name>
     <message>
         <source>camera %1 seems to have moved by %2 since its registration</source>
@@ -21539,6 +21935,13 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>check its cable, and whether another program uses it</source>
         <translation>prüfen Sie ihr Kabel, und ob ein anderes Programm sie benutzt</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.check_line_is</name>
+    <message>
+        <source>its check line is %1 long; no print is off by so much</source>
+        <translation>ihre Prüflinie ist %1 lang; so weit daneben liegt kein Druck</translation>
     </message>
 </context>
 <context>
@@ -21948,6 +22351,13 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
 </context>
 <context>
+    <name>workflow.floor_mat</name>
+    <message>
+        <source>floor mat</source>
+        <translation>Bodenmatte</translation>
+    </message>
+</context>
+<context>
     <name>workflow.folder</name>
     <message>
         <source>folder &apos;%1&apos;</source>
@@ -22071,6 +22481,13 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>give one time for each frame</source>
         <translation>geben Sie für jedes Bild eine Zeit an</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.give_each_its_file</name>
+    <message>
+        <source>give each camera its own video</source>
+        <translation>geben Sie jeder Kamera ihr eigenes Video</translation>
     </message>
 </context>
 <context>
@@ -22368,6 +22785,13 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
 </context>
 <context>
+    <name>workflow.leave_one_mat</name>
+    <message>
+        <source>leave one mat on the floor, and use newer files</source>
+        <translation>lassen Sie eine Matte auf dem Boden, und nehmen Sie neuere Dateien</translation>
+    </message>
+</context>
+<context>
     <name>workflow.leave_out_trial</name>
     <message>
         <source>remove %1, which recorded nothing</source>
@@ -22620,6 +23044,13 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
 </context>
 <context>
+    <name>workflow.measure_check_line</name>
+    <message>
+        <source>measure the line from end mark to end mark</source>
+        <translation>messen Sie die Linie von Endstrich zu Endstrich</translation>
+    </message>
+</context>
+<context>
     <name>workflow.measure_height</name>
     <message>
         <source>measure its height, enter it and reanalyse</source>
@@ -22813,6 +23244,13 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>none of its cameras is registered to the floor, so there are no live positions to send</source>
         <translation>keine der Kameras ist eingemessen, darum gibt es keine Orte zu senden</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.no_mat_seen</name>
+    <message>
+        <source>no file shows four or more of its tags</source>
+        <translation>keine Datei zeigt vier oder mehr ihrer Tags</translation>
     </message>
 </context>
 <context>
@@ -23817,6 +24255,13 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
 </context>
 <context>
+    <name>workflow.show_mat</name>
+    <message>
+        <source>print the mat, lay it where the cameras see all of it, and record again</source>
+        <translation>drucken Sie die Matte, legen Sie sie hin, wo die Kameras sie ganz sehen, und nehmen Sie noch einmal auf</translation>
+    </message>
+</context>
+<context>
     <name>workflow.show_whole_board</name>
     <message>
         <source>show the whole board, flat, sharp and evenly lit, and check --pattern and --board</source>
@@ -24052,6 +24497,13 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>turn the robot, or flash the room light, in view of both cameras</source>
         <translation>lassen Sie den Roboter wenden oder das Raumlicht aufblitzen, wo es beide Kameras sehen</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.two_mats</name>
+    <message>
+        <source>the files show mats of different paper</source>
+        <translation>die Dateien zeigen Matten auf verschiedenem Papier</translation>
     </message>
 </context>
 <context>

@@ -807,8 +807,8 @@
         <translation>Eso es todo</translation>
     </message>
     <message>
-        <source>For your own robots: create a project (Ctrl+N), set up the floor in Testbed (Ctrl+1), then record (Ctrl+2) or import videos (Ctrl+I). F1 explains each page.</source>
-        <translation>Con sus propios robots: cree un proyecto (Ctrl+N), prepare el suelo en Banco (Ctrl+1) y después grabe (Ctrl+2) o importe videos (Ctrl+I). F1 explica cada página.</translation>
+        <source>For your own robots: create a project (Ctrl+N). Its Start page leads you from the clips of two phones, or from connected cameras, to a first result. F1 explains each page.</source>
+        <translation>Con sus propios robots: cree un proyecto (Ctrl+N). Su página Inicio le guía desde los videos de dos teléfonos, o desde cámaras conectadas, hasta un primer resultado. F1 explica cada página.</translation>
     </message>
 </context>
 <context>
@@ -877,6 +877,45 @@ El método sigue a S. Park, “Computational Vision for Automatic Tracking and O
     </message>
 </context>
 <context>
+    <name>MatWords</name>
+    <message>
+        <source>Row %1, sheet %2</source>
+        <translation>Fila %1, hoja %2</translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>This line is %1 long on the whole mat. Measure it.</source>
+        <translation>Esta línea mide %1 en la alfombrilla completa. Mídala.</translation>
+    </message>
+    <message>
+        <source>Floor mat of %1 × %2 sheets. Print at 100 % (actual size). Cut along the dashed lines.</source>
+        <translation>Alfombrilla de %1 × %2 hojas. Imprimir al 100 % (tamaño real). Cortar por las líneas discontinuas.</translation>
+    </message>
+    <message>
+        <source>Floor mat of %1 × %2 sheets</source>
+        <translation>Alfombrilla de %1 × %2 hojas</translation>
+    </message>
+    <message>
+        <source>1. Print all pages at 100 % (actual size), not fitted to the page.</source>
+        <translation>1. Imprima todas las páginas al 100 % (tamaño real), sin ajustarlas a la página.</translation>
+    </message>
+    <message>
+        <source>2. Cut each sheet along its dashed lines. Lay it on its neighbours, up to their thin lines, as drawn below, and tape the sheets together.</source>
+        <translation>2. Corte cada hoja por sus líneas discontinuas. Póngala sobre sus vecinas, hasta las líneas finas de estas, como se dibuja abajo, y pegue las hojas entre sí.</translation>
+    </message>
+    <message>
+        <source>3. Measure the line at the lower edge. It should be %1 long; Odograph asks for what you measure.</source>
+        <translation>3. Mida la línea del borde inferior. Debería medir %1; Odograph pregunta lo que usted mide.</translation>
+    </message>
+    <message>
+        <source>4. Lay the mat flat where every camera sees all of it. The lower left corner is the origin, the lower edge the x axis.</source>
+        <translation>4. Ponga la alfombrilla plana donde cada cámara la vea entera. La esquina inferior izquierda es el origen; el borde inferior, el eje x.</translation>
+    </message>
+</context>
+<context>
     <name>Modes</name>
     <message>
         <source>Testbed</source>
@@ -897,6 +936,10 @@ El método sigue a S. Park, “Computational Vision for Automatic Tracking and O
     <message>
         <source>History</source>
         <translation>Historial</translation>
+    </message>
+    <message>
+        <source>Start</source>
+        <translation>Inicio</translation>
     </message>
 </context>
 <context>
@@ -1539,6 +1582,65 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     </message>
 </context>
 <context>
+    <name>SetupWords</name>
+    <message>
+        <source>Two phones on tripods are enough. Film the robot with both, import the clips or drop them on this window; or connect cameras.</source>
+        <translation>Bastan dos teléfonos sobre trípodes. Filme el robot con ambos e importe los videos o suéltelos en esta ventana; o conecte cámaras.</translation>
+    </message>
+    <message>
+        <source>Cameras: %1.</source>
+        <translation>Cámaras: %1.</translation>
+    </message>
+    <message>
+        <source>Print the mat, tape it together and lay it where every camera sees it while it films: from it Odograph knows where the floor is.</source>
+        <translation>Imprima la alfombrilla, péguela y póngala donde cada cámara la vea mientras filma: por ella Odograph sabe dónde está el suelo.</translation>
+    </message>
+    <message>
+        <source>Positions on the floor: %1.</source>
+        <translation>Posiciones en el suelo: %1.</translation>
+    </message>
+    <message>
+        <source>Not registered yet: %1.</source>
+        <translation>Aún sin registrar: %1.</translation>
+    </message>
+    <message>
+        <source>Optional. A printed board shows how the lens bends the image; without it positions far from the mat are less exact, and their ± says so.</source>
+        <translation>Opcional. Un tablero impreso muestra cómo el objetivo curva la imagen; sin él, las posiciones lejos de la alfombrilla son menos exactas, y su ± lo indica.</translation>
+    </message>
+    <message>
+        <source>Calibrated: %1.</source>
+        <translation>Calibradas: %1.</translation>
+    </message>
+    <message>
+        <source>A name is enough: Odograph finds a robot of any look by its motion.</source>
+        <translation>Basta con un nombre: Odograph encuentra un robot de cualquier aspecto por su movimiento.</translation>
+    </message>
+    <message>
+        <source>%1 and %2 more</source>
+        <translation>%1 y %2 más</translation>
+    </message>
+    <message>
+        <source>Robots: %1.</source>
+        <translation>Robots: %1.</translation>
+    </message>
+    <message>
+        <source>Imported clips are tracked here, or record with connected cameras.</source>
+        <translation>Aquí se rastrean los videos importados; o grabe con cámaras conectadas.</translation>
+    </message>
+    <message>
+        <source>%1 is not measured yet.</source>
+        <translation>%1 aún no está medido.</translation>
+    </message>
+    <message>
+        <source>%1 is measured.</source>
+        <translation>%1 está medido.</translation>
+    </message>
+    <message>
+        <source>Path, speed, acceleration and their ±, spikes with reasons: one PDF for each trial, or for the class.</source>
+        <translation>Recorrido, velocidad, aceleración y su ±, picos con sus motivos: un PDF para cada ensayo o para la clase.</translation>
+    </message>
+</context>
+<context>
     <name>ShownMessageWords</name>
     <message>
         <source>%1: %2</source>
@@ -1613,6 +1715,10 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <message>
         <source>Print at 100 % (actual size). Lay it flat; the marker&apos;s position is its middle, where the four lines at the edges point.</source>
         <translation>Imprima al 100 % (tamaño real). Póngalo plano; el lugar del marcador es su centro, adonde apuntan las cuatro líneas de los bordes.</translation>
+    </message>
+    <message>
+        <source>Floor mat of %1 × %2 sheets</source>
+        <translation>Alfombrilla de %1 × %2 hojas</translation>
     </message>
 </context>
 <context>
@@ -11638,6 +11744,10 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <source>%1 could not be deleted; delete it by hand.</source>
         <translation>No se pudo eliminar %1; elimínelo a mano.</translation>
     </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
 </context>
 <context>
     <name>odo::HistoryPage</name>
@@ -11759,6 +11869,93 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <message>
         <source>An image or a &amp;video</source>
         <translation>En una &amp;imagen o un video</translation>
+    </message>
+</context>
+<context>
+    <name>odo::ImportLessonDialog</name>
+    <message>
+        <source>Robots in the trials</source>
+        <translation>Robots en los ensayos</translation>
+    </message>
+    <message>
+        <source>Import a lesson</source>
+        <translation>Importar una clase</translation>
+    </message>
+    <message>
+        <source>Clips that were recorded at the same time belong to one trial. Untick what is no run; names and teams can be changed.</source>
+        <translation>Los videos grabados al mismo tiempo pertenecen a un ensayo. Desmarque lo que no es un recorrido; los nombres y equipos se pueden cambiar.</translation>
+    </message>
+    <message>
+        <source>Cameras</source>
+        <translation>Cámaras</translation>
+    </message>
+    <message>
+        <source>Tas&amp;k</source>
+        <translation>&amp;Tarea</translation>
+    </message>
+    <message>
+        <source>R&amp;obots</source>
+        <translation>R&amp;obots</translation>
+    </message>
+    <message>
+        <source>Import</source>
+        <translation>Importar</translation>
+    </message>
+    <message>
+        <source>Camera of view %1</source>
+        <translation>Cámara de la vista %1</translation>
+    </message>
+    <message>
+        <source>Trials</source>
+        <translation>Ensayos</translation>
+    </message>
+    <message>
+        <source>Trial %1</source>
+        <translation>Ensayo %1</translation>
+    </message>
+    <message>
+        <source>Team of row %1</source>
+        <translation>Equipo de la fila %1</translation>
+    </message>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 s</translation>
+    </message>
+    <message>
+        <source>no clip</source>
+        <translation>sin video</translation>
+    </message>
+    <message>
+        <source>Each view needs a camera of its own.</source>
+        <translation>Cada vista necesita una cámara propia.</translation>
+    </message>
+    <message>
+        <source>Each trial needs a name of its own.</source>
+        <translation>Cada ensayo necesita un nombre propio.</translation>
+    </message>
+    <message>
+        <source>Tick the trials to import.</source>
+        <translation>Marque los ensayos que desea importar.</translation>
+    </message>
+    <message>
+        <source>Trial</source>
+        <translation>Ensayo</translation>
+    </message>
+    <message>
+        <source>Team</source>
+        <translation>Equipo</translation>
+    </message>
+    <message>
+        <source>Recorded</source>
+        <translation>Grabado</translation>
+    </message>
+    <message>
+        <source>Length</source>
+        <translation>Duración</translation>
+    </message>
+    <message>
+        <source>Clip of %1</source>
+        <translation>Video de %1</translation>
     </message>
 </context>
 <context>
@@ -12694,6 +12891,33 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <message>
         <source>not visible</source>
         <translation>no se ve</translation>
+    </message>
+</context>
+<context>
+    <name>odo::MatDialog</name>
+    <message>
+        <source>Find the floor mat</source>
+        <translation>Buscar la alfombrilla</translation>
+    </message>
+    <message>
+        <source>The mat is looked for in the newest recording of each camera: %1.</source>
+        <translation>La alfombrilla se busca en la grabación más reciente de cada cámara: %1.</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>Measure the line at the mat&apos;s lower edge from end mark to end mark. Printers often shrink by 2 to 4 %; what you enter makes up for it.</source>
+        <translation>Mida la línea del borde inferior de la alfombrilla de marca a marca. Las impresoras suelen reducir entre un 2 y un 4 %; lo que introduce lo compensa.</translation>
+    </message>
+    <message>
+        <source>&amp;Check line</source>
+        <translation>Línea de &amp;control</translation>
+    </message>
+    <message>
+        <source>Find the mat</source>
+        <translation>Buscar</translation>
     </message>
 </context>
 <context>
@@ -14430,6 +14654,13 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     </message>
 </context>
 <context>
+    <name>odo::StartActions</name>
+    <message>
+        <source>Registered to the floor mat: %1.</source>
+        <translation>Registradas con la alfombrilla: %1.</translation>
+    </message>
+</context>
+<context>
     <name>odo::StartCard</name>
     <message>
         <source>Recording</source>
@@ -14478,6 +14709,81 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <message>
         <source>Stop</source>
         <translation>Detener</translation>
+    </message>
+</context>
+<context>
+    <name>odo::StartPage</name>
+    <message>
+        <source>Cameras or clips</source>
+        <translation>Cámaras o videos</translation>
+    </message>
+    <message>
+        <source>Import clips…</source>
+        <translation>Importar videos…</translation>
+    </message>
+    <message>
+        <source>Connect cameras</source>
+        <translation>Conectar cámaras</translation>
+    </message>
+    <message>
+        <source>Floor</source>
+        <translation>Suelo</translation>
+    </message>
+    <message>
+        <source>Find the mat in the clips…</source>
+        <translation>Buscar la alfombrilla en los videos…</translation>
+    </message>
+    <message>
+        <source>Print a mat…</source>
+        <translation>Imprimir una alfombrilla…</translation>
+    </message>
+    <message>
+        <source>Use other markers…</source>
+        <translation>Usar otros marcadores…</translation>
+    </message>
+    <message>
+        <source>Lens (optional)</source>
+        <translation>Objetivo (opcional)</translation>
+    </message>
+    <message>
+        <source>Calibrate…</source>
+        <translation>Calibrar…</translation>
+    </message>
+    <message>
+        <source>Robot</source>
+        <translation>Robot</translation>
+    </message>
+    <message>
+        <source>Add a robot…</source>
+        <translation>Añadir un robot…</translation>
+    </message>
+    <message>
+        <source>First run</source>
+        <translation>Primer recorrido</translation>
+    </message>
+    <message>
+        <source>Track…</source>
+        <translation>Rastrear…</translation>
+    </message>
+    <message>
+        <source>Record</source>
+        <translation>Grabar</translation>
+    </message>
+    <message>
+        <source>Report</source>
+        <translation>Informe</translation>
+    </message>
+    <message>
+        <source>Report…</source>
+        <translation>Informe…</translation>
+    </message>
+    <message>
+        <source>From clips to a first result</source>
+        <translation>De los videos al primer resultado</translation>
+    </message>
+    <message>
+        <source>Steps to a first result</source>
+        <translation>Pasos hasta un primer resultado</translation>
     </message>
 </context>
 <context>
@@ -14544,6 +14850,13 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <message>
         <source>&amp;Keep working</source>
         <translation>&amp;Seguir</translation>
+    </message>
+</context>
+<context>
+    <name>odo::StepRow</name>
+    <message>
+        <source>Done. %1</source>
+        <translation>Hecho. %1</translation>
     </message>
 </context>
 <context>
@@ -14663,6 +14976,26 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <message>
         <source>%1: %2.</source>
         <translation>%1: %2.</translation>
+    </message>
+    <message>
+        <source>Sheets in a row of the mat</source>
+        <translation>Hojas en una fila de la alfombrilla</translation>
+    </message>
+    <message>
+        <source>Rows of the mat</source>
+        <translation>Filas de la alfombrilla</translation>
+    </message>
+    <message>
+        <source>Floor mat</source>
+        <translation>Alfombrilla</translation>
+    </message>
+    <message>
+        <source>S&amp;heets</source>
+        <translation>&amp;Hojas</translation>
+    </message>
+    <message>
+        <source>A plan and %1 sheets, to be taped together to a mat of %2 × %3 m. Its markers are known: nothing on the floor needs to be measured. The larger the mat, the more exact the floor.</source>
+        <translation>Un plano y %1 hojas, que se pegan para formar una alfombrilla de %2 × %3 m. Sus marcadores son conocidos: no hay que medir nada en el suelo. Cuanto mayor es la alfombrilla, más exacto es el suelo.</translation>
     </message>
 </context>
 <context>
@@ -19603,6 +19936,20 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     </message>
 </context>
 <context>
+    <name>ui.finding_mat</name>
+    <message>
+        <source>Finding the floor mat</source>
+        <translation>Buscando la alfombrilla</translation>
+    </message>
+</context>
+<context>
+    <name>ui.floor_mat</name>
+    <message>
+        <source>floor mat</source>
+        <translation>alfombrilla</translation>
+    </message>
+</context>
+<context>
     <name>ui.give_board_size</name>
     <message>
         <source>give a size such as 9x6</source>
@@ -19614,6 +19961,13 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <message>
         <source>give its size, such as 150mm</source>
         <translation>dé su tamaño, como 150mm</translation>
+    </message>
+</context>
+<context>
+    <name>ui.give_mat_size</name>
+    <message>
+        <source>give a size such as 4x3</source>
+        <translation>indique un tamaño como 4x3</translation>
     </message>
 </context>
 <context>
@@ -19635,6 +19989,13 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <message>
         <source>Importing %1</source>
         <translation>Importando %1</translation>
+    </message>
+</context>
+<context>
+    <name>ui.importing_trials</name>
+    <message>
+        <source>Importing %1 (%2 of %3)</source>
+        <translation>Importando %1 (%2 de %3)</translation>
     </message>
 </context>
 <context>
@@ -19754,6 +20115,13 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <message>
         <source>many trials</source>
         <translation>muchos ensayos</translation>
+    </message>
+</context>
+<context>
+    <name>ui.mat_has_sheets</name>
+    <message>
+        <source>a mat has 1 to %1 sheets in a row and 1 to %2 rows</source>
+        <translation>una alfombrilla tiene de 1 a %1 hojas por fila y de 1 a %2 filas</translation>
     </message>
 </context>
 <context>
@@ -20002,6 +20370,13 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     </message>
 </context>
 <context>
+    <name>ui.registering</name>
+    <message>
+        <source>Registering camera %1</source>
+        <translation>Registrando la cámara %1</translation>
+    </message>
+</context>
+<context>
     <name>ui.registration_through_another</name>
     <message>
         <source>registration via another camera</source>
@@ -20174,6 +20549,13 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <message>
         <source>the trial has no recording</source>
         <translation>el ensayo no tiene ninguna grabación</translation>
+    </message>
+</context>
+<context>
+    <name>ui.trials_imported</name>
+    <message>
+        <source>Trials imported: %1 of %2</source>
+        <translation>Ensayos importados: %1 de %2</translation>
     </message>
 </context>
 <context>
@@ -21206,6 +21588,13 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     </message>
 </context>
 <context>
+    <name>workflow.add_layout_of_mat</name>
+    <message>
+        <source>add layout %1</source>
+        <translation>añadir el plano %1</translation>
+    </message>
+</context>
+<context>
     <name>workflow.add_robot</name>
     <message>
         <source>add one with: odograph robot add PROJECT NAME --colour #rrggbb</source>
@@ -21437,6 +21826,13 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     </message>
 </context>
 <context>
+    <name>workflow.cameras_given_one_file</name>
+    <message>
+        <source>cameras &apos;%1&apos; and &apos;%2&apos; were given the same file, &apos;%3&apos;</source>
+        <translation>las cámaras «%1» y «%2» recibieron el mismo archivo, «%3»</translation>
+    </message>
+</context>
+<context>
     <name>workflow.cause_camera_moved</name>
     <message>
         <source>camera %1 seems to have moved by %2 since its registration</source>
@@ -21539,6 +21935,13 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <message>
         <source>check its cable, and whether another program uses it</source>
         <translation>compruebe su cable y si otro programa la usa</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.check_line_is</name>
+    <message>
+        <source>its check line is %1 long; no print is off by so much</source>
+        <translation>su línea de control mide %1; ninguna impresión se desvía tanto</translation>
     </message>
 </context>
 <context>
@@ -21948,6 +22351,13 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     </message>
 </context>
 <context>
+    <name>workflow.floor_mat</name>
+    <message>
+        <source>floor mat</source>
+        <translation>alfombrilla</translation>
+    </message>
+</context>
+<context>
     <name>workflow.folder</name>
     <message>
         <source>folder &apos;%1&apos;</source>
@@ -22071,6 +22481,13 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <message>
         <source>give one time for each frame</source>
         <translation>indique un tiempo por fotograma</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.give_each_its_file</name>
+    <message>
+        <source>give each camera its own video</source>
+        <translation>dé a cada cámara su propio video</translation>
     </message>
 </context>
 <context>
@@ -22368,6 +22785,13 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     </message>
 </context>
 <context>
+    <name>workflow.leave_one_mat</name>
+    <message>
+        <source>leave one mat on the floor, and use newer files</source>
+        <translation>deje una sola alfombrilla en el suelo y use archivos más recientes</translation>
+    </message>
+</context>
+<context>
     <name>workflow.leave_out_trial</name>
     <message>
         <source>remove %1, which recorded nothing</source>
@@ -22620,6 +23044,13 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     </message>
 </context>
 <context>
+    <name>workflow.measure_check_line</name>
+    <message>
+        <source>measure the line from end mark to end mark</source>
+        <translation>mida la línea de marca a marca</translation>
+    </message>
+</context>
+<context>
     <name>workflow.measure_height</name>
     <message>
         <source>measure its height, enter it and reanalyse</source>
@@ -22813,6 +23244,13 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <message>
         <source>none of its cameras is registered to the floor, so there are no live positions to send</source>
         <translation>ninguna de sus cámaras está registrada respecto al suelo, así que no hay posiciones en vivo que enviar</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.no_mat_seen</name>
+    <message>
+        <source>no file shows four or more of its tags</source>
+        <translation>ningún archivo muestra cuatro o más de sus etiquetas</translation>
     </message>
 </context>
 <context>
@@ -23817,6 +24255,13 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     </message>
 </context>
 <context>
+    <name>workflow.show_mat</name>
+    <message>
+        <source>print the mat, lay it where the cameras see all of it, and record again</source>
+        <translation>imprima la alfombrilla, póngala donde las cámaras la vean entera y grabe de nuevo</translation>
+    </message>
+</context>
+<context>
     <name>workflow.show_whole_board</name>
     <message>
         <source>show the whole board, flat, sharp and evenly lit, and check --pattern and --board</source>
@@ -24052,6 +24497,13 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <message>
         <source>turn the robot, or flash the room light, in view of both cameras</source>
         <translation>haga girar el robot, o destelle la luz de la sala, donde lo vean ambas cámaras</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.two_mats</name>
+    <message>
+        <source>the files show mats of different paper</source>
+        <translation>los archivos muestran alfombrillas de papel distinto</translation>
     </message>
 </context>
 <context>

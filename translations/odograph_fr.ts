@@ -807,8 +807,8 @@
         <translation>C’est tout</translation>
     </message>
     <message>
-        <source>For your own robots: create a project (Ctrl+N), set up the floor in Testbed (Ctrl+1), then record (Ctrl+2) or import videos (Ctrl+I). F1 explains each page.</source>
-        <translation>Avec vos propres robots&#xa0;: créez un projet (Ctrl+N), préparez le sol dans «&#xa0;Banc&#xa0;» (Ctrl+1), puis filmez (Ctrl+2) ou importez des vidéos (Ctrl+I). F1 explique chaque page.</translation>
+        <source>For your own robots: create a project (Ctrl+N). Its Start page leads you from the clips of two phones, or from connected cameras, to a first result. F1 explains each page.</source>
+        <translation>Avec vos propres robots : créez un projet (Ctrl+N). Sa page Départ vous guide des vidéos de deux téléphones, ou de caméras connectées, à un premier résultat. F1 explique chaque page.</translation>
     </message>
 </context>
 <context>
@@ -877,6 +877,45 @@ La méthode suit S. Park, «&#xa0;Computational Vision for Automatic Tracking an
     </message>
 </context>
 <context>
+    <name>MatWords</name>
+    <message>
+        <source>Row %1, sheet %2</source>
+        <translation>Rangée %1, feuille %2</translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>This line is %1 long on the whole mat. Measure it.</source>
+        <translation>Cette ligne fait %1 sur le tapis entier. Mesurez-la.</translation>
+    </message>
+    <message>
+        <source>Floor mat of %1 × %2 sheets. Print at 100 % (actual size). Cut along the dashed lines.</source>
+        <translation>Tapis de sol de %1 × %2 feuilles. Imprimer à 100 % (taille réelle). Couper le long des tirets.</translation>
+    </message>
+    <message>
+        <source>Floor mat of %1 × %2 sheets</source>
+        <translation>Tapis de sol de %1 × %2 feuilles</translation>
+    </message>
+    <message>
+        <source>1. Print all pages at 100 % (actual size), not fitted to the page.</source>
+        <translation>1. Imprimez toutes les pages à 100 % (taille réelle), sans les ajuster à la page.</translation>
+    </message>
+    <message>
+        <source>2. Cut each sheet along its dashed lines. Lay it on its neighbours, up to their thin lines, as drawn below, and tape the sheets together.</source>
+        <translation>2. Coupez chaque feuille le long de ses lignes en tirets. Posez-la sur ses voisines, jusqu’à leurs lignes fines, comme dessiné ci-dessous, et collez les feuilles ensemble.</translation>
+    </message>
+    <message>
+        <source>3. Measure the line at the lower edge. It should be %1 long; Odograph asks for what you measure.</source>
+        <translation>3. Mesurez la ligne au bord inférieur. Elle devrait faire %1 ; Odograph demande ce que vous mesurez.</translation>
+    </message>
+    <message>
+        <source>4. Lay the mat flat where every camera sees all of it. The lower left corner is the origin, the lower edge the x axis.</source>
+        <translation>4. Posez le tapis à plat là où chaque caméra le voit en entier. Le coin inférieur gauche est l’origine, le bord inférieur l’axe x.</translation>
+    </message>
+</context>
+<context>
     <name>Modes</name>
     <message>
         <source>Testbed</source>
@@ -897,6 +936,10 @@ La méthode suit S. Park, «&#xa0;Computational Vision for Automatic Tracking an
     <message>
         <source>History</source>
         <translation>Historique</translation>
+    </message>
+    <message>
+        <source>Start</source>
+        <translation>Départ</translation>
     </message>
 </context>
 <context>
@@ -1539,6 +1582,65 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
 </context>
 <context>
+    <name>SetupWords</name>
+    <message>
+        <source>Two phones on tripods are enough. Film the robot with both, import the clips or drop them on this window; or connect cameras.</source>
+        <translation>Deux téléphones sur trépied suffisent. Filmez le robot avec les deux, importez les vidéos ou déposez-les sur cette fenêtre ; ou connectez des caméras.</translation>
+    </message>
+    <message>
+        <source>Cameras: %1.</source>
+        <translation>Caméras : %1.</translation>
+    </message>
+    <message>
+        <source>Print the mat, tape it together and lay it where every camera sees it while it films: from it Odograph knows where the floor is.</source>
+        <translation>Imprimez le tapis, collez-le et posez-le là où chaque caméra le voit pendant qu’elle filme : par lui, Odograph sait où est le sol.</translation>
+    </message>
+    <message>
+        <source>Positions on the floor: %1.</source>
+        <translation>Positions au sol : %1.</translation>
+    </message>
+    <message>
+        <source>Not registered yet: %1.</source>
+        <translation>Pas encore localisées : %1.</translation>
+    </message>
+    <message>
+        <source>Optional. A printed board shows how the lens bends the image; without it positions far from the mat are less exact, and their ± says so.</source>
+        <translation>Facultatif. Une mire imprimée montre comment l’objectif courbe l’image ; sans elle, les positions loin du tapis sont moins exactes, et leur ± le dit.</translation>
+    </message>
+    <message>
+        <source>Calibrated: %1.</source>
+        <translation>Étalonnées : %1.</translation>
+    </message>
+    <message>
+        <source>A name is enough: Odograph finds a robot of any look by its motion.</source>
+        <translation>Un nom suffit : Odograph trouve un robot de n’importe quel aspect par son mouvement.</translation>
+    </message>
+    <message>
+        <source>%1 and %2 more</source>
+        <translation>%1 et %2 autres</translation>
+    </message>
+    <message>
+        <source>Robots: %1.</source>
+        <translation>Robots : %1.</translation>
+    </message>
+    <message>
+        <source>Imported clips are tracked here, or record with connected cameras.</source>
+        <translation>Ici, les vidéos importées sont suivies ; ou filmez avec des caméras connectées.</translation>
+    </message>
+    <message>
+        <source>%1 is not measured yet.</source>
+        <translation>%1 n’est pas encore mesuré.</translation>
+    </message>
+    <message>
+        <source>%1 is measured.</source>
+        <translation>%1 est mesuré.</translation>
+    </message>
+    <message>
+        <source>Path, speed, acceleration and their ±, spikes with reasons: one PDF for each trial, or for the class.</source>
+        <translation>Trajet, vitesse, accélération et leur ±, pics et leurs raisons : un PDF par essai, ou pour la classe.</translation>
+    </message>
+</context>
+<context>
     <name>ShownMessageWords</name>
     <message>
         <source>%1: %2</source>
@@ -1613,6 +1715,10 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>Print at 100 % (actual size). Lay it flat; the marker&apos;s position is its middle, where the four lines at the edges point.</source>
         <translation>Imprimez à 100&#xa0;% (taille réelle). Posez à plat&#xa0;; la place du marqueur est son centre, là où pointent les quatre traits des bords.</translation>
+    </message>
+    <message>
+        <source>Floor mat of %1 × %2 sheets</source>
+        <translation>Tapis de sol de %1 × %2 feuilles</translation>
     </message>
 </context>
 <context>
@@ -11638,6 +11744,10 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <source>%1 could not be deleted; delete it by hand.</source>
         <translation>%1 n’a pas pu être supprimé&#xa0;; supprimez-le à la main.</translation>
     </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1 : %2</translation>
+    </message>
 </context>
 <context>
     <name>odo::HistoryPage</name>
@@ -11759,6 +11869,93 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>An image or a &amp;video</source>
         <translation>Dans une &amp;photo ou une vidéo</translation>
+    </message>
+</context>
+<context>
+    <name>odo::ImportLessonDialog</name>
+    <message>
+        <source>Robots in the trials</source>
+        <translation>Robots des essais</translation>
+    </message>
+    <message>
+        <source>Import a lesson</source>
+        <translation>Importer une leçon</translation>
+    </message>
+    <message>
+        <source>Clips that were recorded at the same time belong to one trial. Untick what is no run; names and teams can be changed.</source>
+        <translation>Les vidéos enregistrées au même moment appartiennent à un essai. Décochez ce qui n’est pas un parcours ; les noms et les équipes peuvent être changés.</translation>
+    </message>
+    <message>
+        <source>Cameras</source>
+        <translation>Caméras</translation>
+    </message>
+    <message>
+        <source>Tas&amp;k</source>
+        <translation>É&amp;preuve</translation>
+    </message>
+    <message>
+        <source>R&amp;obots</source>
+        <translation>R&amp;obots</translation>
+    </message>
+    <message>
+        <source>Import</source>
+        <translation>Importer</translation>
+    </message>
+    <message>
+        <source>Camera of view %1</source>
+        <translation>Caméra de la vue %1</translation>
+    </message>
+    <message>
+        <source>Trials</source>
+        <translation>Essais</translation>
+    </message>
+    <message>
+        <source>Trial %1</source>
+        <translation>Essai %1</translation>
+    </message>
+    <message>
+        <source>Team of row %1</source>
+        <translation>Équipe de la ligne %1</translation>
+    </message>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 s</translation>
+    </message>
+    <message>
+        <source>no clip</source>
+        <translation>pas de vidéo</translation>
+    </message>
+    <message>
+        <source>Each view needs a camera of its own.</source>
+        <translation>Chaque vue doit avoir sa propre caméra.</translation>
+    </message>
+    <message>
+        <source>Each trial needs a name of its own.</source>
+        <translation>Chaque essai doit avoir son propre nom.</translation>
+    </message>
+    <message>
+        <source>Tick the trials to import.</source>
+        <translation>Cochez les essais à importer.</translation>
+    </message>
+    <message>
+        <source>Trial</source>
+        <translation>Essai</translation>
+    </message>
+    <message>
+        <source>Team</source>
+        <translation>Équipe</translation>
+    </message>
+    <message>
+        <source>Recorded</source>
+        <translation>Enregistré</translation>
+    </message>
+    <message>
+        <source>Length</source>
+        <translation>Durée</translation>
+    </message>
+    <message>
+        <source>Clip of %1</source>
+        <translation>Vidéo de %1</translation>
     </message>
 </context>
 <context>
@@ -12694,6 +12891,33 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>not visible</source>
         <translation>non vu</translation>
+    </message>
+</context>
+<context>
+    <name>odo::MatDialog</name>
+    <message>
+        <source>Find the floor mat</source>
+        <translation>Chercher le tapis de sol</translation>
+    </message>
+    <message>
+        <source>The mat is looked for in the newest recording of each camera: %1.</source>
+        <translation>Le tapis est cherché dans l’enregistrement le plus récent de chaque caméra : %1.</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>Measure the line at the mat&apos;s lower edge from end mark to end mark. Printers often shrink by 2 to 4 %; what you enter makes up for it.</source>
+        <translation>Mesurez la ligne au bord inférieur du tapis d’une marque à l’autre. Les imprimantes réduisent souvent de 2 à 4 % ; votre valeur le compense.</translation>
+    </message>
+    <message>
+        <source>&amp;Check line</source>
+        <translation>Ligne de &amp;contrôle</translation>
+    </message>
+    <message>
+        <source>Find the mat</source>
+        <translation>Chercher le tapis</translation>
     </message>
 </context>
 <context>
@@ -14430,6 +14654,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
 </context>
 <context>
+    <name>odo::StartActions</name>
+    <message>
+        <source>Registered to the floor mat: %1.</source>
+        <translation>Localisées d’après le tapis de sol : %1.</translation>
+    </message>
+</context>
+<context>
     <name>odo::StartCard</name>
     <message>
         <source>Recording</source>
@@ -14478,6 +14709,81 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>Stop</source>
         <translation>Arrêter</translation>
+    </message>
+</context>
+<context>
+    <name>odo::StartPage</name>
+    <message>
+        <source>Cameras or clips</source>
+        <translation>Caméras ou vidéos</translation>
+    </message>
+    <message>
+        <source>Import clips…</source>
+        <translation>Importer des vidéos…</translation>
+    </message>
+    <message>
+        <source>Connect cameras</source>
+        <translation>Connecter des caméras</translation>
+    </message>
+    <message>
+        <source>Floor</source>
+        <translation>Sol</translation>
+    </message>
+    <message>
+        <source>Find the mat in the clips…</source>
+        <translation>Chercher le tapis dans les vidéos…</translation>
+    </message>
+    <message>
+        <source>Print a mat…</source>
+        <translation>Imprimer un tapis…</translation>
+    </message>
+    <message>
+        <source>Use other markers…</source>
+        <translation>Utiliser d’autres marqueurs…</translation>
+    </message>
+    <message>
+        <source>Lens (optional)</source>
+        <translation>Objectif (facultatif)</translation>
+    </message>
+    <message>
+        <source>Calibrate…</source>
+        <translation>Étalonner…</translation>
+    </message>
+    <message>
+        <source>Robot</source>
+        <translation>Robot</translation>
+    </message>
+    <message>
+        <source>Add a robot…</source>
+        <translation>Ajouter un robot…</translation>
+    </message>
+    <message>
+        <source>First run</source>
+        <translation>Premier parcours</translation>
+    </message>
+    <message>
+        <source>Track…</source>
+        <translation>Suivre…</translation>
+    </message>
+    <message>
+        <source>Record</source>
+        <translation>Filmer</translation>
+    </message>
+    <message>
+        <source>Report</source>
+        <translation>Rapport</translation>
+    </message>
+    <message>
+        <source>Report…</source>
+        <translation>Rapport…</translation>
+    </message>
+    <message>
+        <source>From clips to a first result</source>
+        <translation>Des vidéos au premier résultat</translation>
+    </message>
+    <message>
+        <source>Steps to a first result</source>
+        <translation>Étapes vers un premier résultat</translation>
     </message>
 </context>
 <context>
@@ -14544,6 +14850,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>&amp;Keep working</source>
         <translation>&amp;Continuer</translation>
+    </message>
+</context>
+<context>
+    <name>odo::StepRow</name>
+    <message>
+        <source>Done. %1</source>
+        <translation>Fait. %1</translation>
     </message>
 </context>
 <context>
@@ -14663,6 +14976,26 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>%1: %2.</source>
         <translation>%1&#xa0;: %2.</translation>
+    </message>
+    <message>
+        <source>Sheets in a row of the mat</source>
+        <translation>Feuilles dans une rangée du tapis</translation>
+    </message>
+    <message>
+        <source>Rows of the mat</source>
+        <translation>Rangées du tapis</translation>
+    </message>
+    <message>
+        <source>Floor mat</source>
+        <translation>Tapis de sol</translation>
+    </message>
+    <message>
+        <source>S&amp;heets</source>
+        <translation>&amp;Feuilles</translation>
+    </message>
+    <message>
+        <source>A plan and %1 sheets, to be taped together to a mat of %2 × %3 m. Its markers are known: nothing on the floor needs to be measured. The larger the mat, the more exact the floor.</source>
+        <translation>Un plan et %1 feuilles, à coller ensemble en un tapis de %2 × %3 m. Ses marqueurs sont connus : rien n’est à mesurer au sol. Plus le tapis est grand, plus le sol est exact.</translation>
     </message>
 </context>
 <context>
@@ -19603,6 +19936,20 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
 </context>
 <context>
+    <name>ui.finding_mat</name>
+    <message>
+        <source>Finding the floor mat</source>
+        <translation>Recherche du tapis de sol</translation>
+    </message>
+</context>
+<context>
+    <name>ui.floor_mat</name>
+    <message>
+        <source>floor mat</source>
+        <translation>tapis de sol</translation>
+    </message>
+</context>
+<context>
     <name>ui.give_board_size</name>
     <message>
         <source>give a size such as 9x6</source>
@@ -19614,6 +19961,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>give its size, such as 150mm</source>
         <translation>donnez sa taille, comme 150mm</translation>
+    </message>
+</context>
+<context>
+    <name>ui.give_mat_size</name>
+    <message>
+        <source>give a size such as 4x3</source>
+        <translation>indiquez une taille telle que 4x3</translation>
     </message>
 </context>
 <context>
@@ -19635,6 +19989,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>Importing %1</source>
         <translation>Importation de %1</translation>
+    </message>
+</context>
+<context>
+    <name>ui.importing_trials</name>
+    <message>
+        <source>Importing %1 (%2 of %3)</source>
+        <translation>Importation de %1 (%2 sur %3)</translation>
     </message>
 </context>
 <context>
@@ -19754,6 +20115,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>many trials</source>
         <translation>plusieurs essais</translation>
+    </message>
+</context>
+<context>
+    <name>ui.mat_has_sheets</name>
+    <message>
+        <source>a mat has 1 to %1 sheets in a row and 1 to %2 rows</source>
+        <translation>un tapis a de 1 à %1 feuilles par rangée et de 1 à %2 rangées</translation>
     </message>
 </context>
 <context>
@@ -20002,6 +20370,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
 </context>
 <context>
+    <name>ui.registering</name>
+    <message>
+        <source>Registering camera %1</source>
+        <translation>Localisation de la caméra %1</translation>
+    </message>
+</context>
+<context>
     <name>ui.registration_through_another</name>
     <message>
         <source>registration via another camera</source>
@@ -20174,6 +20549,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>the trial has no recording</source>
         <translation>l’essai n’a pas d’enregistrement</translation>
+    </message>
+</context>
+<context>
+    <name>ui.trials_imported</name>
+    <message>
+        <source>Trials imported: %1 of %2</source>
+        <translation>Essais importés : %1 sur %2</translation>
     </message>
 </context>
 <context>
@@ -21206,6 +21588,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
 </context>
 <context>
+    <name>workflow.add_layout_of_mat</name>
+    <message>
+        <source>add layout %1</source>
+        <translation>ajouter le plan %1</translation>
+    </message>
+</context>
+<context>
     <name>workflow.add_robot</name>
     <message>
         <source>add one with: odograph robot add PROJECT NAME --colour #rrggbb</source>
@@ -21437,6 +21826,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
 </context>
 <context>
+    <name>workflow.cameras_given_one_file</name>
+    <message>
+        <source>cameras &apos;%1&apos; and &apos;%2&apos; were given the same file, &apos;%3&apos;</source>
+        <translation>les caméras « %1 » et « %2 » ont reçu le même fichier, « %3 »</translation>
+    </message>
+</context>
+<context>
     <name>workflow.cause_camera_moved</name>
     <message>
         <source>camera %1 seems to have moved by %2 since its registration</source>
@@ -21539,6 +21935,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>check its cable, and whether another program uses it</source>
         <translation>vérifiez son câble, et si un autre programme l’utilise</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.check_line_is</name>
+    <message>
+        <source>its check line is %1 long; no print is off by so much</source>
+        <translation>sa ligne de contrôle fait %1 ; aucune impression ne s’en écarte autant</translation>
     </message>
 </context>
 <context>
@@ -21948,6 +22351,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
 </context>
 <context>
+    <name>workflow.floor_mat</name>
+    <message>
+        <source>floor mat</source>
+        <translation>tapis de sol</translation>
+    </message>
+</context>
+<context>
     <name>workflow.folder</name>
     <message>
         <source>folder &apos;%1&apos;</source>
@@ -22071,6 +22481,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>give one time for each frame</source>
         <translation>indiquez un temps pour chaque image</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.give_each_its_file</name>
+    <message>
+        <source>give each camera its own video</source>
+        <translation>donnez à chaque caméra sa propre vidéo</translation>
     </message>
 </context>
 <context>
@@ -22368,6 +22785,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
 </context>
 <context>
+    <name>workflow.leave_one_mat</name>
+    <message>
+        <source>leave one mat on the floor, and use newer files</source>
+        <translation>laissez un seul tapis au sol et utilisez des fichiers plus récents</translation>
+    </message>
+</context>
+<context>
     <name>workflow.leave_out_trial</name>
     <message>
         <source>remove %1, which recorded nothing</source>
@@ -22620,6 +23044,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
 </context>
 <context>
+    <name>workflow.measure_check_line</name>
+    <message>
+        <source>measure the line from end mark to end mark</source>
+        <translation>mesurez la ligne d’une marque à l’autre</translation>
+    </message>
+</context>
+<context>
     <name>workflow.measure_height</name>
     <message>
         <source>measure its height, enter it and reanalyse</source>
@@ -22813,6 +23244,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>none of its cameras is registered to the floor, so there are no live positions to send</source>
         <translation>aucune de ses caméras n’est localisée par rapport au sol, il n’y a donc pas de positions en direct à envoyer</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.no_mat_seen</name>
+    <message>
+        <source>no file shows four or more of its tags</source>
+        <translation>aucun fichier ne montre quatre de ses étiquettes ou plus</translation>
     </message>
 </context>
 <context>
@@ -23817,6 +24255,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
 </context>
 <context>
+    <name>workflow.show_mat</name>
+    <message>
+        <source>print the mat, lay it where the cameras see all of it, and record again</source>
+        <translation>imprimez le tapis, posez-le là où les caméras le voient en entier, et enregistrez de nouveau</translation>
+    </message>
+</context>
+<context>
     <name>workflow.show_whole_board</name>
     <message>
         <source>show the whole board, flat, sharp and evenly lit, and check --pattern and --board</source>
@@ -24052,6 +24497,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>turn the robot, or flash the room light, in view of both cameras</source>
         <translation>faites tourner le robot, ou clignoter la lumière de la salle, là où les deux caméras le voient</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.two_mats</name>
+    <message>
+        <source>the files show mats of different paper</source>
+        <translation>les fichiers montrent des tapis de papiers différents</translation>
     </message>
 </context>
 <context>

@@ -803,8 +803,8 @@
         <translation>첫 수업을 마쳤습니다</translation>
     </message>
     <message>
-        <source>For your own robots: create a project (Ctrl+N), set up the floor in Testbed (Ctrl+1), then record (Ctrl+2) or import videos (Ctrl+I). F1 explains each page.</source>
-        <translation>자신의 로봇으로: 프로젝트를 만들고(Ctrl+N), 테스트베드에서 바닥을 설정한 다음(Ctrl+1), 녹화하거나(Ctrl+2) 동영상을 가져오십시오(Ctrl+I). F1을 누르면 각 페이지의 설명이 나옵니다.</translation>
+        <source>For your own robots: create a project (Ctrl+N). Its Start page leads you from the clips of two phones, or from connected cameras, to a first result. F1 explains each page.</source>
+        <translation>자신의 로봇으로: 프로젝트를 만드십시오(Ctrl+N). 시작 페이지가 휴대전화 두 대의 동영상 또는 연결된 카메라에서 첫 결과까지 안내합니다. F1이 각 페이지를 설명합니다.</translation>
     </message>
 </context>
 <context>
@@ -873,6 +873,45 @@ GNU 일반 공중 사용 허가서(GPL) 버전 3 이상을 따르는 자유 소�
     </message>
 </context>
 <context>
+    <name>MatWords</name>
+    <message>
+        <source>Row %1, sheet %2</source>
+        <translation>%1행 %2장</translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>This line is %1 long on the whole mat. Measure it.</source>
+        <translation>이 선은 매트 전체에서 %1입니다. 재어 보십시오.</translation>
+    </message>
+    <message>
+        <source>Floor mat of %1 × %2 sheets. Print at 100 % (actual size). Cut along the dashed lines.</source>
+        <translation>%1 × %2장 바닥 매트. 100 %(실제 크기)로 인쇄하십시오. 점선을 따라 자르십시오.</translation>
+    </message>
+    <message>
+        <source>Floor mat of %1 × %2 sheets</source>
+        <translation>%1 × %2장 바닥 매트</translation>
+    </message>
+    <message>
+        <source>1. Print all pages at 100 % (actual size), not fitted to the page.</source>
+        <translation>1. 모든 쪽을 100 %(실제 크기)로, 페이지에 맞추지 않고 인쇄하십시오.</translation>
+    </message>
+    <message>
+        <source>2. Cut each sheet along its dashed lines. Lay it on its neighbours, up to their thin lines, as drawn below, and tape the sheets together.</source>
+        <translation>2. 각 종이를 점선을 따라 자르십시오. 아래 그림처럼 이웃 종이의 가는 선까지 겹쳐 놓고 테이프로 붙이십시오.</translation>
+    </message>
+    <message>
+        <source>3. Measure the line at the lower edge. It should be %1 long; Odograph asks for what you measure.</source>
+        <translation>3. 아래쪽 가장자리의 선을 재십시오. 길이는 %1이어야 하며, Odograph가 잰 값을 묻습니다.</translation>
+    </message>
+    <message>
+        <source>4. Lay the mat flat where every camera sees all of it. The lower left corner is the origin, the lower edge the x axis.</source>
+        <translation>4. 모든 카메라에 전체가 보이는 곳에 매트를 평평하게 놓으십시오. 왼쪽 아래 모서리가 원점, 아래쪽 가장자리가 x축입니다.</translation>
+    </message>
+</context>
+<context>
     <name>Modes</name>
     <message>
         <source>Testbed</source>
@@ -893,6 +932,10 @@ GNU 일반 공중 사용 허가서(GPL) 버전 3 이상을 따르는 자유 소�
     <message>
         <source>History</source>
         <translation>이력</translation>
+    </message>
+    <message>
+        <source>Start</source>
+        <translation>시작</translation>
     </message>
 </context>
 <context>
@@ -1531,6 +1574,65 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>SetupWords</name>
+    <message>
+        <source>Two phones on tripods are enough. Film the robot with both, import the clips or drop them on this window; or connect cameras.</source>
+        <translation>삼각대에 올린 휴대전화 두 대면 충분합니다. 두 대로 로봇을 촬영하고 동영상을 가져오거나 이 창에 놓으십시오. 또는 카메라를 연결하십시오.</translation>
+    </message>
+    <message>
+        <source>Cameras: %1.</source>
+        <translation>카메라: %1.</translation>
+    </message>
+    <message>
+        <source>Print the mat, tape it together and lay it where every camera sees it while it films: from it Odograph knows where the floor is.</source>
+        <translation>매트를 인쇄해 붙이고 촬영 중에 모든 카메라에 보이는 곳에 놓으십시오. Odograph는 이것으로 바닥의 위치를 압니다.</translation>
+    </message>
+    <message>
+        <source>Positions on the floor: %1.</source>
+        <translation>바닥 위의 위치: %1.</translation>
+    </message>
+    <message>
+        <source>Not registered yet: %1.</source>
+        <translation>아직 정합되지 않음: %1.</translation>
+    </message>
+    <message>
+        <source>Optional. A printed board shows how the lens bends the image; without it positions far from the mat are less exact, and their ± says so.</source>
+        <translation>선택 사항입니다. 인쇄한 보드는 렌즈가 영상을 얼마나 휘게 하는지 보여 줍니다. 없으면 매트에서 먼 위치는 덜 정확하며, ±가 이를 나타냅니다.</translation>
+    </message>
+    <message>
+        <source>Calibrated: %1.</source>
+        <translation>보정됨: %1.</translation>
+    </message>
+    <message>
+        <source>A name is enough: Odograph finds a robot of any look by its motion.</source>
+        <translation>이름만 있으면 됩니다. Odograph는 어떤 모양의 로봇이든 움직임으로 찾습니다.</translation>
+    </message>
+    <message>
+        <source>%1 and %2 more</source>
+        <translation>%1 외 %2개</translation>
+    </message>
+    <message>
+        <source>Robots: %1.</source>
+        <translation>로봇: %1.</translation>
+    </message>
+    <message>
+        <source>Imported clips are tracked here, or record with connected cameras.</source>
+        <translation>가져온 동영상을 여기서 추적하거나 연결된 카메라로 녹화합니다.</translation>
+    </message>
+    <message>
+        <source>%1 is not measured yet.</source>
+        <translation>%1이(가) 아직 측정되지 않았습니다.</translation>
+    </message>
+    <message>
+        <source>%1 is measured.</source>
+        <translation>%1이(가) 측정되었습니다.</translation>
+    </message>
+    <message>
+        <source>Path, speed, acceleration and their ±, spikes with reasons: one PDF for each trial, or for the class.</source>
+        <translation>경로, 속도, 가속도와 ±, 이유가 붙은 스파이크: 시행마다 또는 학급 전체를 PDF 하나로.</translation>
+    </message>
+</context>
+<context>
     <name>ShownMessageWords</name>
     <message>
         <source>%1: %2</source>
@@ -1605,6 +1707,10 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>Print at 100 % (actual size). Lay it flat; the marker&apos;s position is its middle, where the four lines at the edges point.</source>
         <translation>100 %(실제 크기)로 인쇄하십시오. 평평하게 놓으십시오. 마커의 위치는 가장자리의 네 선이 가리키는 가운데입니다.</translation>
+    </message>
+    <message>
+        <source>Floor mat of %1 × %2 sheets</source>
+        <translation>%1 × %2장 바닥 매트</translation>
     </message>
 </context>
 <context>
@@ -11623,6 +11729,10 @@ Much more than expected means that a setting is wrong: the views are not synchro
         <source>%1 could not be deleted; delete it by hand.</source>
         <translation>%1을(를) 삭제할 수 없습니다. 직접 삭제하십시오.</translation>
     </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
 </context>
 <context>
     <name>odo::HistoryPage</name>
@@ -11742,6 +11852,93 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>An image or a &amp;video</source>
         <translation>사진 또는 동영상에서(&amp;P)</translation>
+    </message>
+</context>
+<context>
+    <name>odo::ImportLessonDialog</name>
+    <message>
+        <source>Robots in the trials</source>
+        <translation>시행의 로봇</translation>
+    </message>
+    <message>
+        <source>Import a lesson</source>
+        <translation>수업 가져오기</translation>
+    </message>
+    <message>
+        <source>Clips that were recorded at the same time belong to one trial. Untick what is no run; names and teams can be changed.</source>
+        <translation>같은 시각에 녹화된 동영상은 하나의 시행에 속합니다. 주행이 아닌 것은 선택을 해제하십시오. 이름과 팀은 바꿀 수 있습니다.</translation>
+    </message>
+    <message>
+        <source>Cameras</source>
+        <translation>카메라</translation>
+    </message>
+    <message>
+        <source>Tas&amp;k</source>
+        <translation>과제(&amp;K)</translation>
+    </message>
+    <message>
+        <source>R&amp;obots</source>
+        <translation>로봇(&amp;O)</translation>
+    </message>
+    <message>
+        <source>Import</source>
+        <translation>가져오기</translation>
+    </message>
+    <message>
+        <source>Camera of view %1</source>
+        <translation>뷰 %1의 카메라</translation>
+    </message>
+    <message>
+        <source>Trials</source>
+        <translation>시행</translation>
+    </message>
+    <message>
+        <source>Trial %1</source>
+        <translation>시행 %1</translation>
+    </message>
+    <message>
+        <source>Team of row %1</source>
+        <translation>%1행의 팀</translation>
+    </message>
+    <message>
+        <source>%1 s</source>
+        <translation>%1초</translation>
+    </message>
+    <message>
+        <source>no clip</source>
+        <translation>동영상 없음</translation>
+    </message>
+    <message>
+        <source>Each view needs a camera of its own.</source>
+        <translation>뷰마다 고유한 카메라가 필요합니다.</translation>
+    </message>
+    <message>
+        <source>Each trial needs a name of its own.</source>
+        <translation>시행마다 고유한 이름이 필요합니다.</translation>
+    </message>
+    <message>
+        <source>Tick the trials to import.</source>
+        <translation>가져올 시행을 선택하십시오.</translation>
+    </message>
+    <message>
+        <source>Trial</source>
+        <translation>시행</translation>
+    </message>
+    <message>
+        <source>Team</source>
+        <translation>팀</translation>
+    </message>
+    <message>
+        <source>Recorded</source>
+        <translation>녹화 시각</translation>
+    </message>
+    <message>
+        <source>Length</source>
+        <translation>길이</translation>
+    </message>
+    <message>
+        <source>Clip of %1</source>
+        <translation>%1의 동영상</translation>
     </message>
 </context>
 <context>
@@ -12675,6 +12872,33 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>not visible</source>
         <translation>보이지 않음</translation>
+    </message>
+</context>
+<context>
+    <name>odo::MatDialog</name>
+    <message>
+        <source>Find the floor mat</source>
+        <translation>바닥 매트 찾기</translation>
+    </message>
+    <message>
+        <source>The mat is looked for in the newest recording of each camera: %1.</source>
+        <translation>각 카메라의 최신 녹화에서 매트를 찾습니다: %1.</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>Measure the line at the mat&apos;s lower edge from end mark to end mark. Printers often shrink by 2 to 4 %; what you enter makes up for it.</source>
+        <translation>매트 아래쪽 가장자리의 선을 끝 표시에서 끝 표시까지 재십시오. 프린터는 흔히 2~4 % 줄여 인쇄하며, 입력한 값이 이를 보정합니다.</translation>
+    </message>
+    <message>
+        <source>&amp;Check line</source>
+        <translation>확인선(&amp;C)</translation>
+    </message>
+    <message>
+        <source>Find the mat</source>
+        <translation>매트 찾기</translation>
     </message>
 </context>
 <context>
@@ -14406,6 +14630,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>odo::StartActions</name>
+    <message>
+        <source>Registered to the floor mat: %1.</source>
+        <translation>바닥 매트에 정합됨: %1.</translation>
+    </message>
+</context>
+<context>
     <name>odo::StartCard</name>
     <message>
         <source>Recording</source>
@@ -14454,6 +14685,81 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>Stop</source>
         <translation>정지</translation>
+    </message>
+</context>
+<context>
+    <name>odo::StartPage</name>
+    <message>
+        <source>Cameras or clips</source>
+        <translation>카메라 또는 동영상</translation>
+    </message>
+    <message>
+        <source>Import clips…</source>
+        <translation>동영상 가져오기…</translation>
+    </message>
+    <message>
+        <source>Connect cameras</source>
+        <translation>카메라 연결</translation>
+    </message>
+    <message>
+        <source>Floor</source>
+        <translation>바닥</translation>
+    </message>
+    <message>
+        <source>Find the mat in the clips…</source>
+        <translation>동영상에서 매트 찾기…</translation>
+    </message>
+    <message>
+        <source>Print a mat…</source>
+        <translation>매트 인쇄…</translation>
+    </message>
+    <message>
+        <source>Use other markers…</source>
+        <translation>다른 마커 사용…</translation>
+    </message>
+    <message>
+        <source>Lens (optional)</source>
+        <translation>렌즈(선택)</translation>
+    </message>
+    <message>
+        <source>Calibrate…</source>
+        <translation>보정…</translation>
+    </message>
+    <message>
+        <source>Robot</source>
+        <translation>로봇</translation>
+    </message>
+    <message>
+        <source>Add a robot…</source>
+        <translation>로봇 추가…</translation>
+    </message>
+    <message>
+        <source>First run</source>
+        <translation>첫 주행</translation>
+    </message>
+    <message>
+        <source>Track…</source>
+        <translation>추적…</translation>
+    </message>
+    <message>
+        <source>Record</source>
+        <translation>녹화</translation>
+    </message>
+    <message>
+        <source>Report</source>
+        <translation>보고서</translation>
+    </message>
+    <message>
+        <source>Report…</source>
+        <translation>보고서…</translation>
+    </message>
+    <message>
+        <source>From clips to a first result</source>
+        <translation>동영상에서 첫 결과까지</translation>
+    </message>
+    <message>
+        <source>Steps to a first result</source>
+        <translation>첫 결과까지의 단계</translation>
     </message>
 </context>
 <context>
@@ -14520,6 +14826,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>&amp;Keep working</source>
         <translation>계속 작업(&amp;K)</translation>
+    </message>
+</context>
+<context>
+    <name>odo::StepRow</name>
+    <message>
+        <source>Done. %1</source>
+        <translation>완료. %1</translation>
     </message>
 </context>
 <context>
@@ -14639,6 +14952,26 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>%1: %2.</source>
         <translation>%1: %2.</translation>
+    </message>
+    <message>
+        <source>Sheets in a row of the mat</source>
+        <translation>매트 한 행의 종이 수</translation>
+    </message>
+    <message>
+        <source>Rows of the mat</source>
+        <translation>매트의 행 수</translation>
+    </message>
+    <message>
+        <source>Floor mat</source>
+        <translation>바닥 매트</translation>
+    </message>
+    <message>
+        <source>S&amp;heets</source>
+        <translation>종이(&amp;H)</translation>
+    </message>
+    <message>
+        <source>A plan and %1 sheets, to be taped together to a mat of %2 × %3 m. Its markers are known: nothing on the floor needs to be measured. The larger the mat, the more exact the floor.</source>
+        <translation>배치도 한 장과 종이 %1장을 붙여 %2 × %3 m 매트를 만듭니다. 마커 위치가 알려져 있어 바닥에서 아무것도 잴 필요가 없습니다. 매트가 클수록 바닥이 더 정확합니다.</translation>
     </message>
 </context>
 <context>
@@ -19563,6 +19896,20 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>ui.finding_mat</name>
+    <message>
+        <source>Finding the floor mat</source>
+        <translation>바닥 매트를 찾는 중</translation>
+    </message>
+</context>
+<context>
+    <name>ui.floor_mat</name>
+    <message>
+        <source>floor mat</source>
+        <translation>바닥 매트</translation>
+    </message>
+</context>
+<context>
     <name>ui.give_board_size</name>
     <message>
         <source>give a size such as 9x6</source>
@@ -19574,6 +19921,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>give its size, such as 150mm</source>
         <translation>150mm처럼 크기를 주십시오</translation>
+    </message>
+</context>
+<context>
+    <name>ui.give_mat_size</name>
+    <message>
+        <source>give a size such as 4x3</source>
+        <translation>4x3과 같은 크기를 지정하십시오</translation>
     </message>
 </context>
 <context>
@@ -19595,6 +19949,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>Importing %1</source>
         <translation>%1 가져오는 중</translation>
+    </message>
+</context>
+<context>
+    <name>ui.importing_trials</name>
+    <message>
+        <source>Importing %1 (%2 of %3)</source>
+        <translation>%1 가져오는 중(%2/%3)</translation>
     </message>
 </context>
 <context>
@@ -19714,6 +20075,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>many trials</source>
         <translation>여러 시행</translation>
+    </message>
+</context>
+<context>
+    <name>ui.mat_has_sheets</name>
+    <message>
+        <source>a mat has 1 to %1 sheets in a row and 1 to %2 rows</source>
+        <translation>매트는 한 행에 1~%1장, 1~%2행입니다</translation>
     </message>
 </context>
 <context>
@@ -19962,6 +20330,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>ui.registering</name>
+    <message>
+        <source>Registering camera %1</source>
+        <translation>카메라 %1 정합 중</translation>
+    </message>
+</context>
+<context>
     <name>ui.registration_through_another</name>
     <message>
         <source>registration via another camera</source>
@@ -20134,6 +20509,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>the trial has no recording</source>
         <translation>시행에 녹화가 없습니다</translation>
+    </message>
+</context>
+<context>
+    <name>ui.trials_imported</name>
+    <message>
+        <source>Trials imported: %1 of %2</source>
+        <translation>가져온 시행: %1/%2</translation>
     </message>
 </context>
 <context>
@@ -21166,6 +21548,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>workflow.add_layout_of_mat</name>
+    <message>
+        <source>add layout %1</source>
+        <translation>배치 %1 추가</translation>
+    </message>
+</context>
+<context>
     <name>workflow.add_robot</name>
     <message>
         <source>add one with: odograph robot add PROJECT NAME --colour #rrggbb</source>
@@ -21397,6 +21786,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>workflow.cameras_given_one_file</name>
+    <message>
+        <source>cameras &apos;%1&apos; and &apos;%2&apos; were given the same file, &apos;%3&apos;</source>
+        <translation>카메라 ‘%1’과(와) ‘%2’에 같은 파일 ‘%3’이(가) 지정되었습니다</translation>
+    </message>
+</context>
+<context>
     <name>workflow.cause_camera_moved</name>
     <message>
         <source>camera %1 seems to have moved by %2 since its registration</source>
@@ -21499,6 +21895,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>check its cable, and whether another program uses it</source>
         <translation>케이블과 다른 프로그램이 쓰고 있는지 확인하십시오</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.check_line_is</name>
+    <message>
+        <source>its check line is %1 long; no print is off by so much</source>
+        <translation>확인선의 길이는 %1이며, 인쇄가 그만큼 어긋나는 일은 없습니다</translation>
     </message>
 </context>
 <context>
@@ -21908,6 +22311,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>workflow.floor_mat</name>
+    <message>
+        <source>floor mat</source>
+        <translation>바닥 매트</translation>
+    </message>
+</context>
+<context>
     <name>workflow.folder</name>
     <message>
         <source>folder &apos;%1&apos;</source>
@@ -22031,6 +22441,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>give one time for each frame</source>
         <translation>프레임마다 시간 하나를 지정하십시오</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.give_each_its_file</name>
+    <message>
+        <source>give each camera its own video</source>
+        <translation>카메라마다 자기 동영상을 지정하십시오</translation>
     </message>
 </context>
 <context>
@@ -22328,6 +22745,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>workflow.leave_one_mat</name>
+    <message>
+        <source>leave one mat on the floor, and use newer files</source>
+        <translation>바닥에 매트를 하나만 남기고 더 새로운 파일을 사용하십시오</translation>
+    </message>
+</context>
+<context>
     <name>workflow.leave_out_trial</name>
     <message>
         <source>remove %1, which recorded nothing</source>
@@ -22580,6 +23004,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>workflow.measure_check_line</name>
+    <message>
+        <source>measure the line from end mark to end mark</source>
+        <translation>선을 끝 표시에서 끝 표시까지 재십시오</translation>
+    </message>
+</context>
+<context>
     <name>workflow.measure_height</name>
     <message>
         <source>measure its height, enter it and reanalyse</source>
@@ -22773,6 +23204,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>none of its cameras is registered to the floor, so there are no live positions to send</source>
         <translation>바닥에 정합된 카메라가 없어 보낼 실시간 위치가 없습니다</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.no_mat_seen</name>
+    <message>
+        <source>no file shows four or more of its tags</source>
+        <translation>어떤 파일에도 태그가 네 개 이상 보이지 않습니다</translation>
     </message>
 </context>
 <context>
@@ -23777,6 +24215,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>workflow.show_mat</name>
+    <message>
+        <source>print the mat, lay it where the cameras see all of it, and record again</source>
+        <translation>매트를 인쇄해 카메라에 전체가 보이는 곳에 놓고 다시 녹화하십시오</translation>
+    </message>
+</context>
+<context>
     <name>workflow.show_whole_board</name>
     <message>
         <source>show the whole board, flat, sharp and evenly lit, and check --pattern and --board</source>
@@ -24012,6 +24457,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>turn the robot, or flash the room light, in view of both cameras</source>
         <translation>두 카메라가 보는 곳에서 로봇을 돌리거나 실내 조명을 깜박이십시오</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.two_mats</name>
+    <message>
+        <source>the files show mats of different paper</source>
+        <translation>파일에 종이가 다른 매트가 보입니다</translation>
     </message>
 </context>
 <context>

@@ -803,8 +803,8 @@
         <translation>就是这些</translation>
     </message>
     <message>
-        <source>For your own robots: create a project (Ctrl+N), set up the floor in Testbed (Ctrl+1), then record (Ctrl+2) or import videos (Ctrl+I). F1 explains each page.</source>
-        <translation>用您自己的机器人：新建项目 (Ctrl+N)，在“试验场”中设置地面 (Ctrl+1)，然后录制 (Ctrl+2) 或导入视频 (Ctrl+I)。按 F1 可查看每一页的说明。</translation>
+        <source>For your own robots: create a project (Ctrl+N). Its Start page leads you from the clips of two phones, or from connected cameras, to a first result. F1 explains each page.</source>
+        <translation>使用您自己的机器人：新建项目 (Ctrl+N)。其“开始”页面会引导您从两部手机的视频或已连接的相机得到第一个结果。F1 解释每个页面。</translation>
     </message>
 </context>
 <context>
@@ -873,6 +873,45 @@ The method follows S. Park, “Computational Vision for Automatic Tracking and O
     </message>
 </context>
 <context>
+    <name>MatWords</name>
+    <message>
+        <source>Row %1, sheet %2</source>
+        <translation>第 %1 行，第 %2 张</translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>This line is %1 long on the whole mat. Measure it.</source>
+        <translation>此线在整张地垫上长 %1。请测量。</translation>
+    </message>
+    <message>
+        <source>Floor mat of %1 × %2 sheets. Print at 100 % (actual size). Cut along the dashed lines.</source>
+        <translation>%1 × %2 张纸的地垫。以 100 %（实际大小）打印。沿虚线裁剪。</translation>
+    </message>
+    <message>
+        <source>Floor mat of %1 × %2 sheets</source>
+        <translation>%1 × %2 张纸的地垫</translation>
+    </message>
+    <message>
+        <source>1. Print all pages at 100 % (actual size), not fitted to the page.</source>
+        <translation>1. 以 100 %（实际大小）打印所有页，不要缩放以适合页面。</translation>
+    </message>
+    <message>
+        <source>2. Cut each sheet along its dashed lines. Lay it on its neighbours, up to their thin lines, as drawn below, and tape the sheets together.</source>
+        <translation>2. 沿虚线裁剪每张纸。如下图所示，把它放到相邻纸张上，对齐其细线，然后用胶带粘在一起。</translation>
+    </message>
+    <message>
+        <source>3. Measure the line at the lower edge. It should be %1 long; Odograph asks for what you measure.</source>
+        <translation>3. 测量下边缘的线。它应长 %1；Odograph 会询问您测得的值。</translation>
+    </message>
+    <message>
+        <source>4. Lay the mat flat where every camera sees all of it. The lower left corner is the origin, the lower edge the x axis.</source>
+        <translation>4. 把地垫平放在每台相机都能看到整张的地方。左下角为原点，下边缘为 x 轴。</translation>
+    </message>
+</context>
+<context>
     <name>Modes</name>
     <message>
         <source>Testbed</source>
@@ -893,6 +932,10 @@ The method follows S. Park, “Computational Vision for Automatic Tracking and O
     <message>
         <source>History</source>
         <translation>历史</translation>
+    </message>
+    <message>
+        <source>Start</source>
+        <translation>开始</translation>
     </message>
 </context>
 <context>
@@ -1531,6 +1574,65 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>SetupWords</name>
+    <message>
+        <source>Two phones on tripods are enough. Film the robot with both, import the clips or drop them on this window; or connect cameras.</source>
+        <translation>两部架在三脚架上的手机就足够了。用两部手机拍摄机器人，导入视频或拖到此窗口；或者连接相机。</translation>
+    </message>
+    <message>
+        <source>Cameras: %1.</source>
+        <translation>相机：%1。</translation>
+    </message>
+    <message>
+        <source>Print the mat, tape it together and lay it where every camera sees it while it films: from it Odograph knows where the floor is.</source>
+        <translation>打印地垫，粘好后放在拍摄时每台相机都能看到的地方：Odograph 由此得知地面的位置。</translation>
+    </message>
+    <message>
+        <source>Positions on the floor: %1.</source>
+        <translation>地面上的位置：%1。</translation>
+    </message>
+    <message>
+        <source>Not registered yet: %1.</source>
+        <translation>尚未配准：%1。</translation>
+    </message>
+    <message>
+        <source>Optional. A printed board shows how the lens bends the image; without it positions far from the mat are less exact, and their ± says so.</source>
+        <translation>可选。打印的标定板显示镜头如何使图像弯曲；没有它，远离地垫的位置精度较低，其 ± 会反映出来。</translation>
+    </message>
+    <message>
+        <source>Calibrated: %1.</source>
+        <translation>已标定：%1。</translation>
+    </message>
+    <message>
+        <source>A name is enough: Odograph finds a robot of any look by its motion.</source>
+        <translation>有名称即可：无论机器人是什么外观，Odograph 都会根据其运动找到它。</translation>
+    </message>
+    <message>
+        <source>%1 and %2 more</source>
+        <translation>%1 以及另外 %2 个</translation>
+    </message>
+    <message>
+        <source>Robots: %1.</source>
+        <translation>机器人：%1。</translation>
+    </message>
+    <message>
+        <source>Imported clips are tracked here, or record with connected cameras.</source>
+        <translation>在此跟踪导入的视频，或用已连接的相机录制。</translation>
+    </message>
+    <message>
+        <source>%1 is not measured yet.</source>
+        <translation>%1 尚未测量。</translation>
+    </message>
+    <message>
+        <source>%1 is measured.</source>
+        <translation>%1 已测量。</translation>
+    </message>
+    <message>
+        <source>Path, speed, acceleration and their ±, spikes with reasons: one PDF for each trial, or for the class.</source>
+        <translation>路径、速度、加速度及其 ±，带原因的尖峰：每次试验或整个班级一个 PDF。</translation>
+    </message>
+</context>
+<context>
     <name>ShownMessageWords</name>
     <message>
         <source>%1: %2</source>
@@ -1605,6 +1707,10 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>Print at 100 % (actual size). Lay it flat; the marker&apos;s position is its middle, where the four lines at the edges point.</source>
         <translation>请按 100 %（实际大小）打印。平放在地面上；标记的位置是其中心，即四边的四条线所指之处。</translation>
+    </message>
+    <message>
+        <source>Floor mat of %1 × %2 sheets</source>
+        <translation>%1 × %2 张纸的地垫</translation>
     </message>
 </context>
 <context>
@@ -11623,6 +11729,10 @@ Much more than expected means that a setting is wrong: the views are not synchro
         <source>%1 could not be deleted; delete it by hand.</source>
         <translation>无法删除 %1，请手动删除。</translation>
     </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1：%2</translation>
+    </message>
 </context>
 <context>
     <name>odo::HistoryPage</name>
@@ -11742,6 +11852,93 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>An image or a &amp;video</source>
         <translation>图片或视频(&amp;P)</translation>
+    </message>
+</context>
+<context>
+    <name>odo::ImportLessonDialog</name>
+    <message>
+        <source>Robots in the trials</source>
+        <translation>试验中的机器人</translation>
+    </message>
+    <message>
+        <source>Import a lesson</source>
+        <translation>导入一节课</translation>
+    </message>
+    <message>
+        <source>Clips that were recorded at the same time belong to one trial. Untick what is no run; names and teams can be changed.</source>
+        <translation>同时录制的视频属于同一次试验。取消勾选不是运行的内容；名称和小组可以更改。</translation>
+    </message>
+    <message>
+        <source>Cameras</source>
+        <translation>相机</translation>
+    </message>
+    <message>
+        <source>Tas&amp;k</source>
+        <translation>任务(&amp;K)</translation>
+    </message>
+    <message>
+        <source>R&amp;obots</source>
+        <translation>机器人(&amp;O)</translation>
+    </message>
+    <message>
+        <source>Import</source>
+        <translation>导入</translation>
+    </message>
+    <message>
+        <source>Camera of view %1</source>
+        <translation>视角 %1 的相机</translation>
+    </message>
+    <message>
+        <source>Trials</source>
+        <translation>试验</translation>
+    </message>
+    <message>
+        <source>Trial %1</source>
+        <translation>试验 %1</translation>
+    </message>
+    <message>
+        <source>Team of row %1</source>
+        <translation>第 %1 行的小组</translation>
+    </message>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 秒</translation>
+    </message>
+    <message>
+        <source>no clip</source>
+        <translation>无视频</translation>
+    </message>
+    <message>
+        <source>Each view needs a camera of its own.</source>
+        <translation>每个视角都需要自己的相机。</translation>
+    </message>
+    <message>
+        <source>Each trial needs a name of its own.</source>
+        <translation>每次试验都需要自己的名称。</translation>
+    </message>
+    <message>
+        <source>Tick the trials to import.</source>
+        <translation>请勾选要导入的试验。</translation>
+    </message>
+    <message>
+        <source>Trial</source>
+        <translation>试验</translation>
+    </message>
+    <message>
+        <source>Team</source>
+        <translation>小组</translation>
+    </message>
+    <message>
+        <source>Recorded</source>
+        <translation>录制时间</translation>
+    </message>
+    <message>
+        <source>Length</source>
+        <translation>时长</translation>
+    </message>
+    <message>
+        <source>Clip of %1</source>
+        <translation>%1 的视频</translation>
     </message>
 </context>
 <context>
@@ -12675,6 +12872,33 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>not visible</source>
         <translation>未看到</translation>
+    </message>
+</context>
+<context>
+    <name>odo::MatDialog</name>
+    <message>
+        <source>Find the floor mat</source>
+        <translation>查找地垫</translation>
+    </message>
+    <message>
+        <source>The mat is looked for in the newest recording of each camera: %1.</source>
+        <translation>在每台相机的最新录像中查找地垫：%1。</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>Measure the line at the mat&apos;s lower edge from end mark to end mark. Printers often shrink by 2 to 4 %; what you enter makes up for it.</source>
+        <translation>从一端标记到另一端标记测量地垫下边缘的线。打印机常会缩小 2 到 4 %；您输入的值会对此进行补偿。</translation>
+    </message>
+    <message>
+        <source>&amp;Check line</source>
+        <translation>检查线(&amp;C)</translation>
+    </message>
+    <message>
+        <source>Find the mat</source>
+        <translation>查找地垫</translation>
     </message>
 </context>
 <context>
@@ -14406,6 +14630,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>odo::StartActions</name>
+    <message>
+        <source>Registered to the floor mat: %1.</source>
+        <translation>已按地垫配准：%1。</translation>
+    </message>
+</context>
+<context>
     <name>odo::StartCard</name>
     <message>
         <source>Recording</source>
@@ -14454,6 +14685,81 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>Stop</source>
         <translation>停止</translation>
+    </message>
+</context>
+<context>
+    <name>odo::StartPage</name>
+    <message>
+        <source>Cameras or clips</source>
+        <translation>相机或视频</translation>
+    </message>
+    <message>
+        <source>Import clips…</source>
+        <translation>导入视频…</translation>
+    </message>
+    <message>
+        <source>Connect cameras</source>
+        <translation>连接相机</translation>
+    </message>
+    <message>
+        <source>Floor</source>
+        <translation>地面</translation>
+    </message>
+    <message>
+        <source>Find the mat in the clips…</source>
+        <translation>在视频中查找地垫…</translation>
+    </message>
+    <message>
+        <source>Print a mat…</source>
+        <translation>打印地垫…</translation>
+    </message>
+    <message>
+        <source>Use other markers…</source>
+        <translation>使用其他标记…</translation>
+    </message>
+    <message>
+        <source>Lens (optional)</source>
+        <translation>镜头（可选）</translation>
+    </message>
+    <message>
+        <source>Calibrate…</source>
+        <translation>标定…</translation>
+    </message>
+    <message>
+        <source>Robot</source>
+        <translation>机器人</translation>
+    </message>
+    <message>
+        <source>Add a robot…</source>
+        <translation>添加机器人…</translation>
+    </message>
+    <message>
+        <source>First run</source>
+        <translation>第一次运行</translation>
+    </message>
+    <message>
+        <source>Track…</source>
+        <translation>跟踪…</translation>
+    </message>
+    <message>
+        <source>Record</source>
+        <translation>录制</translation>
+    </message>
+    <message>
+        <source>Report</source>
+        <translation>报告</translation>
+    </message>
+    <message>
+        <source>Report…</source>
+        <translation>报告…</translation>
+    </message>
+    <message>
+        <source>From clips to a first result</source>
+        <translation>从视频到第一个结果</translation>
+    </message>
+    <message>
+        <source>Steps to a first result</source>
+        <translation>得到第一个结果的步骤</translation>
     </message>
 </context>
 <context>
@@ -14520,6 +14826,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>&amp;Keep working</source>
         <translation>继续(&amp;K)</translation>
+    </message>
+</context>
+<context>
+    <name>odo::StepRow</name>
+    <message>
+        <source>Done. %1</source>
+        <translation>已完成。%1</translation>
     </message>
 </context>
 <context>
@@ -14639,6 +14952,26 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>%1: %2.</source>
         <translation>%1：%2。</translation>
+    </message>
+    <message>
+        <source>Sheets in a row of the mat</source>
+        <translation>地垫一行的纸张数</translation>
+    </message>
+    <message>
+        <source>Rows of the mat</source>
+        <translation>地垫的行数</translation>
+    </message>
+    <message>
+        <source>Floor mat</source>
+        <translation>地垫</translation>
+    </message>
+    <message>
+        <source>S&amp;heets</source>
+        <translation>纸张(&amp;H)</translation>
+    </message>
+    <message>
+        <source>A plan and %1 sheets, to be taped together to a mat of %2 × %3 m. Its markers are known: nothing on the floor needs to be measured. The larger the mat, the more exact the floor.</source>
+        <translation>一张图和 %1 张纸，粘成 %2 × %3 m 的地垫。其标记位置已知：无需在地面上测量任何东西。地垫越大，地面越精确。</translation>
     </message>
 </context>
 <context>
@@ -19563,6 +19896,20 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>ui.finding_mat</name>
+    <message>
+        <source>Finding the floor mat</source>
+        <translation>正在查找地垫</translation>
+    </message>
+</context>
+<context>
+    <name>ui.floor_mat</name>
+    <message>
+        <source>floor mat</source>
+        <translation>地垫</translation>
+    </message>
+</context>
+<context>
     <name>ui.give_board_size</name>
     <message>
         <source>give a size such as 9x6</source>
@@ -19574,6 +19921,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>give its size, such as 150mm</source>
         <translation>请给出其尺寸，如 150mm</translation>
+    </message>
+</context>
+<context>
+    <name>ui.give_mat_size</name>
+    <message>
+        <source>give a size such as 4x3</source>
+        <translation>请给出如 4x3 的尺寸</translation>
     </message>
 </context>
 <context>
@@ -19595,6 +19949,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>Importing %1</source>
         <translation>正在导入 %1</translation>
+    </message>
+</context>
+<context>
+    <name>ui.importing_trials</name>
+    <message>
+        <source>Importing %1 (%2 of %3)</source>
+        <translation>正在导入 %1（第 %2 个，共 %3 个）</translation>
     </message>
 </context>
 <context>
@@ -19714,6 +20075,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>many trials</source>
         <translation>多次试验</translation>
+    </message>
+</context>
+<context>
+    <name>ui.mat_has_sheets</name>
+    <message>
+        <source>a mat has 1 to %1 sheets in a row and 1 to %2 rows</source>
+        <translation>地垫每行 1 到 %1 张纸，共 1 到 %2 行</translation>
     </message>
 </context>
 <context>
@@ -19962,6 +20330,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>ui.registering</name>
+    <message>
+        <source>Registering camera %1</source>
+        <translation>正在配准相机 %1</translation>
+    </message>
+</context>
+<context>
     <name>ui.registration_through_another</name>
     <message>
         <source>registration via another camera</source>
@@ -20134,6 +20509,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>the trial has no recording</source>
         <translation>该试验没有录像</translation>
+    </message>
+</context>
+<context>
+    <name>ui.trials_imported</name>
+    <message>
+        <source>Trials imported: %1 of %2</source>
+        <translation>已导入的试验：%1/%2</translation>
     </message>
 </context>
 <context>
@@ -21166,6 +21548,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>workflow.add_layout_of_mat</name>
+    <message>
+        <source>add layout %1</source>
+        <translation>添加布局 %1</translation>
+    </message>
+</context>
+<context>
     <name>workflow.add_robot</name>
     <message>
         <source>add one with: odograph robot add PROJECT NAME --colour #rrggbb</source>
@@ -21397,6 +21786,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>workflow.cameras_given_one_file</name>
+    <message>
+        <source>cameras &apos;%1&apos; and &apos;%2&apos; were given the same file, &apos;%3&apos;</source>
+        <translation>相机“%1”和“%2”被指定了同一个文件“%3”</translation>
+    </message>
+</context>
+<context>
     <name>workflow.cause_camera_moved</name>
     <message>
         <source>camera %1 seems to have moved by %2 since its registration</source>
@@ -21499,6 +21895,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>check its cable, and whether another program uses it</source>
         <translation>请检查其电缆，以及是否有其他程序占用</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.check_line_is</name>
+    <message>
+        <source>its check line is %1 long; no print is off by so much</source>
+        <translation>其检查线长 %1；打印误差不会这么大</translation>
     </message>
 </context>
 <context>
@@ -21908,6 +22311,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>workflow.floor_mat</name>
+    <message>
+        <source>floor mat</source>
+        <translation>地垫</translation>
+    </message>
+</context>
+<context>
     <name>workflow.folder</name>
     <message>
         <source>folder &apos;%1&apos;</source>
@@ -22031,6 +22441,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>give one time for each frame</source>
         <translation>请为每一帧给出一个时间</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.give_each_its_file</name>
+    <message>
+        <source>give each camera its own video</source>
+        <translation>请为每台相机指定各自的视频</translation>
     </message>
 </context>
 <context>
@@ -22328,6 +22745,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>workflow.leave_one_mat</name>
+    <message>
+        <source>leave one mat on the floor, and use newer files</source>
+        <translation>地面上只留一张地垫，并使用更新的文件</translation>
+    </message>
+</context>
+<context>
     <name>workflow.leave_out_trial</name>
     <message>
         <source>remove %1, which recorded nothing</source>
@@ -22580,6 +23004,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>workflow.measure_check_line</name>
+    <message>
+        <source>measure the line from end mark to end mark</source>
+        <translation>请从一端标记到另一端标记测量该线</translation>
+    </message>
+</context>
+<context>
     <name>workflow.measure_height</name>
     <message>
         <source>measure its height, enter it and reanalyse</source>
@@ -22773,6 +23204,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>none of its cameras is registered to the floor, so there are no live positions to send</source>
         <translation>没有一台相机已对地面配准，因此没有实时位置可发送</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.no_mat_seen</name>
+    <message>
+        <source>no file shows four or more of its tags</source>
+        <translation>没有文件显示其四个或更多标签</translation>
     </message>
 </context>
 <context>
@@ -23777,6 +24215,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>workflow.show_mat</name>
+    <message>
+        <source>print the mat, lay it where the cameras see all of it, and record again</source>
+        <translation>请打印地垫，放在相机能看到整张的地方，然后重新录制</translation>
+    </message>
+</context>
+<context>
     <name>workflow.show_whole_board</name>
     <message>
         <source>show the whole board, flat, sharp and evenly lit, and check --pattern and --board</source>
@@ -24012,6 +24457,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>turn the robot, or flash the room light, in view of both cameras</source>
         <translation>请在两台相机都能看到处让机器人转弯，或闪一下室内灯</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.two_mats</name>
+    <message>
+        <source>the files show mats of different paper</source>
+        <translation>文件显示了不同纸张的地垫</translation>
     </message>
 </context>
 <context>

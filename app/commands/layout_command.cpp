@@ -7,6 +7,7 @@
 #include "core/project/project.h"
 #include "core/project/repositories.h"
 #include "core/workflow/calibrate/cameras.h"
+#include "core/workflow/calibrate/mat_job.h"
 #include "ui/models/shown_message.h"
 
 #include <cmath>
@@ -55,6 +56,23 @@ Result<void> add(CommandCall &call)
         return tl::unexpected(added.error());
     const int markers = int(layout.markers.size());
     const QString name = QString::fromStdString(added->layout.name);
+    call.answer({{QStringLiteral("layout"), name}, {QStringLiteral("markers"), markers}},
+                QStringLiteral("Layout %1 has %2.").arg(name, counted(markers, QStringLiteral("marker"))));
+    return {};
+}
+
+/// Of the printed mat that an image or a video shows.
+Result<void> mat(CommandCall &call)
+{
+    MatSettings settings{{call.text(2)}, std::nullopt};
+    if (call.isSet(option::checkLine)) {
+        settings.checkLineM = ODO_TRY(call.lengthM(option::checkLine));
+    }
+    const auto project = ODO_TRY(call.openProject(1, Project::Access::ReadWrite));
+    FindMatJob job(std::move(settings));
+    ODO_TRY(runToEnd(job, *project, call.control()));
+    const QString name = QString::fromStdString(job.layoutName());
+    const int markers = int(matLayout(job.mat()).markers.size());
     call.answer({{QStringLiteral("layout"), name}, {QStringLiteral("markers"), markers}},
                 QStringLiteral("Layout %1 has %2.").arg(name, counted(markers, QStringLiteral("marker"))));
     return {};
@@ -190,14 +208,18 @@ Result<void> runLayout(const QStringList &arguments, const CancelToken &cancel)
     CommandCall call(
         {QStringLiteral("layout"),
          QStringLiteral(
-             "add P.odo NAME layout.csv | list P.odo | show P.odo LAYOUT | export P.odo LAYOUT "
+             "add P.odo NAME layout.csv | mat P.odo IMAGE|VIDEO [--check-line 985mm] | list P.odo | show "
+             "P.odo LAYOUT | export P.odo LAYOUT "
              "layout.csv [--force] | "
              "transform P.odo LAYOUT [--origin LABEL | --origin-at X,Y] [--turn DEGREES | --x-axis "
              "LABEL,LABEL] "
              "[--reverse x|y|xy] [--unit mm|cm|m|inch] [--json]"),
          2,
          4,
-         {{option::origin, QStringLiteral("The marker to use as the origin."), QStringLiteral("LABEL")},
+         {{option::checkLine,
+           QStringLiteral("The length of the mat's check line as measured, where the print is not to scale."),
+           QStringLiteral("LENGTH")},
+          {option::origin, QStringLiteral("The marker to use as the origin."), QStringLiteral("LABEL")},
           {option::originAt, QStringLiteral("The point to use as the origin."), QStringLiteral("X,Y")},
           {option::turn, QStringLiteral("The angle of the new X in the old axes, counter-clockwise."),
            QStringLiteral("DEGREES")},
@@ -216,11 +238,9 @@ Result<void> runLayout(const QStringList &arguments, const CancelToken &cancel)
         int positionals;
         Result<void> (*run)(CommandCall &);
     };
-    static constexpr Verb verbs[] = {{"add", 4, add},
-                                     {"list", 2, list},
-                                     {"show", 3, show},
-                                     {"export", 4, exportCsv},
-                                     {"transform", 3, transform}};
+    static constexpr Verb verbs[] = {{"add", 4, add},          {"mat", 3, mat},
+                                     {"list", 2, list},        {"show", 3, show},
+                                     {"export", 4, exportCsv}, {"transform", 3, transform}};
     for (const Verb &verb : verbs) {
         if (call.positional(0) != QLatin1String(verb.name))
             continue;

@@ -143,6 +143,7 @@ struct SimulatedFloor
     double shadowStrength = 0.35; ///< of the soft shadow where a robot meets the floor; 0: none
     double gloss = 0;             ///< how strong the mirror images in it are; 1: a mirror
     MarkerShape markerShape = MarkerShape::Tag;
+    bool areTagsByLabel = false; ///< a tag's number is its marker's label, not its index in the layout
 };
 
 /// A whole simulated testbed with known truth. Rendering is deterministic for a seed, whatever the order of

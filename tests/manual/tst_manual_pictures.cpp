@@ -11,6 +11,7 @@
 #include "tests/ui/support/found_widgets.h"
 #include "ui/history/history_page.h"
 #include "ui/main_window/internal/import_dialogs.h"
+#include "ui/main_window/internal/import_lesson_dialog.h"
 #include "ui/main_window/internal/window_bars.h"
 #include "ui/main_window/language.h"
 #include "ui/main_window/main_window.h"
@@ -165,6 +166,8 @@ void TestManualPictures::showTrial(const QString &trial, Nanoseconds at)
 
 void TestManualPictures::theFirstLesson()
 {
+    m_book->showPage(WindowMode::Start);
+    m_book->takeWindow(QStringLiteral("start"));
     showTrial(eight, 3 * second);
     m_book->takeWindow(QStringLiteral("review"));
     auto *help = m_book->window().findChild<QAction *>(QStringLiteral("help"));
@@ -274,6 +277,16 @@ void TestManualPictures::importing()
             dialog.findChildren<PathField *>().at(view)->setPath(
                 QString::fromStdString((*recordings)[std::size_t(view)].path));
     });
+    const Instant lesson(std::chrono::sys_days(std::chrono::year(2026) / 3 / 9) + std::chrono::hours(9));
+    ImportLessonDialog many({{},
+                             {QStringLiteral("Falcon"), QStringLiteral("Otter")},
+                             {QStringLiteral("Red 2"), QStringLiteral("Blue 1")},
+                             {{QStringLiteral("A"), {}}, {QStringLiteral("B"), {}}}},
+                            {QStringLiteral("circle")},
+                            {{{"IMG_0456.MOV", "PXL_1234.mp4"}, lesson, 24.3},
+                             {{"IMG_0457.MOV", "PXL_1235.mp4"}, lesson + std::chrono::minutes(3), 31.8},
+                             {{"IMG_0458.MOV", "PXL_1236.mp4"}, lesson + std::chrono::minutes(7), 22.6}});
+    m_book->take(many, QStringLiteral("import_lesson"));
     m_book->takeDialog("addRobot", QStringLiteral("add_robot"));
     m_book->takeDialog("importTracks", QStringLiteral("import_tracks"));
     m_book->takeDialog("track", QStringLiteral("track"));

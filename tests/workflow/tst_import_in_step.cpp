@@ -48,6 +48,8 @@ void TestImportInStep::initTestCase()
     m_offsetS = frameSceneTime(scene, 1, 0) - frameSceneTime(scene, 0, 0);
     QVERIFY(renderVideo(scene, 0, path("a.mkv"), {}, {}));
     QVERIFY(renderVideo(scene, 1, path("b.mkv"), {}, {}));
+    for (const char *same : {"b2.mkv", "b3.mkv"})
+        std::filesystem::copy_file(path("b.mkv"), path(same));
     scene.lights.clear();
     QVERIFY(renderVideo(scene, 1, path("dull.mkv"), {}, {}));
     auto project = Project::create(path("class.odo"), "Class");
@@ -90,7 +92,7 @@ void TestImportInStep::findsAFlash()
 
 void TestImportInStep::eachViewInItsOwnWay()
 {
-    ImportSettings mixed = settings("mixed", {"a.mkv", "b.mkv", "b.mkv", "b.mkv"});
+    ImportSettings mixed = settings("mixed", {"a.mkv", "b.mkv", "b2.mkv", "b3.mkv"});
     mixed.steps = {{Sync::Given, 0.25}, {Sync::Automatic, 0}, {Sync::None, 0}};
     ImportTrialJob job(std::move(mixed));
     const auto done = runToEnd(job, *m_project, {});
@@ -122,7 +124,7 @@ void TestImportInStep::saysWhatToDoWithoutAFlash()
 
 void TestImportInStep::refusesStepsOfOtherNumber()
 {
-    ImportSettings wrong = settings("wrong", {"a.mkv", "b.mkv", "b.mkv"});
+    ImportSettings wrong = settings("wrong", {"a.mkv", "b.mkv", "b2.mkv"});
     wrong.steps = {{Sync::Given, 0.25}};
     ImportTrialJob job(std::move(wrong));
     const auto done = runToEnd(job, *m_project, {});

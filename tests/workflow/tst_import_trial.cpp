@@ -171,6 +171,52 @@ private Q_SLOTS:
                     std::string::npos);
     }
 
+    /// By the camera's clock, or else by when the file was written; neither where it was never set.
+    void aTrialIsDatedByItsClips()
+    {
+        const auto made = [this](const char *trial, const char *created) {
+            RawVideo video{"libx264", "yuv420p", 31, 64, 48, 30};
+            video.fill = [](AVFrame &, int) {};
+            if (created)
+                video.metadata = {{"creation_time", created}};
+            return writeRaw(path(std::string(trial) + ".mp4"), video) && importFile(trial, ".mp4").empty();
+        };
+        const auto date = [this](const char *trial) { return m_project->trials().find(trial)->date; };
+        const Instant lesson(std::chrono::sys_days(std::chrono::year(2026) / 3 / 9) + std::chrono::hours(10) +
+                             std::chrono::minutes(15));
+        QVERIFY(made("filmed", "2026-03-09T10:15:00.000000Z"));
+        QVERIFY(date("filmed") == lesson);
+        const Instant before = instantNow() - std::chrono::seconds(2);
+        QVERIFY(made("undated", nullptr));
+        QVERIFY(date("undated") >= before && date("undated") <= instantNow());
+        QVERIFY(made("unset clock", "1970-01-01T00:00:05.000000Z"));
+        QVERIFY(date("unset clock") >= before);
+        QVERIFY(made("future", "2150-01-01T00:00:00.000000Z"));
+        QVERIFY(date("future") <= instantNow());
+        std::filesystem::copy_file(path("undated.mp4"), path("old.mp4"));
+        std::filesystem::last_write_time(path("old.mp4"), std::chrono::file_clock::from_sys(lesson));
+        QVERIFY(importFile("old", ".mp4").empty());
+        QVERIFY(date("old") == lesson);
+    }
+
+    /// It would agree with itself in everything.
+    void aFileGivenToTwoCamerasIsRefused()
+    {
+        QVERIFY(imported("once", evenTimes(30, 30)).empty());
+        std::filesystem::create_symlink(path("once.mkv"), path("again.mkv"));
+        for (const char *other : {"once.mkv", "again.mkv"}) {
+            ImportSettings settings;
+            settings.trial = "twice";
+            settings.videos = {{"A", path("once.mkv")}, {"B", path(other)}};
+            ImportTrialJob job(std::move(settings));
+            const auto done = runToEnd(job, *m_project, {});
+            QVERIFY(!done);
+            QCOMPARE(done.error().message(),
+                     std::string("import of trial 'twice': cameras 'A' and 'B' were given the same file, '") +
+                         other + "'; give each camera its own video");
+        }
+    }
+
 private:
     std::filesystem::path path(const std::string &name) const
     {

@@ -12,6 +12,7 @@
 #include "ui/main_window/internal/class_actions.h"
 #include "ui/main_window/internal/file_actions.h"
 #include "ui/main_window/internal/report_actions.h"
+#include "ui/main_window/internal/start_actions.h"
 #include "ui/main_window/internal/trial_actions.h"
 #include "ui/main_window/internal/window_bars.h"
 #include "ui/main_window/internal/window_menus.h"
@@ -54,6 +55,7 @@ MainWindow::MainWindow()
       m_files(new FileActions(*m_workspace, *m_recent, *this)),
       m_trials(new TrialActions(*m_workspace, *this)), m_many(new HistoryActions(*m_workspace, *this)),
       m_class(new ClassActions(*m_workspace, *this)), m_reports(new ReportActions(*m_workspace, *this)),
+      m_start(new StartActions(*m_workspace, *m_trials, *m_reports, *this)),
       m_undo(new UndoActions(*m_workspace, this)), m_views(new ViewActions(*this)),
       m_keys(new CommandKeys(this)), m_helpPanel(new HelpPanel),
       m_help(new HelpActions(*m_keys, *m_helpPanel, *this)), m_modeBar(new ModeBar),
@@ -126,6 +128,7 @@ void MainWindow::connectActions()
     connect(m_welcome, &WelcomePage::recentChosen, this,
             [this](const QString &file) { beginOpening(pathOf(file)); });
     connect(m_files, &FileActions::videosDropped, m_trials, &TrialActions::askImport);
+    connect(m_files, &FileActions::stillsDropped, m_start, &StartActions::calibrateBy);
     connect(m_files, &FileActions::tracksDropped, m_trials, &TrialActions::askImportTracks);
     connect(m_files, &FileActions::demoOpened, m_help, &HelpActions::beginLesson);
     connect(m_help, &HelpActions::demoWanted, m_files->demo(), &QAction::trigger);
@@ -155,8 +158,12 @@ void MainWindow::connectActions()
         refreshPages();
         m_messages->showDone(words);
     });
-    for (const auto signal : {&TrialActions::trialImported, &TrialActions::trialTracked})
-        connect(m_trials, signal, this, &MainWindow::openTrial);
+    connect(m_trials, &TrialActions::robotAdded, this, &MainWindow::refreshPages);
+    connect(m_trials, &TrialActions::trialImported, this, &MainWindow::showImported);
+    connect(m_trials, &TrialActions::lessonChosen, m_many, &HistoryActions::importTrials);
+    connect(m_trials, &TrialActions::trialTracked, this, &MainWindow::openTrial);
+    connect(m_start, &StartActions::failed, this, &MainWindow::showFailure);
+    connect(m_start, &StartActions::done, m_messages, &MessageBar::showDone);
 }
 
 void MainWindow::connectJobs()
@@ -292,6 +299,9 @@ void MainWindow::addPage(Mode mode)
 {
     const auto askImport = [this] { m_trials->askImport(); };
     switch (mode) {
+    case Mode::Start:
+        m_start->serve(*m_pages);
+        break;
     case Mode::Testbed:
         connect(&m_pages->testbed(), &TestbedPage::tasksRequested, m_class, &ClassActions::showTasks);
         break;
@@ -384,6 +394,12 @@ void MainWindow::openTrial(const QString &trial)
 {
     if (const Result<void> shown = showTrial(trial.toStdString()); !shown)
         m_messages->showError(shown.error());
+}
+
+void MainWindow::showImported(const QString &trial)
+{
+    if (m_pages->mode() != Mode::Start)
+        openTrial(trial);
 }
 
 void MainWindow::beginOpening(const std::filesystem::path &file)

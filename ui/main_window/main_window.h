@@ -24,6 +24,7 @@ class ModeBar;
 class PageMenus;
 class RecentProjects;
 class ReportActions;
+class StartActions;
 class StatusLine;
 class TrialActions;
 class UndoActions;
@@ -87,6 +88,8 @@ private:
     void showPreferences(PreferencesDialog::Page page);
     void remakePages();
     void openTrial(const QString &trial);
+    /// In Start it is one of its steps; elsewhere it is shown.
+    void showImported(const QString &trial);
     void showTitle();
     void showState();
     void rescueProject();
@@ -103,6 +106,7 @@ private:
     HistoryActions *m_many;
     ClassActions *m_class;
     ReportActions *m_reports;
+    StartActions *m_start;
     UndoActions *m_undo;
     ViewActions *m_views;
     CommandKeys *m_keys;

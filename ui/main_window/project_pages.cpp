@@ -10,6 +10,7 @@
 #include "ui/record/record_page.h"
 #include "ui/review/review_desk.h"
 #include "ui/review/review_page.h"
+#include "ui/start/start_page.h"
 #include "ui/testbed/testbed_page.h"
 
 #include <QCoreApplication>
@@ -26,7 +27,8 @@ struct NamedMode
 };
 
 /// In the order of the modes.
-constexpr std::array<NamedMode, allModes.size()> names{{{"testbed", QT_TRANSLATE_NOOP("Modes", "Testbed")},
+constexpr std::array<NamedMode, allModes.size()> names{{{"start", QT_TRANSLATE_NOOP("Modes", "Start")},
+                                                        {"testbed", QT_TRANSLATE_NOOP("Modes", "Testbed")},
                                                         {"record", QT_TRANSLATE_NOOP("Modes", "Record")},
                                                         {"review", QT_TRANSLATE_NOOP("Modes", "Review")},
                                                         {"compare", QT_TRANSLATE_NOOP("Modes", "Compare")},
@@ -76,7 +78,7 @@ void ProjectPages::makeNext()
     if (!m_review)
         page(Mode::Review);
     else if (!m_isOneShown)
-        show(Mode::Review);
+        show(isNothingMeasured(*m_workspace.project()).value_or(false) ? Mode::Start : Mode::Review);
     else if (missing != m_pages.end())
         page(static_cast<Mode>(missing - m_pages.begin()));
     else
@@ -106,6 +108,8 @@ QWidget *ProjectPages::page(Mode mode)
 QWidget *ProjectPages::make(Mode mode)
 {
     switch (mode) {
+    case Mode::Start:
+        return makeStart();
     case Mode::Testbed:
         return makeTestbed();
     case Mode::Record:
@@ -118,6 +122,12 @@ QWidget *ProjectPages::make(Mode mode)
         break;
     }
     return makeHistory();
+}
+
+StartPage &ProjectPages::start()
+{
+    page(Mode::Start);
+    return *m_start;
 }
 
 TestbedPage &ProjectPages::testbed()
@@ -154,6 +164,13 @@ HistoryPage &ProjectPages::history()
 {
     page(Mode::History);
     return *m_history;
+}
+
+QWidget *ProjectPages::makeStart()
+{
+    m_start = new StartPage(*m_workspace.project(), m_workspace.isReadOnly(), &m_stack);
+    connect(m_start, &StartPage::failed, this, &ProjectPages::failed);
+    return m_start;
 }
 
 QWidget *ProjectPages::makeTestbed()
@@ -243,7 +260,9 @@ void ProjectPages::read(QWidget *page)
 {
     if (m_stale.erase(page) == 0)
         return;
-    if (page == m_testbed)
+    if (page == m_start)
+        m_start->refresh();
+    else if (page == m_testbed)
         m_testbed->refresh();
     else if (page == m_record)
         m_record->refresh();

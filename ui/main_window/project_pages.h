@@ -19,10 +19,10 @@ class QWidget;
 namespace odo {
 
 /// The modes of the window, in the order in which the mode bar shows them.
-enum class WindowMode { Testbed, Record, Review, Compare, History };
+enum class WindowMode { Start, Testbed, Record, Review, Compare, History };
 
-inline constexpr std::array allModes{WindowMode::Testbed, WindowMode::Record, WindowMode::Review,
-                                     WindowMode::Compare, WindowMode::History};
+inline constexpr std::array allModes{WindowMode::Start,  WindowMode::Testbed, WindowMode::Record,
+                                     WindowMode::Review, WindowMode::Compare, WindowMode::History};
 
 /// "testbed": of its icon, its help, its command and the command line.
 QString modeWord(WindowMode mode);
@@ -36,6 +36,7 @@ class HistoryPage;
 class Project;
 class RecordPage;
 class ReviewPage;
+class StartPage;
 class TestbedPage;
 class Workspace;
 
@@ -53,11 +54,12 @@ public:
     ~ProjectPages() override;
 
     /// Makes the pages in the next turns of the event loop, one in each, for all at once would keep the
-    /// window waiting: Review first, which is shown unless another one is. A page that is asked for is made
-    /// at once.
+    /// window waiting: Review first, then the one that is shown unless another one is: Review, or Start as
+    /// long as nothing is measured. A page that is asked for is made at once.
     void makeSoon() { m_maker.start(); }
     /// As makeSoon, at once.
     void makeAll();
+    StartPage &start();
     TestbedPage &testbed();
     RecordPage &record();
     ReviewPage &review();
@@ -95,6 +97,7 @@ private:
     void makeNext();
     QWidget *page(Mode mode);
     QWidget *make(Mode mode);
+    QWidget *makeStart();
     QWidget *makeTestbed();
     QWidget *makeRecord();
     QWidget *makeReview();
@@ -108,6 +111,7 @@ private:
 
     Workspace &m_workspace;
     QStackedWidget &m_stack;
+    StartPage *m_start = nullptr;
     TestbedPage *m_testbed = nullptr;
     RecordPage *m_record = nullptr;
     ReviewPage *m_review = nullptr;

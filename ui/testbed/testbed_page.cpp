@@ -234,6 +234,11 @@ QString TestbedPage::currentCamera() const
     return m_table->currentIndex().data(CameraListModel::NameRole).toString();
 }
 
+void TestbedPage::calibrate(const QStringList &stills)
+{
+    m_tools->calibrateBy(stills);
+}
+
 QList<QAction *> TestbedPage::toolActions() const
 {
     return m_tools->actions() + m_checks->actions();

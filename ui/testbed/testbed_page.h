@@ -48,6 +48,9 @@ public:
     /// What TestbedTools and CheckTools offer; for menus too.
     QList<QAction *> toolActions() const;
 
+    /// Asks for the lens calibration of a camera, with these images of a board to begin with.
+    void calibrate(const QStringList &stills);
+
 Q_SIGNALS:
     void changed(const QString &words); ///< the project was changed
     void tasksRequested();              ///< the user wants to see the tasks of this floor

@@ -86,8 +86,11 @@ public:
         for (const FloorPatch &patch : m_floor.patches)
             paintPatch(patch);
         if (m_floor.markerSideM > 0)
-            for (std::size_t i = 0; i < m_floor.markers.markers.size(); ++i)
-                paintMarker(m_floor.markers.markers[i].pointInWorld, static_cast<int>(i));
+            for (std::size_t i = 0; i < m_floor.markers.markers.size(); ++i) {
+                const Marker &marker = m_floor.markers.markers[i];
+                paintMarker(marker.pointInWorld,
+                            m_floor.areTagsByLabel ? std::stoi(marker.label) : static_cast<int>(i));
+            }
         return std::move(m_image);
     }
 

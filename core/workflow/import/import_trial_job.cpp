@@ -148,6 +148,7 @@ Result<void> ImportTrialJob::run(const JobControl &control)
         m_views[view].file = m_sources[view].file;
         ODO_TRY(readVideo(view, control.cancel));
     }
+    m_trial.date = m_settings.date ? *m_settings.date : filmedAt(m_sources).value_or(instantNow());
     std::ranges::move(
         sceneWarnings(m_settings.trial, m_views, changesSinceRegistration(m_views, control.cancel)),
         std::back_inserter(m_warnings));
@@ -404,7 +405,6 @@ Result<void> ImportTrialJob::commit(Project &project)
             for (const RobotRecord &robot : m_robots)
                 m_trial.robots.push_back(robot.id);
         }
-        m_trial.date = m_settings.date.value_or(instantNow());
         m_trial = ODO_TRY(project.trials().add(m_trial, m_recordings));
         return {};
     });

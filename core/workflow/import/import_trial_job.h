@@ -41,7 +41,7 @@ struct ImportSettings
     std::string task;
     std::vector<std::string> robots;
     std::optional<double> rate;  ///< of the camera, where the file's frame rate is another
-    std::optional<Instant> date; ///< empty: now
+    std::optional<Instant> date; ///< empty: when the views were filmed (filmedAt), or now
 };
 
 /// How the file of a view is coded.

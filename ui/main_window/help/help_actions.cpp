@@ -323,8 +323,8 @@ std::vector<LessonStep> firstLesson(const ProjectPages &pages)
          [&pages] { return inMode(pages, ProjectPages::Mode::History); }},
         {FirstLessonWords::tr("That's it"),
          FirstLessonWords::tr(
-             "For your own robots: create a project (Ctrl+N), set up the floor in Testbed (Ctrl+1), then "
-             "record (Ctrl+2) or import videos (Ctrl+I). F1 explains each page."),
+             "For your own robots: create a project (Ctrl+N). Its Start page leads you from the clips of two "
+             "phones, or from connected cameras, to a first result. F1 explains each page."),
          {}},
     };
 }

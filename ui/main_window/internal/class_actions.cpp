@@ -5,6 +5,7 @@
 #include "core/project/project.h"
 #include "core/project/records.h"
 #include "core/workflow/export_job.h"
+#include "core/workflow/import/import_trial_job.h"
 #include "core/workflow/import/teams.h"
 #include "core/workflow/job.h"
 #include "core/workflow/media_upkeep.h"
@@ -34,6 +35,7 @@
 #include <QVBoxLayout>
 #include <QWidget>
 #include <ranges>
+#include <utility>
 #include <vector>
 
 namespace odo {
@@ -239,6 +241,27 @@ void HistoryActions::reprocessTrials(const QStringList &trials)
         Q_EMIT failed(started.error());
 }
 
+void HistoryActions::importTrials(const std::vector<ImportSettings> &trials)
+{
+    QStringList names;
+    for (const ImportSettings &trial : trials)
+        names << QString::fromStdString(trial.trial);
+    m_doneWords = &ODO_TEXT("ui.trials_imported", "Trials imported: %1 of %2");
+    const auto make = [trials](const std::string &trial) {
+        return std::make_shared<ImportTrialJob>(*std::ranges::find(trials, trial, &ImportSettings::trial));
+    };
+    const auto keep = [this](Project &, Job &job) -> Result<void> {
+        const auto &imported = static_cast<ImportTrialJob &>(job);
+        for (const Message &warning : imported.warnings())
+            m_remarks << tr("%1: %2").arg(QString::fromStdString(imported.trial().name), shownWords(warning));
+        return {};
+    };
+    if (const Result<void> started =
+            m_batch->start(names, {&ODO_TEXT("ui.importing_trials", "Importing %1 (%2 of %3)"), make, keep});
+        !started)
+        Q_EMIT failed(started.error());
+}
+
 void HistoryActions::emptyBin(const BinContent &content)
 {
     const auto job = std::make_shared<EmptyBinJob>(content);
@@ -261,8 +284,9 @@ void HistoryActions::emptyBin(const BinContent &content)
 void HistoryActions::tellEnd(int done, int all, const std::vector<Error> &failures)
 {
     const Message words = (*m_doneWords)(done, all);
+    const QStringList remarks = std::exchange(m_remarks, {});
     if (failures.empty()) {
-        Q_EMIT changed(fullSentence(shownWords(words)));
+        Q_EMIT changed((QStringList(fullSentence(shownWords(words))) + remarks).join(QLatin1Char(' ')));
         return;
     }
     constexpr std::size_t most = 3;

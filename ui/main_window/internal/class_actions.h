@@ -43,6 +43,7 @@ private:
 };
 
 struct BinContent;
+struct ImportSettings;
 class TrialBatch;
 
 /// Actions on a class and on many trials at once: import a roster, show the changes, export, reanalyse. Owns
@@ -61,6 +62,8 @@ public:
     void exportVideos(const QStringList &trials);
     /// With the registrations in force; the older analyses stay.
     void reprocessTrials(const QStringList &trials);
+    /// New trials from videos, one after the other.
+    void importTrials(const std::vector<ImportSettings> &trials);
     /// Removes trials for good, by a job.
     void emptyBin(const BinContent &content);
     /// Many trials are worked on: their pages need not follow each.
@@ -80,6 +83,7 @@ private:
     QWidget &m_window;
     TrialBatch *m_batch;
     const MessageText *m_doneWords = nullptr; ///< "Exported trials: %1 of %2"
+    QStringList m_remarks;                    ///< on what was done, sentences
     QAction *m_roster, *m_changes;
 };
 

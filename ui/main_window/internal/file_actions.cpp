@@ -3,6 +3,7 @@
 
 #include "core/project/names.h"
 #include "core/project/project.h"
+#include "core/workflow/calibrate/calibration_images.h"
 #include "core/workflow/demo.h"
 #include "core/workflow/project_copy.h"
 #include "ui/main_window/internal/import_tracks_dialog.h"
@@ -149,6 +150,33 @@ Result<void> FileActions::open(const std::filesystem::path &file)
     return opened;
 }
 
+namespace {
+
+/// In place of each folder that has videos, those and the ones in its folders, by name: a class's clips,
+/// perhaps a folder for each phone. A folder without any may be one of numbered images.
+QStringList withVideosOfFolders(const QStringList &files)
+{
+    static const QStringList endings{QStringLiteral("*.mp4"), QStringLiteral("*.mov"),
+                                     QStringLiteral("*.m4v"), QStringLiteral("*.mkv"),
+                                     QStringLiteral("*.avi"), QStringLiteral("*.webm")};
+    QStringList all;
+    for (const QString &file : files) {
+        QStringList inside;
+        if (QFileInfo(file).isDir()) {
+            QStringList folders{file};
+            for (const QString &folder : QDir(file).entryList(QDir::Dirs | QDir::NoDotAndDotDot, QDir::Name))
+                folders << QDir(file).filePath(folder);
+            for (const QString &folder : folders)
+                for (const QString &video : QDir(folder).entryList(endings, QDir::Files, QDir::Name))
+                    inside << QDir(folder).filePath(video);
+        }
+        all += inside.isEmpty() ? QStringList(file) : inside;
+    }
+    return all;
+}
+
+} // namespace
+
 void FileActions::openDropped(const QStringList &files)
 {
     if (files.isEmpty())
@@ -160,8 +188,10 @@ void FileActions::openDropped(const QStringList &files)
     else if (m_workspace.project() && !m_workspace.isReadOnly()) {
         if (std::ranges::all_of(files, &ImportTracksDialog::isTrackFile))
             Q_EMIT tracksDropped(files);
+        else if (std::ranges::all_of(files, [](const QString &file) { return isStillImage(pathOf(file)); }))
+            Q_EMIT stillsDropped(files);
         else
-            Q_EMIT videosDropped(files);
+            Q_EMIT videosDropped(withVideosOfFolders(files));
     }
 }
 

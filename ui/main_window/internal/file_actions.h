@@ -40,8 +40,8 @@ public:
     /// As beginOpening, but waits.
     Result<void> open(const std::filesystem::path &file);
 
-    /// Opens a project, unpacks an archive, or asks for videos or tracks to be imported where a project is
-    /// open.
+    /// Opens a project, unpacks an archive, or where a project is open asks for videos (also those of
+    /// folders) or tracks to be imported, or for a lens to be calibrated by stills.
     void openDropped(const QStringList &files);
 
 Q_SIGNALS:
@@ -50,6 +50,7 @@ Q_SIGNALS:
     void demoOpened();
     void videosDropped(const QStringList &files);
     void tracksDropped(const QStringList &files);
+    void stillsDropped(const QStringList &files);
 
 private:
     /// Of a project to be made. A project is never replaced, so the dialog doesn't offer to. Empty: none was

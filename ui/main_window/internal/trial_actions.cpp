@@ -4,15 +4,18 @@
 #include "core/exchange/file_name.h"
 #include "core/project/project.h"
 #include "core/project/repositories.h"
+#include "core/workflow/import/chapter_names.h"
 #include "core/workflow/import/import_tracks_job.h"
 #include "core/workflow/import/import_trial_job.h"
+#include "core/workflow/import/recording_source.h"
 #include "core/workflow/track/track_job.h"
 #include "core/workflow/track/track_warnings.h"
 #include "core/workflow/trial_sources.h"
 #include "core/workflow/turned_recordings.h"
-#include "ui/main_window/internal/import_dialogs.h"
+#include "ui/main_window/internal/import_lesson_dialog.h"
 #include "ui/main_window/internal/import_tracks_dialog.h"
 #include "ui/main_window/internal/robots_dialog.h"
+#include "ui/main_window/internal/track_dialog.h"
 #include "ui/main_window/internal/trial_export.h"
 #include "ui/main_window/workspace.h"
 #include "ui/models/camera_lists.h"
@@ -24,84 +27,14 @@
 #include "ui/views/widgets/theme.h"
 
 #include <QAction>
-#include <QComboBox>
 #include <QDialog>
-#include <QDialogButtonBox>
 #include <QDir>
-#include <QFormLayout>
-#include <QLabel>
 #include <QMenu>
-#include <QPushButton>
 #include <QStandardPaths>
-#include <QVBoxLayout>
 #include <QWidget>
 #include <algorithm>
 
-class QComboBox;
-class QDialogButtonBox;
-
 namespace odo {
-
-class CheckList;
-
-/// Asks which robots to follow in a trial, and how to smooth the curves.
-class TrackDialog : public QDialog
-{
-    Q_OBJECT
-public:
-    /// expected: those that are ticked; none: all are. caveats: sentences on what will make the results
-    /// uncertain.
-    TrackDialog(const QString &trial, const QStringList &robots, const QStringList &expected,
-                const QStringList &caveats, QWidget *parent = nullptr);
-    TrackSettings settings() const;
-
-private:
-    CheckList *m_robots;
-    QComboBox *m_smoother;
-    QDialogButtonBox *m_buttons;
-};
-
-TrackDialog::TrackDialog(const QString &trial, const QStringList &robots, const QStringList &expected,
-                         const QStringList &caveats, QWidget *parent)
-    : QDialog(parent), m_robots(new CheckList(tr("Robots to track"))), m_smoother(new QComboBox),
-      m_buttons(new QDialogButtonBox(QDialogButtonBox::Cancel))
-{
-    setWindowTitle(tr("Track %1").arg(trial));
-    m_robots->setNames(robots, expected.isEmpty());
-    for (int i = 0; i < m_robots->count(); ++i)
-        if (expected.contains(m_robots->item(i)->text()))
-            m_robots->item(i)->setCheckState(Qt::Checked);
-    m_smoother->addItem(tr("Kalman/RTS, noise from the data (best)"), static_cast<int>(Smoother::Rts));
-    m_smoother->addItem(tr("Savitzky–Golay"), static_cast<int>(Smoother::SavGol));
-    m_smoother->addItem(tr("Differences as in Tracker"), static_cast<int>(Smoother::Tracker));
-    m_smoother->addItem(tr("None: raw differences"), static_cast<int>(Smoother::None));
-    auto *form = new QFormLayout;
-    form->addRow(tr("&Robots"), m_robots);
-    form->addRow(tr("&Smoothing"), m_smoother);
-    QPushButton *accept = m_buttons->addButton(tr("Track"), QDialogButtonBox::AcceptRole);
-    auto *layout = new QVBoxLayout(this);
-    layout->addLayout(form);
-    for (const QString &sentence : caveats) {
-        auto *doubt = new QLabel(sentence);
-        doubt->setTextFormat(Qt::PlainText);
-        doubt->setWordWrap(true);
-        layout->addWidget(doubt);
-    }
-    layout->addWidget(m_buttons);
-    accept->setDefault(true); // only now is it in the dialog, whose Enter key it is to have
-    constexpr int width = 440;
-    resize(width, layout->totalHeightForWidth(width));
-    const auto update = [this, accept] { accept->setEnabled(!m_robots->checkedNames().empty()); };
-    connect(m_robots, &QListWidget::itemChanged, this, update);
-    connect(m_buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
-    connect(m_buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
-    update();
-}
-
-TrackSettings TrackDialog::settings() const
-{
-    return {m_robots->checkedNames(), static_cast<Smoother>(m_smoother->currentData().toInt()), false, {}};
-}
 
 namespace {
 
@@ -246,22 +179,65 @@ void TrialActions::startImport(const std::shared_ptr<ImportJob> &job, const std:
     }));
 }
 
-void TrialActions::askImport(const QStringList &videos)
+ImportTrialDialog::Offer TrialActions::offer() const
 {
     Project &project = *m_workspace.project();
-    const QStringList trials = namesOf(project.trials().names());
     std::vector<ImportTrialDialog::OfferedCamera> cameras;
     for (const CameraRow &row : loadCameraRows(project).value_or(std::vector<CameraRow>()))
         cameras.push_back({QString::fromStdString(row.camera.name), cameraBadge(row.registration)});
     const OfferedTeams teams = teamsOf(project);
-    ImportTrialDialog dialog({freeTrialName(trials), teams.names, namesOf(project.robots().all()),
-                              std::move(cameras), teams.shown, teams.robots,
-                              namesOf(project.tasks().current())},
-                             &m_window);
+    return {freeTrialName(namesOf(project.trials().names())),
+            teams.names,
+            namesOf(project.robots().all()),
+            std::move(cameras),
+            teams.shown,
+            teams.robots,
+            namesOf(project.tasks().current())};
+}
+
+/// Files of more than one run are told apart by their headers, which are read on another thread.
+void TrialActions::askImport(const QStringList &videos)
+{
+    constexpr qsizetype ofOneRun = 2;
+    if (videos.size() <= ofOneRun)
+        return askTrial(videos);
+    std::vector<std::filesystem::path> files;
+    for (const QString &video : videos)
+        files.push_back(pathOf(video));
+    const auto found = std::make_shared<std::vector<ClipGroup>>();
+    disconnect(&m_clipSearch, nullptr, this, nullptr);
+    connect(&m_clipSearch, &BackgroundTask::finished, this, [this, found, videos](const auto &error) {
+        if (error || !m_workspace.project())
+            return;
+        if (found->size() > 1)
+            askLesson(std::move(*found));
+        else
+            askTrial(videos);
+    });
+    m_clipSearch.start([found, files](const JobControl &) -> Result<void> {
+        std::vector<std::filesystem::path> recordings;
+        for (const auto &chapters : chapterGroups(files))
+            recordings.push_back(joinedNames(chapters));
+        *found = groupClips(describeClips(recordings));
+        return {};
+    });
+}
+
+void TrialActions::askTrial(const QStringList &videos)
+{
+    ImportTrialDialog dialog(offer(), &m_window);
     dialog.addVideos(videos);
     if (dialog.exec() != QDialog::Accepted)
         return;
     startImport(std::make_shared<ImportTrialJob>(dialog.settings()), dialog.settings().trial);
+}
+
+void TrialActions::askLesson(std::vector<ClipGroup> groups)
+{
+    ImportLessonDialog dialog(offer(), namesOf(m_workspace.project()->trials().names()), std::move(groups),
+                              &m_window);
+    if (dialog.exec() == QDialog::Accepted)
+        Q_EMIT lessonChosen(dialog.settings());
 }
 
 void TrialActions::askImportTracks(const QStringList &files)
@@ -402,10 +378,9 @@ bool TrialActions::askRobot()
         Q_EMIT failed(added.error());
         return false;
     }
+    Q_EMIT robotAdded();
     Q_EMIT done(tr("Robot %1 added.").arg(name));
     return true;
 }
 
 } // namespace odo
-
-#include "trial_actions.moc"

@@ -2,12 +2,16 @@
 #pragma once
 
 #include "core/base/error.h"
+#include "core/workflow/import/clip_groups.h"
 #include "core/workflow/track/reanalysis.h"
 #include "core/workflow/track/track_job.h"
+#include "ui/main_window/internal/import_dialogs.h"
+#include "ui/models/background_task.h"
 
 #include <QObject>
 #include <QStringList>
 #include <memory>
+#include <vector>
 
 class QAction;
 class QMenu;
@@ -27,10 +31,13 @@ public:
     void fillMenu(QMenu &menu);
     /// The trial that Track, Export and Export video mean; empty: none.
     void setCurrentTrial(const QString &name);
+    /// videos: dropped ones; those of several runs are offered as a lesson.
     void askImport(const QStringList &videos = {});
     /// Of tracks that another program measured.
     void askImportTracks(const QStringList &files = {});
     void askTrack(const QString &trial);
+    /// Asks for a new robot; false: none was added.
+    bool askRobot();
     /// Stores a manual override of a sample and reanalyses the trial.
     void manualOverride(const OverrideRequest &word);
     /// Stores where a person says that a robot is, and tracks the trial again.
@@ -39,13 +46,17 @@ public:
 Q_SIGNALS:
     void failed(const odo::Error &error);
     void done(const QString &words);
+    void robotAdded();
     void trialImported(const QString &name);
+    void lessonChosen(const std::vector<odo::ImportSettings> &trials); ///< to be imported
     void trialTracked(const QString &name);
 
 private:
+    void askTrial(const QStringList &videos);
+    void askLesson(std::vector<ClipGroup> groups);
+    ImportTrialDialog::Offer offer() const;
     void askExport();
     void askVideo();
-    bool askRobot();
     void updateActions();
     void showFailure(const Result<void> &result);
     bool mayChange(const Message &what);
@@ -57,6 +68,7 @@ private:
     Workspace &m_workspace;
     QWidget &m_window;
     QString m_trial;
+    BackgroundTask m_clipSearch; ///< which of the dropped clips belong together
     QAction *m_import, *m_importTracks, *m_track, *m_export, *m_video, *m_addRobot;
 };
 

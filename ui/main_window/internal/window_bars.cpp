@@ -55,7 +55,7 @@ void ModeBar::addMode(const QString &icon, const QString &name)
     action->setCheckable(true);
     action->setIconVisibleInMenu(false); // it is drawn for the dark bar
     action->setData(mode);
-    action->setShortcut(QKeySequence(Qt::CTRL | static_cast<Qt::Key>(Qt::Key_1 + mode)));
+    action->setShortcut(QKeySequence(Qt::CTRL | static_cast<Qt::Key>(Qt::Key_0 + mode)));
     action->setToolTip(
         QStringLiteral("%1 (%2)").arg(name, action->shortcut().toString(QKeySequence::NativeText)));
     auto *button = new QToolButton(this);

@@ -20,7 +20,7 @@ class QVBoxLayout;
 namespace odo {
 
 /// The dark bar on the left: one button a mode, icon and word, exclusive. Modes are numbered in the order of
-/// adding, from 0, and reached by Ctrl+1, Ctrl+2, ...
+/// adding, from 0, and reached by Ctrl+0, Ctrl+1, ...
 class ModeBar : public QFrame
 {
     Q_OBJECT

@@ -62,6 +62,9 @@ PageMenus::PageMenus(QMenuBar &bar, const ModeBar &modes, ViewActions &views, Tr
 void PageMenus::add(ProjectPages &pages, WindowMode mode)
 {
     switch (mode) {
+    case WindowMode::Start:
+    case WindowMode::Compare:
+        return;
     case WindowMode::Testbed:
         return fill(*m_tools, pages.testbed().toolActions());
     case WindowMode::Record:
@@ -74,8 +77,6 @@ void PageMenus::add(ProjectPages &pages, WindowMode mode)
         fill(*m_spikes, review.spikes().actions());
         return fill(*m_play, review.timeline().actions());
     }
-    case WindowMode::Compare:
-        return;
     case WindowMode::History:
         m_view->addAction(pages.history().pseudonyms());
         m_history->addActions(pages.history().listActions());

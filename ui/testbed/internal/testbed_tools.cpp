@@ -156,7 +156,7 @@ QStringList TestbedTools::layoutNames() const
     return names;
 }
 
-void TestbedTools::calibrate()
+void TestbedTools::calibrateBy(const QStringList &stills)
 {
     std::unique_ptr<CalibrationStorage> storage; // touched by the wizard's thread, and after it by this one
     LensWizard::Callbacks callbacks;
@@ -169,6 +169,8 @@ void TestbedTools::calibrate()
     };
     m_live.poll();
     LensWizard wizard(cameraNames(), m_camera, m_live, std::move(callbacks), &m_window);
+    if (!stills.isEmpty())
+        wizard.source().addFiles(stills);
     if (wizard.exec() != QDialog::Accepted)
         return;
     const auto stored = storage->commit(m_project);

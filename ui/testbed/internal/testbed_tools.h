@@ -44,6 +44,8 @@ public:
     void setCurrent(const QString &camera, const std::optional<LayoutRecord> &layout);
     /// As the action, for another camera than the current one.
     void registerAgain(const QString &camera);
+    /// As the action, with these images to begin with.
+    void calibrateBy(const QStringList &stills);
 
 Q_SIGNALS:
     void changed(const QString &words);
@@ -52,7 +54,7 @@ Q_SIGNALS:
 private:
     void add(Tool tool, const QString &icon, const QString &text, const QString &shortText,
              const QString &tip, void (TestbedTools::*slot)());
-    void calibrate();
+    void calibrate() { calibrateBy({}); }
     void registerCamera();
     void startRegisterViaCamera();
     void registerTogether();

@@ -2,7 +2,9 @@
 #include "ui/testbed/targets/target_dialog.h"
 
 #include "core/base/units.h"
+#include "core/calibration/floor_mat.h"
 #include "ui/models/shown_message.h"
+#include "ui/testbed/targets/mat_sheet.h"
 #include "ui/testbed/targets/target_sheet.h"
 #include "ui/views/widgets/form_fields.h"
 #include "ui/views/widgets/theme.h"
@@ -121,22 +123,38 @@ QDoubleSpinBox *lengthBox(double mm)
     return box;
 }
 
-QSpinBox *countBox(int count, const QString &name)
+QSpinBox *countBox(int count, int least, int most, const QString &name)
 {
     auto *box = new QSpinBox;
-    box->setRange(3, 30);
+    box->setRange(least, most);
     box->setValue(count);
     box->setAccessibleName(name);
     return box;
+}
+
+/// "9 × 6"
+QWidget *sizeRow(QSpinBox *columns, QSpinBox *rows)
+{
+    auto *widget = new QWidget;
+    auto *row = new QHBoxLayout(widget);
+    row->setContentsMargins(0, 0, 0, 0);
+    row->addWidget(columns);
+    row->addWidget(new QLabel(TargetDialog::tr("×")));
+    row->addWidget(rows);
+    row->addStretch(1);
+    return widget;
 }
 
 } // namespace
 
 TargetDialog::TargetDialog(TargetKind kind, const QStringList &labels, QWidget *parent)
     : QDialog(parent), m_kind(new QComboBox), m_paper(new QComboBox),
-      m_columns(countBox(9, tr("Inner corners along the board"))),
-      m_rows(countBox(6, tr("Inner corners across the board"))), m_square(lengthBox(25)),
-      m_marker(lengthBox(150)), m_labels(new QLineEdit), m_form(new QFormLayout), m_corners(new QWidget),
+      m_columns(countBox(9, 3, 30, tr("Inner corners along the board"))),
+      m_rows(countBox(6, 3, 30, tr("Inner corners across the board"))),
+      m_sheetColumns(countBox(4, 1, FloorMat::mostColumns, tr("Sheets in a row of the mat"))),
+      m_sheetRows(countBox(3, 1, FloorMat::mostRows, tr("Rows of the mat"))), m_square(lengthBox(25)),
+      m_marker(lengthBox(150)), m_labels(new QLineEdit), m_form(new QFormLayout),
+      m_corners(sizeRow(m_columns, m_rows)), m_sheets(sizeRow(m_sheetColumns, m_sheetRows)),
       m_preview(new TargetPreview), m_message(new QLabel),
       m_buttons(new QDialogButtonBox(QDialogButtonBox::Close))
 {
@@ -157,7 +175,7 @@ TargetDialog::TargetDialog(TargetKind kind, const QStringList &labels, QWidget *
     m_kind->setCurrentIndex(m_kind->findData(int(kind)));
     connect(m_kind, &QComboBox::currentIndexChanged, this, &TargetDialog::refresh);
     connect(m_paper, &QComboBox::currentIndexChanged, this, &TargetDialog::suggestSizes);
-    for (QSpinBox *box : {m_columns, m_rows})
+    for (QSpinBox *box : {m_columns, m_rows, m_sheetColumns, m_sheetRows})
         connect(box, &QSpinBox::valueChanged, this, &TargetDialog::refresh);
     for (QDoubleSpinBox *box : {m_square, m_marker})
         connect(box, &QDoubleSpinBox::valueChanged, this, &TargetDialog::refresh);
@@ -167,6 +185,7 @@ TargetDialog::TargetDialog(TargetKind kind, const QStringList &labels, QWidget *
 
 QWidget *TargetDialog::makeForm(const QStringList &labels)
 {
+    m_kind->addItem(tr("Floor mat"), int(TargetKind::Mat));
     m_kind->addItem(tr("Checkerboard"), int(TargetKind::Checkerboard));
     m_kind->addItem(tr("ChArUco board"), int(TargetKind::Charuco));
     m_kind->addItem(tr("Floor markers: tags"), int(TargetKind::Tags));
@@ -175,14 +194,9 @@ QWidget *TargetDialog::makeForm(const QStringList &labels)
     m_paper->addItem(tr("Letter"), QPageSize::Letter);
     m_paper->addItem(tr("A3"), QPageSize::A3);
     m_labels->setText((labels.isEmpty() ? TargetSpec().labels : labels).join(QStringLiteral(", ")));
-    auto *corners = new QHBoxLayout(m_corners);
-    corners->setContentsMargins(0, 0, 0, 0);
-    corners->addWidget(m_columns);
-    corners->addWidget(new QLabel(tr("×")));
-    corners->addWidget(m_rows);
-    corners->addStretch(1);
     m_form->addRow(tr("&Target"), m_kind);
     m_form->addRow(tr("Pape&r"), m_paper);
+    m_form->addRow(tr("S&heets"), m_sheets);
     m_form->addRow(tr("&Inner corners"), m_corners);
     m_form->addRow(tr("S&quare"), m_square);
     m_form->addRow(tr("Si&ze"), m_marker);
@@ -206,8 +220,9 @@ TargetSpec TargetDialog::spec() const
     TargetSpec spec;
     spec.kind = TargetKind(m_kind->currentData().toInt());
     spec.paper = QPageSize::PageSizeId(m_paper->currentData().toInt());
-    spec.columns = m_columns->value();
-    spec.rows = m_rows->value();
+    const bool isMat = spec.kind == TargetKind::Mat;
+    spec.columns = (isMat ? m_sheetColumns : m_columns)->value();
+    spec.rows = (isMat ? m_sheetRows : m_rows)->value();
     spec.squareM = fromMillimetres(m_square->value());
     spec.markerM = fromMillimetres(m_marker->value());
     spec.labels.clear();
@@ -223,15 +238,32 @@ void TargetDialog::suggestSizes()
     const bool large = m_paper->currentData().toInt() == QPageSize::A3;
     m_square->setValue(large ? 36 : 25);
     m_marker->setValue(large ? 220 : 150);
+    m_sheetColumns->setValue(large ? 3 : 4);
+    m_sheetRows->setValue(large ? 2 : 3);
     refresh();
+}
+
+QString TargetDialog::whatIsPrinted(const TargetSpec &wanted)
+{
+    if (isBoard(wanted.kind))
+        return tr("One sheet. Afterwards measure a square on the paper: printers often shrink by 2 to 4 %.");
+    if (wanted.kind != TargetKind::Mat)
+        return tr("One sheet for each marker. A tag's number is the position of its label in the layout.");
+    const Eigen::Vector2d sheet = matSheetM(matOf(wanted).paper);
+    return tr("A plan and %1 sheets, to be taped together to a mat of %2 × %3 m. Its markers are known: "
+              "nothing on the floor needs to be measured. The larger the mat, the more exact the floor.")
+        .arg(wanted.columns * wanted.rows)
+        .arg(QLocale().toString(wanted.columns * sheet.x(), 'f', 2),
+             QLocale().toString(wanted.rows * sheet.y(), 'f', 2));
 }
 
 void TargetDialog::refresh()
 {
     const TargetSpec wanted = spec();
-    const bool board = isBoard(wanted.kind);
+    const bool board = isBoard(wanted.kind), mat = wanted.kind == TargetKind::Mat;
+    const bool singly = !board && !mat;
     const std::pair<QWidget *, bool> rows[] = {
-        {m_corners, board}, {m_square, board}, {m_marker, !board}, {m_labels, !board}};
+        {m_sheets, mat}, {m_corners, board}, {m_square, board}, {m_marker, singly}, {m_labels, singly}};
     for (const auto &[field, shown] : rows) {
         field->setVisible(shown);
         m_form->labelForField(field)->setVisible(shown);
@@ -241,12 +273,7 @@ void TargetDialog::refresh()
         if (m_buttons->buttonRole(button) == QDialogButtonBox::ActionRole)
             button->setEnabled(sheets.has_value());
     if (sheets)
-        showOutcome(
-            {},
-            board ? tr("One sheet. Afterwards measure a square on the paper: printers often shrink by 2 to 4 "
-                       "%.")
-                  : tr("One sheet for each marker. A tag's number is the position of its label in the "
-                       "layout."));
+        showOutcome({}, whatIsPrinted(wanted));
     else
         showOutcome(tl::unexpected(sheets.error()), {});
     m_preview->setSheets(wanted, sheets ? std::move(*sheets) : std::vector<TargetSheet>());

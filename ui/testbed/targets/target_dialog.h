@@ -18,7 +18,8 @@ namespace odo {
 class TargetPreview;
 struct ChosenOutput;
 
-/// Chooses a board or floor markers, shows the sheets as they will come out, and prints them or writes a PDF.
+/// Chooses a board, floor markers or a floor mat, shows the sheets as they will come out, and prints them or
+/// writes a PDF.
 class TargetDialog : public QDialog
 {
     Q_OBJECT
@@ -32,6 +33,7 @@ public:
 
 private:
     QWidget *makeForm(const QStringList &labels);
+    static QString whatIsPrinted(const TargetSpec &wanted);
     void suggestSizes();
     void refresh();
     void askPdf();
@@ -39,11 +41,11 @@ private:
     void showOutcome(const Result<void> &outcome, const QString &success);
 
     QComboBox *m_kind, *m_paper;
-    QSpinBox *m_columns, *m_rows;
+    QSpinBox *m_columns, *m_rows, *m_sheetColumns, *m_sheetRows;
     QDoubleSpinBox *m_square, *m_marker;
     QLineEdit *m_labels;
     QFormLayout *m_form;
-    QWidget *m_corners;
+    QWidget *m_corners, *m_sheets;
     TargetPreview *m_preview;
     QLabel *m_message;
     QDialogButtonBox *m_buttons;

@@ -5,10 +5,11 @@
 #include "core/calibration/charuco_layout.h"
 #include "core/files/output_file.h"
 #include "core/simulation/tag_pattern.h"
+#include "ui/testbed/targets/mat_sheet.h"
+#include "ui/testbed/targets/sheet_drawing.h"
 
 #include <QBuffer>
 #include <QCoreApplication>
-#include <QFont>
 #include <QLocale>
 #include <QPagedPaintDevice>
 #include <QPainter>
@@ -28,19 +29,6 @@ constexpr int mostCharucoMarkers = 250; // of the dictionary 6X6_250
 constexpr double charucoMarkerRatio = 0.6;
 constexpr double ringHole = 0.5; // inner over outer diameter
 
-/// The dark cells as one outline, in cells: drawn one by one they would leave hairlines on the screen and on
-/// paper.
-QPainterPath darkCells(const TagPattern &pattern)
-{
-    QPainterPath path;
-    for (int row = 0; row < pattern.side; ++row) {
-        for (int column = 0; column < pattern.side; ++column)
-            if (pattern.isBlack(column, row))
-                path.addRect(column, row, 1, 1);
-    }
-    return path.simplified();
-}
-
 /// The squares of one colour, and in the others the markers; in squares.
 QPainterPath boardInk(const TargetSpec &spec)
 {
@@ -58,14 +46,6 @@ QPainterPath boardInk(const TargetSpec &spec)
             QTransform(cell, 0, 0, cell, square.x() + edge, square.y() + edge).map(darkCells(pattern)));
     }
     return path;
-}
-
-/// A tag of side 1 between (0,0) and (1,1); its white rim lies outside.
-QPainterPath tagInk(int tag)
-{
-    const TagPattern pattern = aprilTagPattern(tag);
-    const double cell = 1.0 / (pattern.side - 2);
-    return QTransform(cell, 0, 0, cell, -cell, -cell).map(darkCells(pattern));
 }
 
 QPainterPath ringInk()
@@ -130,6 +110,8 @@ bool isBoard(TargetKind kind)
 
 Result<std::vector<TargetSheet>> layOutTarget(const TargetSpec &spec)
 {
+    if (spec.kind == TargetKind::Mat)
+        return layOutMat(spec);
     ODO_TRY(checkDrawable(spec));
     const bool board = isBoard(spec.kind);
     const double unitMm = toMillimetres(board ? spec.squareM : spec.markerM);
@@ -170,7 +152,6 @@ Result<std::vector<TargetSheet>> layOutTarget(const TargetSpec &spec)
 namespace {
 
 constexpr double rulerMm = 100, rulerStepMm = 10;
-constexpr double lineMm = 0.25, wordsMm = 3.1;
 constexpr double tickMm = 6;
 constexpr double largestLetterMm = 45, smallestLetterMm = 12;
 constexpr double millimetresAnInch = 25.4;
@@ -181,23 +162,6 @@ class TargetPainter
     Q_DECLARE_TR_FUNCTIONS(TargetPainter)
 };
 
-/// A font whose letters are so high in the painter's unit; fonts are asked for in whole units, hence the
-/// scale.
-void paintText(QPainter &painter, const QRectF &positionMm, double heightMm, int flags, const QString &text,
-               bool bold = false)
-{
-    constexpr double scale = 0.01;
-    painter.save();
-    painter.translate(positionMm.topLeft());
-    painter.scale(scale, scale);
-    QFont font(QStringLiteral("DejaVu Sans"));
-    font.setPixelSize(qRound(heightMm / scale));
-    font.setBold(bold);
-    painter.setFont(font);
-    painter.drawText(QRectF(QPointF(0, 0), positionMm.size() / scale), flags, text);
-    painter.restore();
-}
-
 void paintRuler(QPainter &painter, QPointF start)
 {
     painter.drawLine(start, start + QPointF(rulerMm, 0));
@@ -205,7 +169,7 @@ void paintRuler(QPainter &painter, QPointF start)
         const bool half = mm == 0 || mm == rulerMm / 2 || mm == rulerMm;
         painter.drawLine(start + QPointF(mm, 0), start + QPointF(mm, half ? -4 : -2.5));
         if (half)
-            paintText(painter, {start.x() + mm - 15, start.y() - 8.5, 30, 4}, wordsMm,
+            paintText(painter, {start.x() + mm - 15, start.y() - 8.5, 30, 4}, sheetTextMm,
                       Qt::AlignHCenter | Qt::AlignVCenter,
                       mm < rulerMm ? QLocale().toString(mm, 'f', 0) : TargetPainter::tr("100 mm"));
     }
@@ -236,6 +200,8 @@ QString title(const TargetSpec &spec, const TargetSheet &sheet)
             .arg(length(spec.markerM));
     case TargetKind::Rings:
         return TargetPainter::tr("Floor marker %1 (ring), %2").arg(sheet.label, length(spec.markerM));
+    case TargetKind::Mat:
+        return TargetPainter::tr("Floor mat of %1 × %2 sheets").arg(spec.columns).arg(spec.rows);
     }
     return {};
 }
@@ -273,13 +239,18 @@ void paintTarget(QPainter &painter, const TargetSpec &spec, const TargetSheet &s
     painter.save();
     painter.setRenderHint(QPainter::Antialiasing);
     painter.fillPath(sheet.ink, Qt::black);
-    painter.setPen(QPen(Qt::black, lineMm, Qt::SolidLine, Qt::FlatCap));
+    if (spec.kind == TargetKind::Mat) {
+        paintMatSheet(painter, matOf(spec), sheet);
+        painter.restore();
+        return;
+    }
+    painter.setPen(QPen(Qt::black, sheetLineMm, Qt::SolidLine, Qt::FlatCap));
     if (!isBoard(spec.kind))
         paintMarker(painter, sheet);
     const double foot = sheet.paperMm.height() - targetMarginMm;
     paintRuler(painter, {targetMarginMm, foot - 1});
     const double left = targetMarginMm + rulerMm + 12, width = sheet.paperMm.width() - targetMarginMm - left;
-    paintText(painter, {left, foot - targetFootMm + 2, width, targetFootMm - 1}, wordsMm,
+    paintText(painter, {left, foot - targetFootMm + 2, width, targetFootMm - 1}, sheetTextMm,
               Qt::AlignLeft | Qt::AlignBottom | Qt::TextWordWrap,
               title(spec, sheet) + QLatin1Char('\n') + advice(spec.kind));
     painter.restore();

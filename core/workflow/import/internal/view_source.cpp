@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/workflow/import/internal/view_source.h"
 
+#include "core/base/platform/file_status.h"
 #include "core/exchange/table/frame_times_file.h"
 #include "core/files/protected_files.h"
+#include "core/video/chapter_join.h"
 #include "core/video/frame_times.h"
 #include "core/workflow/import/import_trial_job.h"
 #include "core/workflow/import/internal/made_recording.h"
@@ -10,7 +12,9 @@
 #include "core/workflow/shared_words.h"
 
 #include <algorithm>
+#include <chrono>
 #include <iterator>
+#include <map>
 #include <utility>
 
 namespace odo {
@@ -25,6 +29,26 @@ Result<ViewSource> sourceOf(const std::filesystem::path &video)
         for (const std::filesystem::path &file : view.source.files)
             ODO_TRY(checkMayBeRead(file, quotedName(Named::file(file))));
     return view;
+}
+
+/// A view that is its own partner would agree with itself in everything.
+Result<void> checkOwnFiles(const ImportSettings &settings, const std::vector<ViewSource> &views)
+{
+    std::map<FileIdentity, std::size_t> viewOf;
+    for (std::size_t view = 0; view < views.size(); ++view) {
+        for (const std::filesystem::path &file : views[view].source.files) {
+            const auto identity = identityOf(file);
+            const auto before = identity ? viewOf.emplace(*identity, view).first->second : view;
+            if (before != view)
+                return fail(ErrorCode::InvalidInput, importSubject(settings.trial),
+                            ODO_TEXT("workflow.cameras_given_one_file",
+                                     "cameras '%1' and '%2' were given the same file, '%3'")(
+                                Named::camera(settings.videos[before].first),
+                                Named::camera(settings.videos[view].first), Named::file(file.filename())),
+                            ODO_TEXT("workflow.give_each_its_file", "give each camera its own video"));
+        }
+    }
+    return {};
 }
 
 /// The tables of frame times.
@@ -64,6 +88,7 @@ Result<std::vector<ViewSource>> viewSourcesOf(const ImportSettings &settings)
     std::vector<ViewSource> views;
     for (const auto &video : settings.videos)
         views.push_back(ODO_TRY(sourceOf(video.second)));
+    ODO_TRY(checkOwnFiles(settings, views));
     ODO_TRY(takeTables(settings, views));
     for (ViewSource &view : views) {
         if (view.source.kind != RecordingSource::Kind::Images || !view.table.empty())
@@ -108,6 +133,37 @@ Result<std::vector<Message>> findFile(ViewSource &own, const ImportSettings &set
     own.file = made.media.file.path();
     own.made = std::move(made.media);
     return remarks;
+}
+
+namespace {
+
+using namespace std::chrono;
+
+/// Clocks that nobody set begin at 1904, 1970, 1980, 2000 or when the camera was made.
+bool isSet(Instant time)
+{
+    constexpr Instant earliest = sys_days(2010y / January / 2);
+    return time >= earliest && time <= instantNow() + hours(24);
+}
+
+} // namespace
+
+std::optional<Instant> filmedAt(const std::vector<ViewSource> &views)
+{
+    std::optional<Instant> recorded, written;
+    const auto keepEarlier = [](std::optional<Instant> &kept, std::int64_t sinceEpochNs) {
+        const Instant time(duration_cast<milliseconds>(nanoseconds(sinceEpochNs)));
+        if (isSet(time) && (!kept || time < *kept))
+            kept = time;
+    };
+    for (const ViewSource &view : views) {
+        const std::filesystem::path &first = view.source.files.front();
+        if (const auto span = recordedSpan(first))
+            keepEarlier(recorded, span->at.count());
+        if (const auto status = statusOf(first))
+            keepEarlier(written, status->modifiedNs);
+    }
+    return recorded ? recorded : written;
 }
 
 double rateOfTimes(const std::vector<Nanoseconds> &times)

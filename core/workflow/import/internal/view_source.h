@@ -4,6 +4,7 @@
 #include "core/base/error.h"
 #include "core/base/job_control.h"
 #include "core/base/units.h"
+#include "core/project/records.h"
 #include "core/workflow/import/recording_source.h"
 #include "core/workflow/media_copy.h"
 
@@ -28,8 +29,8 @@ struct ViewSource
 };
 
 /// Of all views. Looks at names alone; quick. Errors: those of recordingSourceOf, a file that cannot be read,
-/// frame times of no view, two tables or a table and a rate for one view, images without times, or
-/// whose numbers count no frames and which have no table.
+/// one that several views were given, frame times of no view, two tables or a table and a rate for one view,
+/// images without times, or whose numbers count no frames and which have no table.
 Result<std::vector<ViewSource>> viewSourcesOf(const ImportSettings &settings);
 
 /// Reads the table of a view, if it has one, and makes one video of chapters or images. Gives whole
@@ -37,6 +38,10 @@ Result<std::vector<ViewSource>> viewSourcesOf(const ImportSettings &settings);
 /// another number of times than of images.
 Result<std::vector<Message>> findFile(ViewSource &view, const ImportSettings &settings, std::size_t index,
                                       const std::filesystem::path &mediaFolder, const JobControl &control);
+
+/// When the views were filmed: the earliest that their headers say, or else when the files were last written,
+/// if a clock that was set can have said so; nullopt: none. Opens the files.
+std::optional<Instant> filmedAt(const std::vector<ViewSource> &views);
 
 /// By the usual interval, frames/s; 0 of a single frame.
 double rateOfTimes(const std::vector<Nanoseconds> &times);
