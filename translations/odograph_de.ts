@@ -21682,6 +21682,13 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
 </context>
 <context>
+    <name>workflow.class_without_team</name>
+    <message>
+        <source>without a team it belongs to no class</source>
+        <translation>ohne Team gehört er zu keiner Klasse</translation>
+    </message>
+</context>
+<context>
     <name>workflow.clock_jumped</name>
     <message>
         <source>at %1 the clock jumped ahead by %2; later times were corrected</source>
@@ -21752,6 +21759,13 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
 </context>
 <context>
+    <name>workflow.copied_while_recorded</name>
+    <message>
+        <source>its recording has not ended</source>
+        <translation>seine Aufnahme ist noch nicht beendet</translation>
+    </message>
+</context>
+<context>
     <name>workflow.copy_file_again</name>
     <message>
         <source>copy the file from the camera again</source>
@@ -21763,6 +21777,13 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>copy of &apos;%1&apos;</source>
         <translation>Kopie von &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.copy_trial</name>
+    <message>
+        <source>copy trial %1 to %2</source>
+        <translation>Versuch %1 nach %2 kopieren</translation>
     </message>
 </context>
 <context>
@@ -21784,6 +21805,13 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>%1 of its %2 frames, from %3 to %4, are damaged and were not measured</source>
         <translation>%1 ihrer %2 Bilder, von %3 bis %4, sind beschädigt und wurden nicht ausgewertet</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.date_to_come</name>
+    <message>
+        <source>its new date is in the future</source>
+        <translation>sein neues Datum liegt in der Zukunft</translation>
     </message>
 </context>
 <context>
@@ -21840,6 +21868,13 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>it is synchronised only to %1, which is %2 at 1 m/s</source>
         <translation>sie ist nur auf %1 synchron, das sind %2 bei 1 m/s</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.edit_trial</name>
+    <message>
+        <source>edit trial %1</source>
+        <translation>Versuch %1 bearbeiten</translation>
     </message>
 </context>
 <context>
@@ -22039,6 +22074,13 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
 </context>
 <context>
+    <name>workflow.give_another_team</name>
+    <message>
+        <source>give another team, or change the class of this one</source>
+        <translation>geben Sie ein anderes Team an, oder ändern Sie die Klasse von diesem</translation>
+    </message>
+</context>
+<context>
     <name>workflow.give_camera_rate</name>
     <message>
         <source>give the rate at which the camera took the frames</source>
@@ -22057,6 +22099,20 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>give each file once, in their order</source>
         <translation>geben Sie jede Datei einmal an, in ihrer Reihenfolge</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.give_class_too</name>
+    <message>
+        <source>give its class too, or another team</source>
+        <translation>geben Sie auch seine Klasse an, oder ein anderes Team</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.give_date_of_run</name>
+    <message>
+        <source>give the date of the run</source>
+        <translation>geben Sie das Datum der Fahrt an</translation>
     </message>
 </context>
 <context>
@@ -22176,6 +22232,20 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>give %1 the task %2</source>
         <translation>%1 die Aufgabe %2 geben</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.give_team</name>
+    <message>
+        <source>assign %1 to team %2</source>
+        <translation>%1 dem Team %2 zuordnen</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.give_team_too</name>
+    <message>
+        <source>give it a team too</source>
+        <translation>geben Sie auch ein Team an</translation>
     </message>
 </context>
 <context>
@@ -23642,6 +23712,13 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
 </context>
 <context>
+    <name>workflow.rename_trial</name>
+    <message>
+        <source>rename trial %1 to %2</source>
+        <translation>Versuch %1 in %2 umbenennen</translation>
+    </message>
+</context>
+<context>
     <name>workflow.replaced_not_packed</name>
     <message>
         <source>the video of camera %1 in trial &apos;%2&apos; is outside the media folder and has changed since; it is not in the packed project</source>
@@ -23912,6 +23989,13 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>its task changed during the analysis</source>
         <translation>seine Aufgabe wurde während der Auswertung geändert</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.team_of_another_class</name>
+    <message>
+        <source>it belongs to class %1, not to class %2</source>
+        <translation>es gehört zur Klasse %1, nicht zur Klasse %2</translation>
     </message>
 </context>
 <context>

@@ -21682,6 +21682,13 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     </message>
 </context>
 <context>
+    <name>workflow.class_without_team</name>
+    <message>
+        <source>without a team it belongs to no class</source>
+        <translation>sin equipo no pertenece a ninguna clase</translation>
+    </message>
+</context>
+<context>
     <name>workflow.clock_jumped</name>
     <message>
         <source>at %1 the clock jumped ahead by %2; later times were corrected</source>
@@ -21752,6 +21759,13 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     </message>
 </context>
 <context>
+    <name>workflow.copied_while_recorded</name>
+    <message>
+        <source>its recording has not ended</source>
+        <translation>su grabación no ha terminado</translation>
+    </message>
+</context>
+<context>
     <name>workflow.copy_file_again</name>
     <message>
         <source>copy the file from the camera again</source>
@@ -21763,6 +21777,13 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <message>
         <source>copy of &apos;%1&apos;</source>
         <translation>copia de &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.copy_trial</name>
+    <message>
+        <source>copy trial %1 to %2</source>
+        <translation>copiar el ensayo %1 como %2</translation>
     </message>
 </context>
 <context>
@@ -21784,6 +21805,13 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <message>
         <source>%1 of its %2 frames, from %3 to %4, are damaged and were not measured</source>
         <translation>%1 de sus %2 fotogramas, de %3 a %4, están dañados y no se midieron</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.date_to_come</name>
+    <message>
+        <source>its new date is in the future</source>
+        <translation>su nueva fecha está en el futuro</translation>
     </message>
 </context>
 <context>
@@ -21840,6 +21868,13 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <message>
         <source>it is synchronised only to %1, which is %2 at 1 m/s</source>
         <translation>está sincronizada solo a %1, que son %2 a 1 m/s</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.edit_trial</name>
+    <message>
+        <source>edit trial %1</source>
+        <translation>editar el ensayo %1</translation>
     </message>
 </context>
 <context>
@@ -22039,6 +22074,13 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     </message>
 </context>
 <context>
+    <name>workflow.give_another_team</name>
+    <message>
+        <source>give another team, or change the class of this one</source>
+        <translation>indique otro equipo o cambie la clase de este</translation>
+    </message>
+</context>
+<context>
     <name>workflow.give_camera_rate</name>
     <message>
         <source>give the rate at which the camera took the frames</source>
@@ -22057,6 +22099,20 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <message>
         <source>give each file once, in their order</source>
         <translation>indique cada archivo una vez, en su orden</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.give_class_too</name>
+    <message>
+        <source>give its class too, or another team</source>
+        <translation>indique también su clase, u otro equipo</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.give_date_of_run</name>
+    <message>
+        <source>give the date of the run</source>
+        <translation>indique la fecha del recorrido</translation>
     </message>
 </context>
 <context>
@@ -22176,6 +22232,20 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <message>
         <source>give %1 the task %2</source>
         <translation>dar a %1 la tarea %2</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.give_team</name>
+    <message>
+        <source>assign %1 to team %2</source>
+        <translation>asignar %1 al equipo %2</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.give_team_too</name>
+    <message>
+        <source>give it a team too</source>
+        <translation>indique también un equipo</translation>
     </message>
 </context>
 <context>
@@ -23642,6 +23712,13 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     </message>
 </context>
 <context>
+    <name>workflow.rename_trial</name>
+    <message>
+        <source>rename trial %1 to %2</source>
+        <translation>renombrar el ensayo %1 como %2</translation>
+    </message>
+</context>
+<context>
     <name>workflow.replaced_not_packed</name>
     <message>
         <source>the video of camera %1 in trial &apos;%2&apos; is outside the media folder and has changed since; it is not in the packed project</source>
@@ -23912,6 +23989,13 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <message>
         <source>its task changed during the analysis</source>
         <translation>su tarea se cambió mientras se medía</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.team_of_another_class</name>
+    <message>
+        <source>it belongs to class %1, not to class %2</source>
+        <translation>pertenece a la clase %1, no a la clase %2</translation>
     </message>
 </context>
 <context>

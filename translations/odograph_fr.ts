@@ -21682,6 +21682,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
 </context>
 <context>
+    <name>workflow.class_without_team</name>
+    <message>
+        <source>without a team it belongs to no class</source>
+        <translation>sans équipe, il n’appartient à aucune classe</translation>
+    </message>
+</context>
+<context>
     <name>workflow.clock_jumped</name>
     <message>
         <source>at %1 the clock jumped ahead by %2; later times were corrected</source>
@@ -21752,6 +21759,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
 </context>
 <context>
+    <name>workflow.copied_while_recorded</name>
+    <message>
+        <source>its recording has not ended</source>
+        <translation>son enregistrement n’est pas terminé</translation>
+    </message>
+</context>
+<context>
     <name>workflow.copy_file_again</name>
     <message>
         <source>copy the file from the camera again</source>
@@ -21763,6 +21777,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>copy of &apos;%1&apos;</source>
         <translation>copie de &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.copy_trial</name>
+    <message>
+        <source>copy trial %1 to %2</source>
+        <translation>essai %1 copié en %2</translation>
     </message>
 </context>
 <context>
@@ -21784,6 +21805,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>%1 of its %2 frames, from %3 to %4, are damaged and were not measured</source>
         <translation>%1 de ses %2 images, de %3 à %4, sont endommagées et n&apos;ont pas été mesurées</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.date_to_come</name>
+    <message>
+        <source>its new date is in the future</source>
+        <translation>sa nouvelle date est dans le futur</translation>
     </message>
 </context>
 <context>
@@ -21840,6 +21868,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>it is synchronised only to %1, which is %2 at 1 m/s</source>
         <translation>elle n’est synchronisée qu’à %1 près, soit %2 à 1 m/s</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.edit_trial</name>
+    <message>
+        <source>edit trial %1</source>
+        <translation>modification de l’essai %1</translation>
     </message>
 </context>
 <context>
@@ -22039,6 +22074,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
 </context>
 <context>
+    <name>workflow.give_another_team</name>
+    <message>
+        <source>give another team, or change the class of this one</source>
+        <translation>indiquez une autre équipe, ou changez la classe de celle-ci</translation>
+    </message>
+</context>
+<context>
     <name>workflow.give_camera_rate</name>
     <message>
         <source>give the rate at which the camera took the frames</source>
@@ -22057,6 +22099,20 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>give each file once, in their order</source>
         <translation>indiquez chaque fichier une fois, dans leur ordre</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.give_class_too</name>
+    <message>
+        <source>give its class too, or another team</source>
+        <translation>indiquez aussi sa classe, ou une autre équipe</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.give_date_of_run</name>
+    <message>
+        <source>give the date of the run</source>
+        <translation>indiquez la date du parcours</translation>
     </message>
 </context>
 <context>
@@ -22176,6 +22232,20 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>give %1 the task %2</source>
         <translation>épreuve %2 donnée à %1</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.give_team</name>
+    <message>
+        <source>assign %1 to team %2</source>
+        <translation>%1 attribué à l’équipe %2</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.give_team_too</name>
+    <message>
+        <source>give it a team too</source>
+        <translation>indiquez aussi une équipe</translation>
     </message>
 </context>
 <context>
@@ -23642,6 +23712,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
 </context>
 <context>
+    <name>workflow.rename_trial</name>
+    <message>
+        <source>rename trial %1 to %2</source>
+        <translation>essai %1 renommé en %2</translation>
+    </message>
+</context>
+<context>
     <name>workflow.replaced_not_packed</name>
     <message>
         <source>the video of camera %1 in trial &apos;%2&apos; is outside the media folder and has changed since; it is not in the packed project</source>
@@ -23912,6 +23989,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>its task changed during the analysis</source>
         <translation>son épreuve a été changée pendant la mesure</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.team_of_another_class</name>
+    <message>
+        <source>it belongs to class %1, not to class %2</source>
+        <translation>elle appartient à la classe %1, pas à la classe %2</translation>
     </message>
 </context>
 <context>

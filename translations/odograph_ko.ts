@@ -21642,6 +21642,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>workflow.class_without_team</name>
+    <message>
+        <source>without a team it belongs to no class</source>
+        <translation>팀이 없으면 어느 학급에도 속하지 않습니다</translation>
+    </message>
+</context>
+<context>
     <name>workflow.clock_jumped</name>
     <message>
         <source>at %1 the clock jumped ahead by %2; later times were corrected</source>
@@ -21712,6 +21719,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>workflow.copied_while_recorded</name>
+    <message>
+        <source>its recording has not ended</source>
+        <translation>녹화가 아직 끝나지 않았습니다</translation>
+    </message>
+</context>
+<context>
     <name>workflow.copy_file_again</name>
     <message>
         <source>copy the file from the camera again</source>
@@ -21723,6 +21737,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>copy of &apos;%1&apos;</source>
         <translation>&apos;%1&apos;의 사본</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.copy_trial</name>
+    <message>
+        <source>copy trial %1 to %2</source>
+        <translation>시행 복사: %1 → %2</translation>
     </message>
 </context>
 <context>
@@ -21744,6 +21765,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>%1 of its %2 frames, from %3 to %4, are damaged and were not measured</source>
         <translation>프레임 %2개 중 %1개(%3~%4)가 손상되어 측정하지 않았습니다</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.date_to_come</name>
+    <message>
+        <source>its new date is in the future</source>
+        <translation>새 날짜가 미래입니다</translation>
     </message>
 </context>
 <context>
@@ -21800,6 +21828,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>it is synchronised only to %1, which is %2 at 1 m/s</source>
         <translation>동기 오차가 %1로, 1 m/s에서 %2입니다</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.edit_trial</name>
+    <message>
+        <source>edit trial %1</source>
+        <translation>시행 %1 편집</translation>
     </message>
 </context>
 <context>
@@ -21999,6 +22034,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>workflow.give_another_team</name>
+    <message>
+        <source>give another team, or change the class of this one</source>
+        <translation>다른 팀을 지정하거나 이 팀의 학급을 바꾸십시오</translation>
+    </message>
+</context>
+<context>
     <name>workflow.give_camera_rate</name>
     <message>
         <source>give the rate at which the camera took the frames</source>
@@ -22017,6 +22059,20 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>give each file once, in their order</source>
         <translation>각 파일을 순서대로 한 번씩 지정하십시오</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.give_class_too</name>
+    <message>
+        <source>give its class too, or another team</source>
+        <translation>학급도 함께 지정하거나 다른 팀을 지정하십시오</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.give_date_of_run</name>
+    <message>
+        <source>give the date of the run</source>
+        <translation>주행한 날짜를 지정하십시오</translation>
     </message>
 </context>
 <context>
@@ -22136,6 +22192,20 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>give %1 the task %2</source>
         <translation>%1에 과제 %2 지정</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.give_team</name>
+    <message>
+        <source>assign %1 to team %2</source>
+        <translation>%1을(를) 팀 %2에 배정</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.give_team_too</name>
+    <message>
+        <source>give it a team too</source>
+        <translation>팀도 함께 지정하십시오</translation>
     </message>
 </context>
 <context>
@@ -23602,6 +23672,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>workflow.rename_trial</name>
+    <message>
+        <source>rename trial %1 to %2</source>
+        <translation>시행 이름 변경: %1 → %2</translation>
+    </message>
+</context>
+<context>
     <name>workflow.replaced_not_packed</name>
     <message>
         <source>the video of camera %1 in trial &apos;%2&apos; is outside the media folder and has changed since; it is not in the packed project</source>
@@ -23872,6 +23949,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>its task changed during the analysis</source>
         <translation>측정하는 동안 과제가 바뀌었습니다</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.team_of_another_class</name>
+    <message>
+        <source>it belongs to class %1, not to class %2</source>
+        <translation>학급 %2이(가) 아니라 학급 %1에 속합니다</translation>
     </message>
 </context>
 <context>

@@ -21642,6 +21642,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>workflow.class_without_team</name>
+    <message>
+        <source>without a team it belongs to no class</source>
+        <translation>没有小组，因而不属于任何班级</translation>
+    </message>
+</context>
+<context>
     <name>workflow.clock_jumped</name>
     <message>
         <source>at %1 the clock jumped ahead by %2; later times were corrected</source>
@@ -21712,6 +21719,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>workflow.copied_while_recorded</name>
+    <message>
+        <source>its recording has not ended</source>
+        <translation>其录制尚未结束</translation>
+    </message>
+</context>
+<context>
     <name>workflow.copy_file_again</name>
     <message>
         <source>copy the file from the camera again</source>
@@ -21723,6 +21737,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>copy of &apos;%1&apos;</source>
         <translation>“%1”的副本</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.copy_trial</name>
+    <message>
+        <source>copy trial %1 to %2</source>
+        <translation>将试验 %1 复制为 %2</translation>
     </message>
 </context>
 <context>
@@ -21744,6 +21765,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>%1 of its %2 frames, from %3 to %4, are damaged and were not measured</source>
         <translation>其 %2 帧中有 %1 帧（%3 至 %4）已损坏，未被测量</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.date_to_come</name>
+    <message>
+        <source>its new date is in the future</source>
+        <translation>其新日期在未来</translation>
     </message>
 </context>
 <context>
@@ -21800,6 +21828,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>it is synchronised only to %1, which is %2 at 1 m/s</source>
         <translation>它只同步到 %1，在 1 m/s 时为 %2</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.edit_trial</name>
+    <message>
+        <source>edit trial %1</source>
+        <translation>编辑试验 %1</translation>
     </message>
 </context>
 <context>
@@ -21999,6 +22034,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>workflow.give_another_team</name>
+    <message>
+        <source>give another team, or change the class of this one</source>
+        <translation>请指定其他小组，或更改该小组的班级</translation>
+    </message>
+</context>
+<context>
     <name>workflow.give_camera_rate</name>
     <message>
         <source>give the rate at which the camera took the frames</source>
@@ -22017,6 +22059,20 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>give each file once, in their order</source>
         <translation>请按顺序将每个文件给出一次</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.give_class_too</name>
+    <message>
+        <source>give its class too, or another team</source>
+        <translation>请同时指定其班级，或指定其他小组</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.give_date_of_run</name>
+    <message>
+        <source>give the date of the run</source>
+        <translation>请指定运行的日期</translation>
     </message>
 </context>
 <context>
@@ -22136,6 +22192,20 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>give %1 the task %2</source>
         <translation>将任务 %2 赋予 %1</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.give_team</name>
+    <message>
+        <source>assign %1 to team %2</source>
+        <translation>将 %1 分配给小组 %2</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.give_team_too</name>
+    <message>
+        <source>give it a team too</source>
+        <translation>请同时指定小组</translation>
     </message>
 </context>
 <context>
@@ -23602,6 +23672,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>workflow.rename_trial</name>
+    <message>
+        <source>rename trial %1 to %2</source>
+        <translation>将试验 %1 重命名为 %2</translation>
+    </message>
+</context>
+<context>
     <name>workflow.replaced_not_packed</name>
     <message>
         <source>the video of camera %1 in trial &apos;%2&apos; is outside the media folder and has changed since; it is not in the packed project</source>
@@ -23872,6 +23949,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>its task changed during the analysis</source>
         <translation>测量期间其任务被更改</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.team_of_another_class</name>
+    <message>
+        <source>it belongs to class %1, not to class %2</source>
+        <translation>它属于班级 %1，而不是班级 %2</translation>
     </message>
 </context>
 <context>

@@ -23,7 +23,7 @@ std::span<const NamedCommand> allCommands()
         {"revisions", "list the calibrations and registrations of a camera, choose one to use", runRevisions,
          false},
         {"task", "add a task with gates, path and limits; list tasks; set a trial's task", runTask, false},
-        {"trial", "accept the doubtful results of a trial, or withdraw that", runTrial, false},
+        {"trial", "change, delete, restore or copy a trial, or accept its doubtful results", runTrial, false},
         {"import", "import the videos of a trial", runImport, false},
         {"record", "record a trial from cameras", runRecord, false},
         {"track", "track the robots of a trial and analyse them", runTrack, false},

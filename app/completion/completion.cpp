@@ -30,6 +30,7 @@ bool isLiteral(const QString &word)
 QString nameKind(QString word)
 {
     static const QHash<QString, QString> same{{QStringLiteral("A"), QStringLiteral("CAMERA")},
+                                              {QStringLiteral("C"), QStringLiteral("CLASS")},
                                               {QStringLiteral("ROBOT"), QStringLiteral("R")},
                                               {QStringLiteral("T"), QStringLiteral("TEAM")}};
     while (!word.isEmpty() && word.back().isDigit())

@@ -26,13 +26,13 @@ void takeTexts(const Result<std::vector<std::string>> &texts, const NameSink &ta
             take(QString::fromStdString(text), {});
 }
 
-void trials(Project &project, const NameSink &take)
+void takeTrials(Project &project, bool inBin, const NameSink &take)
 {
     const auto names = project.trials().names();
     if (!names)
         return;
     for (const TrialName &trial : *names)
-        if (!trial.binned)
+        if (trial.binned == inBin)
             take(QString::fromStdString(trial.name), QString::fromStdString(trial.teamName));
 }
 
@@ -59,7 +59,8 @@ void metrics(Project &project, const NameSink &take)
 Names namesOf(const QString &kind)
 {
     static const QHash<QString, Names> kinds{
-        {QStringLiteral("TRIAL"), trials},
+        {QStringLiteral("TRIAL"), [](Project &p, const NameSink &take) { takeTrials(p, false, take); }},
+        {QStringLiteral("TRIAL_IN_BIN"), [](Project &p, const NameSink &take) { takeTrials(p, true, take); }},
         {QStringLiteral("CAMERA"),
          [](Project &p, const NameSink &take) { takeNames(p.cameras().all(), take); }},
         {QStringLiteral("R"), [](Project &p, const NameSink &take) { takeNames(p.robots().all(), take); }},
