@@ -4,6 +4,7 @@
 #include "app/commands/commands.h"
 #include "core/base/error.h"
 #include "core/base/job_control.h"
+#include "core/exchange/track_export.h"
 #include "core/files/protected_files.h"
 #include "core/project/project.h"
 #include "ui/report/trial_report.h"
@@ -111,6 +112,7 @@ inline const QString box = QStringLiteral("box");
 inline const QString camera = QStringLiteral("camera");
 inline const QString clear = QStringLiteral("clear");
 inline const QString colour = QStringLiteral("colour");
+inline const QString columns = QStringLiteral("columns");
 inline const QString csvStyle = QStringLiteral("csv-style");
 inline const QString date = QStringLiteral("date");
 inline const QString decimal = QStringLiteral("decimal");
@@ -132,6 +134,7 @@ inline const QString layout = QStringLiteral("layout");
 inline const QString logo = QStringLiteral("logo");
 inline const QString method = QStringLiteral("method");
 inline const QString metric = QStringLiteral("metric");
+inline const QString metrics = QStringLiteral("metrics");
 inline const QString minConfidence = QStringLiteral("min-confidence");
 inline const QString mode = QStringLiteral("mode");
 inline const QString model = QStringLiteral("model");
@@ -195,6 +198,11 @@ class Project;
 QCommandLineOption forceOption();
 /// "-o FILE" and "--force" (CommandOutput).
 QList<QCommandLineOption> outputOptions(const QString &description);
+
+/// --csv-style, for commands that write CSV.
+QCommandLineOption csvStyleOption();
+/// WrongCall where it is not known.
+Result<CsvStyle> csvStyleOf(const CommandCall &call);
 
 /// --language, for commands that write what people read: reports, images, videos. What a command answers
 /// stays English.

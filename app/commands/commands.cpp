@@ -34,6 +34,7 @@ std::span<const NamedCommand> allCommands()
         {"show", "show a trial's metrics, spikes and provenance", runShow, false},
         {"compare", "compare two runs: time difference, sectors, metrics", runCompare, true},
         {"report", "write a printable report of trials or of a class", runReport, true},
+        {"table", "write the metrics of all trials to a table for spreadsheets", runTable, false},
         {"export", "write a trial's samples to a file, or its annotated video", runExport, false},
         {"snapshot", "save an image of the window", runSnapshot, true},
         {"target", "write a board or floor markers for printing", runTarget, true},

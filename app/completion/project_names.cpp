@@ -2,6 +2,7 @@
 #include "app/completion/project_names.h"
 
 #include "core/base/file_system.h"
+#include "core/exchange/track_export.h"
 #include "core/project/project.h"
 #include "core/project/repositories.h"
 
@@ -50,6 +51,12 @@ void tasks(Project &project, const NameSink &take)
             take(QString::fromStdString(each.name), {});
 }
 
+void columns(Project &, const NameSink &take)
+{
+    for (const std::string &column : csvColumns())
+        take(QString::fromStdString(column), {});
+}
+
 void metrics(Project &project, const NameSink &take)
 {
     take(QStringLiteral("score"), {});
@@ -69,6 +76,7 @@ Names namesOf(const QString &kind)
          [](Project &p, const NameSink &take) { takeTexts(p.teams().classes(), take); }},
         {QStringLiteral("TASK"), tasks},
         {QStringLiteral("LAYOUT"), layouts},
+        {QStringLiteral("COLUMN"), columns},
         {QStringLiteral("METRIC"), metrics}};
     return kinds.value(kind, nullptr);
 }

@@ -218,6 +218,17 @@ private Q_SLOTS:
             {none, QStringLiteral("deleted")});
         row("trials outside of it", {trial, QStringLiteral("remove"), m_project, QStringLiteral("de")},
             {none});
+        row("columns",
+            {QStringLiteral("export"), m_project, trials[0], QStringLiteral("--columns"),
+             QStringLiteral("fl")},
+            {none, QStringLiteral("flags")});
+        row("columns behind a comma",
+            {QStringLiteral("export"), m_project, trials[0], QStringLiteral("--columns=t_s,v")},
+            {none, QStringLiteral("--columns=t_s,vx_mm_s"), QStringLiteral("--columns=t_s,vy_mm_s"),
+             QStringLiteral("--columns=t_s,views")});
+        row("metrics behind a comma",
+            {QStringLiteral("table"), m_project, QStringLiteral("--metrics"), QStringLiteral("duration,s")},
+            {none, QStringLiteral("duration,score")});
         row("behind dashes", {show, QStringLiteral("--"), m_project, QStringLiteral("-")}, {none});
         row("no command", {QStringLiteral("nonsense"), QStringLiteral("--x")}, {none});
         row("no project", {show, m_folder.filePath(QStringLiteral("no.odo")), nothing}, {none});
