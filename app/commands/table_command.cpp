@@ -47,7 +47,7 @@ QJsonArray rowsJson(const TrialTable &table)
     return rows;
 }
 
-TrialTableChoice choiceOf(const CommandCall &call)
+Result<TrialTableChoice> choiceOf(const CommandCall &call)
 {
     TrialTableChoice choice{
         call.value(option::ofClass), call.value(option::task), call.value(option::team), {}};
@@ -58,6 +58,8 @@ TrialTableChoice choiceOf(const CommandCall &call)
                 metrics.insert(name);
                 choice.metrics.push_back(name.toStdString());
             }
+    if (call.isSet(option::metrics) && choice.metrics.empty())
+        return call.wrongCall(ODO_TEXT("app.no_metric_named", "--metrics names no metric"));
     return choice;
 }
 
@@ -111,16 +113,17 @@ Result<void> runTable(const QStringList &arguments, const CancelToken &cancel)
         return tl::unexpected(form.error());
     if (*form == Form::Xlsx && call.isSet(option::csvStyle))
         return call.wrongCall(ODO_TEXT("app.style_is_of_csv", "--csv-style goes with a CSV file"));
+    const auto choice = ODO_TRY(choiceOf(call));
     const auto project = ODO_TRY(call.openProject(0, Project::Access::ReadOnly));
     const CancelScope scope(&cancel); // verdicts that are not stored take their time
     if (!call.isSet(option::output)) {
-        const auto table = ODO_TRY(readTrialTable(*project, choiceOf(call)));
+        const auto table = ODO_TRY(readTrialTable(*project, choice));
         call.answer({{QStringLiteral("trials"), rowsJson(table)}}, {});
         return {};
     }
     const auto output = ODO_TRY(
         CommandOutput::of(call, file, *form == Form::Xlsx ? FileKind::Xlsx : FileKind::Csv, project.get()));
-    const auto table = ODO_TRY(readTrialTable(*project, choiceOf(call)));
+    const auto table = ODO_TRY(readTrialTable(*project, choice));
     ODO_TRY(writeTable(table, *form, style, output.target()));
     return output.finish(
         call, {{QStringLiteral("file"), file}, {QStringLiteral("trials"), rowsJson(table)}},

@@ -168,6 +168,7 @@ private Q_SLOTS:
         addBadCall("table %P -o %/t.csv --task Slalom", 1, "Slalom");
         addBadCall("table %P -o %/t.csv --team Owl", 1, "Owl");
         addBadCall("table %P -o %/t.csv --metrics beauty", 1, "no trial of the project has it");
+        addBadCall("table %P -o %/t.csv --metrics ,", 2, "--metrics names no metric");
         addBadCall("table %P -o %/t.csv --csv-style wild", 2, "--csv-style");
         addBadCall("table %P -o %/t.xlsx --csv-style analysis", 2, "--csv-style goes with a CSV file");
         addBadCall("table %P -o %/nowhere/t.xlsx", 1, "nowhere");
