@@ -121,6 +121,12 @@ QJsonValue optionalJson(const std::optional<double> &value)
     return value ? QJsonValue(*value) : QJsonValue();
 }
 
+QJsonObject verdictLevelJson(const TrialVerdict &verdict)
+{
+    return {{QStringLiteral("level"), QString::fromStdString(wordOf(verdict.level()))},
+            {QStringLiteral("accepted"), verdict.isAccepted()}};
+}
+
 QJsonArray metricsJson(const std::vector<Metric> &metrics)
 {
     QJsonArray array;
@@ -136,17 +142,11 @@ QJsonArray metricsJson(const std::vector<Metric> &metrics)
     return array;
 }
 
-QString verdictWord(const TrialVerdict &verdict)
-{
-    return verdict.isAccepted() ? QStringLiteral("doubtful, accepted")
-                                : QString::fromStdString(wordOf(verdict.level()));
-}
-
 QStringList verdictLines(const TrialVerdict &verdict)
 {
     if (verdict.checks.empty())
         return {};
-    QStringList lines(QStringLiteral("Verdict: %1").arg(verdictWord(verdict)));
+    QStringList lines(QStringLiteral("Verdict: %1").arg(QString::fromStdString(wordOf(verdict))));
     for (const TrialCheck &check : verdict.checks)
         if (check.level != CheckLevel::Pass)
             lines << QStringLiteral("  %1: %2")

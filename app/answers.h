@@ -19,9 +19,9 @@ QJsonObject intrinsicsJson(const Intrinsics &intrinsics);
 QJsonObject syncJson(const TrialRecord &trial);
 QJsonObject recordingJson(const RecordingRecord &recording);
 QJsonArray vectorJson(const Eigen::VectorXd &vector);
+/// {level, accepted}, without the checks.
+QJsonObject verdictLevelJson(const TrialVerdict &verdict);
 QJsonArray metricsJson(const std::vector<Metric> &metrics);
-/// "pass", "doubtful", "doubtful, accepted", "bad".
-QString verdictWord(const TrialVerdict &verdict);
 /// "Verdict: doubtful", with the sentences that say why, and the reason why it was accepted.
 QStringList verdictLines(const TrialVerdict &verdict);
 /// gaps[{from_s, to_s}], when nothing was measured, and measured_s, how long something was.

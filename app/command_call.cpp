@@ -246,6 +246,21 @@ QList<QCommandLineOption> outputOptions(const QString &description)
             forceOption()};
 }
 
+QCommandLineOption csvStyleOption()
+{
+    return {option::csvStyle, QStringLiteral("CSV style, by the program that reads it."),
+            QStringLiteral("analysis|international|continental"), QStringLiteral("analysis")};
+}
+
+Result<CsvStyle> csvStyleOf(const CommandCall &call)
+{
+    const auto style = parseCsvStyle(call.value(option::csvStyle));
+    if (!style)
+        return call.wrongCall(
+            ODO_TEXT("app.csv_style_is", "--csv-style is analysis, international or continental"));
+    return *style;
+}
+
 namespace {
 
 QStringList codes()

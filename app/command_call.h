@@ -4,6 +4,7 @@
 #include "app/commands/commands.h"
 #include "core/base/error.h"
 #include "core/base/job_control.h"
+#include "core/exchange/track_export.h"
 #include "core/files/protected_files.h"
 #include "core/project/project.h"
 #include "ui/report/trial_report.h"
@@ -111,7 +112,9 @@ inline const QString box = QStringLiteral("box");
 inline const QString camera = QStringLiteral("camera");
 inline const QString clear = QStringLiteral("clear");
 inline const QString colour = QStringLiteral("colour");
+inline const QString columns = QStringLiteral("columns");
 inline const QString csvStyle = QStringLiteral("csv-style");
+inline const QString date = QStringLiteral("date");
 inline const QString decimal = QStringLiteral("decimal");
 inline const QString device = QStringLiteral("device");
 inline const QString filesOfA = QStringLiteral("a");
@@ -131,9 +134,12 @@ inline const QString layout = QStringLiteral("layout");
 inline const QString logo = QStringLiteral("logo");
 inline const QString method = QStringLiteral("method");
 inline const QString metric = QStringLiteral("metric");
+inline const QString metrics = QStringLiteral("metrics");
 inline const QString minConfidence = QStringLiteral("min-confidence");
 inline const QString mode = QStringLiteral("mode");
 inline const QString model = QStringLiteral("model");
+inline const QString name = QStringLiteral("name");
+inline const QString note = QStringLiteral("note");
 inline const QString ofClass = QStringLiteral("class");
 inline const QString open = QStringLiteral("open");
 inline const QString origin = QStringLiteral("origin");
@@ -146,6 +152,7 @@ inline const QString pixel = QStringLiteral("pixel");
 inline const QString pixels = QStringLiteral("pixels");
 inline const QString preRoll = QStringLiteral("pre-roll");
 inline const QString rate = QStringLiteral("rate");
+inline const QString reason = QStringLiteral("reason");
 inline const QString recover = QStringLiteral("recover");
 inline const QString reference = QStringLiteral("reference");
 inline const QString remark = QStringLiteral("remark");
@@ -192,6 +199,11 @@ class Project;
 QCommandLineOption forceOption();
 /// "-o FILE" and "--force" (CommandOutput).
 QList<QCommandLineOption> outputOptions(const QString &description);
+
+/// --csv-style, for commands that write CSV.
+QCommandLineOption csvStyleOption();
+/// WrongCall where it is not known.
+Result<CsvStyle> csvStyleOf(const CommandCall &call);
 
 /// --language, for commands that write what people read: reports, images, videos. What a command answers
 /// stays English.

@@ -27,17 +27,6 @@ tl::unexpected<Error> notPrinted(std::string because, Message advice)
                 cannotBeWritten(std::move(because)), std::move(advice));
 }
 
-/// Protects the recordings that are not in the media folder, where nothing may be written anyway.
-Result<void> protectRecordings(Project &project, InputFiles &files)
-{
-    const auto recordings = ODO_TRY(project.trials().allRecordings());
-    const std::string media = project.mediaFolder().string() + '/';
-    for (const RecordingRecord &recording : recordings)
-        if (const auto file = project.resolve(recording); !file.string().starts_with(media))
-            files.add(file);
-    return {};
-}
-
 /// Standard output gets all bytes of the file. Its folder goes first: who reads only the beginning ends this
 /// program (SIGPIPE).
 Result<void> printFile(const QString &name, QTemporaryDir &folder)
@@ -60,6 +49,16 @@ Result<void> printFile(const QString &name, QTemporaryDir &folder)
 
 } // namespace
 
+Result<void> protectRecordings(const CommandCall &call, Project &project)
+{
+    const auto recordings = ODO_TRY(project.trials().allRecordings());
+    const std::string media = project.mediaFolder().string() + '/'; // where nothing may be written anyway
+    for (const RecordingRecord &recording : recordings)
+        if (const auto file = project.resolve(recording); !file.string().starts_with(media))
+            call.recordings().add(file);
+    return {};
+}
+
 Result<CommandOutput> CommandOutput::of(const CommandCall &call, const QString &file,
                                         std::optional<FileKind> kind, Project *project,
                                         const QString &printedEnding)
@@ -79,7 +78,7 @@ Result<CommandOutput> CommandOutput::of(const CommandCall &call, const QString &
     output.m_target = OutputTarget(file.toStdString(), call.isSet(option::force) ? Existing::ReplaceAny
                                                                                  : Existing::ReplaceSameKind);
     if (project && identityOf(output.m_target.file))
-        ODO_TRY(protectRecordings(*project, call.recordings()));
+        ODO_TRY(protectRecordings(call, *project));
     ODO_TRY(checkOutput(output.m_target, kind));
     return output;
 }

@@ -17,6 +17,9 @@ inline const QString standardOutput = QStringLiteral("-");
 /// Advice, where something could not be kept there on its way from standard input or to standard output.
 Message freeTemporarySpace();
 
+/// From now on nothing may be written over the project's recordings, wherever they are.
+Result<void> protectRecordings(const CommandCall &call, Project &project);
+
 /// Where a command writes its one file. Standard output gets it when it is whole, so a command that fails
 /// prints nothing of it.
 class CommandOutput

@@ -7994,6 +7994,13 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
 </context>
 <context>
+    <name>exchange.accepted</name>
+    <message>
+        <source>Accepted: %1</source>
+        <translation>Akzeptiert: %1</translation>
+    </message>
+</context>
+<context>
     <name>exchange.and_lines_more</name>
     <message>
         <source>and %1 more lines</source>
@@ -8162,6 +8169,13 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
 </context>
 <context>
+    <name>exchange.choose_column</name>
+    <message>
+        <source>choose from %1</source>
+        <translation>wählen Sie aus %1</translation>
+    </message>
+</context>
+<context>
     <name>exchange.choose_decimal_sign</name>
     <message>
         <source>choose its decimal sign: point or comma</source>
@@ -8246,6 +8260,13 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
 </context>
 <context>
+    <name>exchange.column_twice</name>
+    <message>
+        <source>it is named twice</source>
+        <translation>sie ist zweimal genannt</translation>
+    </message>
+</context>
+<context>
     <name>exchange.commas_group_thousands</name>
     <message>
         <source>commas separate thousands</source>
@@ -8257,6 +8278,13 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>its confidences are neither from 0 to 1 nor from 0 to 100, and were not used</source>
         <translation>ihre Konfidenzen liegen weder zwischen 0 und 1 noch zwischen 0 und 100 und wurden nicht verwendet</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.csv_column</name>
+    <message>
+        <source>column &apos;%1&apos; of CSV</source>
+        <translation>CSV-Spalte &apos;%1&apos;</translation>
     </message>
 </context>
 <context>
@@ -8561,10 +8589,24 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
 </context>
 <context>
+    <name>exchange.measured_otherwise</name>
+    <message>
+        <source>It was analysed with a different course than its task has now.</source>
+        <translation>Er wurde nach einem anderen Parcours ausgewertet, als seine Aufgabe jetzt hat.</translation>
+    </message>
+</context>
+<context>
     <name>exchange.mend_lines</name>
     <message>
         <source>correct these lines</source>
         <translation>bessern Sie diese Zeilen aus</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.name_column_once</name>
+    <message>
+        <source>name each column once</source>
+        <translation>nennen Sie jede Spalte einmal</translation>
     </message>
 </context>
 <context>
@@ -8628,6 +8670,13 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>it contains no project</source>
         <translation>darin ist kein Projekt</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.no_such_column</name>
+    <message>
+        <source>this column does not exist</source>
+        <translation>diese Spalte gibt es nicht</translation>
     </message>
 </context>
 <context>
@@ -22043,6 +22092,13 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
 </context>
 <context>
+    <name>workflow.choose_metric</name>
+    <message>
+        <source>choose from %1</source>
+        <translation>wählen Sie aus %1</translation>
+    </message>
+</context>
+<context>
     <name>workflow.choose_one_of_them</name>
     <message>
         <source>choose one of them</source>
@@ -22082,6 +22138,13 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>choose one with --robot</source>
         <translation>wählen Sie einen davon</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.class_without_team</name>
+    <message>
+        <source>without a team it belongs to no class</source>
+        <translation>ohne Team gehört er zu keiner Klasse</translation>
     </message>
 </context>
 <context>
@@ -22155,6 +22218,13 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
 </context>
 <context>
+    <name>workflow.copied_while_recorded</name>
+    <message>
+        <source>its recording has not ended</source>
+        <translation>seine Aufnahme ist noch nicht beendet</translation>
+    </message>
+</context>
+<context>
     <name>workflow.copy_file_again</name>
     <message>
         <source>copy the file from the camera again</source>
@@ -22166,6 +22236,13 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>copy of &apos;%1&apos;</source>
         <translation>Kopie von &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.copy_trial</name>
+    <message>
+        <source>copy trial %1 to %2</source>
+        <translation>Versuch %1 nach %2 kopieren</translation>
     </message>
 </context>
 <context>
@@ -22187,6 +22264,13 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>%1 of its %2 frames, from %3 to %4, are damaged and were not measured</source>
         <translation>%1 ihrer %2 Bilder, von %3 bis %4, sind beschädigt und wurden nicht ausgewertet</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.date_to_come</name>
+    <message>
+        <source>its new date is in the future</source>
+        <translation>sein neues Datum liegt in der Zukunft</translation>
     </message>
 </context>
 <context>
@@ -22243,6 +22327,13 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>it is synchronised only to %1, which is %2 at 1 m/s</source>
         <translation>sie ist nur auf %1 synchron, das sind %2 bei 1 m/s</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.edit_trial</name>
+    <message>
+        <source>edit trial %1</source>
+        <translation>Versuch %1 bearbeiten</translation>
     </message>
 </context>
 <context>
@@ -22449,6 +22540,13 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
 </context>
 <context>
+    <name>workflow.give_another_team</name>
+    <message>
+        <source>give another team, or change the class of this one</source>
+        <translation>geben Sie ein anderes Team an, oder ändern Sie die Klasse von diesem</translation>
+    </message>
+</context>
+<context>
     <name>workflow.give_camera_rate</name>
     <message>
         <source>give the rate at which the camera took the frames</source>
@@ -22467,6 +22565,20 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>give each file once, in their order</source>
         <translation>geben Sie jede Datei einmal an, in ihrer Reihenfolge</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.give_class_too</name>
+    <message>
+        <source>give its class too, or another team</source>
+        <translation>geben Sie auch seine Klasse an, oder ein anderes Team</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.give_date_of_run</name>
+    <message>
+        <source>give the date of the run</source>
+        <translation>geben Sie das Datum der Fahrt an</translation>
     </message>
 </context>
 <context>
@@ -22593,6 +22705,20 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>give %1 the task %2</source>
         <translation>%1 die Aufgabe %2 geben</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.give_team</name>
+    <message>
+        <source>assign %1 to team %2</source>
+        <translation>%1 dem Team %2 zuordnen</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.give_team_too</name>
+    <message>
+        <source>give it a team too</source>
+        <translation>geben Sie auch ein Team an</translation>
     </message>
 </context>
 <context>
@@ -23086,6 +23212,13 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
 </context>
 <context>
+    <name>workflow.metric_named</name>
+    <message>
+        <source>metric &apos;%1&apos;</source>
+        <translation>Kennwert &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
     <name>workflow.more_frame_steps</name>
     <message>
         <source>up to %1 its frames are wrong at %2 more moments in the same way</source>
@@ -23314,6 +23447,13 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>this computer has no interface of that name</source>
         <translation>dieser Rechner hat keine dieses Namens</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.no_such_metric</name>
+    <message>
+        <source>no trial of the project has it</source>
+        <translation>kein Versuch des Projekts hat ihn</translation>
     </message>
 </context>
 <context>
@@ -24080,6 +24220,13 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
 </context>
 <context>
+    <name>workflow.rename_trial</name>
+    <message>
+        <source>rename trial %1 to %2</source>
+        <translation>Versuch %1 in %2 umbenennen</translation>
+    </message>
+</context>
+<context>
     <name>workflow.replaced_not_packed</name>
     <message>
         <source>the video of camera %1 in trial &apos;%2&apos; is outside the media folder and has changed since; it is not in the packed project</source>
@@ -24357,6 +24504,13 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>its task changed during the analysis</source>
         <translation>seine Aufgabe wurde während der Auswertung geändert</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.team_of_another_class</name>
+    <message>
+        <source>it belongs to class %1, not to class %2</source>
+        <translation>es gehört zur Klasse %1, nicht zur Klasse %2</translation>
     </message>
 </context>
 <context>

@@ -7994,6 +7994,13 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     </message>
 </context>
 <context>
+    <name>exchange.accepted</name>
+    <message>
+        <source>Accepted: %1</source>
+        <translation>Aceptado: %1</translation>
+    </message>
+</context>
+<context>
     <name>exchange.and_lines_more</name>
     <message>
         <source>and %1 more lines</source>
@@ -8162,6 +8169,13 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     </message>
 </context>
 <context>
+    <name>exchange.choose_column</name>
+    <message>
+        <source>choose from %1</source>
+        <translation>elija entre %1</translation>
+    </message>
+</context>
+<context>
     <name>exchange.choose_decimal_sign</name>
     <message>
         <source>choose its decimal sign: point or comma</source>
@@ -8246,6 +8260,13 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     </message>
 </context>
 <context>
+    <name>exchange.column_twice</name>
+    <message>
+        <source>it is named twice</source>
+        <translation>está nombrada dos veces</translation>
+    </message>
+</context>
+<context>
     <name>exchange.commas_group_thousands</name>
     <message>
         <source>commas separate thousands</source>
@@ -8257,6 +8278,13 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <message>
         <source>its confidences are neither from 0 to 1 nor from 0 to 100, and were not used</source>
         <translation>sus valores de confianza no van de 0 a 1 ni de 0 a 100 y no se usaron</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.csv_column</name>
+    <message>
+        <source>column &apos;%1&apos; of CSV</source>
+        <translation>columna &apos;%1&apos; de CSV</translation>
     </message>
 </context>
 <context>
@@ -8561,10 +8589,24 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     </message>
 </context>
 <context>
+    <name>exchange.measured_otherwise</name>
+    <message>
+        <source>It was analysed with a different course than its task has now.</source>
+        <translation>Se analizó con un circuito distinto del que tiene ahora su tarea.</translation>
+    </message>
+</context>
+<context>
     <name>exchange.mend_lines</name>
     <message>
         <source>correct these lines</source>
         <translation>corrija estas líneas</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.name_column_once</name>
+    <message>
+        <source>name each column once</source>
+        <translation>nombre cada columna una vez</translation>
     </message>
 </context>
 <context>
@@ -8628,6 +8670,13 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <message>
         <source>it contains no project</source>
         <translation>no contiene ningún proyecto</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.no_such_column</name>
+    <message>
+        <source>this column does not exist</source>
+        <translation>no existe esa columna</translation>
     </message>
 </context>
 <context>
@@ -22043,6 +22092,13 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     </message>
 </context>
 <context>
+    <name>workflow.choose_metric</name>
+    <message>
+        <source>choose from %1</source>
+        <translation>elija entre %1</translation>
+    </message>
+</context>
+<context>
     <name>workflow.choose_one_of_them</name>
     <message>
         <source>choose one of them</source>
@@ -22082,6 +22138,13 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <message>
         <source>choose one with --robot</source>
         <translation>elija uno de ellos</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.class_without_team</name>
+    <message>
+        <source>without a team it belongs to no class</source>
+        <translation>sin equipo no pertenece a ninguna clase</translation>
     </message>
 </context>
 <context>
@@ -22155,6 +22218,13 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     </message>
 </context>
 <context>
+    <name>workflow.copied_while_recorded</name>
+    <message>
+        <source>its recording has not ended</source>
+        <translation>su grabación no ha terminado</translation>
+    </message>
+</context>
+<context>
     <name>workflow.copy_file_again</name>
     <message>
         <source>copy the file from the camera again</source>
@@ -22166,6 +22236,13 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <message>
         <source>copy of &apos;%1&apos;</source>
         <translation>copia de &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.copy_trial</name>
+    <message>
+        <source>copy trial %1 to %2</source>
+        <translation>copiar el ensayo %1 como %2</translation>
     </message>
 </context>
 <context>
@@ -22187,6 +22264,13 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <message>
         <source>%1 of its %2 frames, from %3 to %4, are damaged and were not measured</source>
         <translation>%1 de sus %2 fotogramas, de %3 a %4, están dañados y no se midieron</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.date_to_come</name>
+    <message>
+        <source>its new date is in the future</source>
+        <translation>su nueva fecha está en el futuro</translation>
     </message>
 </context>
 <context>
@@ -22243,6 +22327,13 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <message>
         <source>it is synchronised only to %1, which is %2 at 1 m/s</source>
         <translation>está sincronizada solo a %1, que son %2 a 1 m/s</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.edit_trial</name>
+    <message>
+        <source>edit trial %1</source>
+        <translation>editar el ensayo %1</translation>
     </message>
 </context>
 <context>
@@ -22449,6 +22540,13 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     </message>
 </context>
 <context>
+    <name>workflow.give_another_team</name>
+    <message>
+        <source>give another team, or change the class of this one</source>
+        <translation>indique otro equipo o cambie la clase de este</translation>
+    </message>
+</context>
+<context>
     <name>workflow.give_camera_rate</name>
     <message>
         <source>give the rate at which the camera took the frames</source>
@@ -22467,6 +22565,20 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <message>
         <source>give each file once, in their order</source>
         <translation>indique cada archivo una vez, en su orden</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.give_class_too</name>
+    <message>
+        <source>give its class too, or another team</source>
+        <translation>indique también su clase, u otro equipo</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.give_date_of_run</name>
+    <message>
+        <source>give the date of the run</source>
+        <translation>indique la fecha del recorrido</translation>
     </message>
 </context>
 <context>
@@ -22593,6 +22705,20 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <message>
         <source>give %1 the task %2</source>
         <translation>dar a %1 la tarea %2</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.give_team</name>
+    <message>
+        <source>assign %1 to team %2</source>
+        <translation>asignar %1 al equipo %2</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.give_team_too</name>
+    <message>
+        <source>give it a team too</source>
+        <translation>indique también un equipo</translation>
     </message>
 </context>
 <context>
@@ -23086,6 +23212,13 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     </message>
 </context>
 <context>
+    <name>workflow.metric_named</name>
+    <message>
+        <source>metric &apos;%1&apos;</source>
+        <translation>indicador &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
     <name>workflow.more_frame_steps</name>
     <message>
         <source>up to %1 its frames are wrong at %2 more moments in the same way</source>
@@ -23314,6 +23447,13 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <message>
         <source>this computer has no interface of that name</source>
         <translation>esta computadora no tiene ninguna con ese nombre</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.no_such_metric</name>
+    <message>
+        <source>no trial of the project has it</source>
+        <translation>ningún ensayo del proyecto lo tiene</translation>
     </message>
 </context>
 <context>
@@ -24080,6 +24220,13 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     </message>
 </context>
 <context>
+    <name>workflow.rename_trial</name>
+    <message>
+        <source>rename trial %1 to %2</source>
+        <translation>renombrar el ensayo %1 como %2</translation>
+    </message>
+</context>
+<context>
     <name>workflow.replaced_not_packed</name>
     <message>
         <source>the video of camera %1 in trial &apos;%2&apos; is outside the media folder and has changed since; it is not in the packed project</source>
@@ -24357,6 +24504,13 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <message>
         <source>its task changed during the analysis</source>
         <translation>su tarea se cambió mientras se medía</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.team_of_another_class</name>
+    <message>
+        <source>it belongs to class %1, not to class %2</source>
+        <translation>pertenece a la clase %1, no a la clase %2</translation>
     </message>
 </context>
 <context>

@@ -7994,6 +7994,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
 </context>
 <context>
+    <name>exchange.accepted</name>
+    <message>
+        <source>Accepted: %1</source>
+        <translation>Accepté&#xa0;: %1</translation>
+    </message>
+</context>
+<context>
     <name>exchange.and_lines_more</name>
     <message>
         <source>and %1 more lines</source>
@@ -8162,6 +8169,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
 </context>
 <context>
+    <name>exchange.choose_column</name>
+    <message>
+        <source>choose from %1</source>
+        <translation>choisissez parmi %1</translation>
+    </message>
+</context>
+<context>
     <name>exchange.choose_decimal_sign</name>
     <message>
         <source>choose its decimal sign: point or comma</source>
@@ -8246,6 +8260,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
 </context>
 <context>
+    <name>exchange.column_twice</name>
+    <message>
+        <source>it is named twice</source>
+        <translation>elle est nommée deux fois</translation>
+    </message>
+</context>
+<context>
     <name>exchange.commas_group_thousands</name>
     <message>
         <source>commas separate thousands</source>
@@ -8257,6 +8278,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>its confidences are neither from 0 to 1 nor from 0 to 100, and were not used</source>
         <translation>ses valeurs de confiance ne vont ni de 0 à 1 ni de 0 à 100 et n’ont pas été utilisées</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.csv_column</name>
+    <message>
+        <source>column &apos;%1&apos; of CSV</source>
+        <translation>colonne &apos;%1&apos; de CSV</translation>
     </message>
 </context>
 <context>
@@ -8561,10 +8589,24 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
 </context>
 <context>
+    <name>exchange.measured_otherwise</name>
+    <message>
+        <source>It was analysed with a different course than its task has now.</source>
+        <translation>Il a été analysé sur un autre parcours que celui de son épreuve actuelle.</translation>
+    </message>
+</context>
+<context>
     <name>exchange.mend_lines</name>
     <message>
         <source>correct these lines</source>
         <translation>corrigez ces lignes</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.name_column_once</name>
+    <message>
+        <source>name each column once</source>
+        <translation>nommez chaque colonne une fois</translation>
     </message>
 </context>
 <context>
@@ -8628,6 +8670,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>it contains no project</source>
         <translation>il ne contient pas de projet</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.no_such_column</name>
+    <message>
+        <source>this column does not exist</source>
+        <translation>cette colonne n’existe pas</translation>
     </message>
 </context>
 <context>
@@ -22043,6 +22092,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
 </context>
 <context>
+    <name>workflow.choose_metric</name>
+    <message>
+        <source>choose from %1</source>
+        <translation>choisissez parmi %1</translation>
+    </message>
+</context>
+<context>
     <name>workflow.choose_one_of_them</name>
     <message>
         <source>choose one of them</source>
@@ -22082,6 +22138,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>choose one with --robot</source>
         <translation>choisissez-en un</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.class_without_team</name>
+    <message>
+        <source>without a team it belongs to no class</source>
+        <translation>sans équipe, il n’appartient à aucune classe</translation>
     </message>
 </context>
 <context>
@@ -22155,6 +22218,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
 </context>
 <context>
+    <name>workflow.copied_while_recorded</name>
+    <message>
+        <source>its recording has not ended</source>
+        <translation>son enregistrement n’est pas terminé</translation>
+    </message>
+</context>
+<context>
     <name>workflow.copy_file_again</name>
     <message>
         <source>copy the file from the camera again</source>
@@ -22166,6 +22236,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>copy of &apos;%1&apos;</source>
         <translation>copie de &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.copy_trial</name>
+    <message>
+        <source>copy trial %1 to %2</source>
+        <translation>essai %1 copié en %2</translation>
     </message>
 </context>
 <context>
@@ -22187,6 +22264,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>%1 of its %2 frames, from %3 to %4, are damaged and were not measured</source>
         <translation>%1 de ses %2 images, de %3 à %4, sont endommagées et n&apos;ont pas été mesurées</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.date_to_come</name>
+    <message>
+        <source>its new date is in the future</source>
+        <translation>sa nouvelle date est dans le futur</translation>
     </message>
 </context>
 <context>
@@ -22243,6 +22327,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>it is synchronised only to %1, which is %2 at 1 m/s</source>
         <translation>elle n’est synchronisée qu’à %1 près, soit %2 à 1 m/s</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.edit_trial</name>
+    <message>
+        <source>edit trial %1</source>
+        <translation>modification de l’essai %1</translation>
     </message>
 </context>
 <context>
@@ -22449,6 +22540,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
 </context>
 <context>
+    <name>workflow.give_another_team</name>
+    <message>
+        <source>give another team, or change the class of this one</source>
+        <translation>indiquez une autre équipe, ou changez la classe de celle-ci</translation>
+    </message>
+</context>
+<context>
     <name>workflow.give_camera_rate</name>
     <message>
         <source>give the rate at which the camera took the frames</source>
@@ -22467,6 +22565,20 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>give each file once, in their order</source>
         <translation>indiquez chaque fichier une fois, dans leur ordre</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.give_class_too</name>
+    <message>
+        <source>give its class too, or another team</source>
+        <translation>indiquez aussi sa classe, ou une autre équipe</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.give_date_of_run</name>
+    <message>
+        <source>give the date of the run</source>
+        <translation>indiquez la date du parcours</translation>
     </message>
 </context>
 <context>
@@ -22593,6 +22705,20 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>give %1 the task %2</source>
         <translation>épreuve %2 donnée à %1</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.give_team</name>
+    <message>
+        <source>assign %1 to team %2</source>
+        <translation>%1 attribué à l’équipe %2</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.give_team_too</name>
+    <message>
+        <source>give it a team too</source>
+        <translation>indiquez aussi une équipe</translation>
     </message>
 </context>
 <context>
@@ -23086,6 +23212,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
 </context>
 <context>
+    <name>workflow.metric_named</name>
+    <message>
+        <source>metric &apos;%1&apos;</source>
+        <translation>grandeur &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
     <name>workflow.more_frame_steps</name>
     <message>
         <source>up to %1 its frames are wrong at %2 more moments in the same way</source>
@@ -23314,6 +23447,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>this computer has no interface of that name</source>
         <translation>cet ordinateur n’en a pas de ce nom</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.no_such_metric</name>
+    <message>
+        <source>no trial of the project has it</source>
+        <translation>aucun essai du projet ne l’a</translation>
     </message>
 </context>
 <context>
@@ -24080,6 +24220,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
 </context>
 <context>
+    <name>workflow.rename_trial</name>
+    <message>
+        <source>rename trial %1 to %2</source>
+        <translation>essai %1 renommé en %2</translation>
+    </message>
+</context>
+<context>
     <name>workflow.replaced_not_packed</name>
     <message>
         <source>the video of camera %1 in trial &apos;%2&apos; is outside the media folder and has changed since; it is not in the packed project</source>
@@ -24357,6 +24504,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>its task changed during the analysis</source>
         <translation>son épreuve a été changée pendant la mesure</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.team_of_another_class</name>
+    <message>
+        <source>it belongs to class %1, not to class %2</source>
+        <translation>elle appartient à la classe %1, pas à la classe %2</translation>
     </message>
 </context>
 <context>

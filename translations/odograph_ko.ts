@@ -7985,6 +7985,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>exchange.accepted</name>
+    <message>
+        <source>Accepted: %1</source>
+        <translation>수락됨: %1</translation>
+    </message>
+</context>
+<context>
     <name>exchange.and_lines_more</name>
     <message>
         <source>and %1 more lines</source>
@@ -8153,6 +8160,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>exchange.choose_column</name>
+    <message>
+        <source>choose from %1</source>
+        <translation>%1 중에서 고르십시오</translation>
+    </message>
+</context>
+<context>
     <name>exchange.choose_decimal_sign</name>
     <message>
         <source>choose its decimal sign: point or comma</source>
@@ -8237,6 +8251,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>exchange.column_twice</name>
+    <message>
+        <source>it is named twice</source>
+        <translation>두 번 지정되었습니다</translation>
+    </message>
+</context>
+<context>
     <name>exchange.commas_group_thousands</name>
     <message>
         <source>commas separate thousands</source>
@@ -8248,6 +8269,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>its confidences are neither from 0 to 1 nor from 0 to 100, and were not used</source>
         <translation>신뢰도가 0~1도 0~100도 아니어서 사용하지 않았습니다</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.csv_column</name>
+    <message>
+        <source>column &apos;%1&apos; of CSV</source>
+        <translation>CSV 열 &apos;%1&apos;</translation>
     </message>
 </context>
 <context>
@@ -8552,10 +8580,24 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>exchange.measured_otherwise</name>
+    <message>
+        <source>It was analysed with a different course than its task has now.</source>
+        <translation>현재 과제의 코스와 다른 코스로 분석되었습니다.</translation>
+    </message>
+</context>
+<context>
     <name>exchange.mend_lines</name>
     <message>
         <source>correct these lines</source>
         <translation>이 줄들을 고치십시오</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.name_column_once</name>
+    <message>
+        <source>name each column once</source>
+        <translation>각 열을 한 번만 지정하십시오</translation>
     </message>
 </context>
 <context>
@@ -8619,6 +8661,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>it contains no project</source>
         <translation>프로젝트가 들어 있지 않습니다</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.no_such_column</name>
+    <message>
+        <source>this column does not exist</source>
+        <translation>그런 열이 없습니다</translation>
     </message>
 </context>
 <context>
@@ -22003,6 +22052,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>workflow.choose_metric</name>
+    <message>
+        <source>choose from %1</source>
+        <translation>%1 중에서 고르십시오</translation>
+    </message>
+</context>
+<context>
     <name>workflow.choose_one_of_them</name>
     <message>
         <source>choose one of them</source>
@@ -22042,6 +22098,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>choose one with --robot</source>
         <translation>그중 하나를 고르십시오</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.class_without_team</name>
+    <message>
+        <source>without a team it belongs to no class</source>
+        <translation>팀이 없으면 어느 학급에도 속하지 않습니다</translation>
     </message>
 </context>
 <context>
@@ -22115,6 +22178,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>workflow.copied_while_recorded</name>
+    <message>
+        <source>its recording has not ended</source>
+        <translation>녹화가 아직 끝나지 않았습니다</translation>
+    </message>
+</context>
+<context>
     <name>workflow.copy_file_again</name>
     <message>
         <source>copy the file from the camera again</source>
@@ -22126,6 +22196,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>copy of &apos;%1&apos;</source>
         <translation>&apos;%1&apos;의 사본</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.copy_trial</name>
+    <message>
+        <source>copy trial %1 to %2</source>
+        <translation>시행 복사: %1 → %2</translation>
     </message>
 </context>
 <context>
@@ -22147,6 +22224,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>%1 of its %2 frames, from %3 to %4, are damaged and were not measured</source>
         <translation>프레임 %2개 중 %1개(%3~%4)가 손상되어 측정하지 않았습니다</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.date_to_come</name>
+    <message>
+        <source>its new date is in the future</source>
+        <translation>새 날짜가 미래입니다</translation>
     </message>
 </context>
 <context>
@@ -22203,6 +22287,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>it is synchronised only to %1, which is %2 at 1 m/s</source>
         <translation>동기 오차가 %1로, 1 m/s에서 %2입니다</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.edit_trial</name>
+    <message>
+        <source>edit trial %1</source>
+        <translation>시행 %1 편집</translation>
     </message>
 </context>
 <context>
@@ -22409,6 +22500,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>workflow.give_another_team</name>
+    <message>
+        <source>give another team, or change the class of this one</source>
+        <translation>다른 팀을 지정하거나 이 팀의 학급을 바꾸십시오</translation>
+    </message>
+</context>
+<context>
     <name>workflow.give_camera_rate</name>
     <message>
         <source>give the rate at which the camera took the frames</source>
@@ -22427,6 +22525,20 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>give each file once, in their order</source>
         <translation>각 파일을 순서대로 한 번씩 지정하십시오</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.give_class_too</name>
+    <message>
+        <source>give its class too, or another team</source>
+        <translation>학급도 함께 지정하거나 다른 팀을 지정하십시오</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.give_date_of_run</name>
+    <message>
+        <source>give the date of the run</source>
+        <translation>주행한 날짜를 지정하십시오</translation>
     </message>
 </context>
 <context>
@@ -22553,6 +22665,20 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>give %1 the task %2</source>
         <translation>%1에 과제 %2 지정</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.give_team</name>
+    <message>
+        <source>assign %1 to team %2</source>
+        <translation>%1을(를) 팀 %2에 배정</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.give_team_too</name>
+    <message>
+        <source>give it a team too</source>
+        <translation>팀도 함께 지정하십시오</translation>
     </message>
 </context>
 <context>
@@ -23046,6 +23172,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>workflow.metric_named</name>
+    <message>
+        <source>metric &apos;%1&apos;</source>
+        <translation>지표 &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
     <name>workflow.more_frame_steps</name>
     <message>
         <source>up to %1 its frames are wrong at %2 more moments in the same way</source>
@@ -23274,6 +23407,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>this computer has no interface of that name</source>
         <translation>이 컴퓨터에 그런 이름의 것이 없습니다</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.no_such_metric</name>
+    <message>
+        <source>no trial of the project has it</source>
+        <translation>이 프로젝트의 어느 시행에도 없습니다</translation>
     </message>
 </context>
 <context>
@@ -24040,6 +24180,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>workflow.rename_trial</name>
+    <message>
+        <source>rename trial %1 to %2</source>
+        <translation>시행 이름 변경: %1 → %2</translation>
+    </message>
+</context>
+<context>
     <name>workflow.replaced_not_packed</name>
     <message>
         <source>the video of camera %1 in trial &apos;%2&apos; is outside the media folder and has changed since; it is not in the packed project</source>
@@ -24317,6 +24464,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>its task changed during the analysis</source>
         <translation>측정하는 동안 과제가 바뀌었습니다</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.team_of_another_class</name>
+    <message>
+        <source>it belongs to class %1, not to class %2</source>
+        <translation>학급 %2이(가) 아니라 학급 %1에 속합니다</translation>
     </message>
 </context>
 <context>

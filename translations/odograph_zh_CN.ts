@@ -7985,6 +7985,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>exchange.accepted</name>
+    <message>
+        <source>Accepted: %1</source>
+        <translation>已接受：%1</translation>
+    </message>
+</context>
+<context>
     <name>exchange.and_lines_more</name>
     <message>
         <source>and %1 more lines</source>
@@ -8153,6 +8160,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>exchange.choose_column</name>
+    <message>
+        <source>choose from %1</source>
+        <translation>请从 %1 中选择</translation>
+    </message>
+</context>
+<context>
     <name>exchange.choose_decimal_sign</name>
     <message>
         <source>choose its decimal sign: point or comma</source>
@@ -8237,6 +8251,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>exchange.column_twice</name>
+    <message>
+        <source>it is named twice</source>
+        <translation>重复给出</translation>
+    </message>
+</context>
+<context>
     <name>exchange.commas_group_thousands</name>
     <message>
         <source>commas separate thousands</source>
@@ -8248,6 +8269,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>its confidences are neither from 0 to 1 nor from 0 to 100, and were not used</source>
         <translation>其置信度既不在 0 到 1 之间，也不在 0 到 100 之间，未被使用</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.csv_column</name>
+    <message>
+        <source>column &apos;%1&apos; of CSV</source>
+        <translation>CSV 列“%1”</translation>
     </message>
 </context>
 <context>
@@ -8552,10 +8580,24 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>exchange.measured_otherwise</name>
+    <message>
+        <source>It was analysed with a different course than its task has now.</source>
+        <translation>它是按与任务当前赛道不同的赛道分析的。</translation>
+    </message>
+</context>
+<context>
     <name>exchange.mend_lines</name>
     <message>
         <source>correct these lines</source>
         <translation>请修正这些行</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.name_column_once</name>
+    <message>
+        <source>name each column once</source>
+        <translation>每列只给出一次</translation>
     </message>
 </context>
 <context>
@@ -8619,6 +8661,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>it contains no project</source>
         <translation>其中没有项目</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.no_such_column</name>
+    <message>
+        <source>this column does not exist</source>
+        <translation>没有这一列</translation>
     </message>
 </context>
 <context>
@@ -22003,6 +22052,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>workflow.choose_metric</name>
+    <message>
+        <source>choose from %1</source>
+        <translation>请从 %1 中选择</translation>
+    </message>
+</context>
+<context>
     <name>workflow.choose_one_of_them</name>
     <message>
         <source>choose one of them</source>
@@ -22042,6 +22098,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>choose one with --robot</source>
         <translation>请选择其中一个</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.class_without_team</name>
+    <message>
+        <source>without a team it belongs to no class</source>
+        <translation>没有小组，因而不属于任何班级</translation>
     </message>
 </context>
 <context>
@@ -22115,6 +22178,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>workflow.copied_while_recorded</name>
+    <message>
+        <source>its recording has not ended</source>
+        <translation>其录制尚未结束</translation>
+    </message>
+</context>
+<context>
     <name>workflow.copy_file_again</name>
     <message>
         <source>copy the file from the camera again</source>
@@ -22126,6 +22196,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>copy of &apos;%1&apos;</source>
         <translation>“%1”的副本</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.copy_trial</name>
+    <message>
+        <source>copy trial %1 to %2</source>
+        <translation>将试验 %1 复制为 %2</translation>
     </message>
 </context>
 <context>
@@ -22147,6 +22224,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>%1 of its %2 frames, from %3 to %4, are damaged and were not measured</source>
         <translation>其 %2 帧中有 %1 帧（%3 至 %4）已损坏，未被测量</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.date_to_come</name>
+    <message>
+        <source>its new date is in the future</source>
+        <translation>其新日期在未来</translation>
     </message>
 </context>
 <context>
@@ -22203,6 +22287,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>it is synchronised only to %1, which is %2 at 1 m/s</source>
         <translation>它只同步到 %1，在 1 m/s 时为 %2</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.edit_trial</name>
+    <message>
+        <source>edit trial %1</source>
+        <translation>编辑试验 %1</translation>
     </message>
 </context>
 <context>
@@ -22409,6 +22500,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>workflow.give_another_team</name>
+    <message>
+        <source>give another team, or change the class of this one</source>
+        <translation>请指定其他小组，或更改该小组的班级</translation>
+    </message>
+</context>
+<context>
     <name>workflow.give_camera_rate</name>
     <message>
         <source>give the rate at which the camera took the frames</source>
@@ -22427,6 +22525,20 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>give each file once, in their order</source>
         <translation>请按顺序将每个文件给出一次</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.give_class_too</name>
+    <message>
+        <source>give its class too, or another team</source>
+        <translation>请同时指定其班级，或指定其他小组</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.give_date_of_run</name>
+    <message>
+        <source>give the date of the run</source>
+        <translation>请指定运行的日期</translation>
     </message>
 </context>
 <context>
@@ -22553,6 +22665,20 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>give %1 the task %2</source>
         <translation>将任务 %2 赋予 %1</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.give_team</name>
+    <message>
+        <source>assign %1 to team %2</source>
+        <translation>将 %1 分配给小组 %2</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.give_team_too</name>
+    <message>
+        <source>give it a team too</source>
+        <translation>请同时指定小组</translation>
     </message>
 </context>
 <context>
@@ -23046,6 +23172,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>workflow.metric_named</name>
+    <message>
+        <source>metric &apos;%1&apos;</source>
+        <translation>指标“%1”</translation>
+    </message>
+</context>
+<context>
     <name>workflow.more_frame_steps</name>
     <message>
         <source>up to %1 its frames are wrong at %2 more moments in the same way</source>
@@ -23274,6 +23407,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>this computer has no interface of that name</source>
         <translation>本机没有该名称的接口</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.no_such_metric</name>
+    <message>
+        <source>no trial of the project has it</source>
+        <translation>项目中没有任何试验有它</translation>
     </message>
 </context>
 <context>
@@ -24040,6 +24180,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>workflow.rename_trial</name>
+    <message>
+        <source>rename trial %1 to %2</source>
+        <translation>将试验 %1 重命名为 %2</translation>
+    </message>
+</context>
+<context>
     <name>workflow.replaced_not_packed</name>
     <message>
         <source>the video of camera %1 in trial &apos;%2&apos; is outside the media folder and has changed since; it is not in the packed project</source>
@@ -24317,6 +24464,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>its task changed during the analysis</source>
         <translation>测量期间其任务被更改</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.team_of_another_class</name>
+    <message>
+        <source>it belongs to class %1, not to class %2</source>
+        <translation>它属于班级 %1，而不是班级 %2</translation>
     </message>
 </context>
 <context>

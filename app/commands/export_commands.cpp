@@ -1,19 +1,26 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/answers.h"
 #include "app/command_call.h"
 #include "app/command_output.h"
 #include "app/commands/commands.h"
 #include "app/workbench.h"
+#include "core/base/file_system.h"
 #include "core/exchange/track_export.h"
 #include "core/exchange/trial_json.h"
 #include "core/files/file_words.h"
 #include "core/files/output_file.h"
 #include "core/project/repositories.h"
+#include "core/workflow/export_job.h"
 #include "core/workflow/shared_words.h"
 #include "core/workflow/track/trial_verdict.h"
 #include "core/workflow/trial_sources.h"
 #include "ui/report/annotated_video.h"
 
+#include <QJsonArray>
 #include <algorithm>
+#include <optional>
+#include <set>
+#include <span>
 
 namespace odo {
 
@@ -100,35 +107,190 @@ Result<const AnalysisRecord *> chosenRobot(const std::vector<AnalysisRecord> &an
                 ODO_TEXT("app.track_or_choose_robot", "track it, or choose another with --robot"));
 }
 
-/// Writes the file's text to a sink; made first, for the choice of robot and style may be wrong.
-using WriteText = std::function<Result<void>(const TextSink &)>;
-
-Result<WriteText> fileText(const CommandCall &call, const std::string &formatName, const TrialRecord &trial,
-                           const std::vector<RecordingRecord> &recordings,
-                           const std::vector<AnalysisRecord> &analyses,
-                           const std::vector<ImportedTrack> &imported, const TrialVerdict &verdict)
+/// How tracks are written.
+struct ExportFormat
 {
-    const auto chosen = chosenRobot(analyses, trial.name, call.value(option::robot));
-    if (formatName == "json" && !call.isSet(option::robot) && !analyses.empty())
-        return [&](const TextSink &sink) {
-            return writeTrialJson(trial, recordings, analyses, imported, verdict, sink);
-        };
+    std::string name; ///< csv, tum, json or tracker
+    CsvStyle style = CsvStyle::Analysis;
+    std::vector<std::size_t> columns; ///< of CSV; empty: all
+
+    const char *ending() const
+    {
+        return name == "csv" ? ".csv" : name == "json" ? ".json" : name == "tum" ? ".tum" : ".txt";
+    }
+    FileKind kind() const
+    {
+        return name == "csv"    ? FileKind::Csv
+               : name == "json" ? FileKind::Json
+               : name == "tum"  ? FileKind::Tum
+                                : FileKind::Tracker;
+    }
+};
+
+Result<ExportFormat> exportFormat(const CommandCall &call, const std::string &name)
+{
+    ExportFormat format{name, ODO_TRY(csvStyleOf(call)), {}};
+    if (!call.isSet(option::columns))
+        return format;
+    if (name != "csv")
+        return call.wrongCall(ODO_TEXT("app.columns_are_of_csv", "--columns goes with --format csv"));
+    std::vector<std::string> columns;
+    for (const QString &value : call.values(option::columns))
+        for (const QString &column : value.split(u','))
+            columns.push_back(column.trimmed().toStdString());
+    auto chosen = parseCsvColumns(columns);
     if (!chosen)
+        return call.wrongCall(joined({chosen.error().what, chosen.error().why}, Join::Colon));
+    format.columns = std::move(*chosen);
+    return format;
+}
+
+/// A trial with all that its files have.
+struct ExportedTrial
+{
+    TrialRecord trial;
+    std::vector<RecordingRecord> recordings;
+    std::vector<AnalysisRecord> analyses;
+    std::vector<ImportedTrack> imported;
+    TrialVerdict verdict;
+};
+
+Result<ExportedTrial> readExported(Project &project, const TrialRecord &trial)
+{
+    ExportedTrial exported{trial,
+                           ODO_TRY(project.trials().recordings(trial.id)),
+                           ODO_TRY(project.analyses().current(trial.id)),
+                           ODO_TRY(importedTracksOf(project, trial)),
+                           {}};
+    std::vector<const RecordingRecord *> views;
+    for (const RecordingRecord &recording : exported.recordings)
+        views.push_back(&recording);
+    exported.verdict = ODO_TRY(verdictOn(project, trial, views, exported.analyses));
+    return exported;
+}
+
+/// robot: empty: of JSON all of them, else the trial's only one. The choice is checked before anything is
+/// written.
+Result<void> writeExported(const CommandCall &call, const ExportedTrial &from, const std::string &robot,
+                           const ExportFormat &format, const OutputTarget &target)
+{
+    const bool holdsAll = format.name == "json" && robot.empty() && !from.analyses.empty();
+    const auto chosen = chosenRobot(from.analyses, from.trial.name, robot);
+    if (!holdsAll && !chosen)
         return tl::unexpected(chosen.error());
-    const AnalysisRecord &analysis = **chosen;
-    if (formatName == "json")
-        return [&](const TextSink &sink) {
-            return writeTrialJson(trial, recordings, {&analysis, 1}, imported, verdict, sink);
+    return writeOutput(target, [&](const TextSink &given) {
+        const TextSink sink = [&](std::string_view piece) {
+            return call.control().isCancelled() ? Result<void>(cancelled(exportSubject(from.trial.name)))
+                                                : given(piece);
         };
-    if (formatName == "tum")
-        return [&](const TextSink &sink) { return writeTrackTum(analysis, sink); };
-    if (formatName == "tracker")
-        return [&](const TextSink &sink) { return writeTrackTracker(analysis, sink); };
-    const auto style = parseCsvStyle(call.value(option::csvStyle));
-    if (!style)
-        return call.wrongCall(
-            ODO_TEXT("app.csv_style_is", "--csv-style is analysis, international or continental"));
-    return [&analysis, style = *style](const TextSink &sink) { return writeTrackCsv(analysis, style, sink); };
+        if (format.name == "json")
+            return writeTrialJson(from.trial, from.recordings,
+                                  holdsAll ? std::span(from.analyses) : std::span(*chosen, 1), from.imported,
+                                  from.verdict, sink);
+        if (format.name == "tum")
+            return writeTrackTum(**chosen, sink);
+        if (format.name == "tracker")
+            return writeTrackTracker(**chosen, sink);
+        return writeTrackCsv(**chosen, format.style, sink, format.columns);
+    });
+}
+
+Result<void> exportFile(const CommandCall &call, const ExportFormat &format, const QString &file)
+{
+    const auto project = ODO_TRY(call.openProject(0, Project::Access::ReadOnly));
+    // the text shows its kind
+    const auto output = ODO_TRY(CommandOutput::of(call, file, std::nullopt, project.get()));
+    const auto trial = ODO_TRY(project->trials().find(call.text(1)));
+    const auto exported = ODO_TRY(readExported(*project, trial));
+    ODO_TRY(writeExported(call, exported, call.value(option::robot), format, output.target()));
+    return output.finish(
+        call,
+        {{QStringLiteral("file"), file}, {QStringLiteral("format"), QString::fromStdString(format.name)}},
+        QStringLiteral("Wrote %1.").arg(file));
+}
+
+/// A file of an export to a folder.
+struct PlannedFile
+{
+    TrialRecord trial;
+    std::string robot; ///< empty: all of the trial, in a JSON
+    OutputTarget target;
+};
+
+/// One file for each robot of each trial, of JSON for each trial, whose names differ from one another.
+Result<std::vector<PlannedFile>> plannedFiles(const CommandCall &call, Project &project,
+                                              const ExportFormat &format, const std::filesystem::path &folder)
+{
+    std::vector<PlannedFile> files;
+    std::set<RecordId> seen;
+    std::set<std::string> names;
+    for (const QString &name : call.positionals().mid(1)) {
+        const auto trial = ODO_TRY(project.trials().find(name.toStdString()));
+        if (!seen.insert(trial.id).second)
+            continue;
+        const auto analyses = ODO_TRY(project.analyses().currentMetrics(trial.id));
+        std::vector<std::string> robots;
+        for (const AnalysisRecord &analysis : analyses)
+            robots.push_back(analysis.robotName);
+        if (call.isSet(option::robot) || analyses.empty())
+            robots = {ODO_TRY(chosenRobot(analyses, trial.name, call.value(option::robot)))->robotName};
+        else if (format.name == "json")
+            robots = {std::string()};
+        for (const std::string &robot : robots) {
+            const std::string stem = exportName(trial.name, robot, !robot.empty() && analyses.size() > 1);
+            std::string free = stem;
+            for (int number = 2; !names.insert(free).second; ++number)
+                free = stem + ' ' + std::to_string(number);
+            files.push_back({trial,
+                             robot,
+                             {folder / (free + format.ending()),
+                              call.isSet(option::force) ? Existing::ReplaceAny : Existing::ReplaceSameKind}});
+        }
+    }
+    return files;
+}
+
+/// Makes it where it is missing.
+Result<void> ensureFolder(const CommandCall &call, const std::filesystem::path &folder)
+{
+    if (files::isFolder(folder))
+        return {};
+    if (files::exists(folder))
+        return fail(ErrorCode::WrongCall, folderCalled(folder),
+                    ODO_TEXT("app.is_no_folder", "it is not a folder"),
+                    ODO_TEXT("app.several_trials_need_folder", "several trials are exported to a folder"));
+    ODO_TRY(checkOutput({folder, Existing::Refuse}, std::nullopt));
+    std::error_code problem;
+    if (!call.control().isCancelled() && !files::makeFolders(folder, problem))
+        return fail(ErrorCode::Io, folderCalled(folder), cannotBeWritten(problem.message()),
+                    ODO_TEXT("app.check_folder_rights", "check the rights of the folder around it"));
+    return {};
+}
+
+Result<void> exportToFolder(const CommandCall &call, const ExportFormat &format, const QString &name)
+{
+    std::filesystem::path folder = name.toStdString();
+    if (!folder.has_filename())
+        folder = folder.parent_path();
+    const auto project = ODO_TRY(call.openProject(0, Project::Access::ReadOnly));
+    const auto files = ODO_TRY(plannedFiles(call, *project, format, folder));
+    ODO_TRY(ensureFolder(call, folder));
+    ODO_TRY(protectRecordings(call, *project));
+    for (const PlannedFile &file : files)
+        ODO_TRY(checkOutput(file.target, format.kind()));
+    QJsonArray written;
+    std::optional<ExportedTrial> exported;
+    for (const PlannedFile &file : files) {
+        if (!exported || exported->trial.id != file.trial.id)
+            exported = ODO_TRY(readExported(*project, file.trial));
+        ODO_TRY(writeExported(call, *exported, file.robot, format, file.target));
+        written.append(QString::fromStdString(file.target.file.string()));
+    }
+    call.answer({{QStringLiteral("folder"), name},
+                 {QStringLiteral("files"), written},
+                 {QStringLiteral("format"), QString::fromStdString(format.name)}},
+                QStringLiteral("Wrote %1 to %2.").arg(counted(written.size(), QStringLiteral("file")), name));
+    return {};
 }
 
 } // namespace
@@ -137,17 +299,22 @@ Result<void> runExport(const QStringList &arguments, const CancelToken &cancel)
 {
     CommandCall call(
         {QStringLiteral("export"),
-         QStringLiteral("P.odo TRIAL -o FILE [--force] [--robot R] [--format csv|tum|json|tracker|video] "
-                        "[--csv-style analysis|international|continental] "
+         QStringLiteral("P.odo TRIAL... -o FILE|FOLDER|- [--force] [--robot R] "
+                        "[--format csv|tum|json|tracker|video] "
+                        "[--csv-style analysis|international|continental] [--columns COLUMN[,...]] "
                         "[--speed 0.25] [--size 1920x1080] [--theme light|dark]"),
-         2, 2,
-         outputOptions(QStringLiteral("The file to write.")) +
+         2, -1,
+         outputOptions(QStringLiteral(
+             "The file to write; of several trials, or with / behind its name, the folder to write to.")) +
              QList<QCommandLineOption>{
                  {option::robot, QStringLiteral("The robot, if the trial has several."), QStringLiteral("R")},
                  {option::format, QStringLiteral("Of the file."), QStringLiteral("FORMAT"),
                   QStringLiteral("csv")},
-                 {option::csvStyle, QStringLiteral("CSV style, by the program that reads it."),
-                  QStringLiteral("STYLE"), QStringLiteral("analysis")}} +
+                 csvStyleOption(),
+                 {option::columns,
+                  QStringLiteral(
+                      "These columns of the CSV in this order, separated by commas; default: all."),
+                  QStringLiteral("COLUMN[,...]")}} +
              videoOptions()},
         cancel);
     if (const auto parsed = call.parse(arguments); !parsed || !*parsed)
@@ -159,32 +326,18 @@ Result<void> runExport(const QStringList &arguments, const CancelToken &cancel)
     if (std::find(formats.begin(), formats.end(), formatName) == formats.end())
         return call.wrongCall(ODO_TEXT("app.format_is", "--format is csv, tum, json, tracker or video"));
     const QString file = QString::fromStdString(call.value(option::output));
+    const bool areSeveral = call.positionals().size() > 2;
+    if (areSeveral && (file == standardOutput || formatName == "video"))
+        return call.wrongCall(ODO_TEXT("app.one_trial_only",
+                                       "standard output and videos take one trial; several tracks go to a "
+                                       "folder"));
     if (formatName == "video" && file == standardOutput)
         return call.wrongCall(ODO_TEXT("app.video_needs_file", "a video needs a file, not standard output"));
+    const auto format = ODO_TRY(exportFormat(call, formatName));
     if (formatName == "video")
         return exportVideo(call, file);
-    const auto project = ODO_TRY(call.openProject(0, Project::Access::ReadOnly));
-    // the text shows its kind
-    const auto output = ODO_TRY(CommandOutput::of(call, file, std::nullopt, project.get()));
-    const auto trial = ODO_TRY(project->trials().find(call.text(1)));
-    const auto recordings = ODO_TRY(project->trials().recordings(trial.id));
-    const auto analyses = ODO_TRY(project->analyses().current(trial.id));
-    const auto imported = ODO_TRY(importedTracksOf(*project, trial));
-    std::vector<const RecordingRecord *> views;
-    for (const RecordingRecord &recording : recordings)
-        views.push_back(&recording);
-    const auto verdict = ODO_TRY(verdictOn(*project, trial, views, analyses));
-    const auto text = ODO_TRY(fileText(call, formatName, trial, recordings, analyses, imported, verdict));
-    const WriteText untilCancelled = [&](const TextSink &sink) {
-        return text([&](std::string_view piece) {
-            return cancel.isCancelled() ? Result<void>(cancelled(exportSubject(trial.name))) : sink(piece);
-        });
-    };
-    ODO_TRY(writeOutput(output.target(), untilCancelled));
-    return output.finish(
-        call,
-        {{QStringLiteral("file"), file}, {QStringLiteral("format"), QString::fromStdString(formatName)}},
-        QStringLiteral("Wrote %1.").arg(file));
+    return areSeveral || file.endsWith(u'/') ? exportToFolder(call, format, file)
+                                             : exportFile(call, format, file);
 }
 
 namespace {

@@ -226,17 +226,6 @@ Result<void> runCheck(const QStringList &arguments, const CancelToken &cancel)
     return {};
 }
 
-namespace {
-
-/// Of a list, without the checks.
-QJsonValue verdictLevelJson(const TrialVerdict &verdict)
-{
-    return QJsonObject{{QStringLiteral("level"), QString::fromStdString(wordOf(verdict.level()))},
-                       {QStringLiteral("accepted"), verdict.isAccepted()}};
-}
-
-} // namespace
-
 Result<void> runList(const QStringList &arguments, const CancelToken &cancel)
 {
     CommandCall call({QStringLiteral("list"), QStringLiteral("P.odo [--json]"), 1, 1, {}}, cancel);
@@ -269,7 +258,8 @@ Result<void> runList(const QStringList &arguments, const CancelToken &cancel)
                      .arg(dateText(trial.date))
                      .arg(trial.durationS, 0, 'f', 2)
                      .arg(counted(trial.viewCount, QStringLiteral("view")))
-                     .arg(isChecked ? QStringLiteral("  ") + verdictWord(verdict->second) : QString());
+                     .arg(isChecked ? QStringLiteral("  ") + QString::fromStdString(wordOf(verdict->second))
+                                    : QString());
     }
     call.answer(
         {{QStringLiteral("title"), QString::fromStdString(title)}, {QStringLiteral("trials"), trials}},

@@ -7,8 +7,7 @@
 #include "core/project/repositories.h"
 #include "core/tracking/chroma.h"
 #include "core/workflow/calibrate/calibration_images.h"
-#include "core/workflow/shared_words.h"
-#include "core/workflow/track/stored_verdicts.h"
+#include "core/workflow/trials/trial_changes.h"
 #include "ui/models/shown_message.h"
 
 #include <QJsonArray>
@@ -200,10 +199,7 @@ Result<void> setTask(const CommandCall &call)
     const auto project = ODO_TRY(call.openProject(1, Project::Access::ReadWrite));
     const auto trial = ODO_TRY(project->trials().find(call.text(2)));
     const auto task = ODO_TRY(project->tasks().find(call.text(3)));
-    if (auto set = project->change(giveTaskChange(trial.name, task.name),
-                                   [&] { return project->trials().setTask(trial.id, task.name); });
-        !set)
-        return set;
+    ODO_TRY(editTrial(*project, trial.id, {.task = task.name}));
     const QString trialName = QString::fromStdString(trial.name),
                   taskName = QString::fromStdString(task.name);
     call.answer({{QStringLiteral("trial"), trialName}, {QStringLiteral("task"), taskName}},
@@ -234,36 +230,6 @@ Result<void> runTask(const QStringList &arguments, const CancelToken &cancel)
         return setTask(call);
     return call.wrongCall(
         ODO_TEXT("app.task_verbs", "give add P.odo NAME task.json, list P.odo, or set P.odo TRIAL NAME"));
-}
-
-Result<void> runTrial(const QStringList &arguments, const CancelToken &cancel)
-{
-    const QString reason = QStringLiteral("reason");
-    CommandCall call(
-        {QStringLiteral("trial"),
-         QStringLiteral("accept P.odo TRIAL --reason TEXT | withdraw P.odo TRIAL [--json]"),
-         3,
-         3,
-         {{reason, QStringLiteral("Why its doubtful results can be used."), QStringLiteral("TEXT")}}},
-        cancel);
-    if (const auto parsed = call.parse(arguments); !parsed || !*parsed)
-        return parsed.map([](bool) {});
-    const QString verb = call.positional(0);
-    const bool isAccepting = verb == QStringLiteral("accept");
-    if (!isAccepting && verb != QStringLiteral("withdraw"))
-        return call.wrongCall(ODO_TEXT("app.trial_verbs",
-                                       "give accept P.odo TRIAL --reason TEXT, or withdraw "
-                                       "P.odo TRIAL"));
-    if (isAccepting && !call.isSet(reason))
-        return call.missing(reason);
-    const auto project = ODO_TRY(call.openProject(1, Project::Access::ReadWrite));
-    ODO_TRY(isAccepting ? acceptVerdict(*project, call.text(2), call.value(reason))
-                        : withdrawAcceptance(*project, call.text(2)));
-    const QString trial = call.positional(2);
-    call.answer({{QStringLiteral("trial"), trial}, {QStringLiteral("accepted"), isAccepting}},
-                isAccepting ? QStringLiteral("The doubtful results of trial %1 are accepted.").arg(trial)
-                            : QStringLiteral("The results of trial %1 are no longer accepted.").arg(trial));
-    return {};
 }
 
 } // namespace odo

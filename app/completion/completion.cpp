@@ -30,6 +30,7 @@ bool isLiteral(const QString &word)
 QString nameKind(QString word)
 {
     static const QHash<QString, QString> same{{QStringLiteral("A"), QStringLiteral("CAMERA")},
+                                              {QStringLiteral("C"), QStringLiteral("CLASS")},
                                               {QStringLiteral("ROBOT"), QStringLiteral("R")},
                                               {QStringLiteral("T"), QStringLiteral("TEAM")}};
     while (!word.isEmpty() && word.back().isDigit())
@@ -132,7 +133,16 @@ private:
             offer(QStringLiteral("--") + option.names().constLast(), option.description());
     }
 
+    /// Of a list, the value behind its last comma.
     void offerValue(const QCommandLineOption &option, const QString &before)
+    {
+        if (option.valueName().endsWith(QStringLiteral("[,...]")))
+            offerOneValue(option, m_current.first(std::max(before.size(), m_current.lastIndexOf(u',') + 1)));
+        else
+            offerOneValue(option, before);
+    }
+
+    void offerOneValue(const QCommandLineOption &option, const QString &before)
     {
         for (const UsageForm &form : m_forms)
             offerMeaning(form.valueForms.value(option.names().constLast()), before);

@@ -2,6 +2,7 @@
 #include "app/completion/project_names.h"
 
 #include "core/base/file_system.h"
+#include "core/exchange/track_export.h"
 #include "core/project/project.h"
 #include "core/project/repositories.h"
 
@@ -26,13 +27,13 @@ void takeTexts(const Result<std::vector<std::string>> &texts, const NameSink &ta
             take(QString::fromStdString(text), {});
 }
 
-void trials(Project &project, const NameSink &take)
+void takeTrials(Project &project, bool inBin, const NameSink &take)
 {
     const auto names = project.trials().names();
     if (!names)
         return;
     for (const TrialName &trial : *names)
-        if (!trial.binned)
+        if (trial.binned == inBin)
             take(QString::fromStdString(trial.name), QString::fromStdString(trial.teamName));
 }
 
@@ -50,6 +51,12 @@ void tasks(Project &project, const NameSink &take)
             take(QString::fromStdString(each.name), {});
 }
 
+void columns(Project &, const NameSink &take)
+{
+    for (const std::string &column : csvColumns())
+        take(QString::fromStdString(column), {});
+}
+
 void metrics(Project &project, const NameSink &take)
 {
     take(QStringLiteral("score"), {});
@@ -59,7 +66,8 @@ void metrics(Project &project, const NameSink &take)
 Names namesOf(const QString &kind)
 {
     static const QHash<QString, Names> kinds{
-        {QStringLiteral("TRIAL"), trials},
+        {QStringLiteral("TRIAL"), [](Project &p, const NameSink &take) { takeTrials(p, false, take); }},
+        {QStringLiteral("TRIAL_IN_BIN"), [](Project &p, const NameSink &take) { takeTrials(p, true, take); }},
         {QStringLiteral("CAMERA"),
          [](Project &p, const NameSink &take) { takeNames(p.cameras().all(), take); }},
         {QStringLiteral("R"), [](Project &p, const NameSink &take) { takeNames(p.robots().all(), take); }},
@@ -68,6 +76,7 @@ Names namesOf(const QString &kind)
          [](Project &p, const NameSink &take) { takeTexts(p.teams().classes(), take); }},
         {QStringLiteral("TASK"), tasks},
         {QStringLiteral("LAYOUT"), layouts},
+        {QStringLiteral("COLUMN"), columns},
         {QStringLiteral("METRIC"), metrics}};
     return kinds.value(kind, nullptr);
 }

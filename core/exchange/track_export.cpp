@@ -2,8 +2,10 @@
 #include "core/exchange/track_export.h"
 
 #include "core/analysis/quantity_curve.h"
+#include "core/exchange/internal/csv_line.h"
 #include "core/exchange/text_file.h"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 
@@ -33,42 +35,6 @@ constexpr std::array<std::string_view, 17> columns = {"t_s",
                                                       "raw_y_mm",
                                                       "views",
                                                       "flags"};
-
-/// Builds one line, cell by cell.
-class CsvLine
-{
-public:
-    explicit CsvLine(CsvStyle style)
-        : m_delimiter(style == CsvStyle::Continental ? ';' : ','), m_comma(style == CsvStyle::Continental)
-    {
-    }
-
-    void number(double value)
-    {
-        std::string text = std::isfinite(value) ? numberText(value) : std::string();
-        if (m_comma)
-            std::replace(text.begin(), text.end(), '.', ',');
-        add(text);
-    }
-    void millimetres(double metres) { number(toMillimetres(metres)); }
-    void empty() { add({}); }
-    void text(const std::string &text) { add(csvText(text, m_delimiter)); }
-    std::string take() { return m_line + '\n'; }
-
-private:
-    void add(const std::string &cell)
-    {
-        if (!m_first)
-            m_line += m_delimiter;
-        m_line += cell;
-        m_first = false;
-    }
-
-    std::string m_line;
-    char m_delimiter;
-    bool m_comma;
-    bool m_first = true;
-};
 
 std::string viewNames(std::uint32_t views, const std::vector<std::string> &names)
 {
@@ -106,14 +72,43 @@ Result<CsvStyle> parseCsvStyle(std::string_view name)
                 ODO_TEXT("exchange.choose_style", "choose analysis, international or continental"));
 }
 
-Result<void> writeTrackCsv(const AnalysisRecord &analysis, CsvStyle style, const TextSink &sink)
+std::vector<std::string> csvColumns()
 {
+    return {columns.begin(), columns.end()};
+}
+
+Result<std::vector<std::size_t>> parseCsvColumns(const std::vector<std::string> &names)
+{
+    std::vector<std::size_t> chosen;
+    const std::vector<std::string> known = csvColumns();
+    for (const std::string &name : names) {
+        const auto its = std::ranges::find(known, name);
+        const Message what = ODO_TEXT("exchange.csv_column", "column '%1' of CSV")(name.substr(0, 40));
+        if (its == known.end())
+            return fail(ErrorCode::NotFound, what,
+                        ODO_TEXT("exchange.no_such_column", "this column does not exist"),
+                        ODO_TEXT("exchange.choose_column", "choose from %1")(
+                            listed(known, MessageArgument::Kind::Label, MessageArgument::Joint::Comma)));
+        chosen.push_back(static_cast<std::size_t>(its - known.begin()));
+        if (std::ranges::count(chosen, chosen.back()) > 1)
+            return fail(ErrorCode::InvalidInput, what, ODO_TEXT("exchange.column_twice", "it is named twice"),
+                        ODO_TEXT("exchange.name_column_once", "name each column once"));
+    }
+    return chosen;
+}
+
+Result<void> writeTrackCsv(const AnalysisRecord &analysis, CsvStyle style, const TextSink &sink,
+                           std::span<const std::size_t> chosen)
+{
+    const auto lineOf = [chosen](const CsvLine &line) {
+        return chosen.empty() ? line.take() : line.take(chosen);
+    };
     TextPieces text(sink);
-    text.add(style == CsvStyle::Analysis ? "" : "\xef\xbb\xbf");
+    text.add(csvStart(style));
     CsvLine header(style);
     for (const std::string_view column : columns)
         header.text(std::string(column));
-    text.add(header.take());
+    text.add(lineOf(header));
     const Profile &profile = analysis.profile;
     for (std::size_t i = 0; i < profile.samples.size(); ++i) {
         const Sample &sample = profile.samples[i];
@@ -129,7 +124,7 @@ Result<void> writeTrackCsv(const AnalysisRecord &analysis, CsvStyle style, const
         }
         line.text(viewNames(sample.views, analysis.views));
         line.text(flagNames(sample.flags));
-        text.add(line.take());
+        text.add(lineOf(line));
     }
     return text.finish();
 }

@@ -5,8 +5,11 @@
 #include "core/exchange/text_file.h"
 #include "core/project/records.h"
 
+#include <cstddef>
+#include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace odo {
 
@@ -18,12 +21,20 @@ enum class CsvStyle {
 /// "analysis", "international", "continental"; NotFound for another word.
 Result<CsvStyle> parseCsvStyle(std::string_view name);
 
+/// The names of the columns of a track as CSV, in their order.
+std::vector<std::string> csvColumns();
+/// Columns of a track as CSV, by their positions; columns: their names, in any order, each once. NotFound for
+/// another name, InvalidInput for one that is named twice.
+Result<std::vector<std::size_t>> parseCsvColumns(const std::vector<std::string> &columns);
+
 /// One robot's track as the command line promises it: a header line, then a row for each frame of the first
 /// view. Millimetres and seconds in the shortest form that reads back exactly; what is missing or not finite
 /// is empty. The same bytes in every locale. Cells of text that a spreadsheet would take as a formula begin
 /// with an apostrophe.
 std::string trackCsv(const AnalysisRecord &analysis, CsvStyle style);
-Result<void> writeTrackCsv(const AnalysisRecord &analysis, CsvStyle style, const TextSink &sink);
+/// columns: only those, in that order; empty: all.
+Result<void> writeTrackCsv(const AnalysisRecord &analysis, CsvStyle style, const TextSink &sink,
+                           std::span<const std::size_t> columns = {});
 
 /// Tracks for other programs: the points where the profile is valid, metres and seconds, the same bytes in
 /// every locale.

@@ -25,6 +25,13 @@ constexpr Signature signatures[] = {{0, "%PDF-", FileKind::Pdf},
                                     {0, "\x1a\x45\xdf\xa3", FileKind::Matroska},
                                     {0, "PK\x03\x04", FileKind::Zip}};
 
+/// Whether one of the first files in a ZIP is a workbook's.
+bool isWorkbook(std::string_view zip)
+{
+    return zip.find("xl/workbook") != std::string_view::npos ||
+           zip.find("xl/worksheets/") != std::string_view::npos;
+}
+
 /// The text up to the end of its line, and the rest.
 std::pair<std::string_view, std::string_view> firstLine(std::string_view text)
 {
@@ -116,7 +123,7 @@ FileKind kindOf(std::string_view start)
                    : FileKind::Database;
     for (const Signature &signature : signatures)
         if (start.size() > signature.offset && start.substr(signature.offset).starts_with(signature.bytes))
-            return signature.kind;
+            return signature.kind == FileKind::Zip && isWorkbook(start) ? FileKind::Xlsx : signature.kind;
     return start.find('\0') == std::string_view::npos ? textKind(start) : FileKind::Other;
 }
 

@@ -18,6 +18,7 @@ enum class FileKind {
     Svg,
     Mp4,
     Matroska,
+    Xlsx, ///< a workbook of a spreadsheet
     Zip,
     Project,  ///< of Odograph
     Database, ///< SQLite's, of another program

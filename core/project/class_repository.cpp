@@ -54,6 +54,12 @@ Result<std::vector<ClassRecord>> ClassRepository::all() const
     return classes;
 }
 
+Result<ClassRecord> ClassRepository::find(const std::string &name) const
+{
+    const auto id = ODO_TRY(idNamed(m_connection, RecordKind::Class, name));
+    return id == 0 ? noSuchName(m_connection, RecordKind::Class, name) : get(id);
+}
+
 Result<ClassRecord> ClassRepository::get(RecordId id) const
 {
     Statement select(m_connection, classColumns + QStringLiteral("WHERE id=?"));

@@ -30,6 +30,7 @@ public:
     Result<ClassRecord> add(const std::string &name);
     /// In alphabetical order, those that are archived too.
     Result<std::vector<ClassRecord>> all() const;
+    Result<ClassRecord> find(const std::string &name) const;
     Result<ClassRecord> get(RecordId id) const;
     Result<void> rename(RecordId id, const std::string &name);
     Result<void> setArchived(RecordId id, bool archived);

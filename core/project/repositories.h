@@ -185,6 +185,11 @@ public:
     Result<std::vector<TrialName>> names() const; ///< of all trials, newest first; cheap
     Result<TrialRecord> find(const std::string &name) const;
     Result<TrialRecord> get(RecordId id) const;
+    /// AlreadyExists for a name that another trial has.
+    Result<void> setName(RecordId trial, const std::string &name);
+    /// 0: none.
+    Result<void> setTeam(RecordId trial, RecordId team);
+    Result<void> setDate(RecordId trial, Instant date);
     Result<void> setNotes(RecordId trial, const std::string &notes);
     Result<void> setRobots(RecordId trial, const std::vector<RecordId> &robots);
     /// By name; empty: none. Analyses that were made before stay.

@@ -72,6 +72,11 @@ Message reasonOfAcceptance()
 
 } // namespace
 
+std::string wordOf(const TrialVerdict &verdict)
+{
+    return verdict.isAccepted() ? "doubtful, accepted" : wordOf(verdict.level());
+}
+
 VerdictRepository::VerdictRepository(ProjectConnection &connection) : m_connection(connection) {}
 
 Result<std::string> VerdictRepository::basis(RecordId trial) const

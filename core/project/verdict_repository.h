@@ -50,6 +50,9 @@ struct TrialVerdict
     bool isSound() const { return level() == CheckLevel::Pass || isAccepted(); }
 };
 
+/// Its level, or "doubtful, accepted".
+std::string wordOf(const TrialVerdict &verdict);
+
 /// A verdict with what is stored of it.
 struct StoredVerdict
 {

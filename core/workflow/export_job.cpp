@@ -18,6 +18,11 @@ Message exportOf(const std::string &trial)
 
 } // namespace
 
+std::string exportName(const std::string &trial, const std::string &robot, bool isOneOfSeveral)
+{
+    return fileNameOf(isOneOfSeveral ? trial + " " + robot : trial);
+}
+
 ExportJob::ExportJob(std::string trial, std::filesystem::path folder, CsvStyle style)
     : m_trial(std::move(trial)), m_folder(std::move(folder)), m_style(style)
 {
@@ -49,8 +54,8 @@ Result<void> ExportJob::writeAll(const JobControl &control)
     for (const AnalysisRecord &analysis : m_analyses) {
         if (control.isCancelled())
             return cancelled(exportOf(m_trial));
-        const std::string name = m_analyses.size() > 1 ? m_trial + " " + analysis.robotName : m_trial;
-        const std::filesystem::path file = m_folder / (fileNameOf(name) + ".csv");
+        const std::filesystem::path file =
+            m_folder / (exportName(m_trial, analysis.robotName, m_analyses.size() > 1) + ".csv");
         if (auto written =
                 writeOutput({file, Existing::Refuse},
                             [&](const TextSink &sink) { return writeTrackCsv(analysis, m_style, sink); });

@@ -14,6 +14,10 @@ namespace odo {
 
 class Project;
 
+/// What the file of a robot's track is called, without its ending: after the trial, and the robot where the
+/// trial has several.
+std::string exportName(const std::string &trial, const std::string &robot, bool isOneOfSeveral);
+
 /// Writes the newest analysis of each robot of a trial as a CSV file into a folder, named after the trial
 /// (and the robot, where there are several). A file of that name is not overwritten: AlreadyExists. NotFound
 /// where the trial was never tracked. What was written before a cancel stays.

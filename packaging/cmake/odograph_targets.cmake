@@ -51,7 +51,8 @@ add_custom_target(odograph_precompiled_headers) # all of them
 function(odograph_precompiled kind)
   cmake_parse_arguments(ARG "" "" "LINKS;HEADERS" ${ARGN})
   set(owner odograph_pch_${kind})
-  file(WRITE ${PROJECT_BINARY_DIR}/pch/${kind}.cpp "// owner of precompiled headers\n")
+  # unchanged where it is there, or each run of CMake would have everything compiled again
+  file(CONFIGURE OUTPUT ${PROJECT_BINARY_DIR}/pch/${kind}.cpp CONTENT "// owner of precompiled headers\n")
   add_library(${owner} STATIC ${PROJECT_BINARY_DIR}/pch/${kind}.cpp)
   target_link_libraries(${owner} PUBLIC odograph_options Eigen3::Eigen tl::expected ${ARG_LINKS})
   target_precompile_headers(${owner} PRIVATE ${plain_headers} ${ARG_HEADERS})

@@ -33,6 +33,10 @@ private Q_SLOTS:
             FileKind::Mp4);
         add("Matroska", QByteArray("\x1a\x45\xdf\xa3\x01", 5), FileKind::Matroska);
         add("ZIP", "PK\x03\x04", FileKind::Zip);
+        add("workbook", QByteArray("PK\x03\x04\x14") + "[Content_Types].xml..PK..xl/workbook.xml",
+            FileKind::Xlsx);
+        add("document", QByteArray("PK\x03\x04\x14") + "[Content_Types].xml..PK..word/document.xml",
+            FileKind::Zip);
         add("project", sqlite + "Odog" + QByteArray(30, '\0'), FileKind::Project);
         add("other database", sqlite + QByteArray(34, '\0'), FileKind::Database);
         add("database cut off", sqlite.left(40), FileKind::Database);

@@ -159,6 +159,10 @@ private Q_SLOTS:
             trial.name = name.toStdString();
             QVERIFY((*project)->trials().add(trial, {}).has_value());
         }
+        TrialRecord deleted;
+        deleted.name = "deleted";
+        deleted = *(*project)->trials().add(deleted, {});
+        QVERIFY((*project)->trials().setBinned(deleted.id, true));
         QFile keep(m_folder.filePath(QStringLiteral("keep")));
         QVERIFY(keep.open(QIODevice::WriteOnly));
         keep.write("#!/bin/sh\nprintf '%s\\n' \"$@\" >kept.new; mv kept.new kept\n");
@@ -209,6 +213,22 @@ private Q_SLOTS:
             {none, QStringLiteral("--format=tum"), QStringLiteral("--format=tracker")});
         row("paper", {QStringLiteral("report"), m_project, QStringLiteral("--paper"), nothing},
             {none, QStringLiteral("a4"), QStringLiteral("letter")});
+        const QString trial = QStringLiteral("trial");
+        row("trials in the bin", {trial, QStringLiteral("restore"), m_project, nothing},
+            {none, QStringLiteral("deleted")});
+        row("trials outside of it", {trial, QStringLiteral("remove"), m_project, QStringLiteral("de")},
+            {none});
+        row("columns",
+            {QStringLiteral("export"), m_project, trials[0], QStringLiteral("--columns"),
+             QStringLiteral("fl")},
+            {none, QStringLiteral("flags")});
+        row("columns behind a comma",
+            {QStringLiteral("export"), m_project, trials[0], QStringLiteral("--columns=t_s,v")},
+            {none, QStringLiteral("--columns=t_s,vx_mm_s"), QStringLiteral("--columns=t_s,vy_mm_s"),
+             QStringLiteral("--columns=t_s,views")});
+        row("metrics behind a comma",
+            {QStringLiteral("table"), m_project, QStringLiteral("--metrics"), QStringLiteral("duration,s")},
+            {none, QStringLiteral("duration,score")});
         row("behind dashes", {show, QStringLiteral("--"), m_project, QStringLiteral("-")}, {none});
         row("no command", {QStringLiteral("nonsense"), QStringLiteral("--x")}, {none});
         row("no project", {show, m_folder.filePath(QStringLiteral("no.odo")), nothing}, {none});

@@ -247,6 +247,37 @@ Result<TrialRecord> TrialRepository::get(RecordId id) const
     return std::move(trials->front());
 }
 
+Result<void> TrialRepository::setName(RecordId trial, const std::string &given)
+{
+    const std::string name = normalName(given);
+    return transact(m_connection, [&]() -> Result<void> {
+        const auto known = ODO_TRY(get(trial));
+        ODO_TRY(checkName(RecordKind::Trial, name));
+        if (known.name != name)
+            ODO_TRY(checkNameIsFree(m_connection, RecordKind::Trial, name));
+        Statement update(m_connection, QStringLiteral("UPDATE trial SET name=? WHERE id=?"));
+        return update.bind(name).bind(trial).run();
+    });
+}
+
+Result<void> TrialRepository::setTeam(RecordId trial, RecordId team)
+{
+    return transact(m_connection, [&]() -> Result<void> {
+        ODO_TRY(get(trial));
+        Statement update(m_connection, QStringLiteral("UPDATE trial SET team_id=? WHERE id=?"));
+        return update.bindReference(team).bind(trial).run();
+    });
+}
+
+Result<void> TrialRepository::setDate(RecordId trial, Instant date)
+{
+    return transact(m_connection, [&]() -> Result<void> {
+        ODO_TRY(get(trial));
+        Statement update(m_connection, QStringLiteral("UPDATE trial SET date_ms=? WHERE id=?"));
+        return update.bind(static_cast<std::int64_t>(date.time_since_epoch().count())).bind(trial).run();
+    });
+}
+
 Result<void> TrialRepository::setNotes(RecordId trial, const std::string &notes)
 {
     return transact(m_connection, [&]() -> Result<void> {

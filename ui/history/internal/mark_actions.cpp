@@ -4,6 +4,7 @@
 #include "core/project/project.h"
 #include "core/project/repositories.h"
 #include "core/workflow/media_upkeep.h"
+#include "core/workflow/trials/trial_changes.h"
 #include "ui/views/widgets/command_keys.h"
 #include "ui/views/widgets/theme.h"
 
@@ -64,18 +65,7 @@ MarkActions::MarkActions(Project &project, QWidget &window)
             },
             to);
     });
-    connect(m_bin, &QAction::triggered, this, [this] {
-        const bool to = !m_binShown;
-        change(
-            to ? ODO_TEXT("ui.delete_trial", "delete %1")
-               : ODO_TEXT("ui.undelete_trial", "restore %1 from the bin"),
-            to ? ODO_TEXT("ui.delete_trials", "delete %1 trials")
-               : ODO_TEXT("ui.undelete_trials", "restore %1 trials from the bin"),
-            [](Project &changed, const TrialRecord &trial, bool binned) {
-                return changed.trials().setBinned(trial.id, binned);
-            },
-            to);
-    });
+    connect(m_bin, &QAction::triggered, this, &MarkActions::moveToBinOrBack);
     connect(m_empty, &QAction::triggered, this, &MarkActions::askToEmpty);
     updateActions();
 }
@@ -123,18 +113,27 @@ void MarkActions::change(const MessageText &words, const MessageText &wordsOfMan
         return;
     const Message told =
         m_trials.size() == 1 ? words(Named::trial(m_trials.front().name)) : wordsOfMany(m_trials.size());
-    const std::vector<TrialRecord> trials = m_trials; // the signal changes what is selected
-    const Result<void> done = m_project.change(told, [&]() -> Result<void> {
-        for (const TrialRecord &trial : trials)
+    report(m_project.change(told, [&]() -> Result<void> {
+        for (const TrialRecord &trial : m_trials)
             ODO_TRY(mark(m_project, trial, to));
         return {};
-    });
+    }));
+}
+
+void MarkActions::moveToBinOrBack()
+{
+    if (!m_trials.empty())
+        report(setInBin(m_project, m_trials, !m_binShown));
+}
+
+void MarkActions::report(const Result<void> &done)
+{
     if (!done) {
         Q_EMIT failed(done.error());
         return;
     }
-    QList<qint64> ids;
-    for (const TrialRecord &trial : trials)
+    QList<qint64> ids; // the signal changes what is selected
+    for (const TrialRecord &trial : m_trials)
         ids << trial.id;
     Q_EMIT marked(ids);
 }

@@ -50,6 +50,8 @@ Q_SIGNALS:
 private:
     using Mark = Result<void> (*)(Project &, const TrialRecord &, bool);
     void change(const MessageText &words, const MessageText &wordsOfMany, Mark mark, bool to);
+    void moveToBinOrBack();
+    void report(const Result<void> &done);
     void askToEmpty();
     void updateActions();
 

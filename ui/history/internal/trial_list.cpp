@@ -4,6 +4,7 @@
 #include "core/project/project.h"
 #include "core/project/repositories.h"
 #include "core/workflow/compare/trial_metrics.h"
+#include "core/workflow/trials/trial_changes.h"
 #include "ui/models/number_text.h"
 #include "ui/models/results.h"
 #include "ui/models/shown_names.h"
@@ -384,9 +385,7 @@ void TrialDetail::saveNotes()
     const QString notes = m_notes->toPlainText();
     if (m_trial == 0 || notes == m_savedNotes)
         return;
-    const Result<void> saved =
-        m_project.change(ODO_TEXT("ui.write_notes", "write notes of %1")(Named::trial(m_name.toStdString())),
-                         [&] { return m_project.trials().setNotes(m_trial, notes.toStdString()); });
+    const auto saved = editTrial(m_project, m_trial, {.notes = notes.toStdString()});
     if (!saved) {
         Q_EMIT failed(saved.error());
         return;

@@ -1,0 +1,244 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/workflow/trials/trial_changes.h"
+
+#include "app/answers.h"
+#include "app/command_call.h"
+#include "app/commands/commands.h"
+#include "core/project/project.h"
+#include "core/project/repositories.h"
+#include "core/workflow/track/stored_verdicts.h"
+#include "core/workflow/trials/trial_copy.h"
+
+#include <QDateTime>
+#include <QRegularExpression>
+#include <algorithm>
+
+namespace odo {
+
+namespace {
+
+struct Verb
+{
+    QString word;
+    QStringList options; ///< that go with it
+    Result<void> (*run)(const CommandCall &call, Project &project, const TrialRecord &trial);
+};
+
+QJsonObject trialJson(const TrialRecord &trial)
+{
+    return {{QStringLiteral("trial"), QString::fromStdString(trial.name)},
+            {QStringLiteral("team"), QString::fromStdString(trial.teamName)},
+            {QStringLiteral("class"), QString::fromStdString(trial.className)},
+            {QStringLiteral("task"), QString::fromStdString(trial.task)},
+            {QStringLiteral("date"), dateText(trial.date)},
+            {QStringLiteral("robots"), namesJson(trial.robotNames)},
+            {QStringLiteral("notes"), QString::fromStdString(trial.notes)},
+            {QStringLiteral("tags"), namesJson(trial.tags)},
+            {QStringLiteral("duration_s"), trial.durationS},
+            {QStringLiteral("views"), trial.viewCount},
+            {QStringLiteral("in_bin"), trial.binned.has_value()}};
+}
+
+QString orNone(const std::string &name)
+{
+    return name.empty() ? QStringLiteral("none") : QString::fromStdString(name);
+}
+
+QString trialText(const TrialRecord &trial)
+{
+    QStringList robots;
+    for (const std::string &robot : trial.robotNames)
+        robots << QString::fromStdString(robot);
+    QStringList lines{QStringLiteral("Trial %1").arg(QString::fromStdString(trial.name)),
+                      QStringLiteral("  team    %1").arg(orNone(trial.teamName)),
+                      QStringLiteral("  class   %1").arg(orNone(trial.className)),
+                      QStringLiteral("  task    %1").arg(orNone(trial.task)),
+                      QStringLiteral("  date    %1").arg(dateText(trial.date)),
+                      QStringLiteral("  robots  %1")
+                          .arg(robots.isEmpty() ? orNone({}) : robots.join(QStringLiteral(", ")))};
+    if (!trial.notes.empty())
+        lines << QStringLiteral("  notes   %1").arg(QString::fromStdString(trial.notes).simplified());
+    return lines.join(u'\n');
+}
+
+/// ISO 8601: a day, or a moment; in the time of this computer unless it has a zone.
+Result<Instant> dateOf(const CommandCall &call)
+{
+    static const QRegularExpression form(QRegularExpression::anchoredPattern(QStringLiteral(
+        "[0-9]{4}-[0-9]{2}-[0-9]{2}"
+        "([T ][0-9]{2}:[0-9]{2}(:[0-9]{2}([.,][0-9]{1,9})?)?(Z|[+-][0-9]{2}(:?[0-9]{2})?)?)?")));
+    const QString text = QString::fromStdString(call.value(option::date));
+    const QDateTime date = QDateTime::fromString(text, Qt::ISODateWithMs);
+    if (!form.match(text).hasMatch() || !date.isValid() || date.toMSecsSinceEpoch() < 0)
+        return call.wrongCall(ODO_TEXT(
+            "app.date_is",
+            "--date '%1' is not an ISO 8601 date since 1970, such as 2026-11-29 or 2026-11-29T10:30")(
+            call.value(option::date)));
+    return Instant(std::chrono::milliseconds(date.toMSecsSinceEpoch()));
+}
+
+std::optional<std::string> given(const CommandCall &call, const QString &option)
+{
+    return call.isSet(option) ? std::optional(call.value(option)) : std::nullopt;
+}
+
+Result<void> set(const CommandCall &call, Project &project, const TrialRecord &trial)
+{
+    TrialEdit edit{.name = given(call, option::name),
+                   .team = given(call, option::team),
+                   .className = given(call, option::ofClass),
+                   .task = given(call, option::task),
+                   .notes = given(call, option::note)};
+    if (call.isSet(option::date)) {
+        edit.date = ODO_TRY(dateOf(call));
+    }
+    if (call.isSet(option::robot))
+        edit.robots = call.texts(option::robot);
+    const bool isNewTeam = edit.team && !edit.team->empty() && !project.teams().find(*edit.team);
+    const auto changed = ODO_TRY(editTrial(project, trial.id, edit));
+    call.answer(trialJson(changed),
+                trialText(changed) +
+                    (isNewTeam
+                         ? QStringLiteral("\nTeam %1 is new.").arg(QString::fromStdString(changed.teamName))
+                         : QString()));
+    return {};
+}
+
+Result<void> moveTo(const CommandCall &call, Project &project, const TrialRecord &trial, bool isInBin)
+{
+    ODO_TRY(setInBin(project, {trial}, isInBin));
+    const auto changed = ODO_TRY(project.trials().get(trial.id));
+    const QString name = QString::fromStdString(trial.name);
+    call.answer(trialJson(changed),
+                isInBin
+                    ? QStringLiteral("Trial %1 is in the bin; restore it with: odograph trial restore %2 %1")
+                          .arg(name, call.positional(1))
+                    : QStringLiteral("Trial %1 is restored from the bin.").arg(name));
+    return {};
+}
+
+Result<void> removeTrial(const CommandCall &call, Project &project, const TrialRecord &trial)
+{
+    if (trial.binned)
+        return fail(ErrorCode::InvalidInput, trialSubject(trial.name),
+                    ODO_TEXT("app.is_in_bin", "it is in the bin already"),
+                    ODO_TEXT("app.empty_bin", "empty the bin in the window's History to remove it for good"));
+    return moveTo(call, project, trial, true);
+}
+
+Result<void> restoreTrial(const CommandCall &call, Project &project, const TrialRecord &trial)
+{
+    if (!trial.binned)
+        return fail(ErrorCode::InvalidInput, trialSubject(trial.name),
+                    ODO_TEXT("app.is_not_in_bin", "it is not in the bin"),
+                    ODO_TEXT("app.nothing_to_restore", "use it as it is"));
+    return moveTo(call, project, trial, false);
+}
+
+Result<void> copy(const CommandCall &call, Project &project, const TrialRecord &trial)
+{
+    const auto copied = ODO_TRY(copyTrial(project, trial.name, call.value(option::name)));
+    call.answer(
+        trialJson(copied),
+        QStringLiteral("Trial %1 copied to %2. It has no results yet: analyse it with odograph track.")
+            .arg(QString::fromStdString(trial.name), QString::fromStdString(copied.name)));
+    return {};
+}
+
+Result<void> answerAcceptance(const CommandCall &call, const TrialRecord &trial, bool isAccepted)
+{
+    const QString name = QString::fromStdString(trial.name);
+    call.answer({{QStringLiteral("trial"), name}, {QStringLiteral("accepted"), isAccepted}},
+                isAccepted ? QStringLiteral("The doubtful results of trial %1 are accepted.").arg(name)
+                           : QStringLiteral("The results of trial %1 are no longer accepted.").arg(name));
+    return {};
+}
+
+Result<void> accept(const CommandCall &call, Project &project, const TrialRecord &trial)
+{
+    ODO_TRY(acceptVerdict(project, trial.name, call.value(option::reason)));
+    return answerAcceptance(call, trial, true);
+}
+
+Result<void> withdraw(const CommandCall &call, Project &project, const TrialRecord &trial)
+{
+    ODO_TRY(withdrawAcceptance(project, trial.name));
+    return answerAcceptance(call, trial, false);
+}
+
+const QList<Verb> &verbs()
+{
+    static const QList<Verb> all{{QStringLiteral("set"),
+                                  {option::name, option::team, option::ofClass, option::date, option::task,
+                                   option::robot, option::note},
+                                  &set},
+                                 {QStringLiteral("remove"), {}, &removeTrial},
+                                 {QStringLiteral("restore"), {}, &restoreTrial},
+                                 {QStringLiteral("copy"), {option::name}, &copy},
+                                 {QStringLiteral("accept"), {option::reason}, &accept},
+                                 {QStringLiteral("withdraw"), {}, &withdraw}};
+    return all;
+}
+
+CommandSyntax trialSyntax()
+{
+    return {
+        QStringLiteral("trial"),
+        QStringLiteral("set P.odo TRIAL [--name N] [--team T] [--class C] [--date ISO] [--task TASK] "
+                       "[--robot R]... [--note TEXT] "
+                       "| remove P.odo TRIAL | restore P.odo TRIAL_IN_BIN | copy P.odo TRIAL [--name N] "
+                       "| accept P.odo TRIAL --reason TEXT | withdraw P.odo TRIAL [--json]"),
+        3,
+        3,
+        {{option::name, QStringLiteral("Its new name; of a copy, the copy's name."), QStringLiteral("N")},
+         {option::team, QStringLiteral("Its team, which is added if it is new; '' removes it."),
+          QStringLiteral("T")},
+         {option::ofClass, QStringLiteral("The class of its team."), QStringLiteral("C")},
+         {option::date,
+          QStringLiteral("When it was recorded, in local time unless a zone is given: 2026-11-29, "
+                         "2026-11-29T10:30, 2026-11-29T09:30Z."),
+          QStringLiteral("ISO")},
+         {option::task, QStringLiteral("Its task; '' removes it."), QStringLiteral("TASK")},
+         {option::robot, QStringLiteral("A robot that is in it; replaces those it had."),
+          QStringLiteral("R")},
+         {option::note, QStringLiteral("Its notes; replaces those it had."), QStringLiteral("TEXT")},
+         {option::reason, QStringLiteral("Why its doubtful results can be used."), QStringLiteral("TEXT")}}};
+}
+
+/// Each option of one verb is a wrong call with another.
+Result<void> checkOptions(const CommandCall &call, const Verb &verb)
+{
+    bool isAnySet = false;
+    for (const Verb &other : verbs())
+        for (const QString &name : other.options) {
+            if (call.isSet(name) && !verb.options.contains(name))
+                return call.wrongCall(ODO_TEXT("app.option_of_verb", "--%1 goes with %2, not with %3")(
+                    name.toStdString(), other.word.toStdString(), verb.word.toStdString()));
+            isAnySet = isAnySet || call.isSet(name);
+        }
+    if (verb.run == &accept && !isAnySet)
+        return call.missing(option::reason);
+    if (verb.run == &set && !isAnySet)
+        return call.wrongCall(ODO_TEXT("app.nothing_to_set", "nothing to change was given"));
+    return {};
+}
+
+} // namespace
+
+Result<void> runTrial(const QStringList &arguments, const CancelToken &cancel)
+{
+    CommandCall call(trialSyntax(), cancel);
+    if (const auto parsed = call.parse(arguments); !parsed || !*parsed)
+        return parsed.map([](bool) {});
+    const auto verb = std::ranges::find(verbs(), call.positional(0), &Verb::word);
+    if (verb == verbs().end())
+        return call.wrongCall(ODO_TEXT("app.trial_verbs",
+                                       "give set, remove, restore, copy, accept or withdraw, "
+                                       "then P.odo TRIAL"));
+    ODO_TRY(checkOptions(call, *verb));
+    const auto project = ODO_TRY(call.openProject(1, Project::Access::ReadWrite));
+    const auto trial = ODO_TRY(project->trials().find(call.text(2)));
+    return verb->run(call, *project, trial);
+}
+
+} // namespace odo

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/exchange/text_file.h"
+#include "core/exchange/track_export.h"
+#include "core/files/output_file.h"
+#include "core/project/records.h"
+#include "core/project/verdict_repository.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace odo {
+
+/// A metric of the table; its values all have that unit.
+struct TrialTableColumn
+{
+    std::string metric, unit;
+};
+
+/// A robot in a trial.
+struct TrialTableRow
+{
+    TrialRecord trial;
+    std::string robot;                   ///< empty: the trial was not tracked
+    std::optional<TrialVerdict> verdict; ///< none: not known
+    /// By another course than the trial's task has, so that times and scores of the task do not count.
+    bool isMeasuredOtherwise = false;
+    std::vector<std::optional<Metric>> metrics; ///< one for each column; none: it has no such metric
+};
+
+/// Trials and their metrics, for a spreadsheet or a program. Nothing is left out or averaged: what a value is
+/// worth is beside it.
+struct TrialTable
+{
+    std::vector<TrialTableColumn> columns;
+    std::vector<TrialTableRow> rows;
+};
+
+/// As CSV: a header line without blanks, then a row for each robot of each trial; each metric has a column
+/// with its unit, and one of its σ. at_least names the metrics that can only be larger; a value that is
+/// missing is empty. Any thread.
+Result<void> writeTrialTableCsv(const TrialTable &table, CsvStyle style, const TextSink &sink);
+
+/// As an XLSX workbook of one sheet, with the header frozen: numbers are numbers and dates are dates, lower
+/// bounds are shown with "≥", uncertain and bad verdicts are coloured. Any thread. Errors: those of
+/// OutputFile.
+Result<void> writeTrialTableXlsx(const TrialTable &table, const OutputTarget &target);
+
+} // namespace odo
