@@ -174,6 +174,12 @@ tl::unexpected<Error> CommandCall::lacks(const QString &option, const QString &n
         ODO_TEXT("app.option_needs", "--%1 needs --%2")(option.toStdString(), needed.toStdString()));
 }
 
+tl::unexpected<Error> CommandCall::isNoneOf(const QString &option, const char *words) const
+{
+    return wrongCall(
+        ODO_TEXT("app.option_is_one_of", "--%1 is %2")(option.toStdString(), std::string(words)));
+}
+
 tl::unexpected<Error> CommandCall::exclude(const QString &option, const QString &other) const
 {
     return wrongCall(ODO_TEXT("app.options_exclude", "--%1 and --%2 cannot be used together")(

@@ -63,6 +63,8 @@ public:
     tl::unexpected<Error> missing(const QString &option) const;
     /// That an option was given without another one that it goes with.
     tl::unexpected<Error> lacks(const QString &option, const QString &needed) const;
+    /// That the value of an option is none of those that it may have: "a, b or c".
+    tl::unexpected<Error> isNoneOf(const QString &option, const char *words) const;
     /// That two options were given of which only one may be.
     tl::unexpected<Error> exclude(const QString &option, const QString &other) const;
     /// That the first positional argument is none of the command's verbs.
@@ -116,6 +118,7 @@ inline const QString columns = QStringLiteral("columns");
 inline const QString csvStyle = QStringLiteral("csv-style");
 inline const QString date = QStringLiteral("date");
 inline const QString decimal = QStringLiteral("decimal");
+inline const QString delta = QStringLiteral("delta");
 inline const QString device = QStringLiteral("device");
 inline const QString filesOfA = QStringLiteral("a");
 inline const QString filesOfB = QStringLiteral("b");
@@ -131,6 +134,7 @@ inline const QString keep = QStringLiteral("keep");
 inline const QString labels = QStringLiteral("labels");
 inline const QString language = QStringLiteral("language");
 inline const QString layout = QStringLiteral("layout");
+inline const QString log = QStringLiteral("log");
 inline const QString logo = QStringLiteral("logo");
 inline const QString method = QStringLiteral("method");
 inline const QString metric = QStringLiteral("metric");
@@ -141,6 +145,7 @@ inline const QString model = QStringLiteral("model");
 inline const QString name = QStringLiteral("name");
 inline const QString note = QStringLiteral("note");
 inline const QString ofClass = QStringLiteral("class");
+inline const QString offset = QStringLiteral("offset");
 inline const QString open = QStringLiteral("open");
 inline const QString origin = QStringLiteral("origin");
 inline const QString originAt = QStringLiteral("origin-at");

@@ -2282,6 +2282,13 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
 </context>
 <context>
+    <name>analysis.choose_log_of_run</name>
+    <message>
+        <source>choose the log of this run</source>
+        <translation>wählen Sie das Protokoll dieser Fahrt</translation>
+    </message>
+</context>
+<context>
     <name>analysis.choose_longer_range</name>
     <message>
         <source>choose a longer range</source>
@@ -2632,6 +2639,13 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
 </context>
 <context>
+    <name>analysis.give_log_offset</name>
+    <message>
+        <source>give the time offset of the log</source>
+        <translation>geben Sie den Zeitversatz des Protokolls an</translation>
+    </message>
+</context>
+<context>
     <name>analysis.give_place</name>
     <message>
         <source>enter its position in millimetres</source>
@@ -2713,6 +2727,41 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>the robot hardly moves in %1</source>
         <translation>in %1 bewegt sich der Roboter kaum</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.log_has_no_common_time</name>
+    <message>
+        <source>fewer than %1 of its positions have times at which the robot was measured</source>
+        <translation>weniger als %1 seiner Positionen fallen in Zeiten, zu denen der Roboter gemessen wurde</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.log_has_other_front</name>
+    <message>
+        <source>the log&apos;s heading is %1 from the measured one throughout: its front or its axes may differ</source>
+        <translation>die Ausrichtung im Protokoll weicht durchweg um %1 von der gemessenen ab: Seine Vorderseite oder seine Achsen sind vielleicht andere</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.log_has_other_lengths</name>
+    <message>
+        <source>the log&apos;s lengths are %1 times the measured ones: its unit may be wrong</source>
+        <translation>die Längen im Protokoll sind das %1-Fache der gemessenen: Seine Einheit ist vielleicht falsch</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.log_is_mirrored</name>
+    <message>
+        <source>it is the mirror image of the run</source>
+        <translation>es ist das Spiegelbild der Fahrt</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.log_moves_otherwise</name>
+    <message>
+        <source>it moves differently: at no time offset do more than %1 of the changes of speed and direction agree</source>
+        <translation>es bewegt sich anders: Bei keinem Zeitversatz stimmen mehr als %1 der Änderungen von Geschwindigkeit und Richtung überein</translation>
     </message>
 </context>
 <context>
@@ -3003,6 +3052,13 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
 </context>
 <context>
+    <name>analysis.motion_gives_no_offset</name>
+    <message>
+        <source>the robot never changes its speed or its curvature by more than noise, so any time offset fits</source>
+        <translation>der Roboter ändert weder Geschwindigkeit noch Krümmung um mehr als das Rauschen, daher passt jeder Zeitversatz</translation>
+    </message>
+</context>
+<context>
     <name>analysis.name_each_gate</name>
     <message>
         <source>give each gate a name of its own</source>
@@ -3052,6 +3108,13 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
 </context>
 <context>
+    <name>analysis.no_step_of_delta</name>
+    <message>
+        <source>no stretch of %1 was measured without a gap, so there is no relative error</source>
+        <translation>keine Strecke von %1 wurde ohne Lücke gemessen, daher gibt es keinen relativen Fehler</translation>
+    </message>
+</context>
+<context>
     <name>analysis.no_such_role</name>
     <message>
         <source>gates have no such role</source>
@@ -3098,6 +3161,27 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>one of its values is not a number</source>
         <translation>eine Zahl darin ist keine</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.offset_is_ambiguous</name>
+    <message>
+        <source>its motion repeats itself: time offsets %1 apart agree equally well</source>
+        <translation>seine Bewegung wiederholt sich: Um %1 verschiedene Zeitversätze passen gleich gut</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.offset_is_uncertain</name>
+    <message>
+        <source>its time offset is known only to ±%1</source>
+        <translation>sein Zeitversatz ist nur auf ±%1 bekannt</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.offset_not_found</name>
+    <message>
+        <source>too little of its motion is also in the run to find the time offset</source>
+        <translation>zu wenig seiner Bewegung kommt auch in der Fahrt vor, um den Zeitversatz zu bestimmen</translation>
     </message>
 </context>
 <context>
@@ -3220,6 +3304,13 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
 </context>
 <context>
+    <name>analysis.still_in_common_time</name>
+    <message>
+        <source>the robot does not move in the common time</source>
+        <translation>der Roboter bewegt sich in der gemeinsamen Zeit nicht</translation>
+    </message>
+</context>
+<context>
     <name>analysis.takes_two_runs</name>
     <message>
         <source>it needs two runs</source>
@@ -3252,6 +3343,13 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>template of a task</source>
         <translation>Muster einer Aufgabe</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.turn_sign</name>
+    <message>
+        <source>change the sign of one of its coordinates</source>
+        <translation>kehren Sie das Vorzeichen einer seiner Koordinaten um</translation>
     </message>
 </context>
 <context>
@@ -22348,6 +22446,13 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>positions to %1, as stated in the file</source>
         <translation>Orte auf %1, wie die Datei sagt</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.evaluation_of_trial</name>
+    <message>
+        <source>evaluation of trial &apos;%1&apos;</source>
+        <translation>Auswertung des Versuchs &apos;%1&apos;</translation>
     </message>
 </context>
 <context>

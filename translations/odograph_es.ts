@@ -2282,6 +2282,13 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     </message>
 </context>
 <context>
+    <name>analysis.choose_log_of_run</name>
+    <message>
+        <source>choose the log of this run</source>
+        <translation>elija el registro de este recorrido</translation>
+    </message>
+</context>
+<context>
     <name>analysis.choose_longer_range</name>
     <message>
         <source>choose a longer range</source>
@@ -2632,6 +2639,13 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     </message>
 </context>
 <context>
+    <name>analysis.give_log_offset</name>
+    <message>
+        <source>give the time offset of the log</source>
+        <translation>indique el desfase temporal del registro</translation>
+    </message>
+</context>
+<context>
     <name>analysis.give_place</name>
     <message>
         <source>enter its position in millimetres</source>
@@ -2713,6 +2727,41 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <message>
         <source>the robot hardly moves in %1</source>
         <translation>el robot apenas se mueve en %1</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.log_has_no_common_time</name>
+    <message>
+        <source>fewer than %1 of its positions have times at which the robot was measured</source>
+        <translation>menos de %1 de sus posiciones corresponden a momentos en que se midió el robot</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.log_has_other_front</name>
+    <message>
+        <source>the log&apos;s heading is %1 from the measured one throughout: its front or its axes may differ</source>
+        <translation>el rumbo del registro difiere siempre en %1 del medido: su parte delantera o sus ejes pueden ser otros</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.log_has_other_lengths</name>
+    <message>
+        <source>the log&apos;s lengths are %1 times the measured ones: its unit may be wrong</source>
+        <translation>las longitudes del registro son %1 veces las medidas: su unidad puede ser incorrecta</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.log_is_mirrored</name>
+    <message>
+        <source>it is the mirror image of the run</source>
+        <translation>es la imagen especular del recorrido</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.log_moves_otherwise</name>
+    <message>
+        <source>it moves differently: at no time offset do more than %1 of the changes of speed and direction agree</source>
+        <translation>se mueve de otra forma: con ningún desfase temporal coincide más del %1 de los cambios de velocidad y dirección</translation>
     </message>
 </context>
 <context>
@@ -3003,6 +3052,13 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     </message>
 </context>
 <context>
+    <name>analysis.motion_gives_no_offset</name>
+    <message>
+        <source>the robot never changes its speed or its curvature by more than noise, so any time offset fits</source>
+        <translation>el robot nunca cambia su velocidad ni su curvatura más que el ruido, así que cualquier desfase temporal encaja</translation>
+    </message>
+</context>
+<context>
     <name>analysis.name_each_gate</name>
     <message>
         <source>give each gate a name of its own</source>
@@ -3052,6 +3108,13 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     </message>
 </context>
 <context>
+    <name>analysis.no_step_of_delta</name>
+    <message>
+        <source>no stretch of %1 was measured without a gap, so there is no relative error</source>
+        <translation>ningún tramo de %1 se midió sin lagunas, así que no hay error relativo</translation>
+    </message>
+</context>
+<context>
     <name>analysis.no_such_role</name>
     <message>
         <source>gates have no such role</source>
@@ -3098,6 +3161,27 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <message>
         <source>one of its values is not a number</source>
         <translation>uno de sus números no lo es</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.offset_is_ambiguous</name>
+    <message>
+        <source>its motion repeats itself: time offsets %1 apart agree equally well</source>
+        <translation>su movimiento se repite: desfases temporales separados %1 concuerdan igual de bien</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.offset_is_uncertain</name>
+    <message>
+        <source>its time offset is known only to ±%1</source>
+        <translation>su desfase temporal solo se conoce con ±%1</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.offset_not_found</name>
+    <message>
+        <source>too little of its motion is also in the run to find the time offset</source>
+        <translation>muy poco de su movimiento está también en el recorrido como para hallar el desfase temporal</translation>
     </message>
 </context>
 <context>
@@ -3220,6 +3304,13 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     </message>
 </context>
 <context>
+    <name>analysis.still_in_common_time</name>
+    <message>
+        <source>the robot does not move in the common time</source>
+        <translation>el robot no se mueve en el tiempo común</translation>
+    </message>
+</context>
+<context>
     <name>analysis.takes_two_runs</name>
     <message>
         <source>it needs two runs</source>
@@ -3252,6 +3343,13 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <message>
         <source>template of a task</source>
         <translation>plantilla de una tarea</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.turn_sign</name>
+    <message>
+        <source>change the sign of one of its coordinates</source>
+        <translation>cambie el signo de una de sus coordenadas</translation>
     </message>
 </context>
 <context>
@@ -22348,6 +22446,13 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <message>
         <source>positions to %1, as stated in the file</source>
         <translation>posiciones a %1, según el archivo</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.evaluation_of_trial</name>
+    <message>
+        <source>evaluation of trial &apos;%1&apos;</source>
+        <translation>evaluación del ensayo &apos;%1&apos;</translation>
     </message>
 </context>
 <context>

@@ -2282,6 +2282,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
 </context>
 <context>
+    <name>analysis.choose_log_of_run</name>
+    <message>
+        <source>choose the log of this run</source>
+        <translation>choisissez le journal de ce passage</translation>
+    </message>
+</context>
+<context>
     <name>analysis.choose_longer_range</name>
     <message>
         <source>choose a longer range</source>
@@ -2632,6 +2639,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
 </context>
 <context>
+    <name>analysis.give_log_offset</name>
+    <message>
+        <source>give the time offset of the log</source>
+        <translation>indiquez le décalage temporel du journal</translation>
+    </message>
+</context>
+<context>
     <name>analysis.give_place</name>
     <message>
         <source>enter its position in millimetres</source>
@@ -2713,6 +2727,41 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>the robot hardly moves in %1</source>
         <translation>le robot bouge à peine dans %1</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.log_has_no_common_time</name>
+    <message>
+        <source>fewer than %1 of its positions have times at which the robot was measured</source>
+        <translation>moins de %1 de ses positions correspondent à des instants où le robot a été mesuré</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.log_has_other_front</name>
+    <message>
+        <source>the log&apos;s heading is %1 from the measured one throughout: its front or its axes may differ</source>
+        <translation>le cap du journal diffère constamment de %1 du cap mesuré&#xa0;: son avant ou ses axes sont peut-être différents</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.log_has_other_lengths</name>
+    <message>
+        <source>the log&apos;s lengths are %1 times the measured ones: its unit may be wrong</source>
+        <translation>les longueurs du journal sont %1 fois celles mesurées&#xa0;: son unité est peut-être fausse</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.log_is_mirrored</name>
+    <message>
+        <source>it is the mirror image of the run</source>
+        <translation>c’est l’image miroir du passage</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.log_moves_otherwise</name>
+    <message>
+        <source>it moves differently: at no time offset do more than %1 of the changes of speed and direction agree</source>
+        <translation>il se déplace autrement&#xa0;: quel que soit le décalage temporel, pas plus de %1 des changements de vitesse et de direction ne concordent</translation>
     </message>
 </context>
 <context>
@@ -3003,6 +3052,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
 </context>
 <context>
+    <name>analysis.motion_gives_no_offset</name>
+    <message>
+        <source>the robot never changes its speed or its curvature by more than noise, so any time offset fits</source>
+        <translation>le robot ne change jamais sa vitesse ni sa courbure de plus que le bruit, donc n’importe quel décalage temporel convient</translation>
+    </message>
+</context>
+<context>
     <name>analysis.name_each_gate</name>
     <message>
         <source>give each gate a name of its own</source>
@@ -3052,6 +3108,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
 </context>
 <context>
+    <name>analysis.no_step_of_delta</name>
+    <message>
+        <source>no stretch of %1 was measured without a gap, so there is no relative error</source>
+        <translation>aucun tronçon de %1 n’a été mesuré sans trou, il n’y a donc pas d’erreur relative</translation>
+    </message>
+</context>
+<context>
     <name>analysis.no_such_role</name>
     <message>
         <source>gates have no such role</source>
@@ -3098,6 +3161,27 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>one of its values is not a number</source>
         <translation>un de ses nombres n’en est pas un</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.offset_is_ambiguous</name>
+    <message>
+        <source>its motion repeats itself: time offsets %1 apart agree equally well</source>
+        <translation>son mouvement se répète&#xa0;: des décalages temporels distants de %1 concordent aussi bien</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.offset_is_uncertain</name>
+    <message>
+        <source>its time offset is known only to ±%1</source>
+        <translation>son décalage temporel n’est connu qu’à ±%1 près</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.offset_not_found</name>
+    <message>
+        <source>too little of its motion is also in the run to find the time offset</source>
+        <translation>trop peu de son mouvement se retrouve dans le passage pour déterminer le décalage temporel</translation>
     </message>
 </context>
 <context>
@@ -3220,6 +3304,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
 </context>
 <context>
+    <name>analysis.still_in_common_time</name>
+    <message>
+        <source>the robot does not move in the common time</source>
+        <translation>le robot ne bouge pas pendant le temps commun</translation>
+    </message>
+</context>
+<context>
     <name>analysis.takes_two_runs</name>
     <message>
         <source>it needs two runs</source>
@@ -3252,6 +3343,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>template of a task</source>
         <translation>modèle d’une épreuve</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.turn_sign</name>
+    <message>
+        <source>change the sign of one of its coordinates</source>
+        <translation>changez le signe d’une de ses coordonnées</translation>
     </message>
 </context>
 <context>
@@ -22348,6 +22446,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>positions to %1, as stated in the file</source>
         <translation>positions à %1, d’après le fichier</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.evaluation_of_trial</name>
+    <message>
+        <source>evaluation of trial &apos;%1&apos;</source>
+        <translation>évaluation de l’essai &apos;%1&apos;</translation>
     </message>
 </context>
 <context>

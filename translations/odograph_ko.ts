@@ -2273,6 +2273,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>analysis.choose_log_of_run</name>
+    <message>
+        <source>choose the log of this run</source>
+        <translation>이 주행의 로그를 선택하십시오</translation>
+    </message>
+</context>
+<context>
     <name>analysis.choose_longer_range</name>
     <message>
         <source>choose a longer range</source>
@@ -2623,6 +2630,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>analysis.give_log_offset</name>
+    <message>
+        <source>give the time offset of the log</source>
+        <translation>로그의 시간 차이를 지정하십시오</translation>
+    </message>
+</context>
+<context>
     <name>analysis.give_place</name>
     <message>
         <source>enter its position in millimetres</source>
@@ -2704,6 +2718,41 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>the robot hardly moves in %1</source>
         <translation>%1에서 로봇이 거의 움직이지 않습니다</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.log_has_no_common_time</name>
+    <message>
+        <source>fewer than %1 of its positions have times at which the robot was measured</source>
+        <translation>로봇이 측정된 시각에 해당하는 위치가 %1개 미만입니다</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.log_has_other_front</name>
+    <message>
+        <source>the log&apos;s heading is %1 from the measured one throughout: its front or its axes may differ</source>
+        <translation>로그의 방향이 측정된 방향과 계속 %1 차이가 납니다. 앞쪽이나 축이 다를 수 있습니다</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.log_has_other_lengths</name>
+    <message>
+        <source>the log&apos;s lengths are %1 times the measured ones: its unit may be wrong</source>
+        <translation>로그의 길이가 측정된 길이의 %1배입니다. 단위가 잘못되었을 수 있습니다</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.log_is_mirrored</name>
+    <message>
+        <source>it is the mirror image of the run</source>
+        <translation>주행의 거울상입니다</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.log_moves_otherwise</name>
+    <message>
+        <source>it moves differently: at no time offset do more than %1 of the changes of speed and direction agree</source>
+        <translation>다르게 움직입니다. 어떤 시간 차이에서도 속도와 방향 변화의 일치가 %1를 넘지 않습니다</translation>
     </message>
 </context>
 <context>
@@ -2994,6 +3043,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>analysis.motion_gives_no_offset</name>
+    <message>
+        <source>the robot never changes its speed or its curvature by more than noise, so any time offset fits</source>
+        <translation>로봇의 속도나 곡률이 잡음 이상으로 변하지 않아 어떤 시간 차이도 맞습니다</translation>
+    </message>
+</context>
+<context>
     <name>analysis.name_each_gate</name>
     <message>
         <source>give each gate a name of its own</source>
@@ -3043,6 +3099,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>analysis.no_step_of_delta</name>
+    <message>
+        <source>no stretch of %1 was measured without a gap, so there is no relative error</source>
+        <translation>%1 구간이 끊김 없이 측정되지 않아 상대 오차가 없습니다</translation>
+    </message>
+</context>
+<context>
     <name>analysis.no_such_role</name>
     <message>
         <source>gates have no such role</source>
@@ -3089,6 +3152,27 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>one of its values is not a number</source>
         <translation>그 안의 숫자가 올바르지 않습니다</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.offset_is_ambiguous</name>
+    <message>
+        <source>its motion repeats itself: time offsets %1 apart agree equally well</source>
+        <translation>움직임이 반복됩니다. %1 떨어진 시간 차이들이 똑같이 잘 맞습니다</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.offset_is_uncertain</name>
+    <message>
+        <source>its time offset is known only to ±%1</source>
+        <translation>시간 차이를 ±%1까지만 알 수 있습니다</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.offset_not_found</name>
+    <message>
+        <source>too little of its motion is also in the run to find the time offset</source>
+        <translation>주행과 겹치는 움직임이 너무 적어 시간 차이를 구할 수 없습니다</translation>
     </message>
 </context>
 <context>
@@ -3211,6 +3295,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>analysis.still_in_common_time</name>
+    <message>
+        <source>the robot does not move in the common time</source>
+        <translation>공통 시간 동안 로봇이 움직이지 않습니다</translation>
+    </message>
+</context>
+<context>
     <name>analysis.takes_two_runs</name>
     <message>
         <source>it needs two runs</source>
@@ -3243,6 +3334,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>template of a task</source>
         <translation>과제의 템플릿</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.turn_sign</name>
+    <message>
+        <source>change the sign of one of its coordinates</source>
+        <translation>좌표 하나의 부호를 바꾸십시오</translation>
     </message>
 </context>
 <context>
@@ -22308,6 +22406,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>positions to %1, as stated in the file</source>
         <translation>위치의 오차 %1, 파일에 적힌 대로</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.evaluation_of_trial</name>
+    <message>
+        <source>evaluation of trial &apos;%1&apos;</source>
+        <translation>시행 &apos;%1&apos;의 평가</translation>
     </message>
 </context>
 <context>

@@ -2273,6 +2273,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>analysis.choose_log_of_run</name>
+    <message>
+        <source>choose the log of this run</source>
+        <translation>请选择本次运行的日志</translation>
+    </message>
+</context>
+<context>
     <name>analysis.choose_longer_range</name>
     <message>
         <source>choose a longer range</source>
@@ -2623,6 +2630,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>analysis.give_log_offset</name>
+    <message>
+        <source>give the time offset of the log</source>
+        <translation>请给出日志的时间偏移</translation>
+    </message>
+</context>
+<context>
     <name>analysis.give_place</name>
     <message>
         <source>enter its position in millimetres</source>
@@ -2704,6 +2718,41 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>the robot hardly moves in %1</source>
         <translation>机器人在 %1 中几乎没有移动</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.log_has_no_common_time</name>
+    <message>
+        <source>fewer than %1 of its positions have times at which the robot was measured</source>
+        <translation>其位置中少于 %1 个处于机器人被测量的时刻</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.log_has_other_front</name>
+    <message>
+        <source>the log&apos;s heading is %1 from the measured one throughout: its front or its axes may differ</source>
+        <translation>日志的朝向始终与测得的相差 %1：其前方或坐标轴可能不同</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.log_has_other_lengths</name>
+    <message>
+        <source>the log&apos;s lengths are %1 times the measured ones: its unit may be wrong</source>
+        <translation>日志中的长度是测得长度的 %1 倍：其单位可能有误</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.log_is_mirrored</name>
+    <message>
+        <source>it is the mirror image of the run</source>
+        <translation>它是本次运行的镜像</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.log_moves_otherwise</name>
+    <message>
+        <source>it moves differently: at no time offset do more than %1 of the changes of speed and direction agree</source>
+        <translation>其运动不同：在任何时间偏移下，速度和方向的变化一致的部分都不超过 %1</translation>
     </message>
 </context>
 <context>
@@ -2994,6 +3043,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>analysis.motion_gives_no_offset</name>
+    <message>
+        <source>the robot never changes its speed or its curvature by more than noise, so any time offset fits</source>
+        <translation>机器人的速度和曲率变化从未超过噪声，因此任何时间偏移都符合</translation>
+    </message>
+</context>
+<context>
     <name>analysis.name_each_gate</name>
     <message>
         <source>give each gate a name of its own</source>
@@ -3043,6 +3099,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>analysis.no_step_of_delta</name>
+    <message>
+        <source>no stretch of %1 was measured without a gap, so there is no relative error</source>
+        <translation>没有一段 %1 的路程是无间断测得的，因此没有相对误差</translation>
+    </message>
+</context>
+<context>
     <name>analysis.no_such_role</name>
     <message>
         <source>gates have no such role</source>
@@ -3089,6 +3152,27 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>one of its values is not a number</source>
         <translation>其中有一个不是数字</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.offset_is_ambiguous</name>
+    <message>
+        <source>its motion repeats itself: time offsets %1 apart agree equally well</source>
+        <translation>其运动有重复：相差 %1 的时间偏移同样吻合</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.offset_is_uncertain</name>
+    <message>
+        <source>its time offset is known only to ±%1</source>
+        <translation>其时间偏移只能确定到 ±%1</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.offset_not_found</name>
+    <message>
+        <source>too little of its motion is also in the run to find the time offset</source>
+        <translation>与本次运行重合的运动太少，无法求出时间偏移</translation>
     </message>
 </context>
 <context>
@@ -3211,6 +3295,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>analysis.still_in_common_time</name>
+    <message>
+        <source>the robot does not move in the common time</source>
+        <translation>在共同的时间内机器人没有移动</translation>
+    </message>
+</context>
+<context>
     <name>analysis.takes_two_runs</name>
     <message>
         <source>it needs two runs</source>
@@ -3243,6 +3334,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>template of a task</source>
         <translation>任务的模板</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.turn_sign</name>
+    <message>
+        <source>change the sign of one of its coordinates</source>
+        <translation>请改变其中一个坐标的符号</translation>
     </message>
 </context>
 <context>
@@ -22308,6 +22406,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>positions to %1, as stated in the file</source>
         <translation>位置精度 %1，依文件所述</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.evaluation_of_trial</name>
+    <message>
+        <source>evaluation of trial &apos;%1&apos;</source>
+        <translation>试验“%1”的评估</translation>
     </message>
 </context>
 <context>

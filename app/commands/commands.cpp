@@ -33,6 +33,8 @@ std::span<const NamedCommand> allCommands()
         {"list", "list the trials", runList, false},
         {"show", "show a trial's metrics, spikes and provenance", runShow, false},
         {"compare", "compare two runs: time difference, sectors, metrics", runCompare, true},
+        {"evaluate", "compare a robot's own log with its measured run: pose errors and drift", runEvaluate,
+         false},
         {"report", "write a printable report of trials or of a class", runReport, true},
         {"table", "write the metrics of all trials to a table for spreadsheets", runTable, false},
         {"export", "write a trial's samples to a file, or its annotated video", runExport, false},

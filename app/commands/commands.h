@@ -29,6 +29,7 @@ Result<void> runReprocess(const QStringList &arguments, const CancelToken &cance
 Result<void> runRevisions(const QStringList &arguments, const CancelToken &cancel);
 Result<void> runTask(const QStringList &arguments, const CancelToken &cancel);
 Result<void> runTrial(const QStringList &arguments, const CancelToken &cancel);
+Result<void> runEvaluate(const QStringList &arguments, const CancelToken &cancel);
 Result<void> runImport(const QStringList &arguments, const CancelToken &cancel);
 Result<void> runRecord(const QStringList &arguments, const CancelToken &cancel);
 Result<void> runTrack(const QStringList &arguments, const CancelToken &cancel);

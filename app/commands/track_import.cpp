@@ -29,8 +29,7 @@ Result<std::optional<Value>> chosen(const CommandCall &call, const QString &opti
         return std::optional<Value>();
     const auto value = valueOf(call.value(option));
     if (!value)
-        return call.wrongCall(
-            ODO_TEXT("app.option_is_one_of", "--%1 is %2")(option.toStdString(), std::string(words)));
+        return call.isNoneOf(option, words);
     return value;
 }
 
@@ -39,28 +38,6 @@ Result<std::optional<double>> lengthOf(const CommandCall &call, const QString &o
     if (!call.isSet(option))
         return std::optional<double>();
     return call.lengthM(option).map([](double length) { return std::optional(length); });
-}
-
-Result<TrackReading> readingOf(const CommandCall &call)
-{
-    TrackReading reading;
-    reading.unit = ODO_TRY(chosen(call, option::unit, lengthUnitOf, "m, cm, mm, in, ft or px"));
-    reading.timeUnit = ODO_TRY(timeUnitOf(call));
-    reading.axes = ODO_TRY(chosen(call, option::axes, floorAxesOf, "xy, xz or yz"));
-    reading.decimal = ODO_TRY(chosen(call, option::decimal, decimalSignOf, "point or comma"));
-    reading.pixelM = ODO_TRY(lengthOf(call, option::pixel));
-    if (call.isSet(option::minConfidence)) {
-        constexpr double most = 100;
-        const auto least = call.number(option::minConfidence);
-        if (!least || *least < 0 || *least > most)
-            return call.wrongCall(
-                ODO_TEXT("app.min_confidence_is", "--min-confidence is a number from 0 to 100"));
-        reading.minConfidence = *least;
-    }
-    if (call.isSet(option::rate)) {
-        reading.rate = ODO_TRY(frameRateOf(call));
-    }
-    return reading;
 }
 
 /// Standard input as a file, which can be read twice.
@@ -176,7 +153,32 @@ Message adviceAsOption(const Message &advice)
         return ODO_TEXT("app.give_rate_of_series",
                         "write the times with more digits, or give the frame rate of an even series, like "
                         "--rate 30");
+    if (code == "analysis.give_log_offset")
+        return ODO_TEXT("app.give_log_offset",
+                        "give what is added to its times to have the trial's, like --offset -12.5 (seconds)");
     return advice;
+}
+
+Result<TrackReading> trackReadingOf(const CommandCall &call)
+{
+    TrackReading reading;
+    reading.unit = ODO_TRY(chosen(call, option::unit, lengthUnitOf, "m, cm, mm, in, ft or px"));
+    reading.timeUnit = ODO_TRY(timeUnitOf(call));
+    reading.axes = ODO_TRY(chosen(call, option::axes, floorAxesOf, "xy, xz or yz"));
+    reading.decimal = ODO_TRY(chosen(call, option::decimal, decimalSignOf, "point or comma"));
+    reading.pixelM = ODO_TRY(lengthOf(call, option::pixel));
+    if (call.isSet(option::minConfidence)) {
+        constexpr double most = 100;
+        const auto least = call.number(option::minConfidence);
+        if (!least || *least < 0 || *least > most)
+            return call.wrongCall(
+                ODO_TEXT("app.min_confidence_is", "--min-confidence is a number from 0 to 100"));
+        reading.minConfidence = *least;
+    }
+    if (call.isSet(option::rate)) {
+        reading.rate = ODO_TRY(frameRateOf(call));
+    }
+    return reading;
 }
 
 Result<std::optional<TimeUnit>> timeUnitOf(const CommandCall &call)
@@ -244,7 +246,7 @@ Result<void> importTracks(const CommandCall &call)
     settings.trial = call.value(option::trial);
     settings.team = call.value(option::team);
     settings.task = call.value(option::task);
-    settings.reading = ODO_TRY(readingOf(call));
+    settings.reading = ODO_TRY(trackReadingOf(call));
     settings.sigmaM = ODO_TRY(lengthOf(call, option::sigma));
     const auto tracks = ODO_TRY(call.pairs(option::track));
     const auto project = ODO_TRY(call.openProject(0, Project::Access::ReadWrite));

@@ -10,6 +10,8 @@ namespace odo {
 /// `import` of finished tracks, and the options that go with them alone.
 Result<void> importTracks(const CommandCall &call);
 QList<QCommandLineOption> trackReadingOptions();
+/// What they say; WrongCall for a value that none of them has.
+Result<TrackReading> trackReadingOf(const CommandCall &call);
 /// WrongCall where one of them was given without a track; --time-unit goes with --times too.
 Result<void> refuseTrackOptions(const CommandCall &call);
 

@@ -18,10 +18,10 @@ Message comparisonOf(const std::string &trial)
     return ODO_TEXT("workflow.comparison_of_trial", "comparison of trial '%1'")(Named::trial(trial));
 }
 
-Result<AnalysisRecord> analysisOf(Project &project, const TrialRecord &trial, const std::string &robot)
+Result<AnalysisRecord> analysisOf(Project &project, const TrialRecord &trial, const std::string &robot,
+                                  const Message &what)
 {
     const auto analyses = ODO_TRY(project.analyses().current(trial.id));
-    const Message what = comparisonOf(trial.name);
     if (analyses.empty())
         return fail(ErrorCode::NotFound, what, notTrackedYet(), trackItFirst());
     std::vector<std::string> names;
@@ -68,19 +68,9 @@ Result<MessageArgument> layoutNameOf(Project &project, const AnalysisRecord &ana
     return Named::layout(layout.layout.name);
 }
 
-/// Puts all runs into one set of axes: the present ones of their layouts.
-Result<void> bringToCommonAxes(Project &project, std::vector<ComparedTrial> &runs)
+/// Checks that all runs are in one set of axes.
+Result<void> checkCommonAxes(Project &project, const std::vector<ComparedTrial> &runs)
 {
-    for (ComparedTrial &run : runs) {
-        if (ODO_TRY(bringToPresentAxes(project, run.trial, run.analysis)))
-            continue;
-        const auto layout = ODO_TRY(layoutNameOf(project, run.analysis));
-        return fail(
-            ErrorCode::InvalidInput, comparisonOf(run.trial.name),
-            ODO_TEXT("workflow.run_in_older_axes",
-                     "it has other axes: those of layout '%1' were changed after it was analysed")(layout),
-            ODO_TEXT("workflow.analyse_it_again", "reanalyse it"));
-    }
     const ComparedTrial &first = runs.front();
     for (const ComparedTrial &run : runs) {
         if (ODO_TRY(haveCommonAxes(project, first.analysis, run.analysis)))
@@ -103,23 +93,38 @@ std::string runName(const ComparedTrial &run)
     return run.trial.robots.size() > 1 ? run.analysis.robotName + " in " + run.trial.name : run.trial.name;
 }
 
+Result<ComparedTrial> readComparedTrial(Project &project, const CompareSettings::Run &run,
+                                        const Message &what)
+{
+    ComparedTrial read;
+    read.trial = ODO_TRY(project.trials().find(run.trial));
+    read.analysis = ODO_TRY(analysisOf(project, read.trial, run.robot, what));
+    if (ODO_TRY(bringToPresentAxes(project, read.trial, read.analysis)))
+        return read;
+    const auto layout = ODO_TRY(layoutNameOf(project, read.analysis));
+    return fail(
+        ErrorCode::InvalidInput, what,
+        ODO_TEXT("workflow.run_in_older_axes",
+                 "it has other axes: those of layout '%1' were changed after it was analysed")(layout),
+        ODO_TEXT("workflow.analyse_it_again", "reanalyse it"));
+}
+
 Result<ComparedTrials> readComparedTrials(Project &project, const CompareSettings &settings)
 {
     ComparedTrials read;
     for (const CompareSettings::Run &run : settings.runs) {
-        auto trial = ODO_TRY(project.trials().find(run.trial));
-        auto analysis = ODO_TRY(analysisOf(project, trial, run.robot));
+        auto compared = ODO_TRY(readComparedTrial(project, run, comparisonOf(run.trial)));
         const bool isTwice = std::ranges::any_of(
-            read.runs, [&](const ComparedTrial &other) { return other.analysis.id == analysis.id; });
+            read.runs, [&](const ComparedTrial &other) { return other.analysis.id == compared.analysis.id; });
         if (isTwice)
             return fail(ErrorCode::InvalidInput, comparisonOf(run.trial),
                         ODO_TEXT("workflow.compared_with_itself", "a run cannot be compared with itself"),
                         chooseAnotherOne());
-        read.runs.push_back({std::move(trial), std::move(analysis)});
+        read.runs.push_back(std::move(compared));
     }
     if (read.runs.size() < 2)
         return takesTwoRuns();
-    ODO_TRY(bringToCommonAxes(project, read.runs));
+    ODO_TRY(checkCommonAxes(project, read.runs));
     std::set<RecordId> trials;
     for (const ComparedTrial &run : read.runs)
         trials.insert(run.trial.id);

@@ -56,6 +56,11 @@ struct TrialComparison
 /// "Red 2 in trial 3", for words.
 std::string runName(const ComparedTrial &run);
 
+/// Reads a run's newest analysis in the present axes of its layout, without a verdict, on the project's
+/// thread. what: that errors are about. Errors: as of readComparedTrials.
+Result<ComparedTrial> readComparedTrial(Project &project, const CompareSettings::Run &run,
+                                        const Message &what);
+
 /// Reads the runs' newest analyses, on the project's thread. Calibration is shared by runs of one robot whose
 /// views' registrations were the same and whose height was given: with another robot or a height of its own
 /// each has its own error. Runs that were analysed before the axes of their layout were changed are put into

@@ -5,7 +5,6 @@
 #include "core/base/error.h"
 #include "core/base/file_system.h"
 #include "core/exchange/file_name.h"
-#include "core/exchange/track_export.h"
 #include "core/files/protected_files.h"
 #include "core/project/names.h"
 #include "core/project/project.h"
@@ -14,6 +13,7 @@
 #include "core/project/repositories.h"
 #include "core/trajectory/imported_track.h"
 #include "core/workflow/import/teams.h"
+#include "core/workflow/import/track_of_robot.h"
 #include "core/workflow/shared_words.h"
 #include "core/workflow/track/stored_verdicts.h"
 #include "core/workflow/track/track_warnings.h"
@@ -46,22 +46,6 @@ RgbColour freshColour(const std::vector<RobotRecord> &robots)
             return colour;
     }
     return freshColours.front();
-}
-
-Result<FileTrack> trackOf(TrackFile file, const std::string &robot, const std::filesystem::path &path)
-{
-    if (file.tracks.size() == 1)
-        return std::move(file.tracks.front());
-    std::vector<std::string> names;
-    for (FileTrack &track : file.tracks) {
-        if (track.name == robot || track.name == trackerName(robot))
-            return std::move(track);
-        names.push_back(track.name);
-    }
-    return fail(ErrorCode::NotFound, quotedFileSubject(path),
-                ODO_TEXT("workflow.no_track_of_that_name", "none of its tracks is called '%1'; it has %2")(
-                    Named::robot(robot), quotedNames(names, MessageArgument::Kind::Label)),
-                ODO_TEXT("workflow.name_robot_after_track", "give the robot the name of one of them"));
 }
 
 /// Whether every position has a σ above zero.
@@ -162,7 +146,7 @@ Result<void> ImportTracksJob::readFiles(const JobControl &control)
         auto file = ODO_TRY(readTrackFile(path, how, control));
         ImportedTrack &source = m_imported[i].source;
         source.format = trackFormatWord(file.format);
-        auto track = ODO_TRY(trackOf(std::move(file), robot, path));
+        auto track = ODO_TRY(trackOfRobot(std::move(file), robot, path));
         const auto hash = ODO_TRY(fileSha256(path, control));
         const std::string name = isPiped ? "standard input" : path.filename().string();
         // files may be called as nothing else may
