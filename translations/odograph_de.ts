@@ -1604,8 +1604,8 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <translation>Noch nicht eingemessen: %1.</translation>
     </message>
     <message>
-        <source>Optional. A printed board shows how the lens bends the image; without it positions far from the mat are less exact, and their ± says so.</source>
-        <translation>Freiwillig. Eine gedruckte Tafel zeigt, wie das Objektiv das Bild verbiegt; ohne sie sind Positionen weit von der Matte weniger genau, und ihr ± sagt es.</translation>
+        <source>A printed board shows how the lens bends the image; without it positions far from the mat are less exact, and their ± says so.</source>
+        <translation>Eine gedruckte Tafel zeigt, wie das Objektiv das Bild verbiegt; ohne sie sind Positionen weit von der Matte weniger genau, und ihr ± sagt es.</translation>
     </message>
     <message>
         <source>Calibrated: %1.</source>

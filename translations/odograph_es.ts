@@ -1604,8 +1604,8 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <translation>Aún sin registrar: %1.</translation>
     </message>
     <message>
-        <source>Optional. A printed board shows how the lens bends the image; without it positions far from the mat are less exact, and their ± says so.</source>
-        <translation>Opcional. Un tablero impreso muestra cómo el objetivo curva la imagen; sin él, las posiciones lejos de la alfombrilla son menos exactas, y su ± lo indica.</translation>
+        <source>A printed board shows how the lens bends the image; without it positions far from the mat are less exact, and their ± says so.</source>
+        <translation>Un tablero impreso muestra cómo el objetivo curva la imagen; sin él, las posiciones lejos de la alfombrilla son menos exactas, y su ± lo indica.</translation>
     </message>
     <message>
         <source>Calibrated: %1.</source>

@@ -1604,8 +1604,8 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <translation>Pas encore localisées : %1.</translation>
     </message>
     <message>
-        <source>Optional. A printed board shows how the lens bends the image; without it positions far from the mat are less exact, and their ± says so.</source>
-        <translation>Facultatif. Une mire imprimée montre comment l’objectif courbe l’image ; sans elle, les positions loin du tapis sont moins exactes, et leur ± le dit.</translation>
+        <source>A printed board shows how the lens bends the image; without it positions far from the mat are less exact, and their ± says so.</source>
+        <translation>Une mire imprimée montre comment l’objectif courbe l’image ; sans elle, les positions loin du tapis sont moins exactes, et leur ± le dit.</translation>
     </message>
     <message>
         <source>Calibrated: %1.</source>

@@ -1596,8 +1596,8 @@ Much more than expected means that a setting is wrong: the views are not synchro
         <translation>아직 정합되지 않음: %1.</translation>
     </message>
     <message>
-        <source>Optional. A printed board shows how the lens bends the image; without it positions far from the mat are less exact, and their ± says so.</source>
-        <translation>선택 사항입니다. 인쇄한 보드는 렌즈가 영상을 얼마나 휘게 하는지 보여 줍니다. 없으면 매트에서 먼 위치는 덜 정확하며, ±가 이를 나타냅니다.</translation>
+        <source>A printed board shows how the lens bends the image; without it positions far from the mat are less exact, and their ± says so.</source>
+        <translation>인쇄한 보드는 렌즈가 영상을 얼마나 휘게 하는지 보여 줍니다. 없으면 매트에서 먼 위치는 덜 정확하며, ±가 이를 나타냅니다.</translation>
     </message>
     <message>
         <source>Calibrated: %1.</source>

@@ -1596,8 +1596,8 @@ Much more than expected means that a setting is wrong: the views are not synchro
         <translation>尚未配准：%1。</translation>
     </message>
     <message>
-        <source>Optional. A printed board shows how the lens bends the image; without it positions far from the mat are less exact, and their ± says so.</source>
-        <translation>可选。打印的标定板显示镜头如何使图像弯曲；没有它，远离地垫的位置精度较低，其 ± 会反映出来。</translation>
+        <source>A printed board shows how the lens bends the image; without it positions far from the mat are less exact, and their ± says so.</source>
+        <translation>打印的标定板显示镜头如何使图像弯曲；没有它，远离地垫的位置精度较低，其 ± 会反映出来。</translation>
     </message>
     <message>
         <source>Calibrated: %1.</source>

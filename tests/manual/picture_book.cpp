@@ -79,7 +79,7 @@ void PictureBook::takeDialog(const char *command, const QString &name,
             fill(dialog);
         if (!name.isEmpty())
             take(dialog, name);
-        dialog.reject();
+        dialog.done(QDialog::Rejected); // without the question that Esc may ask
     };
     Person person({look});
     action->trigger();

@@ -62,9 +62,8 @@ StepState lens(const SetupState &setup)
         if (camera.isCalibrated)
             known << camera.name;
     if (known.isEmpty())
-        return {false,
-                SetupWords::tr("Optional. A printed board shows how the lens bends the image; without it "
-                               "positions far from the mat are less exact, and their ± says so.")};
+        return {false, SetupWords::tr("A printed board shows how the lens bends the image; without it "
+                                      "positions far from the mat are less exact, and their ± says so.")};
     return {known.size() == qsizetype(setup.cameras.size()),
             SetupWords::tr("Calibrated: %1.").arg(joinedNames(known))};
 }

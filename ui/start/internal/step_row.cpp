@@ -15,7 +15,7 @@ namespace odo {
 
 namespace {
 
-constexpr int discPx = 44, iconPx = 24, tickPx = 18, marginPx = 14;
+constexpr int discPx = 44, iconPx = 24, tickPx = 18, marginPx = 14, buttonPx = 32, besideTextPx = 10;
 constexpr qreal radiusPx = 7;
 
 } // namespace
@@ -47,6 +47,7 @@ StepRow::StepRow(const QString &icon, const QString &title, QWidget *parent)
 QPushButton *StepRow::addButton(const QString &text)
 {
     auto *button = new QPushButton(text);
+    button->setMinimumSize(button->sizeHint().width() + 2 * besideTextPx, buttonPx);
     m_buttonRow->insertWidget(int(m_buttons.size()), button);
     m_buttons << button;
     return button;

@@ -151,6 +151,7 @@ void paintCheckLine(QPainter &painter, const FloorMat &mat, const TargetSheet &s
 
 void paintSheetName(QPainter &painter, const FloorMat &mat, const TargetSheet &sheet)
 {
+    painter.setPen(Qt::black);
     const bool isWide = mat.paper == FloorMat::Paper::A3; // with room below its tags, not beside them
     const QPointF corner = onPaper(sheet, isWide ? Eigen::Vector2d(0.0125, 0.052)
                                                  : Eigen::Vector2d(0.006, matSheetM(mat.paper).y() - 0.012));
@@ -210,6 +211,7 @@ void paintPlan(QPainter &painter, const FloorMat &mat, const TargetSheet &plan)
 
 void paintMatSheet(QPainter &painter, const FloorMat &mat, const TargetSheet &sheet)
 {
+    painter.setPen(Qt::black);
     if (sheet.tag < 0)
         return paintPlan(painter, mat, sheet);
     paintEdges(painter, mat, sheet);
