@@ -1604,7 +1604,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <translation>Noch nicht eingemessen: %1.</translation>
     </message>
     <message>
-        <source>A printed board shows how the lens bends the image; without it positions far from the mat are less exact, and their ± says so.</source>
+        <source>A printed board measures the distortion of the lens; without it positions far from the mat are less exact, and their ± says so.</source>
         <translation>Eine gedruckte Tafel zeigt, wie das Objektiv das Bild verbiegt; ohne sie sind Positionen weit von der Matte weniger genau, und ihr ± sagt es.</translation>
     </message>
     <message>
@@ -12073,10 +12073,6 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <translation>kein Video</translation>
     </message>
     <message>
-        <source>Each view needs a camera of its own.</source>
-        <translation>Jede Sicht braucht eine eigene Kamera.</translation>
-    </message>
-    <message>
         <source>Each trial needs a name of its own.</source>
         <translation>Jeder Versuch braucht einen eigenen Namen.</translation>
     </message>
@@ -12103,6 +12099,14 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>Clip of %1</source>
         <translation>Video von %1</translation>
+    </message>
+    <message>
+        <source>Each column of clips needs a camera.</source>
+        <translation>Jede Spalte mit Videos braucht eine Kamera.</translation>
+    </message>
+    <message>
+        <source>Two clips of %1 are of the same camera.</source>
+        <translation>Zwei Videos von %1 gehören derselben Kamera.</translation>
     </message>
 </context>
 <context>
@@ -13047,7 +13051,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <translation>Bodenmatte suchen</translation>
     </message>
     <message>
-        <source>The mat is looked for in the newest recording of each camera: %1.</source>
+        <source>The mat is searched for in the newest recording of each camera: %1.</source>
         <translation>Die Matte wird in der neuesten Aufnahme jeder Kamera gesucht: %1.</translation>
     </message>
     <message>
@@ -13065,6 +13069,10 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>Find the mat</source>
         <translation>Matte suchen</translation>
+    </message>
+    <message>
+        <source>not measured</source>
+        <translation>nicht gemessen</translation>
     </message>
 </context>
 <context>
@@ -14805,6 +14813,10 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>Registered to the floor mat: %1.</source>
         <translation>Nach der Bodenmatte eingemessen: %1.</translation>
+    </message>
+    <message>
+        <source>Their newest recordings do not show it: %1.</source>
+        <translation>Ihre neuesten Aufnahmen zeigen sie nicht: %1.</translation>
     </message>
 </context>
 <context>
@@ -19992,6 +20004,13 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
 </context>
 <context>
+    <name>ui.clips_being_read</name>
+    <message>
+        <source>those dropped before are still being read</source>
+        <translation>die vorigen werden noch gelesen</translation>
+    </message>
+</context>
+<context>
     <name>ui.completing_recording</name>
     <message>
         <source>Completing an interrupted recording</source>
@@ -20052,6 +20071,20 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>%1 by %2 do not fit on %3</source>
         <translation>%1 mal %2 passen nicht auf %3</translation>
+    </message>
+</context>
+<context>
+    <name>ui.drop_again</name>
+    <message>
+        <source>drop them again in a moment</source>
+        <translation>ziehen Sie sie gleich noch einmal herein</translation>
+    </message>
+</context>
+<context>
+    <name>ui.dropped_clips</name>
+    <message>
+        <source>the dropped clips</source>
+        <translation>die hereingezogenen Videos</translation>
     </message>
 </context>
 <context>
@@ -22087,8 +22120,8 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
 <context>
     <name>workflow.check_line_is</name>
     <message>
-        <source>its check line is %1 long; no print is off by so much</source>
-        <translation>ihre Prüflinie ist %1 lang; so weit daneben liegt kein Druck</translation>
+        <source>its check line is 1000 or 200 mm long; no print is off by so much</source>
+        <translation>ihre Prüflinie ist 1000 oder 200 mm lang; so weit daneben liegt kein Druck</translation>
     </message>
 </context>
 <context>

@@ -1604,7 +1604,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <translation>Aún sin registrar: %1.</translation>
     </message>
     <message>
-        <source>A printed board shows how the lens bends the image; without it positions far from the mat are less exact, and their ± says so.</source>
+        <source>A printed board measures the distortion of the lens; without it positions far from the mat are less exact, and their ± says so.</source>
         <translation>Un tablero impreso muestra cómo el objetivo curva la imagen; sin él, las posiciones lejos de la alfombrilla son menos exactas, y su ± lo indica.</translation>
     </message>
     <message>
@@ -12073,10 +12073,6 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <translation>sin video</translation>
     </message>
     <message>
-        <source>Each view needs a camera of its own.</source>
-        <translation>Cada vista necesita una cámara propia.</translation>
-    </message>
-    <message>
         <source>Each trial needs a name of its own.</source>
         <translation>Cada ensayo necesita un nombre propio.</translation>
     </message>
@@ -12103,6 +12099,14 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <message>
         <source>Clip of %1</source>
         <translation>Video de %1</translation>
+    </message>
+    <message>
+        <source>Each column of clips needs a camera.</source>
+        <translation>Cada columna de videos necesita una cámara.</translation>
+    </message>
+    <message>
+        <source>Two clips of %1 are of the same camera.</source>
+        <translation>Dos videos de %1 son de la misma cámara.</translation>
     </message>
 </context>
 <context>
@@ -13047,7 +13051,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <translation>Buscar la alfombrilla</translation>
     </message>
     <message>
-        <source>The mat is looked for in the newest recording of each camera: %1.</source>
+        <source>The mat is searched for in the newest recording of each camera: %1.</source>
         <translation>La alfombrilla se busca en la grabación más reciente de cada cámara: %1.</translation>
     </message>
     <message>
@@ -13065,6 +13069,10 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <message>
         <source>Find the mat</source>
         <translation>Buscar</translation>
+    </message>
+    <message>
+        <source>not measured</source>
+        <translation>sin medir</translation>
     </message>
 </context>
 <context>
@@ -14805,6 +14813,10 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <message>
         <source>Registered to the floor mat: %1.</source>
         <translation>Registradas con la alfombrilla: %1.</translation>
+    </message>
+    <message>
+        <source>Their newest recordings do not show it: %1.</source>
+        <translation>Sus grabaciones más recientes no la muestran: %1.</translation>
     </message>
 </context>
 <context>
@@ -19992,6 +20004,13 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     </message>
 </context>
 <context>
+    <name>ui.clips_being_read</name>
+    <message>
+        <source>those dropped before are still being read</source>
+        <translation>los anteriores aún se están leyendo</translation>
+    </message>
+</context>
+<context>
     <name>ui.completing_recording</name>
     <message>
         <source>Completing an interrupted recording</source>
@@ -20052,6 +20071,20 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <message>
         <source>%1 by %2 do not fit on %3</source>
         <translation>%1 por %2 no caben en %3</translation>
+    </message>
+</context>
+<context>
+    <name>ui.drop_again</name>
+    <message>
+        <source>drop them again in a moment</source>
+        <translation>suéltelos de nuevo en un momento</translation>
+    </message>
+</context>
+<context>
+    <name>ui.dropped_clips</name>
+    <message>
+        <source>the dropped clips</source>
+        <translation>los videos soltados</translation>
     </message>
 </context>
 <context>
@@ -22087,8 +22120,8 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
 <context>
     <name>workflow.check_line_is</name>
     <message>
-        <source>its check line is %1 long; no print is off by so much</source>
-        <translation>su línea de control mide %1; ninguna impresión se desvía tanto</translation>
+        <source>its check line is 1000 or 200 mm long; no print is off by so much</source>
+        <translation>su línea de control mide 1000 o 200 mm; ninguna impresión se desvía tanto</translation>
     </message>
 </context>
 <context>

@@ -1604,7 +1604,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <translation>Pas encore localisées : %1.</translation>
     </message>
     <message>
-        <source>A printed board shows how the lens bends the image; without it positions far from the mat are less exact, and their ± says so.</source>
+        <source>A printed board measures the distortion of the lens; without it positions far from the mat are less exact, and their ± says so.</source>
         <translation>Une mire imprimée montre comment l’objectif courbe l’image ; sans elle, les positions loin du tapis sont moins exactes, et leur ± le dit.</translation>
     </message>
     <message>
@@ -12073,10 +12073,6 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <translation>pas de vidéo</translation>
     </message>
     <message>
-        <source>Each view needs a camera of its own.</source>
-        <translation>Chaque vue doit avoir sa propre caméra.</translation>
-    </message>
-    <message>
         <source>Each trial needs a name of its own.</source>
         <translation>Chaque essai doit avoir son propre nom.</translation>
     </message>
@@ -12103,6 +12099,14 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>Clip of %1</source>
         <translation>Vidéo de %1</translation>
+    </message>
+    <message>
+        <source>Each column of clips needs a camera.</source>
+        <translation>Chaque colonne de vidéos doit avoir une caméra.</translation>
+    </message>
+    <message>
+        <source>Two clips of %1 are of the same camera.</source>
+        <translation>Deux vidéos de %1 sont de la même caméra.</translation>
     </message>
 </context>
 <context>
@@ -13047,7 +13051,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <translation>Chercher le tapis de sol</translation>
     </message>
     <message>
-        <source>The mat is looked for in the newest recording of each camera: %1.</source>
+        <source>The mat is searched for in the newest recording of each camera: %1.</source>
         <translation>Le tapis est cherché dans l’enregistrement le plus récent de chaque caméra : %1.</translation>
     </message>
     <message>
@@ -13065,6 +13069,10 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>Find the mat</source>
         <translation>Chercher le tapis</translation>
+    </message>
+    <message>
+        <source>not measured</source>
+        <translation>non mesurée</translation>
     </message>
 </context>
 <context>
@@ -14805,6 +14813,10 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>Registered to the floor mat: %1.</source>
         <translation>Localisées d’après le tapis de sol : %1.</translation>
+    </message>
+    <message>
+        <source>Their newest recordings do not show it: %1.</source>
+        <translation>Leurs enregistrements les plus récents ne le montrent pas : %1.</translation>
     </message>
 </context>
 <context>
@@ -19992,6 +20004,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
 </context>
 <context>
+    <name>ui.clips_being_read</name>
+    <message>
+        <source>those dropped before are still being read</source>
+        <translation>les précédentes sont encore en cours de lecture</translation>
+    </message>
+</context>
+<context>
     <name>ui.completing_recording</name>
     <message>
         <source>Completing an interrupted recording</source>
@@ -20052,6 +20071,20 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>%1 by %2 do not fit on %3</source>
         <translation>%1 × %2 ne tiennent pas sur %3</translation>
+    </message>
+</context>
+<context>
+    <name>ui.drop_again</name>
+    <message>
+        <source>drop them again in a moment</source>
+        <translation>déposez-les de nouveau dans un instant</translation>
+    </message>
+</context>
+<context>
+    <name>ui.dropped_clips</name>
+    <message>
+        <source>the dropped clips</source>
+        <translation>les vidéos déposées</translation>
     </message>
 </context>
 <context>
@@ -22087,8 +22120,8 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>workflow.check_line_is</name>
     <message>
-        <source>its check line is %1 long; no print is off by so much</source>
-        <translation>sa ligne de contrôle fait %1 ; aucune impression ne s’en écarte autant</translation>
+        <source>its check line is 1000 or 200 mm long; no print is off by so much</source>
+        <translation>sa ligne de contrôle fait 1000 ou 200 mm ; aucune impression ne s’en écarte autant</translation>
     </message>
 </context>
 <context>

@@ -1596,7 +1596,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
         <translation>아직 정합되지 않음: %1.</translation>
     </message>
     <message>
-        <source>A printed board shows how the lens bends the image; without it positions far from the mat are less exact, and their ± says so.</source>
+        <source>A printed board measures the distortion of the lens; without it positions far from the mat are less exact, and their ± says so.</source>
         <translation>인쇄한 보드는 렌즈가 영상을 얼마나 휘게 하는지 보여 줍니다. 없으면 매트에서 먼 위치는 덜 정확하며, ±가 이를 나타냅니다.</translation>
     </message>
     <message>
@@ -12056,10 +12056,6 @@ Much more than expected means that a setting is wrong: the views are not synchro
         <translation>동영상 없음</translation>
     </message>
     <message>
-        <source>Each view needs a camera of its own.</source>
-        <translation>뷰마다 고유한 카메라가 필요합니다.</translation>
-    </message>
-    <message>
         <source>Each trial needs a name of its own.</source>
         <translation>시행마다 고유한 이름이 필요합니다.</translation>
     </message>
@@ -12086,6 +12082,14 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>Clip of %1</source>
         <translation>%1의 동영상</translation>
+    </message>
+    <message>
+        <source>Each column of clips needs a camera.</source>
+        <translation>동영상 열마다 카메라가 필요합니다.</translation>
+    </message>
+    <message>
+        <source>Two clips of %1 are of the same camera.</source>
+        <translation>%1의 동영상 두 개가 같은 카메라의 것입니다.</translation>
     </message>
 </context>
 <context>
@@ -13028,7 +13032,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
         <translation>바닥 매트 찾기</translation>
     </message>
     <message>
-        <source>The mat is looked for in the newest recording of each camera: %1.</source>
+        <source>The mat is searched for in the newest recording of each camera: %1.</source>
         <translation>각 카메라의 최신 녹화에서 매트를 찾습니다: %1.</translation>
     </message>
     <message>
@@ -13046,6 +13050,10 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>Find the mat</source>
         <translation>매트 찾기</translation>
+    </message>
+    <message>
+        <source>not measured</source>
+        <translation>재지 않음</translation>
     </message>
 </context>
 <context>
@@ -14781,6 +14789,10 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>Registered to the floor mat: %1.</source>
         <translation>바닥 매트에 정합됨: %1.</translation>
+    </message>
+    <message>
+        <source>Their newest recordings do not show it: %1.</source>
+        <translation>최신 녹화에 매트가 보이지 않음: %1.</translation>
     </message>
 </context>
 <context>
@@ -19952,6 +19964,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>ui.clips_being_read</name>
+    <message>
+        <source>those dropped before are still being read</source>
+        <translation>앞서 놓은 것을 아직 읽고 있습니다</translation>
+    </message>
+</context>
+<context>
     <name>ui.completing_recording</name>
     <message>
         <source>Completing an interrupted recording</source>
@@ -20012,6 +20031,20 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>%1 by %2 do not fit on %3</source>
         <translation>%1 × %2은(는) %3에 들어가지 않습니다</translation>
+    </message>
+</context>
+<context>
+    <name>ui.drop_again</name>
+    <message>
+        <source>drop them again in a moment</source>
+        <translation>잠시 후 다시 놓으십시오</translation>
+    </message>
+</context>
+<context>
+    <name>ui.dropped_clips</name>
+    <message>
+        <source>the dropped clips</source>
+        <translation>놓은 동영상</translation>
     </message>
 </context>
 <context>
@@ -22047,8 +22080,8 @@ Much more than expected means that a setting is wrong: the views are not synchro
 <context>
     <name>workflow.check_line_is</name>
     <message>
-        <source>its check line is %1 long; no print is off by so much</source>
-        <translation>확인선의 길이는 %1이며, 인쇄가 그만큼 어긋나는 일은 없습니다</translation>
+        <source>its check line is 1000 or 200 mm long; no print is off by so much</source>
+        <translation>확인선의 길이는 1000 또는 200 mm이며, 인쇄가 그만큼 어긋나는 일은 없습니다</translation>
     </message>
 </context>
 <context>

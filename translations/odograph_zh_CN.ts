@@ -1596,7 +1596,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
         <translation>尚未配准：%1。</translation>
     </message>
     <message>
-        <source>A printed board shows how the lens bends the image; without it positions far from the mat are less exact, and their ± says so.</source>
+        <source>A printed board measures the distortion of the lens; without it positions far from the mat are less exact, and their ± says so.</source>
         <translation>打印的标定板显示镜头如何使图像弯曲；没有它，远离地垫的位置精度较低，其 ± 会反映出来。</translation>
     </message>
     <message>
@@ -12056,10 +12056,6 @@ Much more than expected means that a setting is wrong: the views are not synchro
         <translation>无视频</translation>
     </message>
     <message>
-        <source>Each view needs a camera of its own.</source>
-        <translation>每个视角都需要自己的相机。</translation>
-    </message>
-    <message>
         <source>Each trial needs a name of its own.</source>
         <translation>每次试验都需要自己的名称。</translation>
     </message>
@@ -12086,6 +12082,14 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>Clip of %1</source>
         <translation>%1 的视频</translation>
+    </message>
+    <message>
+        <source>Each column of clips needs a camera.</source>
+        <translation>每一列视频都需要一台相机。</translation>
+    </message>
+    <message>
+        <source>Two clips of %1 are of the same camera.</source>
+        <translation>%1 的两段视频属于同一台相机。</translation>
     </message>
 </context>
 <context>
@@ -13028,7 +13032,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
         <translation>查找地垫</translation>
     </message>
     <message>
-        <source>The mat is looked for in the newest recording of each camera: %1.</source>
+        <source>The mat is searched for in the newest recording of each camera: %1.</source>
         <translation>在每台相机的最新录像中查找地垫：%1。</translation>
     </message>
     <message>
@@ -13046,6 +13050,10 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>Find the mat</source>
         <translation>查找地垫</translation>
+    </message>
+    <message>
+        <source>not measured</source>
+        <translation>未测量</translation>
     </message>
 </context>
 <context>
@@ -14781,6 +14789,10 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>Registered to the floor mat: %1.</source>
         <translation>已按地垫配准：%1。</translation>
+    </message>
+    <message>
+        <source>Their newest recordings do not show it: %1.</source>
+        <translation>其最新录像中没有地垫：%1。</translation>
     </message>
 </context>
 <context>
@@ -19952,6 +19964,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>ui.clips_being_read</name>
+    <message>
+        <source>those dropped before are still being read</source>
+        <translation>先前拖放的视频仍在读取中</translation>
+    </message>
+</context>
+<context>
     <name>ui.completing_recording</name>
     <message>
         <source>Completing an interrupted recording</source>
@@ -20012,6 +20031,20 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>%1 by %2 do not fit on %3</source>
         <translation>%1 × %2 在 %3 上放不下</translation>
+    </message>
+</context>
+<context>
+    <name>ui.drop_again</name>
+    <message>
+        <source>drop them again in a moment</source>
+        <translation>请稍后再次拖放</translation>
+    </message>
+</context>
+<context>
+    <name>ui.dropped_clips</name>
+    <message>
+        <source>the dropped clips</source>
+        <translation>拖放的视频</translation>
     </message>
 </context>
 <context>
@@ -22047,8 +22080,8 @@ Much more than expected means that a setting is wrong: the views are not synchro
 <context>
     <name>workflow.check_line_is</name>
     <message>
-        <source>its check line is %1 long; no print is off by so much</source>
-        <translation>其检查线长 %1；打印误差不会这么大</translation>
+        <source>its check line is 1000 or 200 mm long; no print is off by so much</source>
+        <translation>其检查线长 1000 或 200 毫米；打印误差不会这么大</translation>
     </message>
 </context>
 <context>

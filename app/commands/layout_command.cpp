@@ -73,6 +73,11 @@ Result<void> mat(CommandCall &call)
     ODO_TRY(runToEnd(job, *project, call.control()));
     const QString name = QString::fromStdString(job.layoutName());
     const int markers = int(matLayout(job.mat()).markers.size());
+    if (!call.isSet(option::checkLine))
+        CommandCall::warn(
+            ODO_TEXT("app.print_taken_as_true",
+                     "the print is assumed to be true to scale; measure the mat's check line and give "
+                     "it by --check-line, since printers often shrink by 2 to 4 %"));
     call.answer({{QStringLiteral("layout"), name}, {QStringLiteral("markers"), markers}},
                 QStringLiteral("Layout %1 has %2.").arg(name, counted(markers, QStringLiteral("marker"))));
     return {};

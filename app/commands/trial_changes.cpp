@@ -4,6 +4,7 @@
 #include "app/answers.h"
 #include "app/command_call.h"
 #include "app/commands/commands.h"
+#include "app/completion/shell_line.h"
 #include "core/project/project.h"
 #include "core/project/repositories.h"
 #include "core/workflow/track/stored_verdicts.h"
@@ -111,8 +112,9 @@ Result<void> moveTo(const CommandCall &call, Project &project, const TrialRecord
     const QString name = QString::fromStdString(trial.name);
     call.answer(trialJson(changed),
                 isInBin
-                    ? QStringLiteral("Trial %1 is in the bin; restore it with: odograph trial restore %2 %1")
-                          .arg(name, call.positional(1))
+                    ? QStringLiteral("Trial %1 is in the bin; restore it with: odograph trial restore %2 %3")
+                          .arg(name, quotedForShell(call.positional(1), ShellLine::Quote::None),
+                               quotedForShell(name, ShellLine::Quote::None))
                     : QStringLiteral("Trial %1 is restored from the bin.").arg(name));
     return {};
 }

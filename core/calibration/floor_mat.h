@@ -34,8 +34,9 @@ inline constexpr double matMarginM = 0.010;
 /// Side of a tag's black square, in metres.
 inline constexpr double matTagM = 0.140;
 
-/// Length of the line at the lower edge by which a print is checked, in metres: 1, or 0.2 on a mat of too few
-/// columns. It begins at matLineStartM.
+/// The lengths that the line at the lower edge, by which a print is checked, may have, in metres.
+inline constexpr double matLinesM[] = {1, 0.2};
+/// The longest of them that a mat has room for. It begins at matLineStartM.
 double matLineM(const FloorMat &mat);
 /// From the lower left corner of the mat, in metres.
 inline const Eigen::Vector2d matLineStartM(0.015, 0.005);

@@ -267,6 +267,13 @@ private Q_SLOTS:
         // both ends 3 mm in both coordinates, heading 2 mm, scale 1 mm; the time offset displaces both alike
         QVERIFY(std::abs(relative->measurementSigma - std::sqrt(36.0 + 4.0 + 1.0) / 1000) < 1e-12);
         QVERIFY(std::abs(headingErrors(pairs, {})->measurementSigma - 0.002) < 1e-12);
+        // Aligned at the first pose: its own 18 mm² in all, and 0.004 rad at 0 to 2 m, 1.367 m² in the mean.
+        const OriginAlignment origin{{}, true, 0.004};
+        const double distance2 = 0.01 * (20.0 * 21.0 * 41.0 / 6.0) / 21.0;
+        QVERIFY(std::abs(absoluteErrors(pairs, {}, 0.006, &origin).measurementSigma -
+                         std::sqrt((50.0 + 9.0 + 18.0) * 1e-6 + 16e-6 * distance2)) < 1e-12);
+        QVERIFY(std::abs(headingErrors(pairs, {}, &origin)->measurementSigma - std::sqrt(20.0) / 1000) <
+                1e-12);
     }
 
     void namesAHeadingThatIsAlwaysOff()

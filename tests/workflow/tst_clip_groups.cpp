@@ -51,6 +51,8 @@ private Q_SLOTS:
     void clocksMayBeSecondsApart();
     void oneMayNoteTheEnd();
     void equalPhonesAreToldApartByNumber();
+    void namesThatAreTimesTellNoPhonesApart();
+    void numbersAreNoWords();
     void aMissingClipLeavesItsPlaceEmpty();
     void runsThatFollowAtOnceStayApart();
     void aLessonInAnyOrder();
@@ -90,6 +92,25 @@ void TestClipGroups::equalPhonesAreToldApartByNumber()
     QCOMPARE(shown(groupClips({clip("x/IMG_0456.MOV", 1, 20), clip("x/IMG_1234.MOV", 0, 20),
                                clip("x/IMG_0457.MOV", 90, 20), clip("x/IMG_1235.MOV", 91, 20)})),
              std::string("IMG_0456.MOV+IMG_1234.MOV IMG_0457.MOV+IMG_1235.MOV"));
+}
+
+/// By their order the phone that was started first would be another one in each run.
+void TestClipGroups::namesThatAreTimesTellNoPhonesApart()
+{
+    QCOMPARE(shown(groupClips(
+                 {clip("x/PXL_20260309_101500123.mp4", 0, 20), clip("x/PXL_20260309_101501456.mp4", 1, 20)})),
+             std::string("PXL_20260309_101500123.mp4 PXL_20260309_101501456.mp4"));
+    QCOMPARE(shown(groupClips({clip("a/20260309_101500.mp4", 0, 20), clip("b/20260309_101501.mp4", 1, 20)})),
+             std::string("20260309_101500.mp4+20260309_101501.mp4"));
+}
+
+void TestClipGroups::numbersAreNoWords()
+{
+    QCOMPARE(shown(groupClips({timeless("a/IMG_99.mov"), timeless("a/IMG_100.mov"), timeless("b/VID_9.mov"),
+                               timeless("b/VID_10.mov")})),
+             std::string("IMG_99.mov+VID_9.mov IMG_100.mov+VID_10.mov"));
+    QCOMPARE(shown(groupClips({clip("x/IMG_1000.mov", 1, 20), clip("x/IMG_999.mov", 0, 20)})),
+             std::string("IMG_999.mov+IMG_1000.mov"));
 }
 
 void TestClipGroups::aMissingClipLeavesItsPlaceEmpty()

@@ -21,6 +21,8 @@ private Q_SLOTS:
     void initTestCase();
     void storesItsLayoutOnce();
     void takesThePrintsScale();
+    void aSmallMatHasAShortLine();
+    void saysWhichFilesShowIt();
     void registersCameras();
     void refusesInWords();
 
@@ -84,6 +86,25 @@ void TestMatJob::takesThePrintsScale()
                 1e-12);
 }
 
+void TestMatJob::aSmallMatHasAShortLine()
+{
+    paint("small.png", 0, {FloorMat::Paper::A4, 2, 2, 0.97}, {1, 0.8});
+    FindMatJob job({{file("small.png")}, 0.97 * 0.2});
+    QVERIFY(runToEnd(job, *m_project, {}));
+    QCOMPARE(job.layoutName(), std::string("Mat A4 2x2, 97.00 %"));
+    // Of a large one only a part may be seen: it is the owner who sees the line.
+    FindMatJob part({{file("small.png")}, 0.97});
+    QVERIFY(runToEnd(part, *m_project, {}));
+    QCOMPARE(part.layoutName(), std::string("Mat A4 2x2, 97.00 %"));
+}
+
+void TestMatJob::saysWhichFilesShowIt()
+{
+    FindMatJob job({{file("none.png"), file("b.png")}, std::nullopt});
+    QVERIFY(runToEnd(job, *m_project, {}));
+    QCOMPARE(job.isSeen(), (std::vector<bool>{false, true}));
+}
+
 /// Without a lens calibration: within what the registration states.
 void TestMatJob::registersCameras()
 {
@@ -119,10 +140,10 @@ void TestMatJob::refusesInWords()
     QCOMPARE(problemOf({{file("a.png"), file("a3.png")}, std::nullopt}),
              std::string("floor mat: the files show mats of different paper; leave one mat on the floor, and "
                          "use newer files"));
-    for (const double line : {0.7, 1.3, std::numeric_limits<double>::quiet_NaN()})
+    for (const double line : {0.1, 0.7, 1.3, std::numeric_limits<double>::quiet_NaN()})
         QCOMPARE(problemOf({{file("a.png")}, line}),
-                 std::string("floor mat: its check line is 1000 mm long; no print is off by so much; measure "
-                             "the line from end mark to end mark"));
+                 std::string("floor mat: its check line is 1000 or 200 mm long; no print is off by so much; "
+                             "measure the line from end mark to end mark"));
     QVERIFY(problemOf({{file("broken.png")}, std::nullopt}).find("broken.png") != std::string::npos);
     QVERIFY(problemOf({{}, std::nullopt}).starts_with("floor mat: no file shows"));
 }

@@ -262,6 +262,7 @@ void MainWindow::closePages()
     m_views->setDesk(nullptr);
     m_help->setPages(nullptr);
     m_reports->setPages(nullptr);
+    m_start->forgetPages();
     m_menus->clear();
     m_trials->setCurrentTrial({});
     m_pages.reset();

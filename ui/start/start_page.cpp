@@ -47,7 +47,7 @@ QWidget *StartPage::makeColumn()
          {{tr("Find the mat in the clips…"), FindMat},
           {tr("Print a mat…"), PrintMat},
           {tr("Use other markers…"), RegisterFloor}}},
-        {addStep(QStringLiteral("calibrate"), tr("Lens (optional)")), {{tr("Calibrate…"), CalibrateLens}}},
+        {addStep(QStringLiteral("calibrate"), tr("Lens (optional)")), {{tr("Calibrate…"), Calibrate}}},
         {addStep(QStringLiteral("robot"), tr("Robot")), {{tr("Add a robot…"), AddRobot}}},
         {addStep(QStringLiteral("track"), tr("First run")),
          {{tr("Track…"), TrackNewest}, {tr("Record"), RecordTrial}}},
@@ -130,7 +130,7 @@ bool StartPage::isPossible(Task task, const SetupState &state) const
     case ImportClips:
     case ConnectCameras:
     case RegisterFloor:
-    case CalibrateLens:
+    case Calibrate:
     case AddRobot:
         break;
     }

@@ -31,7 +31,7 @@ public:
         PrintMat,
         FindMat,
         RegisterFloor,
-        CalibrateLens,
+        Calibrate,
         AddRobot,
         TrackNewest,
         RecordTrial,

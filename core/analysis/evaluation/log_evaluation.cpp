@@ -224,13 +224,14 @@ private:
     void measure()
     {
         const double sigmaOffsetS = m_result.clock.sigmaOffsetS;
-        m_result.ape = absoluteErrors(m_pairs, m_result.transform, sigmaOffsetS);
+        const OriginAlignment *origin = m_options.alignment == LogAlignment::Origin ? &m_origin : nullptr;
+        m_result.ape = absoluteErrors(m_pairs, m_result.transform, sigmaOffsetS, origin);
         const auto withHeadings = std::ranges::count_if(m_pairs, &PosePair::haveHeadings);
         m_result.isRpeOfPoses = 2 * std::size_t(withHeadings) > m_pairs.size();
         m_result.rpe = relativeErrors(m_pairs, stepsOf(m_pairs, m_options.deltaM), m_result.transform,
                                       m_result.isRpeOfPoses,
                                       sigmaOfScale(m_profile.samples, m_profile.points), sigmaOffsetS);
-        m_result.heading = headingErrors(m_pairs, m_result.transform);
+        m_result.heading = headingErrors(m_pairs, m_result.transform, origin);
         measureDrift();
         remark();
         if (!m_result.clock.isGiven) // what is common to all positions is in their own uncertainty already
@@ -243,8 +244,12 @@ private:
         const double apartM = (m_origin.transform(last.log.position) - last.measured.position).norm();
         const double turnedM =
             (last.measured.position - first.measured.position).norm() * m_origin.sigmaHeadingRad;
-        const double variance =
-            first.measured.ownVarianceM2 + last.measured.ownVarianceM2 + turnedM * turnedM;
+        const double scaledM = (last.measured.position - first.measured.position).norm() *
+                               sigmaOfScale(m_profile.samples, m_profile.points);
+        const double lateM =
+            (last.measured.velocity - first.measured.velocity).norm() * m_result.clock.sigmaOffsetS;
+        const double variance = first.measured.ownVarianceM2 + last.measured.ownVarianceM2 +
+                                turnedM * turnedM + scaledM * scaledM + lateM * lateM;
         m_result.driftPercent = 100 * apartM / m_result.pathM;
         m_result.sigmaDriftPercent = 100 * std::sqrt(variance) / m_result.pathM;
     }

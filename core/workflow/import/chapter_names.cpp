@@ -129,4 +129,20 @@ std::vector<std::vector<std::filesystem::path>> chapterGroups(const std::vector<
     return groups;
 }
 
+std::vector<std::vector<std::filesystem::path>>
+certainChapters(const std::vector<std::filesystem::path> &files)
+{
+    std::vector<std::vector<std::filesystem::path>> certain;
+    for (auto &group : chapterGroups(files)) {
+        const auto name = SeriesName::of(group.front());
+        if (name && name->isChapter) {
+            certain.push_back(std::move(group));
+            continue;
+        }
+        for (std::filesystem::path &file : group)
+            certain.push_back({std::move(file)});
+    }
+    return certain;
+}
+
 } // namespace odo

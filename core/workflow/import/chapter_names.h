@@ -33,4 +33,9 @@ std::vector<Message> chapterNameRemarks(const std::vector<std::filesystem::path>
 std::vector<std::vector<std::filesystem::path>>
 chapterGroups(const std::vector<std::filesystem::path> &files);
 
+/// The files of several recordings, where those of one camera may follow each other at once: only what names
+/// say to be chapters (SeriesName::isChapter) is joined.
+std::vector<std::vector<std::filesystem::path>>
+certainChapters(const std::vector<std::filesystem::path> &files);
+
 } // namespace odo

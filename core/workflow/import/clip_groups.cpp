@@ -2,12 +2,14 @@
 #include "core/workflow/import/clip_groups.h"
 
 #include "core/project/names.h"
+#include "core/workflow/import/chapter_names.h"
 #include "core/workflow/import/recording_source.h"
 
 #include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <map>
+#include <tuple>
 #include <utility>
 
 namespace odo {
@@ -36,12 +38,28 @@ bool hasSource(const Run &run, const std::string &source)
     return std::ranges::find(run, source, &FoundClip::source) != run.end();
 }
 
+/// Names that are the time of recording ("PXL_20260309_101500123") tell no two phones apart: the one that was
+/// started first comes first.
+bool isNamedByTime(const FoundClip &clip)
+{
+    constexpr std::ptrdiff_t digitsOfTime = 12;
+    const std::string stem = clip.recording.stem().string();
+    return std::ranges::count_if(stem, [](char c) { return c >= '0' && c <= '9'; }) >= digitsOfTime;
+}
+
+/// "IMG_99" before "IMG_100".
+auto orderOf(const FoundClip &clip)
+{
+    const auto name = SeriesName::of(clip.recording);
+    return std::tuple(clip.source, name ? name->number : 0, clip.recording);
+}
+
 /// Whether a clip, not older than the run's, was recorded at the same time.
 bool belongsTo(const FoundClip &clip, const Run &run)
 {
     const double laterS = toSeconds(clip.span->at - run.front().span->at);
-    if (laterS <= clocksApartS)
-        return laterS < lengthS(run.front()); // at once: they are of two cameras, whatever their names
+    if (laterS <= clocksApartS) // at once: they are of two cameras, whatever their names
+        return laterS < lengthS(run.front()) && !(isNamedByTime(clip) && hasSource(run, clip.source));
     // One camera may note the beginning and the other the end.
     const bool isEndOf = std::abs(laterS - lengthS(clip)) <= clocksApartS ||
                          std::abs(laterS - lengthS(run.front())) <= clocksApartS;
@@ -64,7 +82,7 @@ std::vector<Run> byTime(std::vector<FoundClip> clips)
 std::vector<Run> byName(std::vector<FoundClip> clips)
 {
     std::map<std::string, Run> bySource;
-    std::ranges::sort(clips, {}, &FoundClip::recording);
+    std::ranges::sort(clips, {}, orderOf);
     for (const FoundClip &clip : clips)
         bySource[clip.source].push_back(clip);
     const std::size_t count = bySource.begin()->second.size();
@@ -87,7 +105,7 @@ std::vector<Run> byName(std::vector<FoundClip> clips)
 using CameraKey = std::pair<std::string, std::size_t>;
 std::vector<CameraKey> camerasOf(Run &run)
 {
-    std::ranges::sort(run, {}, [](const FoundClip &clip) { return std::pair(clip.source, clip.recording); });
+    std::ranges::sort(run, {}, orderOf);
     std::vector<CameraKey> cameras;
     for (const FoundClip &clip : run) {
         const bool again = !cameras.empty() && cameras.back().first == clip.source;

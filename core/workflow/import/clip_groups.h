@@ -34,7 +34,8 @@ struct ClipGroup
 /// The runs of a lesson, in the order in which they were filmed, each with as many views as there are
 /// cameras. Clips that were recorded at the same time belong together (cameras note the beginning or the end,
 /// by clocks that may be seconds apart). Their cameras are told apart by folder and name ("IMG_", "PXL_"), or
-/// where those are equal, as of two phones of one kind, by the order of the names. Where headers say nothing
+/// where those are equal, as of two phones of one kind, by the numbers in the names; where those are times,
+/// the clips of equal sources stay apart, each by itself. Where headers say nothing
 /// of the time, each camera's clips are taken in the order of their names, if all have equally many; else
 /// each clip is by itself. Pure.
 std::vector<ClipGroup> groupClips(std::vector<FoundClip> clips);

@@ -100,13 +100,17 @@ void TestImportLessonDialog::asksForNamesOfTheirOwn()
     table().item(1, 0)->setText(table().item(0, 0)->text());
     QVERIFY(!import()->isEnabled());
     QVERIFY(says(QStringLiteral("Each trial needs a name of its own.")));
+    table().item(1, 0)->setText(QStringLiteral("Trial 3")); // which is there
+    QVERIFY(!import()->isEnabled());
     table().item(1, 0)->setText(QStringLiteral("Other"));
     QVERIFY(import()->isEnabled());
     for (QComboBox *box : m_dialog->findChildren<QComboBox *>())
         if (box->accessibleName() == QStringLiteral("Camera of view 2"))
             box->setCurrentText(QStringLiteral("Door"));
     QVERIFY(!import()->isEnabled());
-    QVERIFY(says(QStringLiteral("Each view needs a camera of its own.")));
+    QVERIFY(says(QStringLiteral("Two clips of Trial 4 are of the same camera.")));
+    table().item(0, 0)->setCheckState(Qt::Unchecked); // each of the others has one clip
+    QVERIFY(import()->isEnabled());
 }
 
 void TestImportLessonDialog::aRunWithoutAClipHasFewerViews()

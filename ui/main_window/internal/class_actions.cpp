@@ -246,7 +246,6 @@ void HistoryActions::importTrials(const std::vector<ImportSettings> &trials)
     QStringList names;
     for (const ImportSettings &trial : trials)
         names << QString::fromStdString(trial.trial);
-    m_doneWords = &ODO_TEXT("ui.trials_imported", "Trials imported: %1 of %2");
     const auto make = [trials](const std::string &trial) {
         return std::make_shared<ImportTrialJob>(*std::ranges::find(trials, trial, &ImportSettings::trial));
     };
@@ -256,9 +255,11 @@ void HistoryActions::importTrials(const std::vector<ImportSettings> &trials)
             m_remarks << tr("%1: %2").arg(QString::fromStdString(imported.trial().name), shownWords(warning));
         return {};
     };
-    if (const Result<void> started =
-            m_batch->start(names, {&ODO_TEXT("ui.importing_trials", "Importing %1 (%2 of %3)"), make, keep});
-        !started)
+    const Result<void> started =
+        m_batch->start(names, {&ODO_TEXT("ui.importing_trials", "Importing %1 (%2 of %3)"), make, keep});
+    if (started)
+        m_doneWords = &ODO_TEXT("ui.trials_imported", "Trials imported: %1 of %2");
+    else
         Q_EMIT failed(started.error());
 }
 
@@ -297,7 +298,7 @@ void HistoryActions::tellEnd(int done, int all, const std::vector<Error> &failur
     }
     if (failures.size() > most)
         told.push_back(ODO_TEXT("ui.and_more", "and %1 more")(failures.size() - most));
-    Q_EMIT changed({});
+    Q_EMIT changed(remarks.join(QLatin1Char(' ')));
     Q_EMIT failed(
         {ErrorCode::InvalidInput, words, joined(std::move(told), Join::Semicolon),
          ODO_TEXT("ui.mend_and_choose_again", "correct the listed errors, then select these trials again")});

@@ -23,6 +23,8 @@ namespace odo {
 
 namespace {
 
+constexpr int longestShown = 12; // letters of a camera's name, before it is scrolled
+
 QTableWidgetItem *cell(const QString &text, bool isEditable = false)
 {
     auto *item = new QTableWidgetItem(text);
@@ -42,7 +44,7 @@ QString timeText(const std::optional<Instant> &time)
 
 ImportLessonDialog::ImportLessonDialog(const ImportTrialDialog::Offer &offer, const QStringList &taken,
                                        std::vector<ClipGroup> groups, QWidget *parent)
-    : QDialog(parent), m_groups(std::move(groups)), m_task(new QComboBox),
+    : QDialog(parent), m_taken(taken), m_groups(std::move(groups)), m_task(new QComboBox),
       m_robots(new CheckList(tr("Robots in the trials"))), m_table(new QTableWidget), m_message(new QLabel),
       m_buttons(new QDialogButtonBox(QDialogButtonBox::Cancel))
 {
@@ -60,7 +62,7 @@ ImportLessonDialog::ImportLessonDialog(const ImportTrialDialog::Offer &offer, co
     form->addRow(tr("Cameras"), makeCameras(offer));
     form->addRow(tr("Tas&k"), m_task);
     form->addRow(tr("R&obots"), m_robots);
-    fill(offer, taken);
+    fill(offer);
     showAsWords(*m_message);
     QPushButton *accept = m_buttons->addButton(tr("Import"), QDialogButtonBox::AcceptRole);
     auto *layout = new QVBoxLayout(this);
@@ -85,6 +87,8 @@ QWidget *ImportLessonDialog::makeCameras(const ImportTrialDialog::Offer &offer)
     for (std::size_t view = 0; view < m_groups.front().views.size(); ++view) {
         auto *name = new QComboBox;
         name->setEditable(true);
+        name->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+        name->setMinimumContentsLength(longestShown);
         for (const ImportTrialDialog::OfferedCamera &each : offer.cameras)
             name->addItem(each.name);
         name->setCurrentText(view < offer.cameras.size()
@@ -99,7 +103,7 @@ QWidget *ImportLessonDialog::makeCameras(const ImportTrialDialog::Offer &offer)
     return widget;
 }
 
-void ImportLessonDialog::fill(const ImportTrialDialog::Offer &offer, const QStringList &taken)
+void ImportLessonDialog::fill(const ImportTrialDialog::Offer &offer)
 {
     const int views = int(m_cameras.size());
     m_table->setColumnCount(FirstClipColumn + views);
@@ -107,14 +111,17 @@ void ImportLessonDialog::fill(const ImportTrialDialog::Offer &offer, const QStri
     m_table->setAccessibleName(tr("Trials"));
     m_table->verticalHeader()->hide();
     m_table->setTabKeyNavigation(false);
-    m_table->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
-    int number = int(taken.size());
+    QHeaderView &header = *m_table->horizontalHeader();
+    header.setSectionResizeMode(QHeaderView::ResizeToContents);
+    for (const int column : {TrialColumn, TeamColumn}) // what is written in
+        header.setSectionResizeMode(column, QHeaderView::Stretch);
+    int number = int(m_taken.size());
     for (int row = 0; row < m_table->rowCount(); ++row) {
         const ClipGroup &group = m_groups[std::size_t(row)];
         QString name;
         do
             name = tr("Trial %1").arg(++number);
-        while (taken.contains(name));
+        while (m_taken.contains(name));
         auto *trial = cell(name, true);
         trial->setFlags(trial->flags() | Qt::ItemIsUserCheckable);
         trial->setCheckState(Qt::Checked);
@@ -147,19 +154,31 @@ QString ImportLessonDialog::teamOf(int row) const
     return known > 0 ? team->itemData(known).toString() : team->currentText().trimmed();
 }
 
+bool ImportLessonDialog::sharesCamera(int row) const
+{
+    const ClipGroup &group = m_groups[std::size_t(row)];
+    std::set<QString> cameras;
+    for (std::size_t view = 0; view < m_cameras.size(); ++view)
+        if (!group.views[view].empty() && !cameras.insert(m_cameras[view]->currentText().trimmed()).second)
+            return true;
+    return false;
+}
+
 QString ImportLessonDialog::missing() const
 {
-    std::set<QString> cameras, trials;
     for (const QComboBox *camera : m_cameras)
-        if (camera->currentText().trimmed().isEmpty() ||
-            !cameras.insert(camera->currentText().trimmed()).second)
-            return tr("Each view needs a camera of its own.");
+        if (camera->currentText().trimmed().isEmpty())
+            return tr("Each column of clips needs a camera.");
+    std::set<QString> trials;
     for (int row = 0; row < m_table->rowCount(); ++row) {
         const QTableWidgetItem *trial = m_table->item(row, TrialColumn);
         if (trial->checkState() != Qt::Checked)
             continue;
-        if (trial->text().trimmed().isEmpty() || !trials.insert(trial->text().trimmed()).second)
+        const QString name = trial->text().trimmed();
+        if (name.isEmpty() || m_taken.contains(name) || !trials.insert(name).second)
             return tr("Each trial needs a name of its own.");
+        if (sharesCamera(row))
+            return tr("Two clips of %1 are of the same camera.").arg(name);
     }
     return trials.empty() ? tr("Tick the trials to import.") : QString();
 }

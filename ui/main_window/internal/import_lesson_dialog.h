@@ -33,11 +33,13 @@ public:
 private:
     enum Column { TrialColumn, TeamColumn, TimeColumn, LengthColumn, FirstClipColumn };
     QWidget *makeCameras(const ImportTrialDialog::Offer &offer);
-    void fill(const ImportTrialDialog::Offer &offer, const QStringList &taken);
+    void fill(const ImportTrialDialog::Offer &offer);
     QString teamOf(int row) const;
-    QString missing() const; ///< why it cannot be imported; empty: it can
+    bool sharesCamera(int row) const; ///< two of its clips
+    QString missing() const;          ///< why it cannot be imported; empty: it can
     void updateButtons();
 
+    const QStringList m_taken;
     const std::vector<ClipGroup> m_groups;
     std::vector<QComboBox *> m_cameras; ///< of each view
     QComboBox *m_task;

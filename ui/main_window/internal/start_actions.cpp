@@ -45,15 +45,15 @@ private:
 
 MatDialog::MatDialog(const QStringList &cameras, QWidget *parent) : QDialog(parent), m_line(new NumberBox)
 {
-    constexpr double lineMm = 1000, largestOffMm = 200;
+    constexpr double shortestMm = 150, longestMm = 1200; // 0.2 and 1 m, as printers print them
     constexpr int width = 460;
     setWindowTitle(tr("Find the floor mat"));
-    auto *words = new QLabel(tr("The mat is looked for in the newest recording of each camera: %1.")
+    auto *words = new QLabel(tr("The mat is searched for in the newest recording of each camera: %1.")
                                  .arg(cameras.join(QStringLiteral(", "))));
     showAsWords(*words);
-    m_line->setRange(lineMm - largestOffMm, lineMm + largestOffMm);
+    m_line->setRange(shortestMm, longestMm);
     m_line->setDecimals(1);
-    m_line->setValue(lineMm);
+    m_line->setSpecialValueText(tr("not measured")); // nothing is proposed: it would be taken as measured
     m_line->setSuffix(tr(" mm"));
     auto *hint = new QLabel(tr("Measure the line at the mat's lower edge from end mark to end mark. Printers "
                                "often shrink by 2 to 4 %; what you enter makes up for it."));
@@ -69,6 +69,9 @@ MatDialog::MatDialog(const QStringList &cameras, QWidget *parent) : QDialog(pare
     layout->addWidget(hint);
     layout->addWidget(buttons);
     find->setDefault(true);
+    find->setEnabled(false);
+    connect(m_line, &QDoubleSpinBox::valueChanged, find,
+            [find](double mm) { find->setEnabled(mm > shortestMm); });
     m_line->setFocus();
     resize(width, layout->totalHeightForWidth(width));
     connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
@@ -102,7 +105,7 @@ void StartActions::act(StartPage::Task task)
         return findMat();
     case StartPage::RegisterFloor:
         return m_pages->show(WindowMode::Testbed);
-    case StartPage::CalibrateLens:
+    case StartPage::Calibrate:
         return calibrateBy({});
     case StartPage::AddRobot:
         m_trials.askRobot();
@@ -118,6 +121,8 @@ void StartActions::act(StartPage::Task task)
 
 void StartActions::calibrateBy(const QStringList &stills)
 {
+    if (!m_pages) // that of this project is still to be made
+        return;
     m_pages->show(WindowMode::Testbed);
     m_pages->testbed().calibrate(stills);
 }
@@ -157,15 +162,28 @@ void StartActions::findMat()
     settings.checkLineM = dialog.checkLineM();
     const auto job = std::make_shared<FindMatJob>(std::move(settings));
     showFailure(m_workspace.start(
-        job, ODO_TEXT("ui.finding_mat", "Finding the floor mat"),
-        [this, job, cameras = std::move(*cameras)] { registerNext(cameras, job->layoutName(), {}); }));
+        job, ODO_TEXT("ui.finding_mat", "Finding the floor mat"), [this, job, cameras = std::move(*cameras)] {
+            std::vector<MatCamera> seeing;
+            QStringList without;
+            for (std::size_t i = 0; i < cameras.size(); ++i) {
+                if (job->isSeen()[i])
+                    seeing.push_back(cameras[i]);
+                else
+                    without << QString::fromStdString(cameras[i].name);
+            }
+            registerNext(seeing, job->layoutName(), {}, without.join(QStringLiteral(", ")));
+        }));
 }
 
 /// One after the other, each a change of its own.
-void StartActions::registerNext(std::vector<MatCamera> cameras, const std::string &layout, QString outcome)
+void StartActions::registerNext(std::vector<MatCamera> cameras, const std::string &layout,
+                                const QString &outcome, const QString &without)
 {
     if (cameras.empty()) {
-        Q_EMIT done(tr("Registered to the floor mat: %1.").arg(outcome));
+        QString words = tr("Registered to the floor mat: %1.").arg(outcome);
+        if (!without.isEmpty())
+            words += QLatin1Char(' ') + tr("Their newest recordings do not show it: %1.").arg(without);
+        Q_EMIT done(words);
         return;
     }
     const std::string name = cameras.front().name;
@@ -173,10 +191,11 @@ void StartActions::registerNext(std::vector<MatCamera> cameras, const std::strin
     const auto job = std::make_shared<RegisterJob>(RegisterSettings{name, layout, {}, {}, {}});
     showFailure(m_workspace.start(
         job, ODO_TEXT("ui.registering", "Registering camera %1")(Named::camera(name)),
-        [this, job, cameras = std::move(cameras), layout, outcome, name] {
+        [this, job, cameras = std::move(cameras), layout, outcome, without, name] {
             const QString one = QStringLiteral("%1 %2").arg(
                 QString::fromStdString(name), registrationBadge(job->record().registration).text);
-            registerNext(cameras, layout, outcome.isEmpty() ? one : outcome + QStringLiteral(", ") + one);
+            registerNext(cameras, layout, outcome.isEmpty() ? one : outcome + QStringLiteral(", ") + one,
+                         without);
         }));
 }
 

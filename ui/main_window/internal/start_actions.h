@@ -28,8 +28,9 @@ public:
     /// window: parent of the dialogs.
     StartActions(Workspace &workspace, TrialActions &trials, ReportActions &reports, QWidget &window);
 
-    /// Serves the page of these; they must outlive the next call.
+    /// Serves the page of these, until they go.
     void serve(ProjectPages &pages);
+    void forgetPages() { m_pages = nullptr; }
 
     /// Calibrates a lens, with these images of a board to begin with.
     void calibrateBy(const QStringList &stills);
@@ -48,7 +49,8 @@ private:
     void printMat();
     void findMat();
     Result<std::vector<MatCamera>> recordedCameras() const;
-    void registerNext(std::vector<MatCamera> cameras, const std::string &layout, QString outcome);
+    void registerNext(std::vector<MatCamera> cameras, const std::string &layout, const QString &outcome,
+                      const QString &without);
     void showFailure(const Result<void> &result);
 
     Workspace &m_workspace;

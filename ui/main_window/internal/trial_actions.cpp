@@ -204,19 +204,30 @@ void TrialActions::askImport(const QStringList &videos)
     std::vector<std::filesystem::path> files;
     for (const QString &video : videos)
         files.push_back(pathOf(video));
+    const Message what = ODO_TEXT("ui.dropped_clips", "the dropped clips");
+    if (m_clipSearch.isRunning()) {
+        Q_EMIT failed({ErrorCode::InvalidInput, what,
+                       ODO_TEXT("ui.clips_being_read", "those dropped before are still being read"),
+                       ODO_TEXT("ui.drop_again", "drop them again in a moment")});
+        return;
+    }
     const auto found = std::make_shared<std::vector<ClipGroup>>();
+    const std::filesystem::path project = m_workspace.project()->file();
     disconnect(&m_clipSearch, nullptr, this, nullptr);
-    connect(&m_clipSearch, &BackgroundTask::finished, this, [this, found, videos](const auto &error) {
-        if (error || !m_workspace.project())
-            return;
-        if (found->size() > 1)
-            askLesson(std::move(*found));
-        else
-            askTrial(videos);
-    });
+    connect(&m_clipSearch, &BackgroundTask::finished, this,
+            [this, found, videos, project](const std::optional<Error> &error) {
+                if (!m_workspace.project() || m_workspace.project()->file() != project)
+                    return; // they were dropped on another one
+                if (error)
+                    Q_EMIT failed(*error);
+                else if (found->size() > 1)
+                    askLesson(std::move(*found));
+                else
+                    askTrial(videos);
+            });
     m_clipSearch.start([found, files](const JobControl &) -> Result<void> {
         std::vector<std::filesystem::path> recordings;
-        for (const auto &chapters : chapterGroups(files))
+        for (const auto &chapters : certainChapters(files))
             recordings.push_back(joinedNames(chapters));
         *found = groupClips(describeClips(recordings));
         return {};

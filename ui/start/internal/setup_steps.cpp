@@ -17,7 +17,14 @@ class SetupWords
     Q_DECLARE_TR_FUNCTIONS(SetupWords)
 };
 
-constexpr std::size_t mostLookedAt = 20; // trials, for one that is measured
+constexpr std::size_t mostLookedAt = 100; // trials, for one that is measured
+
+/// A name may be as long as a page.
+QString shortName(const QString &name)
+{
+    constexpr qsizetype longest = 40;
+    return name.size() > longest ? name.left(longest - 1) + u'…' : name;
+}
 
 QString joinedNames(const QStringList &names)
 {
@@ -29,7 +36,7 @@ StepState sources(const SetupState &setup)
     QStringList names;
     for (const SetupState::Camera &camera : setup.cameras)
         if (camera.hasRecording || camera.isConnected)
-            names << camera.name;
+            names << shortName(camera.name);
     if (names.isEmpty())
         return {false,
                 SetupWords::tr("Two phones on tripods are enough. Film the robot with both, import the "
@@ -42,9 +49,9 @@ StepState floorStep(const SetupState &setup)
     QStringList known, missing;
     for (const SetupState::Camera &camera : setup.cameras) {
         if (camera.isRegistered)
-            known << QStringLiteral("%1 %2").arg(camera.name, camera.floor.text);
+            known << QStringLiteral("%1 %2").arg(shortName(camera.name), camera.floor.text);
         else
-            missing << camera.name;
+            missing << shortName(camera.name);
     }
     if (known.isEmpty())
         return {false, SetupWords::tr("Print the mat, tape it together and lay it where every camera sees it "
@@ -60,9 +67,9 @@ StepState lens(const SetupState &setup)
     QStringList known;
     for (const SetupState::Camera &camera : setup.cameras)
         if (camera.isCalibrated)
-            known << camera.name;
+            known << shortName(camera.name);
     if (known.isEmpty())
-        return {false, SetupWords::tr("A printed board shows how the lens bends the image; without it "
+        return {false, SetupWords::tr("A printed board measures the distortion of the lens; without it "
                                       "positions far from the mat are less exact, and their ± says so.")};
     return {known.size() == qsizetype(setup.cameras.size()),
             SetupWords::tr("Calibrated: %1.").arg(joinedNames(known))};
@@ -73,7 +80,10 @@ StepState robot(const SetupState &setup)
     if (setup.robots.isEmpty())
         return {false, SetupWords::tr("A name is enough: Odograph finds a robot of any look by its motion.")};
     constexpr qsizetype mostNamed = 6;
-    QString names = joinedNames(setup.robots.mid(0, mostNamed));
+    QStringList shown;
+    for (const QString &name : setup.robots.mid(0, mostNamed))
+        shown << shortName(name);
+    QString names = joinedNames(shown);
     if (setup.robots.size() > mostNamed)
         names = SetupWords::tr("%1 and %2 more").arg(names).arg(setup.robots.size() - mostNamed);
     return {true, SetupWords::tr("Robots: %1.").arg(names)};
@@ -84,8 +94,9 @@ StepState firstRun(const SetupState &setup)
     if (setup.newestTrial.isEmpty())
         return {false, SetupWords::tr("Imported clips are tracked here, or record with connected cameras.")};
     if (!setup.isNewestMeasured)
-        return {setup.isMeasured, SetupWords::tr("%1 is not measured yet.").arg(setup.newestTrial)};
-    return {true, SetupWords::tr("%1 is measured.").arg(setup.newestTrial)};
+        return {setup.isMeasured,
+                SetupWords::tr("%1 is not measured yet.").arg(shortName(setup.newestTrial))};
+    return {true, SetupWords::tr("%1 is measured.").arg(shortName(setup.newestTrial))};
 }
 
 } // namespace
@@ -101,7 +112,8 @@ Result<SetupState> readSetup(Project &project)
     }
     for (const RobotRecord &each : ODO_TRY(project.robots().all()))
         state.robots << QString::fromStdString(each.name);
-    const auto trials = ODO_TRY(project.trials().names());
+    auto trials = ODO_TRY(project.trials().names());
+    std::erase_if(trials, [](const TrialName &trial) { return trial.binned || trial.unfinished; });
     for (std::size_t i = 0; i < std::min(trials.size(), mostLookedAt) && !state.isMeasured; ++i) {
         state.isMeasured = !ODO_TRY(project.analyses().currentMetrics(trials[i].id)).empty();
         state.isNewestMeasured |= i == 0 && state.isMeasured;

@@ -2,7 +2,7 @@
 #include "ui/testbed/targets/mat_sheet.h"
 
 #include "core/base/units.h"
-#include "ui/testbed/targets/sheet_drawing.h"
+#include "ui/testbed/targets/internal/sheet_drawing.h"
 
 #include <QCoreApplication>
 #include <QLocale>

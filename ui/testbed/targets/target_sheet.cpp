@@ -5,8 +5,8 @@
 #include "core/calibration/charuco_layout.h"
 #include "core/files/output_file.h"
 #include "core/simulation/tag_pattern.h"
+#include "ui/testbed/targets/internal/sheet_drawing.h"
 #include "ui/testbed/targets/mat_sheet.h"
-#include "ui/testbed/targets/sheet_drawing.h"
 
 #include <QBuffer>
 #include <QCoreApplication>

@@ -127,13 +127,19 @@ OriginAlignment originAlignment(const std::vector<PosePair> &pairs)
 }
 
 ErrorStatistics absoluteErrors(const std::vector<PosePair> &pairs, const PlaneSimilarity &transform,
-                               double sigmaOffsetS)
+                               double sigmaOffsetS, const OriginAlignment *origin)
 {
     std::vector<double> errors;
     MeanSquare measurement;
+    const auto ofAlignment = [&](const PosePair &pair) {
+        const double turnedM =
+            origin->sigmaHeadingRad * (pair.measured.position - pairs.front().measured.position).norm();
+        return pairs.front().measured.ownVarianceM2 + turnedM * turnedM;
+    };
     for (const PosePair &pair : pairs) {
         errors.push_back((transform(pair.log.position) - pair.measured.position).norm());
-        measurement.add(pair.measured.varianceM2 + offsetVariance(pair.measured, sigmaOffsetS));
+        measurement.add(pair.measured.varianceM2 + offsetVariance(pair.measured, sigmaOffsetS) +
+                        (origin ? ofAlignment(pair) : 0));
     }
     ErrorStatistics statistics = statisticsOf(std::move(errors));
     statistics.measurementSigma = measurement.root();
@@ -196,15 +202,17 @@ std::optional<ErrorStatistics> relativeErrors(const std::vector<PosePair> &pairs
 }
 
 std::optional<ErrorStatistics> headingErrors(const std::vector<PosePair> &pairs,
-                                             const PlaneSimilarity &transform)
+                                             const PlaneSimilarity &transform, const OriginAlignment *origin)
 {
     std::vector<double> errors;
     MeanSquare measurement;
+    const double sigmaOfAlignment = origin ? origin->sigmaHeadingRad : 0;
     for (const PosePair &pair : pairs) {
         if (!pair.haveHeadings())
             continue;
         errors.push_back(std::abs(headingError(pair, transform)));
-        measurement.add(pair.measured.sigmaHeadingRad * pair.measured.sigmaHeadingRad);
+        measurement.add(pair.measured.sigmaHeadingRad * pair.measured.sigmaHeadingRad +
+                        sigmaOfAlignment * sigmaOfAlignment);
     }
     if (errors.empty())
         return std::nullopt;

@@ -38,9 +38,10 @@ struct OriginAlignment
 };
 OriginAlignment originAlignment(const std::vector<PosePair> &pairs);
 
-/// Of all pairs, m.
+/// Of all pairs, m. origin: by which they were aligned, whose uncertainty the errors share: that of the first
+/// position, and of the direction with the distance from it; null where they were aligned otherwise.
 ErrorStatistics absoluteErrors(const std::vector<PosePair> &pairs, const PlaneSimilarity &transform,
-                               double sigmaOffsetS);
+                               double sigmaOffsetS, const OriginAlignment *origin = nullptr);
 
 /// Two poses a distance apart along the measured path.
 struct PathStep
@@ -57,9 +58,10 @@ std::optional<ErrorStatistics> relativeErrors(const std::vector<PosePair> &pairs
                                               const PlaneSimilarity &transform, bool byHeadings,
                                               double scaleSigma, double sigmaOffsetS);
 
-/// Of the pairs that have both headings, rad; the amounts.
+/// Of the pairs that have both headings, rad; the amounts. origin: as of absoluteErrors.
 std::optional<ErrorStatistics> headingErrors(const std::vector<PosePair> &pairs,
-                                             const PlaneSimilarity &transform);
+                                             const PlaneSimilarity &transform,
+                                             const OriginAlignment *origin = nullptr);
 /// The mean of the signed differences of the headings; nullopt where it is within what they scatter.
 std::optional<double> lastingHeadingError(const std::vector<PosePair> &pairs,
                                           const PlaneSimilarity &transform);

@@ -150,20 +150,25 @@ bool isSet(Instant time)
 
 std::optional<Instant> filmedAt(const std::vector<ViewSource> &views)
 {
-    std::optional<Instant> recorded, written;
-    const auto keepEarlier = [](std::optional<Instant> &kept, std::int64_t sinceEpochNs) {
+    std::vector<Instant> recorded, written;
+    const auto keep = [](std::vector<Instant> &times, std::int64_t sinceEpochNs) {
         const Instant time(duration_cast<milliseconds>(nanoseconds(sinceEpochNs)));
-        if (isSet(time) && (!kept || time < *kept))
-            kept = time;
+        if (isSet(time))
+            times.push_back(time);
     };
     for (const ViewSource &view : views) {
         const std::filesystem::path &first = view.source.files.front();
         if (const auto span = recordedSpan(first))
-            keepEarlier(recorded, span->at.count());
+            keep(recorded, span->at.count());
         if (const auto status = statusOf(first))
-            keepEarlier(written, status->modifiedNs);
+            keep(written, status->modifiedNs);
     }
-    return recorded ? recorded : written;
+    const std::vector<Instant> &times = recorded.empty() ? written : recorded;
+    if (times.empty())
+        return std::nullopt;
+    // A clock that lost its time goes back to a date of its maker's.
+    const auto [first, last] = std::ranges::minmax(times);
+    return last - first > hours(24) ? last : first;
 }
 
 double rateOfTimes(const std::vector<Nanoseconds> &times)

@@ -39,8 +39,9 @@ Result<std::vector<ViewSource>> viewSourcesOf(const ImportSettings &settings);
 Result<std::vector<Message>> findFile(ViewSource &view, const ImportSettings &settings, std::size_t index,
                                       const std::filesystem::path &mediaFolder, const JobControl &control);
 
-/// When the views were filmed: the earliest that their headers say, or else when the files were last written,
-/// if a clock that was set can have said so; nullopt: none. Opens the files.
+/// When the views were filmed: the earliest that their headers say (the latest where they are over a day
+/// apart), or else when the files were last written, if a clock that was set can have said so; nullopt: none.
+/// Opens the files.
 std::optional<Instant> filmedAt(const std::vector<ViewSource> &views);
 
 /// By the usual interval, frames/s; 0 of a single frame.

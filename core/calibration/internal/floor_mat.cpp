@@ -148,7 +148,8 @@ Vector2d matSheetM(FloorMat::Paper paper)
 
 double matLineM(const FloorMat &mat)
 {
-    return mat.columns * matSheetM(mat.paper).x() > 1 + matLineStartM.x() ? 1 : 0.2;
+    return mat.columns * matSheetM(mat.paper).x() > matLinesM[0] + matLineStartM.x() ? matLinesM[0]
+                                                                                     : matLinesM[1];
 }
 
 std::vector<MatTag> matTags(FloorMat::Paper paper, int column, int row)

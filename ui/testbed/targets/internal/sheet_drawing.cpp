@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/testbed/targets/sheet_drawing.h"
+#include "ui/testbed/targets/internal/sheet_drawing.h"
 
 #include <QFont>
 #include <QPainter>
