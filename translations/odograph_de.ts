@@ -11891,10 +11891,6 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <source>%1 could not be deleted; delete it by hand.</source>
         <translation>%1 ließ sich nicht löschen; löschen Sie es von Hand.</translation>
     </message>
-    <message>
-        <source>%1: %2</source>
-        <translation>%1: %2</translation>
-    </message>
 </context>
 <context>
     <name>odo::HistoryPage</name>
@@ -12055,10 +12051,6 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>Trials</source>
         <translation>Versuche</translation>
-    </message>
-    <message>
-        <source>Trial %1</source>
-        <translation>Versuch %1</translation>
     </message>
     <message>
         <source>Team of row %1</source>
@@ -12265,6 +12257,10 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>Chapters of one recording are joined by +; images are given as their folder, or FOLDER/%06d.png, with the rate</source>
         <translation>Kapitel einer Aufnahme werden mit + verbunden; Einzelbilder gibt man als ihren Ordner an oder als FOLDER/%06d.png, mit der Rate</translation>
+    </message>
+    <message>
+        <source>Trial %1</source>
+        <translation>Versuch %1</translation>
     </message>
 </context>
 <context>
@@ -16246,10 +16242,6 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
 </context>
 <context>
     <name>odo::TrialActions</name>
-    <message>
-        <source>Trial %1</source>
-        <translation>Versuch %1</translation>
-    </message>
     <message>
         <source>%1 in %2 of %3 frames, spikes flagged: %4</source>
         <translation>%1 in %2 von %3 Bildern, markierte Ausreißer: %4</translation>

@@ -11891,10 +11891,6 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <source>%1 could not be deleted; delete it by hand.</source>
         <translation>No se pudo eliminar %1; elimínelo a mano.</translation>
     </message>
-    <message>
-        <source>%1: %2</source>
-        <translation>%1: %2</translation>
-    </message>
 </context>
 <context>
     <name>odo::HistoryPage</name>
@@ -12055,10 +12051,6 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <message>
         <source>Trials</source>
         <translation>Ensayos</translation>
-    </message>
-    <message>
-        <source>Trial %1</source>
-        <translation>Ensayo %1</translation>
     </message>
     <message>
         <source>Team of row %1</source>
@@ -12265,6 +12257,10 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <message>
         <source>Chapters of one recording are joined by +; images are given as their folder, or FOLDER/%06d.png, with the rate</source>
         <translation>Los capítulos de una grabación se unen con +; las imágenes se indican con su carpeta, o FOLDER/%06d.png, y la frecuencia</translation>
+    </message>
+    <message>
+        <source>Trial %1</source>
+        <translation>Ensayo %1</translation>
     </message>
 </context>
 <context>
@@ -16246,10 +16242,6 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
 </context>
 <context>
     <name>odo::TrialActions</name>
-    <message>
-        <source>Trial %1</source>
-        <translation>Ensayo %1</translation>
-    </message>
     <message>
         <source>%1 in %2 of %3 frames, spikes flagged: %4</source>
         <translation>%1 en %2 de %3 fotogramas, atípicos señalados: %4</translation>

@@ -11891,10 +11891,6 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <source>%1 could not be deleted; delete it by hand.</source>
         <translation>%1 n’a pas pu être supprimé&#xa0;; supprimez-le à la main.</translation>
     </message>
-    <message>
-        <source>%1: %2</source>
-        <translation>%1 : %2</translation>
-    </message>
 </context>
 <context>
     <name>odo::HistoryPage</name>
@@ -12055,10 +12051,6 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>Trials</source>
         <translation>Essais</translation>
-    </message>
-    <message>
-        <source>Trial %1</source>
-        <translation>Essai %1</translation>
     </message>
     <message>
         <source>Team of row %1</source>
@@ -12265,6 +12257,10 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>Chapters of one recording are joined by +; images are given as their folder, or FOLDER/%06d.png, with the rate</source>
         <translation>Les chapitres d’un enregistrement sont réunis par + ; les images sont indiquées par leur dossier, ou FOLDER/%06d.png, avec la fréquence</translation>
+    </message>
+    <message>
+        <source>Trial %1</source>
+        <translation>Essai %1</translation>
     </message>
 </context>
 <context>
@@ -16246,10 +16242,6 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 </context>
 <context>
     <name>odo::TrialActions</name>
-    <message>
-        <source>Trial %1</source>
-        <translation>Essai %1</translation>
-    </message>
     <message>
         <source>%1 in %2 of %3 frames, spikes flagged: %4</source>
         <translation>%1 dans %2 images sur %3, pics aberrants signalés&#xa0;: %4</translation>

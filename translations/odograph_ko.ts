@@ -11876,10 +11876,6 @@ Much more than expected means that a setting is wrong: the views are not synchro
         <source>%1 could not be deleted; delete it by hand.</source>
         <translation>%1을(를) 삭제할 수 없습니다. 직접 삭제하십시오.</translation>
     </message>
-    <message>
-        <source>%1: %2</source>
-        <translation>%1: %2</translation>
-    </message>
 </context>
 <context>
     <name>odo::HistoryPage</name>
@@ -12038,10 +12034,6 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>Trials</source>
         <translation>시행</translation>
-    </message>
-    <message>
-        <source>Trial %1</source>
-        <translation>시행 %1</translation>
     </message>
     <message>
         <source>Team of row %1</source>
@@ -12248,6 +12240,10 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>Chapters of one recording are joined by +; images are given as their folder, or FOLDER/%06d.png, with the rate</source>
         <translation>한 녹화의 챕터는 +로 이어집니다. 그림은 폴더 또는 FOLDER/%06d.png와 속도로 지정합니다</translation>
+    </message>
+    <message>
+        <source>Trial %1</source>
+        <translation>시행 %1</translation>
     </message>
 </context>
 <context>
@@ -16206,10 +16202,6 @@ Much more than expected means that a setting is wrong: the views are not synchro
 </context>
 <context>
     <name>odo::TrialActions</name>
-    <message>
-        <source>Trial %1</source>
-        <translation>시행 %1</translation>
-    </message>
     <message>
         <source>%1 in %2 of %3 frames, spikes flagged: %4</source>
         <translation>%1: %3프레임 중 %2프레임, 표시된 이상점: %4</translation>

@@ -11876,10 +11876,6 @@ Much more than expected means that a setting is wrong: the views are not synchro
         <source>%1 could not be deleted; delete it by hand.</source>
         <translation>无法删除 %1，请手动删除。</translation>
     </message>
-    <message>
-        <source>%1: %2</source>
-        <translation>%1：%2</translation>
-    </message>
 </context>
 <context>
     <name>odo::HistoryPage</name>
@@ -12038,10 +12034,6 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>Trials</source>
         <translation>试验</translation>
-    </message>
-    <message>
-        <source>Trial %1</source>
-        <translation>试验 %1</translation>
     </message>
     <message>
         <source>Team of row %1</source>
@@ -12248,6 +12240,10 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>Chapters of one recording are joined by +; images are given as their folder, or FOLDER/%06d.png, with the rate</source>
         <translation>同一录像的各段用 + 连接；图片以其文件夹或 FOLDER/%06d.png 给出，并给出帧率</translation>
+    </message>
+    <message>
+        <source>Trial %1</source>
+        <translation>试验 %1</translation>
     </message>
 </context>
 <context>
@@ -16206,10 +16202,6 @@ Much more than expected means that a setting is wrong: the views are not synchro
 </context>
 <context>
     <name>odo::TrialActions</name>
-    <message>
-        <source>Trial %1</source>
-        <translation>试验 %1</translation>
-    </message>
     <message>
         <source>%1 in %2 of %3 frames, spikes flagged: %4</source>
         <translation>%1：%3 帧中的 %2 帧，标出异常点：%4</translation>

@@ -44,8 +44,8 @@ inline const Eigen::Vector2d matLineStartM(0.015, 0.005);
 struct MatTag
 {
     int number = 0;
-    Eigen::Vector2d
-        middle; ///< from the lower left corner of its sheet, in metres, y away from its lower edge
+    /// From the lower left corner of its sheet, in metres, y away from its lower edge.
+    Eigen::Vector2d middle;
 };
 
 /// The tags of one sheet, counted from the lower left one, as they should be printed.

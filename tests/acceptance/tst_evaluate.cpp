@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "tests/support/program.h"
+#include "tests/support/calling_test.h"
 #include "tests/support/registered_test.h"
 
 #include <QDir>
 #include <QFile>
 #include <QJsonArray>
-#include <QTemporaryDir>
 #include <QTest>
 #include <array>
 #include <cmath>
@@ -15,20 +14,10 @@ using namespace odo::test;
 using namespace Qt::StringLiterals;
 
 /// A robot's own log on the command line, against a run that was imported as a finished track.
-class TestEvaluate : public QObject
+class TestEvaluate : public QObject, CallingTest
 {
     Q_OBJECT
 
-    QTemporaryDir m_folder;
-    QString m_project;
-
-    QString path(const char *name) const { return m_folder.filePath(QString::fromUtf8(name)); }
-    void write(const char *name, const QByteArray &content) const
-    {
-        QFile file(path(name));
-        QVERIFY(file.open(QIODevice::WriteOnly));
-        QCOMPARE(file.write(content), content.size());
-    }
     static QByteArray number(double value) { return QByteArray::number(value, 'f', 9); }
 
     /// Half a metre in front of a turning point, to and fro with another speed each time, for 20 s.
@@ -81,7 +70,6 @@ class TestEvaluate : public QObject
 private Q_SLOTS:
     void initTestCase()
     {
-        m_project = path("class.odo");
         QCOMPARE(runProgram({u"new"_s, m_project}).exitStatus, 0);
         write("run.csv", "t_s,x_mm,y_mm\n" + lines(60, [](double timeS, double x, double y, double) {
                              return number(timeS) + ',' + number(1000 * x) + ',' + number(1000 * y) + '\n';

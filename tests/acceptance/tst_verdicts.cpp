@@ -15,19 +15,6 @@ class TestVerdicts : public QObject, CallingTest
 {
     Q_OBJECT
 
-    /// 10 s at 0.5 m/s along X, 25 positions a second, without those of a gap that begins after 4 s.
-    static QByteArray track(double gapS)
-    {
-        QByteArray text("t_s,x_mm,y_mm\n");
-        for (int i = 0; i < 250; ++i) {
-            const double t = i / 25.0;
-            if (t > 4 && t < 4 + gapS)
-                continue;
-            text += QByteArray::number(t, 'f', 3) + ',' + QByteArray::number(500 * t, 'f', 2) + ',' +
-                    QByteArray::number(i % 3 - 1) + '\n';
-        }
-        return text;
-    }
     QJsonObject verdict(const char *trial) const
     {
         return run(QStringLiteral("show %P %1 --json").arg(QLatin1String(trial)))
@@ -40,9 +27,9 @@ private Q_SLOTS:
     void initTestCase()
     {
         QCOMPARE(good("new %P").exitStatus, 0);
-        write("whole.csv", track(0));
-        write("short.csv", track(2));
-        write("long.csv", track(5.5));
+        write("whole.csv", gappedTrack(0));
+        write("short.csv", gappedTrack(2));
+        write("long.csv", gappedTrack(5.5));
         for (const char *name : {"whole", "short", "long"})
             QCOMPARE(run(QStringLiteral("import %P --trial %1 --track red=%/%1.csv").arg(QLatin1String(name)))
                          .exitStatus,

@@ -7,6 +7,19 @@
 
 namespace odo::test {
 
+QByteArray gappedTrack(double gapS)
+{
+    QByteArray text("t_s,x_mm,y_mm\n");
+    for (int i = 0; i < 250; ++i) {
+        const double t = i / 25.0;
+        if (t > 4 && t < 4 + gapS)
+            continue;
+        text += QByteArray::number(t, 'f', 3) + ',' + QByteArray::number(500 * t, 'f', 2) + ',' +
+                QByteArray::number(i % 3 - 1) + '\n';
+    }
+    return text;
+}
+
 void CallingTest::write(const char *name, const QByteArray &content) const
 {
     QFile file(path(name));

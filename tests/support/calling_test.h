@@ -7,6 +7,10 @@
 
 namespace odo::test {
 
+/// A finished track as CSV: 10 s at 0.5 m/s along X, 25 positions a second, without those of a gap that
+/// begins after 4 s.
+QByteArray gappedTrack(double gapS);
+
 /// The base of a test that calls the program in a folder of its own. In a call "%/" stands for the folder,
 /// "%P" for the project class.odo in it.
 class CallingTest

@@ -5,6 +5,7 @@
 #include "ui/models/shown_message.h"
 
 #include <QCoreApplication>
+#include <QDateTime>
 #include <QRegularExpression>
 #include <QStringList>
 #include <algorithm>
@@ -228,6 +229,12 @@ QString metricName(const std::string &name)
     if (!readable.isEmpty())
         readable[0] = readable[0].toUpper();
     return readable;
+}
+
+QString dateText(Instant instant)
+{
+    return QLocale().toString(QDateTime::fromMSecsSinceEpoch(instant.time_since_epoch().count()),
+                              QLocale::ShortFormat);
 }
 
 QString timeCode(Nanoseconds time)

@@ -83,6 +83,8 @@ NumberText metricNumber(const Metric &metric, const QLocale &locale = QLocale())
 /// "max_speed" → "Top speed"; a name that is not known is made readable.
 QString metricName(const std::string &name);
 
+/// "3/9/26 9:15 AM", as the person's country writes it.
+QString dateText(Instant instant);
 /// "00:03.267", from an hour on "1:00:03.267". Negative times carry a minus.
 QString timeCode(Nanoseconds time);
 /// "3.27 s"

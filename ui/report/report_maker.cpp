@@ -217,7 +217,7 @@ void ComparisonPage::paintRun(const QRectF &rect, int side)
     for (const QString &fact : {QString::fromStdString(scene.trial.className), shownTeam(scene.trial)})
         if (!fact.isEmpty())
             facts << literalName(fact);
-    facts << reportDate(scene.trial.date);
+    facts << dateText(scene.trial.date);
     drawLine(m_painter, QRectF(area.left(), area.top(), area.width(), lineHeight),
              facts.join(QStringLiteral(" · ")), reportFont(smallSize + 1), colours.muted);
     area.setTop(area.top() + lineHeight + 6);
@@ -297,7 +297,7 @@ void ComparisonPage::paint(const QRectF &sheet)
     for (int side = 0; side < 2; ++side) {
         const AnalysisRecord &analysis = m_scene.trials.runs[runAt(side)].analysis;
         foot << ComparisonReportWords::tr("%1: analysed %2, Odograph %3")
-                    .arg(literalName(m_scene.name(runAt(side))), reportDate(analysis.made),
+                    .arg(literalName(m_scene.name(runAt(side))), dateText(analysis.made),
                          literalName(analysis.softwareVersion));
         const TrialVerdict &verdict = m_scene.trials.runs[runAt(side)].verdict;
         if (verdict.level() == CheckLevel::Pass)

@@ -139,7 +139,7 @@ bool StartPage::isPossible(Task task, const SetupState &state) const
 
 Result<bool> isNothingMeasured(Project &project)
 {
-    return !ODO_TRY(readSetup(project)).isMeasured;
+    return !ODO_TRY(readTrials(project)).isMeasured;
 }
 
 } // namespace odo

@@ -43,6 +43,12 @@ const MatKind &kindOf(FloorMat::Paper paper)
     return kinds[static_cast<std::size_t>(paper)];
 }
 
+/// A position of a sheet as one of the whole mat.
+Vector2d onMat(const MatKind &kind, int column, int row, const Vector2d &onSheet)
+{
+    return onSheet + Vector2d(column * kind.sheetM.x(), row * kind.sheetM.y());
+}
+
 /// A tag of a mat, and where it should be.
 struct MatPoint
 {
@@ -60,8 +66,7 @@ std::optional<MatPoint> pointOf(const MatKind &kind, const SeenTag &tag)
     const int column = sheet % FloorMat::mostColumns, row = sheet / FloorMat::mostColumns;
     const MatTag place =
         matTags(kind.paper, column, row)[static_cast<std::size_t>(index % kind.tagsPerSheet)];
-    return MatPoint{column, row, tag.pixelFromTag, tag.pixel,
-                    place.middle + Vector2d(column * kind.sheetM.x(), row * kind.sheetM.y())};
+    return MatPoint{column, row, tag.pixelFromTag, tag.pixel, onMat(kind, column, row, place.middle)};
 }
 
 /// Mean side of its square on the mat, in metres; nullopt: part of it is beyond the horizon.
@@ -166,13 +171,12 @@ std::vector<MatTag> matTags(FloorMat::Paper paper, int column, int row)
 MarkerLayout matLayout(const FloorMat &mat)
 {
     MarkerLayout layout{matName(mat), {}};
-    const Vector2d sheetM = matSheetM(mat.paper);
+    const MatKind &kind = kindOf(mat.paper);
     for (int row = 0; row < mat.rows; ++row) {
         for (int column = 0; column < mat.columns; ++column) {
             for (const MatTag &tag : matTags(mat.paper, column, row))
                 layout.markers.push_back(
-                    {std::to_string(tag.number),
-                     mat.scale * (tag.middle + Vector2d(column * sheetM.x(), row * sheetM.y()))});
+                    {std::to_string(tag.number), mat.scale * onMat(kind, column, row, tag.middle)});
         }
     }
     return layout;

@@ -88,7 +88,8 @@ std::vector<Message> chapterNameRemarks(const std::vector<std::filesystem::path>
     return remarks;
 }
 
-std::vector<std::vector<std::filesystem::path>> chapterGroups(const std::vector<std::filesystem::path> &files)
+std::vector<std::vector<std::filesystem::path>> chapterGroups(const std::vector<std::filesystem::path> &files,
+                                                              ChapterEvidence evidence)
 {
     std::map<std::string, std::map<std::int64_t, std::filesystem::path>> bySeries;
     const auto keyOf = [](const std::filesystem::path &file, const SeriesName &name) {
@@ -110,7 +111,8 @@ std::vector<std::vector<std::filesystem::path>> chapterGroups(const std::vector<
             const auto joins = [&](std::int64_t number) { // with the one before it
                 const auto own = series.find(number), before = series.find(number - 1);
                 return own != series.end() && before != series.end() &&
-                       (name->isChapter || follows(own->second, before->second));
+                       (name->isChapter ||
+                        (evidence == ChapterEvidence::NameOrTime && follows(own->second, before->second)));
             };
             std::int64_t first = name->number, last = name->number;
             while (joins(first))
@@ -127,22 +129,6 @@ std::vector<std::vector<std::filesystem::path>> chapterGroups(const std::vector<
         groups.push_back(std::move(group));
     }
     return groups;
-}
-
-std::vector<std::vector<std::filesystem::path>>
-certainChapters(const std::vector<std::filesystem::path> &files)
-{
-    std::vector<std::vector<std::filesystem::path>> certain;
-    for (auto &group : chapterGroups(files)) {
-        const auto name = SeriesName::of(group.front());
-        if (name && name->isChapter) {
-            certain.push_back(std::move(group));
-            continue;
-        }
-        for (std::filesystem::path &file : group)
-            certain.push_back({std::move(file)});
-    }
-    return certain;
 }
 
 } // namespace odo

@@ -26,16 +26,16 @@ struct SeriesName
 /// What the names of chapters say against their order or their number: a sentence for each. Pure.
 std::vector<Message> chapterNameRemarks(const std::vector<std::filesystem::path> &chapters);
 
+/// By what files are taken for chapters: by their name alone where several recordings of one camera may
+/// follow each other at once.
+enum class ChapterEvidence { NameOrTime, Name };
+
 /// Which of the files may be chapters of one recording, each group in order, groups and single files in the
 /// order in which they were given: files of one folder and series with numbers that follow each other, and,
 /// unless the name alone says it, of which each was begun when the one before ended, by the recording times
-/// in their headers. Opens those files. Any thread.
+/// in their headers (NameOrTime; opens those files). Any thread.
 std::vector<std::vector<std::filesystem::path>>
-chapterGroups(const std::vector<std::filesystem::path> &files);
-
-/// The files of several recordings, where those of one camera may follow each other at once: only what names
-/// say to be chapters (SeriesName::isChapter) is joined.
-std::vector<std::vector<std::filesystem::path>>
-certainChapters(const std::vector<std::filesystem::path> &files);
+chapterGroups(const std::vector<std::filesystem::path> &files,
+              ChapterEvidence evidence = ChapterEvidence::NameOrTime);
 
 } // namespace odo

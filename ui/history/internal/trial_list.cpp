@@ -244,12 +244,6 @@ namespace {
 
 constexpr std::chrono::milliseconds saveAfter{500};
 
-QString dateText(Instant instant)
-{
-    return QLocale().toString(QDateTime::fromMSecsSinceEpoch(instant.time_since_epoch().count()),
-                              QLocale::ShortFormat);
-}
-
 QList<Fact> factsOf(const TrialRow &row, const std::vector<AnalysisRecord> &analyses,
                     const std::vector<TrialScore> &scores)
 {

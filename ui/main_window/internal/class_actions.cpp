@@ -252,7 +252,7 @@ void HistoryActions::importTrials(const std::vector<ImportSettings> &trials)
     const auto keep = [this](Project &, Job &job) -> Result<void> {
         const auto &imported = static_cast<ImportTrialJob &>(job);
         for (const Message &warning : imported.warnings())
-            m_remarks << tr("%1: %2").arg(QString::fromStdString(imported.trial().name), shownWords(warning));
+            m_remarks.push_back(joined({trialSubject(imported.trial().name), warning}, Join::Colon));
         return {};
     };
     const Result<void> started =
@@ -285,20 +285,22 @@ void HistoryActions::emptyBin(const BinContent &content)
 void HistoryActions::tellEnd(int done, int all, const std::vector<Error> &failures)
 {
     const Message words = (*m_doneWords)(done, all);
-    const QStringList remarks = std::exchange(m_remarks, {});
+    std::vector<Message> told = std::exchange(m_remarks, {});
     if (failures.empty()) {
-        Q_EMIT changed((QStringList(fullSentence(shownWords(words))) + remarks).join(QLatin1Char(' ')));
+        QStringList sentences(fullSentence(shownWords(words)));
+        for (const Message &remark : told)
+            sentences << fullSentence(shownWords(remark));
+        Q_EMIT changed(sentences.join(QLatin1Char(' ')));
         return;
     }
     constexpr std::size_t most = 3;
-    std::vector<Message> told;
     for (const Error &each : failures | std::views::take(most)) {
         told.push_back(joined({each.what, each.why}, Join::Colon));
         told.push_back(each.advice);
     }
     if (failures.size() > most)
         told.push_back(ODO_TEXT("ui.and_more", "and %1 more")(failures.size() - most));
-    Q_EMIT changed(remarks.join(QLatin1Char(' ')));
+    Q_EMIT changed({});
     Q_EMIT failed(
         {ErrorCode::InvalidInput, words, joined(std::move(told), Join::Semicolon),
          ODO_TEXT("ui.mend_and_choose_again", "correct the listed errors, then select these trials again")});

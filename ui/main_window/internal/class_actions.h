@@ -83,7 +83,7 @@ private:
     QWidget &m_window;
     TrialBatch *m_batch;
     const MessageText *m_doneWords = nullptr; ///< "Exported trials: %1 of %2"
-    QStringList m_remarks;                    ///< on what was done, sentences
+    std::vector<Message> m_remarks;           ///< on what was done
     QAction *m_roster, *m_changes;
 };
 

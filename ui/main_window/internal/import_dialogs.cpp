@@ -48,19 +48,39 @@ bool lacksTimes(const std::filesystem::path &video)
 
 } // namespace
 
+QString freeTrialName(const QStringList &taken)
+{
+    for (int number = static_cast<int>(taken.size()) + 1;; ++number) {
+        QString name = ImportTrialDialog::tr("Trial %1").arg(number);
+        if (!taken.contains(name))
+            return name;
+    }
+}
+
+TeamBox::TeamBox(const QStringList &teams, const QStringList &shown, QWidget *parent) : QComboBox(parent)
+{
+    setEditable(true);
+    addItem(QString());
+    for (qsizetype i = 0; i < teams.size(); ++i)
+        addItem(shown.value(i, teams[i]), teams[i]);
+}
+
+std::string TeamBox::team() const
+{
+    const QString typed = currentText().trimmed();
+    const int known = findText(typed, Qt::MatchFixedString | Qt::MatchCaseSensitive);
+    return (known > 0 ? itemData(known).toString() : typed).toStdString();
+}
+
 ImportTrialDialog::ImportTrialDialog(const Offer &offer, QWidget *parent)
     : QDialog(parent), m_cameras(offer.cameras), m_teamsRobots(offer.teamsRobots),
-      m_name(new QLineEdit(offer.name)), m_team(new QComboBox), m_task(new QComboBox),
-      m_robots(new CheckList(tr("Robots in the trial"))), m_videoGrid(new QGridLayout),
+      m_name(new QLineEdit(offer.name)), m_team(new TeamBox(offer.teams, offer.teamsShown)),
+      m_task(new QComboBox), m_robots(new CheckList(tr("Robots in the trial"))), m_videoGrid(new QGridLayout),
       m_addView(new QPushButton(tr("Add &view"))), m_steps(new ViewSteps),
       m_givenRate(new QCheckBox(tr("Camera's real &rate"))), m_rate(new NumberBox), m_rateReason(new QLabel),
       m_buttons(new QDialogButtonBox(QDialogButtonBox::Cancel))
 {
     setWindowTitle(tr("Import trial from videos"));
-    m_team->setEditable(true);
-    m_team->addItem(QString());
-    for (qsizetype i = 0; i < offer.teams.size(); ++i)
-        m_team->addItem(offer.teamsShown.value(i, offer.teams[i]), offer.teams[i]);
     m_task->setEditable(true);
     m_task->addItem(QString());
     m_task->addItems(offer.tasks);
@@ -247,10 +267,7 @@ ImportSettings ImportTrialDialog::settings() const
 {
     ImportSettings settings;
     settings.trial = m_name->text().trimmed().toStdString();
-    const int team =
-        m_team->findText(m_team->currentText().trimmed(), Qt::MatchFixedString | Qt::MatchCaseSensitive);
-    settings.team =
-        (team > 0 ? m_team->itemData(team).toString() : m_team->currentText().trimmed()).toStdString();
+    settings.team = m_team->team();
     settings.task = m_task->currentText().trimmed().toStdString();
     settings.robots = m_robots->checkedNames();
     for (std::size_t view = 0; view < m_videos.size(); ++view) {

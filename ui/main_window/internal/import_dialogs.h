@@ -4,12 +4,13 @@
 #include "core/workflow/import/import_trial_job.h"
 #include "ui/models/number_text.h"
 
+#include <QComboBox>
 #include <QDialog>
 #include <QWidget>
+#include <string>
 #include <vector>
 
 class QCheckBox;
-class QComboBox;
 class QDialogButtonBox;
 class QDoubleSpinBox;
 class QGridLayout;
@@ -23,6 +24,19 @@ class BadgeLabel;
 class CheckList;
 class PathField;
 class ViewSteps;
+
+/// "Trial 3": the first one from the number of trials on that is not taken.
+QString freeTrialName(const QStringList &taken);
+
+/// A team that is there, or the name of a new one; empty: none.
+class TeamBox : public QComboBox
+{
+    Q_OBJECT
+public:
+    /// shown: what each is shown as; empty: by their names.
+    TeamBox(const QStringList &teams, const QStringList &shown, QWidget *parent = nullptr);
+    std::string team() const;
+};
 
 /// Asks what belongs to a trial: its name, team, task and robots, the video of each camera, and how to
 /// synchronise each with the first. Of a video that says nothing of its frames' times it asks the rate.
@@ -72,7 +86,7 @@ private:
     std::vector<OfferedCamera> m_cameras;
     QList<QStringList> m_teamsRobots;
     QLineEdit *m_name;
-    QComboBox *m_team;
+    TeamBox *m_team;
     QComboBox *m_task;
     CheckList *m_robots;
     QGridLayout *m_videoGrid;

@@ -6,7 +6,6 @@
 #include "ui/views/widgets/labels.h"
 
 #include <QComboBox>
-#include <QDateTime>
 #include <QDialogButtonBox>
 #include <QFileInfo>
 #include <QFormLayout>
@@ -33,20 +32,12 @@ QTableWidgetItem *cell(const QString &text, bool isEditable = false)
     return item;
 }
 
-QString timeText(const std::optional<Instant> &time)
-{
-    return time ? QLocale().toString(QDateTime::fromMSecsSinceEpoch(time->time_since_epoch().count()),
-                                     QLocale::ShortFormat)
-                : QString();
-}
-
 } // namespace
 
 ImportLessonDialog::ImportLessonDialog(const ImportTrialDialog::Offer &offer, const QStringList &taken,
                                        std::vector<ClipGroup> groups, QWidget *parent)
     : QDialog(parent), m_taken(taken), m_groups(std::move(groups)), m_task(new QComboBox),
-      m_robots(new CheckList(tr("Robots in the trials"))), m_table(new QTableWidget), m_message(new QLabel),
-      m_buttons(new QDialogButtonBox(QDialogButtonBox::Cancel))
+      m_robots(new CheckList(tr("Robots in the trials"))), m_table(new QTableWidget), m_message(new QLabel)
 {
     constexpr int width = 860, height = 560;
     setWindowTitle(tr("Import a lesson"));
@@ -64,18 +55,19 @@ ImportLessonDialog::ImportLessonDialog(const ImportTrialDialog::Offer &offer, co
     form->addRow(tr("R&obots"), m_robots);
     fill(offer);
     showAsWords(*m_message);
-    QPushButton *accept = m_buttons->addButton(tr("Import"), QDialogButtonBox::AcceptRole);
+    auto *buttons = new QDialogButtonBox(QDialogButtonBox::Cancel);
+    m_accept = buttons->addButton(tr("Import"), QDialogButtonBox::AcceptRole);
     auto *layout = new QVBoxLayout(this);
     layout->addWidget(words);
     layout->addLayout(form);
     layout->addWidget(m_table, 1);
     layout->addWidget(m_message);
-    layout->addWidget(m_buttons);
-    accept->setDefault(true);
+    layout->addWidget(buttons);
+    m_accept->setDefault(true);
     resize(width, height);
     connect(m_table, &QTableWidget::itemChanged, this, &ImportLessonDialog::updateButtons);
-    connect(m_buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
-    connect(m_buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+    connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
+    connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
     updateButtons();
 }
 
@@ -115,25 +107,18 @@ void ImportLessonDialog::fill(const ImportTrialDialog::Offer &offer)
     header.setSectionResizeMode(QHeaderView::ResizeToContents);
     for (const int column : {TrialColumn, TeamColumn}) // what is written in
         header.setSectionResizeMode(column, QHeaderView::Stretch);
-    int number = int(m_taken.size());
+    QStringList taken = m_taken;
     for (int row = 0; row < m_table->rowCount(); ++row) {
         const ClipGroup &group = m_groups[std::size_t(row)];
-        QString name;
-        do
-            name = tr("Trial %1").arg(++number);
-        while (m_taken.contains(name));
-        auto *trial = cell(name, true);
+        taken << freeTrialName(taken);
+        auto *trial = cell(taken.constLast(), true);
         trial->setFlags(trial->flags() | Qt::ItemIsUserCheckable);
         trial->setCheckState(Qt::Checked);
         m_table->setItem(row, TrialColumn, trial);
-        auto *team = new QComboBox;
-        team->setEditable(true);
-        team->addItem(QString());
-        for (qsizetype i = 0; i < offer.teams.size(); ++i)
-            team->addItem(offer.teamsShown.value(i, offer.teams[i]), offer.teams[i]);
+        auto *team = new TeamBox(offer.teams, offer.teamsShown);
         team->setAccessibleName(tr("Team of row %1").arg(row + 1));
         m_table->setCellWidget(row, TeamColumn, team);
-        m_table->setItem(row, TimeColumn, cell(timeText(group.recorded)));
+        m_table->setItem(row, TimeColumn, cell(group.recorded ? dateText(*group.recorded) : QString()));
         m_table->setItem(
             row, LengthColumn,
             cell(group.lengthS > 0 ? tr("%1 s").arg(QLocale().toString(group.lengthS, 'f', 1)) : QString()));
@@ -144,14 +129,6 @@ void ImportLessonDialog::fill(const ImportTrialDialog::Offer &offer)
             m_table->setItem(row, FirstClipColumn + view, clip);
         }
     }
-}
-
-QString ImportLessonDialog::teamOf(int row) const
-{
-    const auto *team = static_cast<QComboBox *>(m_table->cellWidget(row, TeamColumn));
-    const int known =
-        team->findText(team->currentText().trimmed(), Qt::MatchFixedString | Qt::MatchCaseSensitive);
-    return known > 0 ? team->itemData(known).toString() : team->currentText().trimmed();
 }
 
 bool ImportLessonDialog::sharesCamera(int row) const
@@ -191,9 +168,7 @@ void ImportLessonDialog::updateButtons()
     m_table->setHorizontalHeaderLabels(heads);
     const QString problem = missing();
     m_message->setText(problem);
-    for (QAbstractButton *button : m_buttons->buttons())
-        if (m_buttons->buttonRole(button) == QDialogButtonBox::AcceptRole)
-            button->setEnabled(problem.isEmpty());
+    m_accept->setEnabled(problem.isEmpty());
 }
 
 std::vector<ImportSettings> ImportLessonDialog::settings() const
@@ -206,7 +181,7 @@ std::vector<ImportSettings> ImportLessonDialog::settings() const
         const ClipGroup &group = m_groups[std::size_t(row)];
         ImportSettings settings;
         settings.trial = trial->text().trimmed().toStdString();
-        settings.team = teamOf(row).toStdString();
+        settings.team = static_cast<TeamBox *>(m_table->cellWidget(row, TeamColumn))->team();
         settings.task = m_task->currentText().trimmed().toStdString();
         settings.robots = m_robots->checkedNames();
         for (std::size_t view = 0; view < group.views.size(); ++view)

@@ -9,8 +9,8 @@
 #include <vector>
 
 class QComboBox;
-class QDialogButtonBox;
-class QLineEdit;
+class QLabel;
+class QPushButton;
 class QTableWidget;
 
 namespace odo {
@@ -34,7 +34,6 @@ private:
     enum Column { TrialColumn, TeamColumn, TimeColumn, LengthColumn, FirstClipColumn };
     QWidget *makeCameras(const ImportTrialDialog::Offer &offer);
     void fill(const ImportTrialDialog::Offer &offer);
-    QString teamOf(int row) const;
     bool sharesCamera(int row) const; ///< two of its clips
     QString missing() const;          ///< why it cannot be imported; empty: it can
     void updateButtons();
@@ -46,7 +45,7 @@ private:
     CheckList *m_robots;
     QTableWidget *m_table;
     QLabel *m_message;
-    QDialogButtonBox *m_buttons;
+    QPushButton *m_accept = nullptr;
 };
 
 } // namespace odo

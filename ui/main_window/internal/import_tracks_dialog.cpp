@@ -19,16 +19,12 @@
 namespace odo {
 
 ImportTracksDialog::ImportTracksDialog(const Offer &offer, QWidget *parent)
-    : QDialog(parent), m_knownRobots(offer.robots), m_name(new QLineEdit(offer.name)), m_team(new QComboBox),
-      m_task(new QComboBox), m_grid(new QGridLayout), m_addRobot(new QPushButton(tr("Add &robot"))),
-      m_reading(new TrackReadingForm), m_preview(new TrackPreview),
-      m_buttons(new QDialogButtonBox(QDialogButtonBox::Cancel))
+    : QDialog(parent), m_knownRobots(offer.robots), m_name(new QLineEdit(offer.name)),
+      m_team(new TeamBox(offer.teams, offer.teamsShown)), m_task(new QComboBox), m_grid(new QGridLayout),
+      m_addRobot(new QPushButton(tr("Add &robot"))), m_reading(new TrackReadingForm),
+      m_preview(new TrackPreview), m_buttons(new QDialogButtonBox(QDialogButtonBox::Cancel))
 {
     setWindowTitle(tr("Import finished tracks"));
-    m_team->setEditable(true);
-    m_team->addItem(QString());
-    for (qsizetype i = 0; i < offer.teams.size(); ++i)
-        m_team->addItem(offer.teamsShown.value(i, offer.teams[i]), offer.teams[i]);
     m_task->addItem(tr("none"), QString());
     for (const QString &task : offer.tasks)
         m_task->addItem(task, task);
@@ -154,10 +150,7 @@ ImportTracksSettings ImportTracksDialog::settings() const
 {
     ImportTracksSettings settings;
     settings.trial = m_name->text().trimmed().toStdString();
-    const int team =
-        m_team->findText(m_team->currentText().trimmed(), Qt::MatchFixedString | Qt::MatchCaseSensitive);
-    settings.team =
-        (team > 0 ? m_team->itemData(team).toString() : m_team->currentText().trimmed()).toStdString();
+    settings.team = m_team->team();
     settings.task = m_task->currentData().toString().toStdString();
     settings.reading = m_reading->reading();
     settings.sigmaM = m_reading->sigmaM();

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/workflow/import/import_tracks_job.h"
+#include "ui/main_window/internal/import_dialogs.h"
 
 #include <QDialog>
 #include <vector>
@@ -51,7 +52,8 @@ private:
 
     QStringList m_knownRobots;
     QLineEdit *m_name;
-    QComboBox *m_team, *m_task;
+    TeamBox *m_team;
+    QComboBox *m_task;
     QGridLayout *m_grid;
     std::vector<TrackRow> m_tracks;
     QPushButton *m_addRobot;

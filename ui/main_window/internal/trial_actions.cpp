@@ -48,15 +48,6 @@ QStringList namesOf(const Result<std::vector<Record>> &records)
     return names;
 }
 
-QString freeTrialName(const QStringList &taken)
-{
-    for (int number = static_cast<int>(taken.size()) + 1;; ++number) {
-        QString name = TrialActions::tr("Trial %1").arg(number);
-        if (!taken.contains(name))
-            return name;
-    }
-}
-
 QString trackedWords(const TrackOutcome &outcome)
 {
     QStringList parts;
@@ -227,7 +218,7 @@ void TrialActions::askImport(const QStringList &videos)
             });
     m_clipSearch.start([found, files](const JobControl &) -> Result<void> {
         std::vector<std::filesystem::path> recordings;
-        for (const auto &chapters : certainChapters(files))
+        for (const auto &chapters : chapterGroups(files, ChapterEvidence::Name))
             recordings.push_back(joinedNames(chapters));
         *found = groupClips(describeClips(recordings));
         return {};

@@ -261,12 +261,6 @@ QString reportDay(Instant instant)
                               QLocale::ShortFormat);
 }
 
-QString reportDate(Instant instant)
-{
-    return QLocale().toString(QDateTime::fromMSecsSinceEpoch(instant.time_since_epoch().count()),
-                              QLocale::ShortFormat);
-}
-
 namespace {
 
 constexpr double cellLeft = 2, cellRight = 4;

@@ -104,8 +104,7 @@ QRectF drawHead(QPainter &painter, const QRectF &rect, const Letterhead &letterh
 QRectF drawFoot(QPainter &painter, const QRectF &rect, const Letterhead &letterhead,
                 const QStringList &lines);
 
-/// Day and time of day, and the day alone, as the locale has them.
-QString reportDate(Instant instant);
+/// The day alone, as the locale has it.
 QString reportDay(Instant instant);
 
 /// A table with thin lines between its rows. The first column is left-aligned, the others as specified.

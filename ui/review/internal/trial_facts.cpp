@@ -299,12 +299,6 @@ QString zonesText(const TrialScene &scene)
     return lines.isEmpty() ? TrialFactsWords::tr("kept") : lines.join(u'\n');
 }
 
-QString dateText(Instant instant)
-{
-    return QLocale().toString(QDateTime::fromMSecsSinceEpoch(instant.time_since_epoch().count()),
-                              QLocale::ShortFormat);
-}
-
 /// How far the results can be relied on, and the reasons why not.
 void addVerdict(const TrialVerdict &verdict, QList<Fact> &facts)
 {

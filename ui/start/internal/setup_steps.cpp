@@ -101,17 +101,9 @@ StepState firstRun(const SetupState &setup)
 
 } // namespace
 
-Result<SetupState> readSetup(Project &project)
+Result<MeasuredTrials> readTrials(Project &project)
 {
-    SetupState state;
-    for (const CameraRow &row : ODO_TRY(loadCameraRows(project))) {
-        const auto recording = ODO_TRY(project.trials().newestRecording(row.camera.id));
-        state.cameras.push_back({QString::fromStdString(row.camera.name), cameraBadge(row.registration),
-                                 row.registration.has_value(), row.intrinsics.has_value(),
-                                 recording.has_value(), !row.camera.deviceUri.empty()});
-    }
-    for (const RobotRecord &each : ODO_TRY(project.robots().all()))
-        state.robots << QString::fromStdString(each.name);
+    MeasuredTrials state;
     auto trials = ODO_TRY(project.trials().names());
     std::erase_if(trials, [](const TrialName &trial) { return trial.binned || trial.unfinished; });
     for (std::size_t i = 0; i < std::min(trials.size(), mostLookedAt) && !state.isMeasured; ++i) {
@@ -120,6 +112,20 @@ Result<SetupState> readSetup(Project &project)
     }
     if (!trials.empty())
         state.newestTrial = QString::fromStdString(trials.front().name);
+    return state;
+}
+
+Result<SetupState> readSetup(Project &project)
+{
+    SetupState state{ODO_TRY(readTrials(project)), {}, {}};
+    for (const CameraRow &row : ODO_TRY(loadCameraRows(project))) {
+        const auto recording = ODO_TRY(project.trials().newestRecording(row.camera.id));
+        state.cameras.push_back({QString::fromStdString(row.camera.name), cameraBadge(row.registration),
+                                 row.registration.has_value(), row.intrinsics.has_value(),
+                                 recording.has_value(), !row.camera.deviceUri.empty()});
+    }
+    for (const RobotRecord &each : ODO_TRY(project.robots().all()))
+        state.robots << QString::fromStdString(each.name);
     return state;
 }
 

@@ -11,8 +11,18 @@ namespace odo {
 
 class Project;
 
+/// What of a project's trials is measured; those in the bin do not count.
+struct MeasuredTrials
+{
+    QString newestTrial;     ///< empty: none
+    bool isMeasured = false; ///< the newest trial, or an older one
+    bool isNewestMeasured = false;
+};
+/// On the project's thread; quick.
+Result<MeasuredTrials> readTrials(Project &project);
+
 /// How far a project is set up.
-struct SetupState
+struct SetupState : MeasuredTrials
 {
     struct Camera
     {
@@ -23,9 +33,6 @@ struct SetupState
     };
     std::vector<Camera> cameras;
     QStringList robots;
-    QString newestTrial;     ///< empty: none
-    bool isMeasured = false; ///< the newest trial, or an older one
-    bool isNewestMeasured = false;
 };
 
 /// On the project's thread.

@@ -21,8 +21,8 @@ constexpr qreal radiusPx = 7;
 } // namespace
 
 StepRow::StepRow(const QString &icon, const QString &title, QWidget *parent)
-    : QFrame(parent), m_icon(themeIcon(icon)), m_tick(themeIcon(QStringLiteral("tick"), Qt::white)),
-      m_name(title), m_title(new QLabel(title)), m_words(new QLabel), m_buttonRow(new QHBoxLayout)
+    : QFrame(parent), m_icon(themeIcon(icon)), m_name(title), m_title(new QLabel(title)), m_words(new QLabel),
+      m_buttonRow(new QHBoxLayout)
 {
     m_title->setObjectName(QStringLiteral("stepTitle"));
     QFont bold = m_title->font();
@@ -103,7 +103,7 @@ void StepRow::paintEvent(QPaintEvent *)
     painter.setBrush(done.text);
     painter.drawEllipse(mark);
     const qreal inset = 3.5;
-    (isDark(palette()) ? themeIcon(QStringLiteral("tick"), Qt::black) : m_tick)
+    themeIcon(QStringLiteral("tick"), isDark(palette()) ? Qt::black : Qt::white)
         .paint(&painter, mark.adjusted(inset, inset, -inset, -inset).toRect());
 }
 

@@ -30,7 +30,7 @@ protected:
     void paintEvent(QPaintEvent *event) override;
 
 private:
-    QIcon m_icon, m_tick;
+    QIcon m_icon;
     QString m_name;
     QLabel *m_title, *m_words;
     QHBoxLayout *m_buttonRow;
