@@ -231,7 +231,7 @@ QString metricName(const std::string &name)
     return readable;
 }
 
-QString dateText(Instant instant)
+QString shortDate(Instant instant)
 {
     return QLocale().toString(QDateTime::fromMSecsSinceEpoch(instant.time_since_epoch().count()),
                               QLocale::ShortFormat);

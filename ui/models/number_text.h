@@ -84,7 +84,7 @@ NumberText metricNumber(const Metric &metric, const QLocale &locale = QLocale())
 QString metricName(const std::string &name);
 
 /// "3/9/26 9:15 AM", as the person's country writes it.
-QString dateText(Instant instant);
+QString shortDate(Instant instant);
 /// "00:03.267", from an hour on "1:00:03.267". Negative times carry a minus.
 QString timeCode(Nanoseconds time);
 /// "3.27 s"

@@ -91,10 +91,8 @@ ReportMaker inTurn(std::vector<ReportMaker> makers)
     return [makers = std::move(makers)](Project &project, const JobControl &control,
                                         const PageSink &sink) -> Result<void> {
         for (std::size_t i = 0; i < makers.size(); ++i) {
-            const JobControl part{control.cancel, [&](double fraction, const Message &text) {
-                                      control.report((double(i) + fraction) / double(makers.size()), text);
-                                  }};
-            ODO_TRY(makers[i](project, part, sink));
+            const double share = 1 / double(makers.size()), from = double(i) * share;
+            ODO_TRY(makers[i](project, partOf(control, from, from + share), sink));
         }
         return {};
     };
@@ -217,7 +215,7 @@ void ComparisonPage::paintRun(const QRectF &rect, int side)
     for (const QString &fact : {QString::fromStdString(scene.trial.className), shownTeam(scene.trial)})
         if (!fact.isEmpty())
             facts << literalName(fact);
-    facts << dateText(scene.trial.date);
+    facts << shortDate(scene.trial.date);
     drawLine(m_painter, QRectF(area.left(), area.top(), area.width(), lineHeight),
              facts.join(QStringLiteral(" · ")), reportFont(smallSize + 1), colours.muted);
     area.setTop(area.top() + lineHeight + 6);
@@ -297,7 +295,7 @@ void ComparisonPage::paint(const QRectF &sheet)
     for (int side = 0; side < 2; ++side) {
         const AnalysisRecord &analysis = m_scene.trials.runs[runAt(side)].analysis;
         foot << ComparisonReportWords::tr("%1: analysed %2, Odograph %3")
-                    .arg(literalName(m_scene.name(runAt(side))), dateText(analysis.made),
+                    .arg(literalName(m_scene.name(runAt(side))), shortDate(analysis.made),
                          literalName(analysis.softwareVersion));
         const TrialVerdict &verdict = m_scene.trials.runs[runAt(side)].verdict;
         if (verdict.level() == CheckLevel::Pass)

@@ -163,7 +163,7 @@ QStringList provenanceLines(const TrialContent &content, std::size_t robot)
                                                     stepText(scene.views[view].recording));
     parts << ReportMethodWords::tr("smoother: %1").arg(smootherText(analysis.options.smoother));
     parts << ReportMethodWords::tr("analysed %1, Odograph %2")
-                 .arg(dateText(analysis.made), literalName(analysis.softwareVersion));
+                 .arg(shortDate(analysis.made), literalName(analysis.softwareVersion));
     lines << parts.join(QStringLiteral(" · "));
     return lines;
 }
@@ -528,7 +528,7 @@ QStringList trialHeadFacts(const TrialScene &scene, std::size_t robot)
     add(TrialReportWords::tr("Task"), QString::fromStdString(scene.trial.task));
     if (!scene.verdict.checks.empty())
         add(TrialReportWords::tr("Verdict"), shownVerdict(scene.verdict));
-    facts << dateText(scene.trial.date);
+    facts << shortDate(scene.trial.date);
     return facts;
 }
 

@@ -258,7 +258,7 @@ QList<Fact> factsOf(const TrialRow &row, const std::vector<AnalysisRecord> &anal
     add(TrialDetail::tr("Team"), shownTeam(trial));
     add(TrialDetail::tr("Class"), QString::fromStdString(trial.className));
     add(TrialDetail::tr("Task"), QString::fromStdString(trial.task));
-    add(TrialDetail::tr("Date"), dateText(trial.date));
+    add(TrialDetail::tr("Date"), shortDate(trial.date));
     add(TrialDetail::tr("Views"), trial.viewCount > 0 || analyses.empty()
                                       ? QLocale().toString(trial.viewCount)
                                       : TrialDetail::tr("none: the track was imported"));

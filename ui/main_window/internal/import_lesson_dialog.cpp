@@ -118,7 +118,7 @@ void ImportLessonDialog::fill(const ImportTrialDialog::Offer &offer)
         auto *team = new TeamBox(offer.teams, offer.teamsShown);
         team->setAccessibleName(tr("Team of row %1").arg(row + 1));
         m_table->setCellWidget(row, TeamColumn, team);
-        m_table->setItem(row, TimeColumn, cell(group.recorded ? dateText(*group.recorded) : QString()));
+        m_table->setItem(row, TimeColumn, cell(group.recorded ? shortDate(*group.recorded) : QString()));
         m_table->setItem(
             row, LengthColumn,
             cell(group.lengthS > 0 ? tr("%1 s").arg(QLocale().toString(group.lengthS, 'f', 1)) : QString()));

@@ -390,7 +390,7 @@ void ClassPage::paintRuns(const QRectF &rect, const TeamStanding &team)
         const std::size_t end = column == 1 || !isWide ? team.runs.size() : perColumn;
         for (std::size_t i = column * perColumn; i < end; ++i)
             table.rows << ReportTable::Row{
-                {dateText(team.runs[i].date), literalName(team.runs[i].trial),
+                {shortDate(team.runs[i].date), literalName(team.runs[i].trial),
                  marked(metricNumber(team.runs[i].metric).text(), team.runs[i].isDoubtful)},
                 false,
                 team.runs[i].metric.value == team.progress.best};

@@ -359,7 +359,7 @@ QList<Fact> trialFacts(const TrialScene &scene)
     for (std::size_t robot = 0; robot < scene.robots.size(); ++robot)
         facts.append(
             {TrialFactsWords::tr("Robot"), robotText(scene.robots[robot]), {}, explainHeight(scene, robot)});
-    add(TrialFactsWords::tr("Date"), dateText(trial.date));
+    add(TrialFactsWords::tr("Date"), shortDate(trial.date));
     if (scene.layout)
         add(TrialFactsWords::tr("Testbed"),
             TrialFactsWords::tr("markers “%1”").arg(QString::fromStdString(scene.layout->name)));
@@ -386,7 +386,7 @@ QList<Fact> trialFacts(const TrialScene &scene)
         add(TrialFactsWords::tr("Smoother"), smootherText(analysis.options.smoother));
         add(TrialFactsWords::tr("Analysed"),
             TrialFactsWords::tr("%1, Odograph %2")
-                .arg(dateText(analysis.made), QString::fromStdString(analysis.softwareVersion)));
+                .arg(shortDate(analysis.made), QString::fromStdString(analysis.softwareVersion)));
     }
     add(TrialFactsWords::tr("Note"), QString::fromStdString(trial.notes));
     return facts;

@@ -17,7 +17,6 @@
 #include "ui/views/widgets/table_list.h"
 
 #include <QComboBox>
-#include <QDateTime>
 #include <QFormLayout>
 #include <QHeaderView>
 #include <QLabel>
@@ -118,12 +117,6 @@ QString namesText(const std::vector<std::string> &names)
     return texts.join(QStringLiteral(", "));
 }
 
-QString dateText(Instant instant)
-{
-    return QLocale().toString(QDateTime::fromMSecsSinceEpoch(instant.time_since_epoch().count()),
-                              QLocale::ShortFormat);
-}
-
 } // namespace
 
 RevisionsDialog::RevisionsDialog(Project &project, const QStringList &cameras, const QString &current,
@@ -214,7 +207,7 @@ void RevisionsDialog::showRow(int row)
     const QString rms =
         revision.rmsPx > 0 ? tr("%1 px").arg(QLocale().toString(revision.rmsPx, 'f', 2)) : QString();
     const QString texts[] = {(isCalibration ? tr("Calibration %1") : tr("Registration %1")).arg(revision.id),
-                             dateText(revision.made),
+                             shortDate(revision.made),
                              QString::fromStdString(revision.softwareVersion),
                              shownWords(revision.origin),
                              rms,

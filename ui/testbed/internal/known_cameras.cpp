@@ -9,7 +9,6 @@
 #include "ui/models/shown_message.h"
 
 #include <QCoreApplication>
-#include <QDateTime>
 #include <QLocale>
 
 namespace odo {
@@ -59,12 +58,6 @@ class TestbedStateWords
     Q_DECLARE_TR_FUNCTIONS(TestbedState)
 };
 
-QString dateText(Instant instant)
-{
-    return QLocale().toString(QDateTime::fromMSecsSinceEpoch(instant.time_since_epoch().count()),
-                              QLocale::ShortFormat);
-}
-
 QString lensName(LensModel model)
 {
     switch (model) {
@@ -90,7 +83,7 @@ void addIntrinsics(QList<Fact> &facts, const IntrinsicsRecord &record)
                       .arg(lensName(intrinsics.model), locale.toString(intrinsics.fxPx, 'f', 1)),
                   {}});
     facts.append({TestbedStateWords::tr("Origin"),
-                  QStringLiteral("%1, %2").arg(shownWords(record.origin), dateText(record.made)),
+                  QStringLiteral("%1, %2").arg(shownWords(record.origin), shortDate(record.made)),
                   {}});
     if (record.calibration.rmsPx > 0)
         facts.append({TestbedStateWords::tr("Board error"),
@@ -112,10 +105,10 @@ void addRegistration(QList<Fact> &facts, const RegistrationRecord &record)
     const QLocale locale;
     const FloorRegistration &registration = record.registration;
     facts.append({TestbedStateWords::tr("On the floor"),
-                  TestbedStateWords::tr("registered %1").arg(dateText(record.made)), cameraBadge(record)});
+                  TestbedStateWords::tr("registered %1").arg(shortDate(record.made)), cameraBadge(record)});
     if (record.lastCheck)
         facts.append({TestbedStateWords::tr("Last check"),
-                      QStringLiteral("%1: %2").arg(dateText(record.lastCheck->made),
+                      QStringLiteral("%1: %2").arg(shortDate(record.lastCheck->made),
                                                    shownWords(record.lastCheck->words)),
                       {}});
     const Eigen::Vector3d position = registration.worldFromCamera.translation;
