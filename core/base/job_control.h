@@ -37,6 +37,17 @@ struct JobControl
     bool isCancelled() const { return cancel.isCancelled(); }
 };
 
+/// What a part of long work is given: its own progress is from one fraction of the whole to another.
+inline JobControl partOf(const JobControl &whole, double from, double to)
+{
+    JobControl part = whole;
+    if (whole.progress)
+        part.progress = [report = whole.progress, from, to](double fraction, const Message &text) {
+            report(from + (to - from) * fraction, text);
+        };
+    return part;
+}
+
 /// Thrown by endIfCancelled(); orShortage makes it an Error with the code Cancelled.
 struct WorkCancelled
 {

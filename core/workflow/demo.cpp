@@ -122,17 +122,6 @@ Result<void> makeFolder(const fs::path &folder)
                    : Result<void>();
 }
 
-/// One part of the whole job's progress.
-JobControl part(const JobControl &whole, double from, double to)
-{
-    JobControl control = whole;
-    if (whole.progress)
-        control.progress = [report = whole.progress, from, to](double fraction, const Message &text) {
-            report(from + (to - from) * fraction, text);
-        };
-    return control;
-}
-
 /// What the project is given of a robot: colour and size of a box, nothing of a robot of parts, which is one
 /// of any look.
 RobotRecord recordOf(const SimulatedRobot &simulated)
@@ -220,7 +209,7 @@ private:
         ODO_TRY(makeFolder(m_project.mediaFolder()));
         for (std::size_t t = 0; t < m_trials.size(); ++t) {
             const double share = 0.75 / double(m_trials.size()), from = 0.05 + share * double(t);
-            ODO_TRY(renderTrial(t, part(m_control, from, from + share)));
+            ODO_TRY(renderTrial(t, partOf(m_control, from, from + share)));
         }
         return {};
     }
@@ -307,7 +296,7 @@ private:
         for (std::size_t t = 0; t < m_trials.size(); ++t) {
             const double share = 0.18 / double(m_trials.size()), from = 0.82 + share * double(t);
             TrackJob job(m_trials[t].trial, {});
-            ODO_TRY(runToEnd(job, m_project, part(m_control, from, from + share)));
+            ODO_TRY(runToEnd(job, m_project, partOf(m_control, from, from + share)));
         }
         return {};
     }

@@ -427,14 +427,6 @@ std::vector<KeptFile> filesOf(Project &project, Problems &problems)
     return files;
 }
 
-/// A part of the whole progress.
-JobControl partOf(const JobControl &control, double from, double to)
-{
-    return {control.cancel, [&control, from, to](double fraction, const Message &text) {
-                control.report(from + fraction * (to - from), text);
-            }};
-}
-
 } // namespace
 
 Result<std::vector<ProjectProblem>> checkProject(Project &project, ProjectConnection &connection,

@@ -255,10 +255,8 @@ Result<void> ImportTracksJob::analyse(std::size_t robot)
     auto &[record, source, analysis] = m_imported[robot];
     const SampleSource raw = samplesOf(robot);
     const auto options = ODO_TRY(optionsForImported({}, raw));
-    const double share = 0.5 / double(m_imported.size());
-    const JobControl part{m_control.cancel, [&](double fraction, const Message &text) {
-                              m_control.report(0.5 + share * (double(robot) + fraction), text);
-                          }};
+    const double share = 0.5 / double(m_imported.size()), from = 0.5 + share * double(robot);
+    const JobControl part = partOf(m_control, from, from + share);
     auto analysed = analyseByTask([&](const AnalysisOptions &by) { return analyseImported(raw, by, part); },
                                   options, m_task);
     if (m_control.isCancelled())

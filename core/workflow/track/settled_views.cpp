@@ -120,14 +120,6 @@ constexpr double clearlyLess = 0.98;   // of the misfit
 constexpr double nearlyAsOften = 0.9;  // of the frames in which it was found
 constexpr double firstPart = 0.7, nextPart = 0.125;
 
-/// A job's part as a job.
-JobControl partOf(const JobControl &control, double from, double to)
-{
-    return {control.cancel, [&control, from, to](double fraction, const Message &text) {
-                control.report(from + (to - from) * fraction, text);
-            }};
-}
-
 /// What was tracked of one robot.
 struct Outlines
 {
