@@ -85,7 +85,7 @@ QJsonObject intrinsicsJson(const Intrinsics &intrinsics)
 
 QJsonObject syncJson(const TrialRecord &trial)
 {
-    return {{QStringLiteral("method"), QString::fromStdString(trial.syncMethod)},
+    return {{QStringLiteral("method"), QString::fromStdString(publishedSyncMethod(trial.syncMethod))},
             {QStringLiteral("offset_s"), trial.syncOffsetS},
             {QStringLiteral("offset_sigma_s"), trial.syncOffsetSigmaS},
             {QStringLiteral("score"), trial.syncScore},
@@ -102,7 +102,7 @@ QJsonObject recordingJson(const RecordingRecord &recording)
             {QStringLiteral("duration_s"), duration + interval},
             {QStringLiteral("start_offset_s"), recording.startOffsetS},
             {QStringLiteral("start_offset_sigma_s"), recording.startOffsetSigmaS},
-            {QStringLiteral("sync_method"), QString::fromStdString(recording.syncMethod)},
+            {QStringLiteral("sync_method"), QString::fromStdString(publishedSyncMethod(recording.syncMethod))},
             {QStringLiteral("clock_rate_ppm"), recording.clockRate * 1e6},
             {QStringLiteral("rotation_deg"), clockwiseDegreesOf(recording.orientation)},
             {QStringLiteral("mirrored"), isMirroring(recording.orientation)}};

@@ -14626,6 +14626,17 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
 </context>
 <context>
+    <name>odo::SoundChart</name>
+    <message>
+        <source>Loudness</source>
+        <translation>Lautstärke</translation>
+    </message>
+    <message>
+        <source>Loudness of both views</source>
+        <translation>Lautstärke beider Sichten</translation>
+    </message>
+</context>
+<context>
     <name>odo::SpikeActions</name>
     <message>
         <source>&amp;Use sample</source>
@@ -15012,6 +15023,41 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>Done. %1</source>
         <translation>Erledigt. %1</translation>
+    </message>
+</context>
+<context>
+    <name>odo::SynchroniseDialog</name>
+    <message>
+        <source>Synchronise %1</source>
+        <translation>%1 synchronisieren</translation>
+    </message>
+    <message>
+        <source>%1 now</source>
+        <translation>%1 jetzt</translation>
+    </message>
+    <message>
+        <source>&amp;Synchronise</source>
+        <translation>&amp;Synchronisieren</translation>
+    </message>
+    <message>
+        <source>Synchronise</source>
+        <translation>Synchronisieren</translation>
+    </message>
+    <message>
+        <source>What was tracked in the trial is analysed again. Choose Undo to return to the synchronisation that it has now.</source>
+        <translation>Was im Versuch verfolgt wurde, wird neu ausgewertet. „Rückgängig“ stellt die jetzige Synchronisation wieder her.</translation>
+    </message>
+    <message>
+        <source>The sound of the videos is being read…</source>
+        <translation>Der Ton der Videos wird gelesen…</translation>
+    </message>
+    <message>
+        <source>Sound of %1 above, of %2 below. Drag it until both show the same clap at one time; the wheel zooms.</source>
+        <translation>Ton von %1 oben, von %2 unten. Ziehen Sie ihn, bis beide dasselbe Klatschen zur selben Zeit zeigen; das Mausrad vergrößert.</translation>
+    </message>
+    <message>
+        <source>%1 has no sound to compare.</source>
+        <translation>%1 hat keinen Ton zum Vergleichen.</translation>
     </message>
 </context>
 <context>
@@ -16302,6 +16348,14 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <source>Robot %1 added.</source>
         <translation>Roboter %1 ist jetzt bekannt.</translation>
     </message>
+    <message>
+        <source>%1 is synchronised.</source>
+        <translation>%1 ist synchronisiert.</translation>
+    </message>
+    <message>
+        <source>S&amp;ynchronise…</source>
+        <translation>S&amp;ynchronisieren…</translation>
+    </message>
 </context>
 <context>
     <name>odo::TrialChooser</name>
@@ -16740,6 +16794,10 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>A flash: switch the room lights on and off once while all cameras record. Sound: clap twice near the middle of the floor</source>
         <translation>Lichtblitz: Schalten Sie das Raumlicht einmal ein und aus, während alle Kameras aufnehmen. Ton: Klatschen Sie zweimal nahe der Mitte des Bodens</translation>
+    </message>
+    <message>
+        <source>As it is</source>
+        <translation>Wie bisher</translation>
     </message>
 </context>
 <context>
@@ -20647,6 +20705,13 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
 </context>
 <context>
+    <name>ui.synchronising</name>
+    <message>
+        <source>Synchronising %1</source>
+        <translation>%1 wird synchronisiert</translation>
+    </message>
+</context>
+<context>
     <name>ui.take_at_that_resolution</name>
     <message>
         <source>use that resolution, or calibrate the lens again</source>
@@ -22257,6 +22322,13 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
 </context>
 <context>
+    <name>workflow.choose_trial_of_views</name>
+    <message>
+        <source>choose a trial of two views or more</source>
+        <translation>einen Versuch mit mindestens zwei Sichten wählen</translation>
+    </message>
+</context>
+<context>
     <name>workflow.choose_with_robot</name>
     <message>
         <source>choose one with --robot</source>
@@ -22880,6 +22952,13 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
 </context>
 <context>
+    <name>workflow.has_no_two_views</name>
+    <message>
+        <source>it does not have two views</source>
+        <translation>er hat keine zwei Sichten</translation>
+    </message>
+</context>
+<context>
     <name>workflow.height_above_camera</name>
     <message>
         <source>it is only %1 above the floor, but the points would be at %2</source>
@@ -22919,13 +22998,6 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>images have no times</source>
         <translation>Einzelbilder haben keine Zeiten</translation>
-    </message>
-</context>
-<context>
-    <name>workflow.import_again_for_offset</name>
-    <message>
-        <source>import the videos again with automatic synchronisation, or enter the time offset</source>
-        <translation>importieren Sie die Videos neu und lassen Sie den Versatz finden, oder geben Sie ihn an</translation>
     </message>
 </context>
 <context>
@@ -22996,6 +23068,13 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>intrinsics of camera &apos;%1&apos;</source>
         <translation>Objektivdaten der Kamera &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.is_being_recorded</name>
+    <message>
+        <source>it is being recorded</source>
+        <translation>er wird gerade aufgenommen</translation>
     </message>
 </context>
 <context>
@@ -24553,6 +24632,13 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
 </context>
 <context>
+    <name>workflow.sought_when_tracked</name>
+    <message>
+        <source>%1; tracking tries again</source>
+        <translation>%1; das Verfolgen versucht es erneut</translation>
+    </message>
+</context>
+<context>
     <name>workflow.sound_of_slow_motion</name>
     <message>
         <source>sound cannot be compared in clips that play in slow motion</source>
@@ -24602,6 +24688,20 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
 </context>
 <context>
+    <name>workflow.synchronise_for_offset</name>
+    <message>
+        <source>synchronise it again with odograph trial set --sync auto, or enter the time offset</source>
+        <translation>erneut synchronisieren (Versuch ▸ Synchronisieren…) oder den Zeitversatz dort eingeben</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.synchronise_trial</name>
+    <message>
+        <source>synchronise %1: %2 (before: %3)</source>
+        <translation>%1 synchronisieren: %2 (vorher: %3)</translation>
+    </message>
+</context>
+<context>
     <name>workflow.take_fewer_cameras</name>
     <message>
         <source>close other programs, or use fewer such cameras at once</source>
@@ -24613,13 +24713,6 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>copy the set-up of %1</source>
         <translation>Aufbau von %1 übernehmen</translation>
-    </message>
-</context>
-<context>
-    <name>workflow.taken_as_begun_together</name>
-    <message>
-        <source>%1; the same start time was assumed</source>
-        <translation>%1, darum gilt sie als gemeinsam begonnen</translation>
     </message>
 </context>
 <context>
@@ -24903,6 +24996,13 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
 </context>
 <context>
+    <name>workflow.view_begun_later</name>
+    <message>
+        <source>%1 %2 later</source>
+        <translation>%1 um %2 später</translation>
+    </message>
+</context>
+<context>
     <name>workflow.view_ended_early</name>
     <message>
         <source>it ended early because %1</source>
@@ -24921,6 +25021,13 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>it recorded nothing and was left out</source>
         <translation>sie wird weggelassen, weil nichts von ihr aufgenommen wurde</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.view_not_synchronised</name>
+    <message>
+        <source>%1 not synchronised</source>
+        <translation>%1 nicht synchronisiert</translation>
     </message>
 </context>
 <context>

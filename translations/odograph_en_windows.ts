@@ -226,6 +226,13 @@
     </message>
 </context>
 <context>
+    <name>workflow.synchronise_for_offset</name>
+    <message>
+        <source>synchronise it again with odograph trial set --sync auto, or enter the time offset</source>
+        <translation>synchronise it again (Trial ▸ Synchronise…), or enter the time offset there</translation>
+    </message>
+</context>
+<context>
     <name>workflow.track_or_choose_with_robot</name>
     <message>
         <source>track it, or choose another with --robot</source>

@@ -14626,6 +14626,17 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     </message>
 </context>
 <context>
+    <name>odo::SoundChart</name>
+    <message>
+        <source>Loudness</source>
+        <translation>Volumen</translation>
+    </message>
+    <message>
+        <source>Loudness of both views</source>
+        <translation>Volumen de ambas vistas</translation>
+    </message>
+</context>
+<context>
     <name>odo::SpikeActions</name>
     <message>
         <source>&amp;Use sample</source>
@@ -15012,6 +15023,41 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <message>
         <source>Done. %1</source>
         <translation>Hecho. %1</translation>
+    </message>
+</context>
+<context>
+    <name>odo::SynchroniseDialog</name>
+    <message>
+        <source>Synchronise %1</source>
+        <translation>Sincronizar %1</translation>
+    </message>
+    <message>
+        <source>%1 now</source>
+        <translation>%1 ahora</translation>
+    </message>
+    <message>
+        <source>&amp;Synchronise</source>
+        <translation>&amp;Sincronizar</translation>
+    </message>
+    <message>
+        <source>Synchronise</source>
+        <translation>Sincronizar</translation>
+    </message>
+    <message>
+        <source>What was tracked in the trial is analysed again. Choose Undo to return to the synchronisation that it has now.</source>
+        <translation>Lo que se siguió en el ensayo se analiza de nuevo. «Deshacer» devuelve la sincronización actual.</translation>
+    </message>
+    <message>
+        <source>The sound of the videos is being read…</source>
+        <translation>Leyendo el sonido de los vídeos…</translation>
+    </message>
+    <message>
+        <source>Sound of %1 above, of %2 below. Drag it until both show the same clap at one time; the wheel zooms.</source>
+        <translation>Sonido de %1 arriba, de %2 abajo. Arrástrelo hasta que ambos muestren la misma palmada al mismo tiempo; la rueda amplía.</translation>
+    </message>
+    <message>
+        <source>%1 has no sound to compare.</source>
+        <translation>%1 no tiene sonido que comparar.</translation>
     </message>
 </context>
 <context>
@@ -16302,6 +16348,14 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <source>Robot %1 added.</source>
         <translation>Se añadió el robot %1.</translation>
     </message>
+    <message>
+        <source>%1 is synchronised.</source>
+        <translation>%1 está sincronizado.</translation>
+    </message>
+    <message>
+        <source>S&amp;ynchronise…</source>
+        <translation>S&amp;incronizar…</translation>
+    </message>
 </context>
 <context>
     <name>odo::TrialChooser</name>
@@ -16740,6 +16794,10 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <message>
         <source>A flash: switch the room lights on and off once while all cameras record. Sound: clap twice near the middle of the floor</source>
         <translation>Destello: encienda y apague una vez las luces de la sala mientras graban todas las cámaras. Sonido: dé dos palmadas cerca del centro del suelo</translation>
+    </message>
+    <message>
+        <source>As it is</source>
+        <translation>Como está</translation>
     </message>
 </context>
 <context>
@@ -20647,6 +20705,13 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     </message>
 </context>
 <context>
+    <name>ui.synchronising</name>
+    <message>
+        <source>Synchronising %1</source>
+        <translation>Sincronizando %1</translation>
+    </message>
+</context>
+<context>
     <name>ui.take_at_that_resolution</name>
     <message>
         <source>use that resolution, or calibrate the lens again</source>
@@ -22257,6 +22322,13 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     </message>
 </context>
 <context>
+    <name>workflow.choose_trial_of_views</name>
+    <message>
+        <source>choose a trial of two views or more</source>
+        <translation>elija un ensayo de dos vistas o más</translation>
+    </message>
+</context>
+<context>
     <name>workflow.choose_with_robot</name>
     <message>
         <source>choose one with --robot</source>
@@ -22880,6 +22952,13 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     </message>
 </context>
 <context>
+    <name>workflow.has_no_two_views</name>
+    <message>
+        <source>it does not have two views</source>
+        <translation>no tiene dos vistas</translation>
+    </message>
+</context>
+<context>
     <name>workflow.height_above_camera</name>
     <message>
         <source>it is only %1 above the floor, but the points would be at %2</source>
@@ -22919,13 +22998,6 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <message>
         <source>images have no times</source>
         <translation>las imágenes no tienen tiempos</translation>
-    </message>
-</context>
-<context>
-    <name>workflow.import_again_for_offset</name>
-    <message>
-        <source>import the videos again with automatic synchronisation, or enter the time offset</source>
-        <translation>importe de nuevo los videos y deje que se encuentre el desfase, o indíquelo</translation>
     </message>
 </context>
 <context>
@@ -22996,6 +23068,13 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <message>
         <source>intrinsics of camera &apos;%1&apos;</source>
         <translation>parámetros intrínsecos de la cámara &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.is_being_recorded</name>
+    <message>
+        <source>it is being recorded</source>
+        <translation>se está grabando</translation>
     </message>
 </context>
 <context>
@@ -24553,6 +24632,13 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     </message>
 </context>
 <context>
+    <name>workflow.sought_when_tracked</name>
+    <message>
+        <source>%1; tracking tries again</source>
+        <translation>%1; el seguimiento lo intenta de nuevo</translation>
+    </message>
+</context>
+<context>
     <name>workflow.sound_of_slow_motion</name>
     <message>
         <source>sound cannot be compared in clips that play in slow motion</source>
@@ -24602,6 +24688,20 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     </message>
 </context>
 <context>
+    <name>workflow.synchronise_for_offset</name>
+    <message>
+        <source>synchronise it again with odograph trial set --sync auto, or enter the time offset</source>
+        <translation>sincronícela de nuevo (Ensayo ▸ Sincronizar…) o introduzca allí el desfase</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.synchronise_trial</name>
+    <message>
+        <source>synchronise %1: %2 (before: %3)</source>
+        <translation>sincronizar %1: %2 (antes: %3)</translation>
+    </message>
+</context>
+<context>
     <name>workflow.take_fewer_cameras</name>
     <message>
         <source>close other programs, or use fewer such cameras at once</source>
@@ -24613,13 +24713,6 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <message>
         <source>copy the set-up of %1</source>
         <translation>tomar el montaje de %1</translation>
-    </message>
-</context>
-<context>
-    <name>workflow.taken_as_begun_together</name>
-    <message>
-        <source>%1; the same start time was assumed</source>
-        <translation>%1, así que se toma como iniciada a la vez</translation>
     </message>
 </context>
 <context>
@@ -24903,6 +24996,13 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     </message>
 </context>
 <context>
+    <name>workflow.view_begun_later</name>
+    <message>
+        <source>%1 %2 later</source>
+        <translation>%1 %2 más tarde</translation>
+    </message>
+</context>
+<context>
     <name>workflow.view_ended_early</name>
     <message>
         <source>it ended early because %1</source>
@@ -24921,6 +25021,13 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <message>
         <source>it recorded nothing and was left out</source>
         <translation>se omite, porque no se grabó nada de ella</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.view_not_synchronised</name>
+    <message>
+        <source>%1 not synchronised</source>
+        <translation>%1 sin sincronizar</translation>
     </message>
 </context>
 <context>

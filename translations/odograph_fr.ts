@@ -14626,6 +14626,17 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
 </context>
 <context>
+    <name>odo::SoundChart</name>
+    <message>
+        <source>Loudness</source>
+        <translation>Volume sonore</translation>
+    </message>
+    <message>
+        <source>Loudness of both views</source>
+        <translation>Volume sonore des deux vues</translation>
+    </message>
+</context>
+<context>
     <name>odo::SpikeActions</name>
     <message>
         <source>&amp;Use sample</source>
@@ -15012,6 +15023,41 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>Done. %1</source>
         <translation>Fait. %1</translation>
+    </message>
+</context>
+<context>
+    <name>odo::SynchroniseDialog</name>
+    <message>
+        <source>Synchronise %1</source>
+        <translation>Synchroniser %1</translation>
+    </message>
+    <message>
+        <source>%1 now</source>
+        <translation>%1 à présent</translation>
+    </message>
+    <message>
+        <source>&amp;Synchronise</source>
+        <translation>&amp;Synchroniser</translation>
+    </message>
+    <message>
+        <source>Synchronise</source>
+        <translation>Synchroniser</translation>
+    </message>
+    <message>
+        <source>What was tracked in the trial is analysed again. Choose Undo to return to the synchronisation that it has now.</source>
+        <translation>Ce qui a été suivi dans l’essai est analysé de nouveau. « Annuler » rétablit la synchronisation actuelle.</translation>
+    </message>
+    <message>
+        <source>The sound of the videos is being read…</source>
+        <translation>Lecture du son des vidéos…</translation>
+    </message>
+    <message>
+        <source>Sound of %1 above, of %2 below. Drag it until both show the same clap at one time; the wheel zooms.</source>
+        <translation>Son de %1 en haut, de %2 en bas. Faites-le glisser jusqu’à ce que les deux montrent le même claquement au même instant ; la molette agrandit.</translation>
+    </message>
+    <message>
+        <source>%1 has no sound to compare.</source>
+        <translation>%1 n’a pas de son à comparer.</translation>
     </message>
 </context>
 <context>
@@ -16302,6 +16348,14 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <source>Robot %1 added.</source>
         <translation>Le robot %1 est maintenant connu.</translation>
     </message>
+    <message>
+        <source>%1 is synchronised.</source>
+        <translation>%1 est synchronisé.</translation>
+    </message>
+    <message>
+        <source>S&amp;ynchronise…</source>
+        <translation>S&amp;ynchroniser…</translation>
+    </message>
 </context>
 <context>
     <name>odo::TrialChooser</name>
@@ -16740,6 +16794,10 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>A flash: switch the room lights on and off once while all cameras record. Sound: clap twice near the middle of the floor</source>
         <translation>Éclair&#xa0;: allumez et éteignez une fois la lumière de la salle pendant que toutes les caméras filment. Son&#xa0;: tapez deux fois dans vos mains près du milieu du sol</translation>
+    </message>
+    <message>
+        <source>As it is</source>
+        <translation>Tel quel</translation>
     </message>
 </context>
 <context>
@@ -20647,6 +20705,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
 </context>
 <context>
+    <name>ui.synchronising</name>
+    <message>
+        <source>Synchronising %1</source>
+        <translation>Synchronisation de %1</translation>
+    </message>
+</context>
+<context>
     <name>ui.take_at_that_resolution</name>
     <message>
         <source>use that resolution, or calibrate the lens again</source>
@@ -22257,6 +22322,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
 </context>
 <context>
+    <name>workflow.choose_trial_of_views</name>
+    <message>
+        <source>choose a trial of two views or more</source>
+        <translation>choisissez un essai de deux vues ou plus</translation>
+    </message>
+</context>
+<context>
     <name>workflow.choose_with_robot</name>
     <message>
         <source>choose one with --robot</source>
@@ -22880,6 +22952,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
 </context>
 <context>
+    <name>workflow.has_no_two_views</name>
+    <message>
+        <source>it does not have two views</source>
+        <translation>il n’a pas deux vues</translation>
+    </message>
+</context>
+<context>
     <name>workflow.height_above_camera</name>
     <message>
         <source>it is only %1 above the floor, but the points would be at %2</source>
@@ -22919,13 +22998,6 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>images have no times</source>
         <translation>les images n’ont pas de temps</translation>
-    </message>
-</context>
-<context>
-    <name>workflow.import_again_for_offset</name>
-    <message>
-        <source>import the videos again with automatic synchronisation, or enter the time offset</source>
-        <translation>réimportez les vidéos et laissez trouver le décalage, ou indiquez-le</translation>
     </message>
 </context>
 <context>
@@ -22996,6 +23068,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>intrinsics of camera &apos;%1&apos;</source>
         <translation>paramètres intrinsèques de la caméra &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.is_being_recorded</name>
+    <message>
+        <source>it is being recorded</source>
+        <translation>il est en cours d’enregistrement</translation>
     </message>
 </context>
 <context>
@@ -24553,6 +24632,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
 </context>
 <context>
+    <name>workflow.sought_when_tracked</name>
+    <message>
+        <source>%1; tracking tries again</source>
+        <translation>%1 ; le suivi essaie de nouveau</translation>
+    </message>
+</context>
+<context>
     <name>workflow.sound_of_slow_motion</name>
     <message>
         <source>sound cannot be compared in clips that play in slow motion</source>
@@ -24602,6 +24688,20 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
 </context>
 <context>
+    <name>workflow.synchronise_for_offset</name>
+    <message>
+        <source>synchronise it again with odograph trial set --sync auto, or enter the time offset</source>
+        <translation>synchronisez-la de nouveau (Essai ▸ Synchroniser…), ou saisissez-y le décalage</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.synchronise_trial</name>
+    <message>
+        <source>synchronise %1: %2 (before: %3)</source>
+        <translation>synchroniser %1 : %2 (avant : %3)</translation>
+    </message>
+</context>
+<context>
     <name>workflow.take_fewer_cameras</name>
     <message>
         <source>close other programs, or use fewer such cameras at once</source>
@@ -24613,13 +24713,6 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>copy the set-up of %1</source>
         <translation>reprise de l’installation de %1</translation>
-    </message>
-</context>
-<context>
-    <name>workflow.taken_as_begun_together</name>
-    <message>
-        <source>%1; the same start time was assumed</source>
-        <translation>%1, elle est donc prise comme commencée en même temps</translation>
     </message>
 </context>
 <context>
@@ -24903,6 +24996,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
 </context>
 <context>
+    <name>workflow.view_begun_later</name>
+    <message>
+        <source>%1 %2 later</source>
+        <translation>%1 %2 plus tard</translation>
+    </message>
+</context>
+<context>
     <name>workflow.view_ended_early</name>
     <message>
         <source>it ended early because %1</source>
@@ -24921,6 +25021,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>it recorded nothing and was left out</source>
         <translation>elle est écartée, car rien n’en a été enregistré</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.view_not_synchronised</name>
+    <message>
+        <source>%1 not synchronised</source>
+        <translation>%1 non synchronisé</translation>
     </message>
 </context>
 <context>

@@ -14603,6 +14603,17 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>odo::SoundChart</name>
+    <message>
+        <source>Loudness</source>
+        <translation>음량</translation>
+    </message>
+    <message>
+        <source>Loudness of both views</source>
+        <translation>두 뷰의 음량</translation>
+    </message>
+</context>
+<context>
     <name>odo::SpikeActions</name>
     <message>
         <source>&amp;Use sample</source>
@@ -14988,6 +14999,41 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>Done. %1</source>
         <translation>완료. %1</translation>
+    </message>
+</context>
+<context>
+    <name>odo::SynchroniseDialog</name>
+    <message>
+        <source>Synchronise %1</source>
+        <translation>%1 동기화</translation>
+    </message>
+    <message>
+        <source>%1 now</source>
+        <translation>%1 현재</translation>
+    </message>
+    <message>
+        <source>&amp;Synchronise</source>
+        <translation>동기화(&amp;S)</translation>
+    </message>
+    <message>
+        <source>Synchronise</source>
+        <translation>동기화</translation>
+    </message>
+    <message>
+        <source>What was tracked in the trial is analysed again. Choose Undo to return to the synchronisation that it has now.</source>
+        <translation>시행에서 추적된 것은 다시 분석됩니다. 실행 취소를 선택하면 현재 동기화로 돌아갑니다.</translation>
+    </message>
+    <message>
+        <source>The sound of the videos is being read…</source>
+        <translation>동영상의 소리를 읽는 중…</translation>
+    </message>
+    <message>
+        <source>Sound of %1 above, of %2 below. Drag it until both show the same clap at one time; the wheel zooms.</source>
+        <translation>위는 %1, 아래는 %2의 소리입니다. 같은 박수 소리가 같은 시각에 보이도록 끌어 옮기십시오. 휠로 확대합니다.</translation>
+    </message>
+    <message>
+        <source>%1 has no sound to compare.</source>
+        <translation>%1에 비교할 소리가 없습니다.</translation>
     </message>
 </context>
 <context>
@@ -16262,6 +16308,14 @@ Much more than expected means that a setting is wrong: the views are not synchro
         <source>Robot %1 added.</source>
         <translation>로봇 %1을(를) 추가했습니다.</translation>
     </message>
+    <message>
+        <source>%1 is synchronised.</source>
+        <translation>%1이(가) 동기화되었습니다.</translation>
+    </message>
+    <message>
+        <source>S&amp;ynchronise…</source>
+        <translation>동기화(&amp;Y)…</translation>
+    </message>
 </context>
 <context>
     <name>odo::TrialChooser</name>
@@ -16700,6 +16754,10 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>A flash: switch the room lights on and off once while all cameras record. Sound: clap twice near the middle of the floor</source>
         <translation>번쩍임: 모든 카메라가 녹화하는 동안 실내 조명을 한 번 켰다 끄십시오. 소리: 바닥 가운데 근처에서 박수를 두 번 치십시오</translation>
+    </message>
+    <message>
+        <source>As it is</source>
+        <translation>그대로</translation>
     </message>
 </context>
 <context>
@@ -20607,6 +20665,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>ui.synchronising</name>
+    <message>
+        <source>Synchronising %1</source>
+        <translation>%1 동기화 중</translation>
+    </message>
+</context>
+<context>
     <name>ui.take_at_that_resolution</name>
     <message>
         <source>use that resolution, or calibrate the lens again</source>
@@ -22217,6 +22282,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>workflow.choose_trial_of_views</name>
+    <message>
+        <source>choose a trial of two views or more</source>
+        <translation>뷰가 둘 이상인 시행을 선택하십시오</translation>
+    </message>
+</context>
+<context>
     <name>workflow.choose_with_robot</name>
     <message>
         <source>choose one with --robot</source>
@@ -22840,6 +22912,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>workflow.has_no_two_views</name>
+    <message>
+        <source>it does not have two views</source>
+        <translation>뷰가 두 개가 아닙니다</translation>
+    </message>
+</context>
+<context>
     <name>workflow.height_above_camera</name>
     <message>
         <source>it is only %1 above the floor, but the points would be at %2</source>
@@ -22879,13 +22958,6 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>images have no times</source>
         <translation>그림에는 시간이 없습니다</translation>
-    </message>
-</context>
-<context>
-    <name>workflow.import_again_for_offset</name>
-    <message>
-        <source>import the videos again with automatic synchronisation, or enter the time offset</source>
-        <translation>동영상을 다시 가져와 오프셋을 찾게 하거나 직접 지정하십시오</translation>
     </message>
 </context>
 <context>
@@ -22956,6 +23028,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>intrinsics of camera &apos;%1&apos;</source>
         <translation>카메라 &apos;%1&apos;의 내부 파라미터</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.is_being_recorded</name>
+    <message>
+        <source>it is being recorded</source>
+        <translation>녹화 중입니다</translation>
     </message>
 </context>
 <context>
@@ -24513,6 +24592,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>workflow.sought_when_tracked</name>
+    <message>
+        <source>%1; tracking tries again</source>
+        <translation>%1; 추적할 때 다시 시도합니다</translation>
+    </message>
+</context>
+<context>
     <name>workflow.sound_of_slow_motion</name>
     <message>
         <source>sound cannot be compared in clips that play in slow motion</source>
@@ -24562,6 +24648,20 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>workflow.synchronise_for_offset</name>
+    <message>
+        <source>synchronise it again with odograph trial set --sync auto, or enter the time offset</source>
+        <translation>다시 동기화하거나(시행 ▸ 동기화…) 거기에서 시간차를 입력하십시오</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.synchronise_trial</name>
+    <message>
+        <source>synchronise %1: %2 (before: %3)</source>
+        <translation>%1 동기화: %2 (이전: %3)</translation>
+    </message>
+</context>
+<context>
     <name>workflow.take_fewer_cameras</name>
     <message>
         <source>close other programs, or use fewer such cameras at once</source>
@@ -24573,13 +24673,6 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>copy the set-up of %1</source>
         <translation>%1의 설정 이어받기</translation>
-    </message>
-</context>
-<context>
-    <name>workflow.taken_as_begun_together</name>
-    <message>
-        <source>%1; the same start time was assumed</source>
-        <translation>%1. 그래서 함께 시작된 것으로 봅니다</translation>
     </message>
 </context>
 <context>
@@ -24863,6 +24956,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>workflow.view_begun_later</name>
+    <message>
+        <source>%1 %2 later</source>
+        <translation>%1 %2 늦음</translation>
+    </message>
+</context>
+<context>
     <name>workflow.view_ended_early</name>
     <message>
         <source>it ended early because %1</source>
@@ -24881,6 +24981,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>it recorded nothing and was left out</source>
         <translation>녹화된 것이 없어 제외됩니다</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.view_not_synchronised</name>
+    <message>
+        <source>%1 not synchronised</source>
+        <translation>%1 동기화되지 않음</translation>
     </message>
 </context>
 <context>

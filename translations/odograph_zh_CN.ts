@@ -14603,6 +14603,17 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>odo::SoundChart</name>
+    <message>
+        <source>Loudness</source>
+        <translation>响度</translation>
+    </message>
+    <message>
+        <source>Loudness of both views</source>
+        <translation>两个视角的响度</translation>
+    </message>
+</context>
+<context>
     <name>odo::SpikeActions</name>
     <message>
         <source>&amp;Use sample</source>
@@ -14988,6 +14999,41 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>Done. %1</source>
         <translation>已完成。%1</translation>
+    </message>
+</context>
+<context>
+    <name>odo::SynchroniseDialog</name>
+    <message>
+        <source>Synchronise %1</source>
+        <translation>同步 %1</translation>
+    </message>
+    <message>
+        <source>%1 now</source>
+        <translation>%1 当前</translation>
+    </message>
+    <message>
+        <source>&amp;Synchronise</source>
+        <translation>同步(&amp;S)</translation>
+    </message>
+    <message>
+        <source>Synchronise</source>
+        <translation>同步</translation>
+    </message>
+    <message>
+        <source>What was tracked in the trial is analysed again. Choose Undo to return to the synchronisation that it has now.</source>
+        <translation>试验中已跟踪的内容将重新分析。选择“撤销”可恢复当前的同步。</translation>
+    </message>
+    <message>
+        <source>The sound of the videos is being read…</source>
+        <translation>正在读取视频的声音…</translation>
+    </message>
+    <message>
+        <source>Sound of %1 above, of %2 below. Drag it until both show the same clap at one time; the wheel zooms.</source>
+        <translation>上方为 %1 的声音，下方为 %2 的声音。拖动它，直到两者在同一时刻显示同一次拍手；滚轮可缩放。</translation>
+    </message>
+    <message>
+        <source>%1 has no sound to compare.</source>
+        <translation>%1 没有可比较的声音。</translation>
     </message>
 </context>
 <context>
@@ -16262,6 +16308,14 @@ Much more than expected means that a setting is wrong: the views are not synchro
         <source>Robot %1 added.</source>
         <translation>机器人 %1 已添加。</translation>
     </message>
+    <message>
+        <source>%1 is synchronised.</source>
+        <translation>%1 已同步。</translation>
+    </message>
+    <message>
+        <source>S&amp;ynchronise…</source>
+        <translation>同步(&amp;Y)…</translation>
+    </message>
 </context>
 <context>
     <name>odo::TrialChooser</name>
@@ -16700,6 +16754,10 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>A flash: switch the room lights on and off once while all cameras record. Sound: clap twice near the middle of the floor</source>
         <translation>闪光：在所有相机录制时开关一次室内灯。声音：在地面中央附近拍两次手</translation>
+    </message>
+    <message>
+        <source>As it is</source>
+        <translation>保持不变</translation>
     </message>
 </context>
 <context>
@@ -20607,6 +20665,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>ui.synchronising</name>
+    <message>
+        <source>Synchronising %1</source>
+        <translation>正在同步 %1</translation>
+    </message>
+</context>
+<context>
     <name>ui.take_at_that_resolution</name>
     <message>
         <source>use that resolution, or calibrate the lens again</source>
@@ -22217,6 +22282,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>workflow.choose_trial_of_views</name>
+    <message>
+        <source>choose a trial of two views or more</source>
+        <translation>请选择有两个或更多视角的试验</translation>
+    </message>
+</context>
+<context>
     <name>workflow.choose_with_robot</name>
     <message>
         <source>choose one with --robot</source>
@@ -22840,6 +22912,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>workflow.has_no_two_views</name>
+    <message>
+        <source>it does not have two views</source>
+        <translation>它没有两个视角</translation>
+    </message>
+</context>
+<context>
     <name>workflow.height_above_camera</name>
     <message>
         <source>it is only %1 above the floor, but the points would be at %2</source>
@@ -22879,13 +22958,6 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>images have no times</source>
         <translation>图片没有时间</translation>
-    </message>
-</context>
-<context>
-    <name>workflow.import_again_for_offset</name>
-    <message>
-        <source>import the videos again with automatic synchronisation, or enter the time offset</source>
-        <translation>请重新导入视频并让程序找出偏移，或自行给出</translation>
     </message>
 </context>
 <context>
@@ -22956,6 +23028,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>intrinsics of camera &apos;%1&apos;</source>
         <translation>相机“%1”的内参</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.is_being_recorded</name>
+    <message>
+        <source>it is being recorded</source>
+        <translation>正在录制</translation>
     </message>
 </context>
 <context>
@@ -24513,6 +24592,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>workflow.sought_when_tracked</name>
+    <message>
+        <source>%1; tracking tries again</source>
+        <translation>%1；跟踪时会再次尝试</translation>
+    </message>
+</context>
+<context>
     <name>workflow.sound_of_slow_motion</name>
     <message>
         <source>sound cannot be compared in clips that play in slow motion</source>
@@ -24562,6 +24648,20 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>workflow.synchronise_for_offset</name>
+    <message>
+        <source>synchronise it again with odograph trial set --sync auto, or enter the time offset</source>
+        <translation>请重新同步（试验 ▸ 同步…），或在那里输入时间偏移</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.synchronise_trial</name>
+    <message>
+        <source>synchronise %1: %2 (before: %3)</source>
+        <translation>同步 %1：%2（之前：%3）</translation>
+    </message>
+</context>
+<context>
     <name>workflow.take_fewer_cameras</name>
     <message>
         <source>close other programs, or use fewer such cameras at once</source>
@@ -24573,13 +24673,6 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>copy the set-up of %1</source>
         <translation>沿用 %1 的设置</translation>
-    </message>
-</context>
-<context>
-    <name>workflow.taken_as_begun_together</name>
-    <message>
-        <source>%1; the same start time was assumed</source>
-        <translation>%1，因此按同时开始处理</translation>
     </message>
 </context>
 <context>
@@ -24863,6 +24956,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>workflow.view_begun_later</name>
+    <message>
+        <source>%1 %2 later</source>
+        <translation>%1 晚 %2</translation>
+    </message>
+</context>
+<context>
     <name>workflow.view_ended_early</name>
     <message>
         <source>it ended early because %1</source>
@@ -24881,6 +24981,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>it recorded nothing and was left out</source>
         <translation>它被舍去，因为没有录到任何内容</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.view_not_synchronised</name>
+    <message>
+        <source>%1 not synchronised</source>
+        <translation>%1 未同步</translation>
     </message>
 </context>
 <context>

@@ -4,10 +4,12 @@
 #include "app/answers.h"
 #include "app/command_call.h"
 #include "app/commands/commands.h"
+#include "app/commands/trial_commands.h"
 #include "app/completion/shell_line.h"
 #include "core/project/project.h"
 #include "core/project/repositories.h"
 #include "core/workflow/track/stored_verdicts.h"
+#include "core/workflow/track/synchronise_job.h"
 #include "core/workflow/trials/trial_copy.h"
 
 #include <QDateTime>
@@ -36,6 +38,7 @@ QJsonObject trialJson(const TrialRecord &trial)
             {QStringLiteral("notes"), QString::fromStdString(trial.notes)},
             {QStringLiteral("tags"), namesJson(trial.tags)},
             {QStringLiteral("duration_s"), trial.durationS},
+            {QStringLiteral("sync"), syncJson(trial)},
             {QStringLiteral("views"), trial.viewCount},
             {QStringLiteral("in_bin"), trial.binned.has_value()}};
 }
@@ -96,12 +99,27 @@ Result<void> set(const CommandCall &call, Project &project, const TrialRecord &t
     if (call.isSet(option::robot))
         edit.robots = call.texts(option::robot);
     const bool isNewTeam = edit.team && !edit.team->empty() && !project.teams().find(*edit.team);
-    const auto changed = ODO_TRY(editTrial(project, trial.id, edit));
-    call.answer(trialJson(changed),
-                trialText(changed) +
-                    (isNewTeam
-                         ? QStringLiteral("\nTeam %1 is new.").arg(QString::fromStdString(changed.teamName))
-                         : QString()));
+    std::optional<SynchroniseJob> sync;
+    if (call.isSet(option::sync)) {
+        sync.emplace(trial.name, ODO_TRY(stepsOf(call)));
+        ODO_TRY(sync->prepare(project));
+        ODO_TRY(sync->run(call.control()));
+    }
+    const auto store = [&]() -> Result<TrialRecord> {
+        if (sync)
+            ODO_TRY(sync->commit(project));
+        return editTrial(project, trial.id, edit);
+    };
+    const bool areBoth = sync && edit != TrialEdit();
+    const auto changed = ODO_TRY(areBoth ? changing(project, editTrialWords(trial.name), store) : store());
+    QStringList lines{trialText(changed)};
+    if (isNewTeam)
+        lines << QStringLiteral("Team %1 is new.").arg(QString::fromStdString(changed.teamName));
+    if (sync)
+        lines << stepSentences(sync->recordings());
+    call.answer(trialJson(changed), lines.join(u'\n'));
+    for (const Message &warning : sync ? sync->warnings() : std::vector<Message>())
+        CommandCall::warn(warning);
     return {};
 }
 
@@ -172,7 +190,7 @@ const QList<Verb> &verbs()
 {
     static const QList<Verb> all{{QStringLiteral("set"),
                                   {option::name, option::team, option::ofClass, option::date, option::task,
-                                   option::robot, option::note},
+                                   option::robot, option::sync, option::note},
                                   &set},
                                  {QStringLiteral("remove"), {}, &removeTrial},
                                  {QStringLiteral("restore"), {}, &restoreTrial},
@@ -187,7 +205,7 @@ CommandSyntax trialSyntax()
     return {
         QStringLiteral("trial"),
         QStringLiteral("set P.odo TRIAL [--name N] [--team T] [--class C] [--date ISO] [--task TASK] "
-                       "[--robot R]... [--note TEXT] "
+                       "[--robot R]... [--sync auto|motion|flash|audio|none|SECONDS[,...]] [--note TEXT] "
                        "| remove P.odo TRIAL | restore P.odo TRIAL_IN_BIN | copy P.odo TRIAL [--name N] "
                        "| accept P.odo TRIAL --reason TEXT | withdraw P.odo TRIAL [--json]"),
         3,
@@ -203,6 +221,12 @@ CommandSyntax trialSyntax()
          {option::task, QStringLiteral("Its task; '' removes it."), QStringLiteral("TASK")},
          {option::robot, QStringLiteral("A robot that is in it; replaces those it had."),
           QStringLiteral("R")},
+         {option::sync,
+          QStringLiteral(
+              "How much later each other view's first frame was taken than the first view's; auto: "
+              "found by the motion, a flash of light or a clap. What was tracked is analysed "
+              "again."),
+          QStringLiteral("auto|motion|flash|audio|none|SECONDS[,...]")},
          {option::note, QStringLiteral("Its notes; replaces those it had."), QStringLiteral("TEXT")},
          {option::reason, QStringLiteral("Why its doubtful results can be used."), QStringLiteral("TEXT")}}};
 }

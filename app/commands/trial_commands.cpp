@@ -21,9 +21,9 @@ namespace odo {
 
 namespace {
 
-std::optional<ImportSettings::Sync> namedSync(const std::string &name)
+std::optional<SyncBy> namedSync(const std::string &name)
 {
-    using Sync = ImportSettings::Sync;
+    using Sync = SyncBy;
     static const std::map<std::string, Sync> names{{"auto", Sync::Automatic},
                                                    {"motion", Sync::Motion},
                                                    {"flash", Sync::Flash},
@@ -32,6 +32,34 @@ std::optional<ImportSettings::Sync> namedSync(const std::string &name)
     const auto found = names.find(name);
     return found != names.end() ? std::optional(found->second) : std::nullopt;
 }
+
+} // namespace
+
+Result<std::vector<ViewStep>> stepsOf(const CommandCall &call)
+{
+    std::vector<ViewStep> steps;
+    for (const QString &text :
+         QString::fromStdString(call.value(option::sync)).split(u',', Qt::SkipEmptyParts)) {
+        const std::string how = text.trimmed().toStdString();
+        if (const auto named = namedSync(how)) {
+            steps.push_back({*named, 0});
+            continue;
+        }
+        const auto offset = parseNumber(how);
+        if (!offset)
+            return call.wrongCall(
+                ODO_TEXT("app.sync_is",
+                         "--sync is auto, motion, flash, audio, none or seconds, one for each view but the "
+                         "first"));
+        if (std::abs(*offset) > largestOffsetS)
+            return call.wrongCall(
+                ODO_TEXT("app.sync_takes_seconds", "--sync takes seconds from -3600 to 3600"));
+        steps.push_back({SyncBy::Given, *offset});
+    }
+    return steps;
+}
+
+namespace {
 
 Result<ImportSettings> importSettings(const CommandCall &call)
 {
@@ -47,24 +75,7 @@ Result<ImportSettings> importSettings(const CommandCall &call)
     for (const auto &[camera, table] : times)
         settings.times.emplace_back(camera, table);
     settings.timeUnit = ODO_TRY(timeUnitOf(call));
-    for (const QString &text :
-         QString::fromStdString(call.value(option::sync)).split(u',', Qt::SkipEmptyParts)) {
-        const std::string how = text.trimmed().toStdString();
-        if (const auto named = namedSync(how)) {
-            settings.steps.push_back({*named, 0});
-            continue;
-        }
-        const auto offset = parseNumber(how);
-        if (!offset)
-            return call.wrongCall(
-                ODO_TEXT("app.sync_is",
-                         "--sync is auto, motion, flash, audio, none or seconds, one for each view but the "
-                         "first"));
-        if (std::abs(*offset) > largestOffsetS)
-            return call.wrongCall(
-                ODO_TEXT("app.sync_takes_seconds", "--sync takes seconds from -3600 to 3600"));
-        settings.steps.push_back({ImportSettings::Sync::Given, *offset});
-    }
+    settings.steps = ODO_TRY(stepsOf(call));
     settings.team = call.value(option::team);
     settings.task = call.value(option::task);
     settings.robots = call.texts(option::robot);

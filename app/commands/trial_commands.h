@@ -4,6 +4,7 @@
 #include "app/command_call.h"
 #include "core/exchange/table/track_reading.h"
 #include "core/project/records.h"
+#include "core/workflow/track/view_synchronisation.h"
 
 namespace odo {
 
@@ -19,6 +20,8 @@ Result<void> refuseTrackOptions(const CommandCall &call);
 Result<double> frameRateOf(const CommandCall &call);
 /// Advice to give it.
 Message giveRateOption();
+/// --sync, of the views but the first; empty: it was not given.
+Result<std::vector<ViewStep>> stepsOf(const CommandCall &call);
 /// --time-unit.
 Result<std::optional<TimeUnit>> timeUnitOf(const CommandCall &call);
 /// Advice on what a file leaves open, as an option of `import`; any other as it is.

@@ -43,7 +43,7 @@ QJsonArray flagsOf(SampleFlags flags)
 
 QJsonObject trialObject(const TrialRecord &trial)
 {
-    const QJsonObject sync{{QStringLiteral("method"), qtText(trial.syncMethod)},
+    const QJsonObject sync{{QStringLiteral("method"), qtText(publishedSyncMethod(trial.syncMethod))},
                            {QStringLiteral("offset_s"), numberOrNull(trial.syncOffsetS)},
                            {QStringLiteral("offset_sigma_s"), numberOrNull(trial.syncOffsetSigmaS)},
                            {QStringLiteral("score"), numberOrNull(trial.syncScore)},

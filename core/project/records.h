@@ -137,8 +137,8 @@ struct TrialRecord
     Instant date;
     std::string notes;
     /// of the second view: "none", "told", "auto" (from the motion), "flash" (of light), "audio", "clock"
+    /// (recorded here, by the cameras' time stamps), or "open": sought and not found, tracking seeks it again
     std::string syncMethod;
-    ///< (recorded here, by the cameras' time stamps)
     double syncOffsetS = 0; ///< how much later the second view's first frame was taken than the first's
     double syncOffsetSigmaS = 0;
     double syncRate = 0;      ///< by how much the second view's clock runs faster than the first's
@@ -194,6 +194,18 @@ inline bool isStepMeasured(const RecordingRecord &view)
 {
     return view.syncMethod == "auto" || view.syncMethod == "flash" || view.syncMethod == "audio" ||
            view.syncMethod == "clock";
+}
+
+/// Whether tracking is to seek a view's time offset, which nothing has given yet.
+inline bool isSyncOpen(const RecordingRecord &view)
+{
+    return view.syncMethod == "open";
+}
+
+/// How a trial's views were synchronised, as others read it.
+inline std::string publishedSyncMethod(const std::string &method)
+{
+    return method == "open" ? "none" : method;
 }
 
 /// What the tracker saw of one robot in one recording.

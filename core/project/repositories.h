@@ -217,8 +217,8 @@ public:
     Result<std::optional<RecordingRecord>> newestRecording(RecordId camera) const;
     /// Where a recording's file lies now; what it is stays as it was stored.
     Result<void> setFile(RecordId recording, const std::filesystem::path &file);
-    /// Replaces the offset of a view against the first one.
-    Result<void> setSync(const TrialRecord &trial);
+    /// Replaces how the views are synchronised, the trial's and its recordings'.
+    Result<void> setSync(const TrialRecord &trial, const std::vector<RecordingRecord> &recordings);
     /// A new series for a recording and robot joins the older ones; the newest is the current one.
     Result<void> addObservations(const ObservationSeries &series);
     Result<std::optional<ObservationSeries>> currentObservations(RecordId recording, RecordId robot) const;

@@ -269,6 +269,17 @@ private Q_SLOTS:
         QCOMPARE(slower.exitStatus, 0);
         QVERIFY2(slower.err.contains("frames/s"), slower.err);
         QCOMPARE(good("track %P slower --robot red").exitStatus, 0); // joined by time, not by frame
+        const ProgramRun set = good("trial set %P slower --sync 0.25 --note moved --json");
+        QCOMPARE(set.exitStatus, 0);
+        const QJsonObject sync = set.json()[QStringLiteral("sync")].toObject();
+        QCOMPARE(sync[QStringLiteral("method")].toString(), QStringLiteral("told"));
+        QCOMPARE(sync[QStringLiteral("offset_s")].toDouble(), 0.25);
+        QCOMPARE(set.json()[QStringLiteral("notes")].toString(), QStringLiteral("moved"));
+        // both are one change, and neither is made where one fails
+        QCOMPARE(runProgram(filled(QStringLiteral("trial set %P slower --sync 0.3 --name run1"))).exitStatus,
+                 1);
+        const QJsonObject shown = good("show %P slower --json").json()[QStringLiteral("sync")].toObject();
+        QCOMPARE(shown[QStringLiteral("offset_s")].toDouble(), 0.25);
     }
 
     void aRobotThatCannotBeFollowedIsSaid()
@@ -383,6 +394,10 @@ private Q_SLOTS:
             "give one offset for each view but the first, like --sync 0.1,0.2, or use --sync auto");
         row("import %P --trial run2 --video A=%/a.mkv --robot blue", 1, "blue");
         row("import %P --trial run2 --video A=%/a.mkv --rate 0", 2, "--rate");
+        row("trial set %P run1 --sync 100", 1, "do not overlap");
+        row("trial set %P run1 --sync soon", 2, "--sync is auto, motion, flash, audio, none or seconds");
+        row("trial set %P run1 --sync 0.1,0.2", 1, "the number of views is 2, the number of offsets 2");
+        row("trial set %P run1 --sync flash", 1, "shows a flash of light");
         row("track %P run1 --robot blue", 1, "blue");
         row("track %P nowhere", 1, "nowhere");
         row("track %P run1 --smoother magic", 2, "--smoother");

@@ -195,7 +195,7 @@ UseCase importingVideos()
                 ImportSettings settings;
                 settings.trial = "from cards";
                 settings.videos = {{"A", folder / "camera" / "A.mkv"}, {"B", folder / "camera" / "B.mkv"}};
-                settings.steps = {{ImportSettings::Sync::None, 0}};
+                settings.steps = {{SyncBy::None, 0}};
                 return std::make_unique<ImportTrialJob>(settings);
             })};
 }

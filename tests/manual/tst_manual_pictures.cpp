@@ -290,6 +290,7 @@ void TestManualPictures::importing()
     m_book->takeDialog("addRobot", QStringLiteral("add_robot"));
     m_book->takeDialog("importTracks", QStringLiteral("import_tracks"));
     m_book->takeDialog("track", QStringLiteral("track"));
+    m_book->takeDialog("synchronise", QStringLiteral("synchronise"));
 }
 
 void TestManualPictures::review()

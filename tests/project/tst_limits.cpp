@@ -156,7 +156,7 @@ private Q_SLOTS:
         TrialRecord trial = *m_project->trials().get(1);
         for (const double value : {1e13, -1e300, std::nan(""), double(INFINITY)}) {
             trial.syncOffsetS = value;
-            QCOMPARE(m_project->trials().setSync(trial).error().why.english(),
+            QCOMPARE(m_project->trials().setSync(trial, {}).error().why.english(),
                      std::string("a value to store is too large or not a number"));
         }
         RobotRecord large = robotNamed("large");

@@ -160,7 +160,7 @@ private Q_SLOTS:
         trial.syncOffsetSigmaS = 0.01;
         trial.syncRate = 2e-4;
         trial.syncRateSigma = 3e-6;
-        QVERIFY((*m_project)->trials().setSync(trial));
+        QVERIFY((*m_project)->trials().setSync(trial, {}));
         const auto changed = (*m_project)->trials().get(trial.id);
         QCOMPARE(changed->notes, std::string("wet floor"));
         QVERIFY(changed->robots == std::vector<RecordId>{robot});

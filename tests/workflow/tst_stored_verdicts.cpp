@@ -47,9 +47,10 @@ struct Example
     void synchronise(const char *method, double sigmaS)
     {
         auto record = project->trials().get(trial).value();
-        record.syncMethod = method;
-        record.syncOffsetSigmaS = sigmaS;
-        QVERIFY(project->trials().setSync(record));
+        auto views = project->trials().recordings(trial).value();
+        record.syncMethod = views[1].syncMethod = method;
+        record.syncOffsetSigmaS = views[1].startOffsetSigmaS = sigmaS;
+        QVERIFY(project->trials().setSync(record, views));
     }
 };
 

@@ -76,9 +76,10 @@ private Q_SLOTS:
         QTest::addColumn<QString>("said");
         const QString unknown =
             QStringLiteral("view 'B' in trial 't': it is not synchronised: the same start time as the first "
-                           "view was assumed, and positions of a moving robot are wrong; import the videos "
-                           "again with automatic synchronisation, or enter the time offset");
+                           "view was assumed, and positions of a moving robot are wrong; synchronise it "
+                           "again with odograph trial set --sync auto, or enter the time offset");
         QTest::newRow("none") << "none" << 0.0 << unknown;
+        QTest::newRow("sought and not found") << "open" << 0.0 << unknown;
         QTest::newRow("a word of a later program") << "" << 0.0 << unknown;
         QTest::newRow("by hand") << "told" << 0.0 << "";
         QTest::newRow("motion") << "auto" << 0.0004 << "";

@@ -345,7 +345,8 @@ Result<void> TrialRepository::setFile(RecordId recording, const std::filesystem:
     return update.bind(storedPath(m_connection.file(), file)).bind(recording).run();
 }
 
-Result<void> TrialRepository::setSync(const TrialRecord &trial)
+Result<void> TrialRepository::setSync(const TrialRecord &trial,
+                                      const std::vector<RecordingRecord> &recordings)
 {
     return transact(m_connection, [&]() -> Result<void> {
         ODO_TRY(get(trial.id));
@@ -359,16 +360,17 @@ Result<void> TrialRepository::setSync(const TrialRecord &trial)
             .bind(trial.syncRate)
             .bind(trial.syncRateSigma);
         ODO_TRY(update.bind(trial.id).run());
-        Statement second(
-            m_connection,
-            QStringLiteral(
-                "UPDATE recording SET sync_method=?, start_offset_s=?, start_offset_sigma_s=?, clock_rate=? "
-                "WHERE trial_id=? AND position=1"));
-        second.bind(trial.syncMethod)
-            .bind(trial.syncOffsetS)
-            .bind(trial.syncOffsetSigmaS)
-            .bind(trial.syncRate);
-        return second.bind(trial.id).run();
+        for (const RecordingRecord &recording : recordings) {
+            Statement its(m_connection,
+                          QStringLiteral("UPDATE recording SET sync_method=?, start_offset_s=?, "
+                                         "start_offset_sigma_s=?, clock_rate=? WHERE id=?"));
+            its.bind(recording.syncMethod)
+                .bind(recording.startOffsetS)
+                .bind(recording.startOffsetSigmaS)
+                .bind(recording.clockRate);
+            ODO_TRY(its.bind(recording.id).run());
+        }
+        return {};
     });
 }
 

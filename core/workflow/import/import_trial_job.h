@@ -4,9 +4,9 @@
 #include "core/exchange/table/track_reading.h"
 #include "core/files/temporary.h"
 #include "core/project/records.h"
-#include "core/synchronisation/clip_evidence.h"
 #include "core/workflow/import/internal/view_source.h"
 #include "core/workflow/job.h"
+#include "core/workflow/track/view_synchronisation.h"
 #include "core/workflow/trial_sources.h"
 
 #include <filesystem>
@@ -19,25 +19,14 @@ namespace odo {
 
 struct ImportSettings
 {
-    /// Of Motion, Flash or Sound nothing else is looked at, and an import that does not find the offset ends
-    /// with the reason.
-    enum class Sync { Automatic, None, Given, Motion, Flash, Sound };
-    /// How a view is synchronised with the first.
-    struct ViewStep
-    {
-        Sync how = Sync::Automatic;
-        double offsetS = 0; ///< if given: how much later its first frame was taken
-    };
-
     std::string trial;
     /// camera's name and file, first view first; or several files, as recordingSourceOf() reads it
     std::vector<std::pair<std::string, std::filesystem::path>> videos;
     /// camera's name and a table of when its frames were taken (readFrameTimes), in place of its file's times
     std::vector<std::pair<std::string, std::filesystem::path>> times;
     std::optional<TimeUnit> timeUnit; ///< of those tables, where they do not say it
-    /// for each view but the first; a single one without an offset holds for all, none is automatic
-    std::vector<ViewStep> steps;
-    std::string team; ///< made when new; empty: none
+    std::vector<ViewStep> steps;      ///< of the views but the first, as stepsFor reads them
+    std::string team;                 ///< made when new; empty: none
     std::string task;
     std::vector<std::string> robots;
     std::optional<double> rate;  ///< of the camera, where the file's frame rate is another
@@ -77,25 +66,19 @@ private:
     Result<void> readVideo(std::size_t view, const CancelToken &cancel);
     Result<void> fitView(RegisteredView &view, const std::optional<Intrinsics> &intrinsics);
     Result<void> copyVideo(std::size_t view, const JobControl &control);
-    Result<void> checkSteps();
     Result<void> synchronise(const JobControl &control);
-    Result<void> findOffsets(const std::vector<std::size_t> &toFind, const JobControl &control);
-    void repairTimes(RecordingRecord &recording, const ClockRepair &repair);
-    Result<void> compareViews();
 
     ImportSettings m_settings;
     std::filesystem::path m_mediaFolder;
     bool m_folderWasThere = true;
     std::vector<ViewSource> m_sources;
-    std::vector<RobotRecord> m_robots;
-    std::vector<RegisteredView> m_views;                          ///< only to synchronise
-    std::vector<std::optional<MicrophonePosition>> m_microphones; ///< of each view
+    std::vector<RegisteredView> m_views;
+    SyncRequest m_sync;
     std::vector<std::optional<Intrinsics>>
         m_viewIntrinsics; ///< of each view: that of its registration, or in force
     TrialRecord m_trial;
     std::vector<RecordingRecord> m_recordings;
     std::vector<ViewCoding> m_codings;
-    bool m_playsOtherwise = false;    ///< a view was not taken as fast as its file plays
     std::vector<ClaimedFile> m_files; ///< until they are the trial's
     std::vector<Message> m_warnings;
 };

@@ -7,11 +7,13 @@
 #include "core/tracking/colour_tracker.h"
 #include "core/trajectory/imported_track.h"
 #include "core/workflow/track/frame_steps.h"
+#include "core/workflow/track/internal/robot_pointers.h"
 #include "core/workflow/track/registered_scene.h"
 #include "core/workflow/track/settled_views.h"
 #include "core/workflow/track/stored_verdicts.h"
 #include "core/workflow/track/track_warnings.h"
 #include "core/workflow/track/trial_occlusions.h"
+#include "core/workflow/track/view_synchronisation.h"
 #include "core/workflow/track/view_tracking.h"
 #include "core/workflow/trial_sources.h"
 #include "core/workflow/turned_recordings.h"
@@ -21,85 +23,6 @@
 #include <vector>
 
 namespace odo {
-
-class Project;
-
-namespace {
-
-constexpr double longestAsideS = 0.1; // between the given time and the frame meant
-
-/// The recording's frame that is nearest to a time of the trial.
-std::optional<std::int64_t> frameAt(const RecordingRecord &recording, double timeS)
-{
-    const std::vector<Nanoseconds> &times = recording.frameTimes;
-    const ViewClock clock = clockOf(recording);
-    const auto asideS = [&](Nanoseconds own) { return std::abs(toSeconds(clock.commonTime(own)) - timeS); };
-    const auto nearest = std::ranges::min_element(times, {}, asideS);
-    if (nearest == times.end() || !(asideS(*nearest) <= longestAsideS))
-        return std::nullopt;
-    return nearest - times.begin();
-}
-
-Result<PointedOutRobot> resolved(const RobotPointer &pointer, const RobotRecord &robot,
-                                 const std::vector<RegisteredView> &views)
-{
-    const Message what = ODO_TEXT("workflow.robot_pointed_out", "robot '%1' pointed out in view '%2'")(
-        Named::robot(robot.name), Named::camera(pointer.view));
-    if (isFoundByColour({robot.name, robot.colour}))
-        return fail(ErrorCode::InvalidInput, what,
-                    ODO_TEXT("workflow.found_by_colour", "it is detected by its colour"),
-                    ODO_TEXT("workflow.pick_or_take_colour", "pick its colour again, or remove its colour"));
-    const auto view = std::ranges::find_if(
-        views, [&](const RegisteredView &one) { return one.recording.cameraName == pointer.view; });
-    if (view == views.end())
-        return fail(ErrorCode::NotFound, what,
-                    ODO_TEXT("workflow.no_such_view", "the trial has no such view"),
-                    ODO_TEXT("workflow.name_its_camera", "name one of its cameras"));
-    const auto frame = frameAt(view->recording, pointer.timeS);
-    if (!frame)
-        return fail(ErrorCode::InvalidInput, what,
-                    ODO_TEXT("workflow.no_picture_then", "the view has no frame at that time"),
-                    ODO_TEXT("workflow.name_time_within_trial", "name a time within the trial, in seconds"));
-    const auto isWithin = [](double at, int size) { return at >= 0 && at <= size - 1; };
-    if (!isWithin(pointer.pixel.x(), view->recording.widthPx) ||
-        !isWithin(pointer.pixel.y(), view->recording.heightPx))
-        return fail(
-            ErrorCode::InvalidInput, what,
-            ODO_TEXT("workflow.outside_picture", "the position is outside the frame"),
-            ODO_TEXT("workflow.name_place_in_pixels", "give it in pixels from the frame's top left corner"));
-    return PointedOutRobot{robot.id, view->recording.id, *frame, pointer.pixel};
-}
-
-} // namespace
-
-/// What is pointed out in a trial, with the new marks replacing those of the same robot and view; nothing
-/// else is changed. robots: those tracked. Errors: a robot or view that the trial has not, a robot detected
-/// by its colour, a time without a frame, a position outside the frame. Project's thread.
-Result<std::vector<PointedOutRobot>> pointedOutRobots(Project &project, const TrialRecord &trial,
-                                                      const std::vector<RegisteredView> &views,
-                                                      const std::vector<RobotRecord> &robots,
-                                                      const std::vector<RobotPointer> &pointers)
-{
-    auto all = ODO_TRY(project.trials().pointedOut(trial.id));
-    for (const RobotPointer &pointer : pointers) {
-        const auto robot = std::ranges::find(robots, pointer.robot, &RobotRecord::name);
-        if (robot == robots.end())
-            return fail(ErrorCode::NotFound, robotSubject(pointer.robot),
-                        ODO_TEXT("workflow.not_tracked_in_trial",
-                                 "it is not tracked in trial '%1'")(Named::trial(trial.name)),
-                        ODO_TEXT("workflow.name_its_robot", "name one of its robots"));
-        if (pointer.view.empty()) {
-            std::erase_if(all, [&](const PointedOutRobot &one) { return one.robot == robot->id; });
-            continue;
-        }
-        const auto given = ODO_TRY(resolved(pointer, *robot, views));
-        std::erase_if(all, [&](const PointedOutRobot &one) {
-            return one.robot == given.robot && one.recording == given.recording;
-        });
-        all.push_back(given);
-    }
-    return all;
-}
 
 namespace {
 
@@ -123,6 +46,8 @@ struct TrackJob::Impl
     std::vector<RobotRecord> robots;
     std::vector<RegisteredView> views;
 
+    std::optional<SyncRequest> sync; ///< where an offset is open
+
     std::vector<AnalysisOptions> options; ///< one a robot
     std::vector<PointedOutRobot> pointedOut;
     std::vector<TrackedView> stored;           ///< with `again`
@@ -137,7 +62,9 @@ struct TrackJob::Impl
 
     Result<void> readOptions(Project &project);
     Result<void> takeImported(Project &project);
+    Result<void> prepareSync(Project &project);
     Result<SettledViews> trackAll(const JobControl &control);
+    Result<SettledViews> trackSynchronised(const JobControl &control);
     Result<void> analyseAll(std::vector<TrackedView> &tracked);
     Result<TaskAnalysis> analyseOne(std::vector<TrackedView> &tracked, std::size_t robot) const;
     void findOcclusionsIn(const std::vector<TrackedView> &tracked);
@@ -175,7 +102,7 @@ Result<void> TrackJob::prepare(Project &project)
     auto others = ODO_TRY(otherRobots(project, d.trial.id, d.views, d.robots));
     d.others = std::move(others);
     if (!d.settings.again)
-        return {};
+        return d.prepareSync(project);
     auto stored = ODO_TRY(storedObservations(project, d.trialName, d.views, d.robots));
     d.stored = std::move(stored);
     for (std::size_t v = 0; v < d.views.size(); ++v) {
@@ -236,6 +163,19 @@ Result<void> TrackJob::Impl::takeImported(Project &project)
     return {};
 }
 
+Result<void> TrackJob::Impl::prepareSync(Project &project)
+{
+    if (std::ranges::none_of(views, isSyncOpen, &RegisteredView::recording))
+        return {};
+    sync = SyncRequest{trialName, {}};
+    for (std::size_t v = 1; v < views.size(); ++v)
+        sync->steps.push_back({isSyncOpen(views[v].recording) ? SyncBy::Automatic : SyncBy::Kept});
+    sync->robots = robots;
+    sync->microphones = ODO_TRY(microphonePositions(project, views));
+    sync->mayTakeFields = isNew && pointedOut.empty();
+    return {};
+}
+
 /// With the frame times as they are found to be.
 Result<SettledViews> TrackJob::Impl::trackAll(const JobControl &control)
 {
@@ -248,20 +188,27 @@ Result<SettledViews> TrackJob::Impl::trackAll(const JobControl &control)
     for (std::size_t v = 0; v < views.size(); ++v)
         if (isShifted(v) && views[v].floorView)
             views[v].floorView = widenedByShift(*views[v].floorView, changes[v]->shiftPx);
-    auto tracked = ODO_TRY(trackAndSettle(views, robots, control, pointedOut));
-    std::vector<std::size_t> byFields;
-    if (isNew && pointedOut.empty())
-        byFields = takeFields(views, tracked.views, control.cancel);
-    if (!byFields.empty())
-        tracked = ODO_TRY(trackAndSettle(views, robots, control, pointedOut));
-    ambiguities = ambiguousNamesOf(tracked.ambiguities, robots);
-    retimed = correctFrameTimes(views, robots, tracked.views);
-    for (const std::size_t v : byFields)
-        if (std::ranges::find(retimed, views[v].recording.id, &RecordingRecord::id) == retimed.end())
-            retimed.push_back(views[v].recording);
+    const std::vector<RegisteredView> before = views;
+    constexpr double synchronising = 0.4; // as a part of the work
+    if (sync) {
+        auto sentences = ODO_TRY(synchroniseViews(views, *sync, trial, partOf(control, 0, synchronising)));
+        std::ranges::move(sentences, std::back_inserter(outcome.warnings));
+    }
+    auto tracked = ODO_TRY(trackSynchronised(sync ? partOf(control, synchronising, 1) : control));
+    retimed = retimedRecordings(before, views);
     for (std::size_t v = 0; v < views.size(); ++v)
         if (isShifted(v) && views[v].floorView)
             noteShift(views[v], changes[v]->shiftPx, tracked.views[v].series);
+    return tracked;
+}
+
+Result<SettledViews> TrackJob::Impl::trackSynchronised(const JobControl &control)
+{
+    auto tracked = ODO_TRY(trackAndSettle(views, robots, control, pointedOut));
+    if (isNew && pointedOut.empty() && !takeFields(views, tracked.views, control.cancel).empty())
+        tracked = ODO_TRY(trackAndSettle(views, robots, control, pointedOut));
+    ambiguities = ambiguousNamesOf(tracked.ambiguities, robots);
+    correctFrameTimes(views, robots, tracked.views);
     return tracked;
 }
 
@@ -414,6 +361,8 @@ Result<void> TrackJob::commit(Project &project)
                 return fail(ErrorCode::InvalidInput, trialSubject(d.trial.name),
                             ODO_TEXT("workflow.task_was_changed", "its task changed during the analysis"),
                             ODO_TEXT("workflow.measure_it_again", "repeat the analysis"));
+            if (d.sync)
+                ODO_TRY(project.trials().setSync(d.trial, recordingsOf(d.views)));
             ODO_TRY(project.trials().setFrameTimes(d.retimed));
             for (const ObservationSeries &series : d.observations)
                 ODO_TRY(project.trials().addObservations(series));
@@ -427,6 +376,16 @@ Result<void> TrackJob::commit(Project &project)
             }
             return project.trials().setRobots(d.trial.id, all);
         });
+}
+
+void TrackJob::synchroniseAs(const std::vector<RecordingRecord> &recordings)
+{
+    Impl &d = *m_impl;
+    for (std::size_t v = 0; v < d.views.size(); ++v) {
+        d.views[v].recording = recordings[v];
+        for (ObservationSeries &series : d.stored[v].series)
+            stampAsRecorded(series.observations, recordings[v].frameTimes);
+    }
 }
 
 const TrackOutcome &TrackJob::outcome() const

@@ -62,9 +62,9 @@ struct TrackOutcome
 };
 
 /// Tracks the robots of a trial in all its views and analyses them by its task: observations and a new
-/// analysis each are stored. Manual overrides and marks stay in force. Of a trial whose tracks were imported
-/// there is nothing to track: it can only be analysed `again`, from the imported positions; InvalidInput
-/// otherwise.
+/// analysis each are stored. A view whose time offset is still open (isSyncOpen) is synchronised first.
+/// Manual overrides and marks stay in force. Of a trial whose tracks were imported there is nothing to track:
+/// it can only be analysed `again`, from the imported positions; InvalidInput otherwise.
 class TrackJob : public Job
 {
 public:
@@ -73,6 +73,10 @@ public:
     Result<void> prepare(Project &project) override;
     Result<void> run(const JobControl &control) override;
     Result<void> commit(Project &project) override;
+
+    /// With `again`, between prepare and run: analyses the stored observations by the clocks and frame times
+    /// of these recordings, which are to be stored before the commit.
+    void synchroniseAs(const std::vector<RecordingRecord> &recordings);
 
     const TrackOutcome &outcome() const; ///< after run; the analyses have their numbers after commit
 

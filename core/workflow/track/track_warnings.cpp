@@ -286,8 +286,8 @@ Message stepWarning(const std::string &trialName, const RecordingRecord &view)
             ODO_TEXT("workflow.not_synchronised",
                      "it is not synchronised: the same start time as the first view was assumed, and "
                      "positions of a moving robot are wrong"),
-            ODO_TEXT("workflow.import_again_for_offset",
-                     "import the videos again with automatic synchronisation, or enter the time offset"));
+            ODO_TEXT("workflow.synchronise_for_offset",
+                     "synchronise it again with odograph trial set --sync auto, or enter the time offset"));
     if (found && view.startOffsetSigmaS > ambiguousStepS)
         return wholeMessage(
             what,

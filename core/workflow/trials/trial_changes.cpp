@@ -11,6 +11,11 @@
 
 namespace odo {
 
+Message editTrialWords(const std::string &trial)
+{
+    return ODO_TEXT("workflow.edit_trial", "edit trial %1")(Named::trial(trial));
+}
+
 namespace {
 
 Message wordsOf(const std::string &trial, const TrialEdit &edit)
@@ -30,7 +35,7 @@ Message wordsOf(const std::string &trial, const TrialEdit &edit)
         if (edit.notes)
             return ODO_TEXT("ui.write_notes", "write notes of %1")(name);
     }
-    return ODO_TEXT("workflow.edit_trial", "edit trial %1")(name);
+    return editTrialWords(trial);
 }
 
 tl::unexpected<Error> ofAnotherClass(const TeamRecord &team, const std::string &className, Message advice)

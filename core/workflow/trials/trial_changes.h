@@ -24,7 +24,11 @@ struct TrialEdit
     std::optional<std::string> task = {}; ///< empty: none
     std::optional<std::vector<std::string>> robots = {};
     std::optional<std::string> notes = {};
+    bool operator==(const TrialEdit &) const = default;
 };
+
+/// Words of a change of several things.
+Message editTrialWords(const std::string &trial);
 
 /// Makes all of it one change, which can be undone; gives the trial as it is then. On the project's thread.
 /// Errors, and nothing is changed: NotFound for a trial, task or robot that the project doesn't have;

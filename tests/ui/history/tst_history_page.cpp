@@ -280,8 +280,9 @@ void TestHistoryPage::verdictsAreComputedShownAndFiltered()
 {
     const auto project = copy(QStringLiteral("verdicts.odo"));
     auto trial = *project->trials().find("Trial 2");
-    trial.syncMethod = "none";
-    QVERIFY(project->trials().setSync(trial));
+    auto views = *project->trials().recordings(trial.id);
+    trial.syncMethod = views[1].syncMethod = "none";
+    QVERIFY(project->trials().setSync(trial, views));
     HistoryPage page(*project);
     page.refresh();
     QTRY_VERIFY(page.isSettled());

@@ -57,7 +57,6 @@ void TestFirstOwnRun::initTestCase()
     for (Marker &marker : m_scene.floor.markers.markers)
         marker.pointInWorld += Eigen::Vector2d(0.95, 0.8);
     m_scene.cameras[1].startOffsetS = 0.42;
-    m_scene.lights.push_back({1.4, 1.2, 0.15}); // somebody's flash
     m_scene.robots.push_back(demoRobot("Robot", {}, makeCircleMotion({1.5, 1.1}, 0.8, 0.9, 0.5)));
     for (int camera = 0; camera < 2; ++camera)
         QVERIFY(renderVideo(m_scene, camera, path(camera == 0 ? "phone1.mp4" : "phone2.mp4").toStdString(),

@@ -25,7 +25,7 @@
 using namespace odo;
 using odo::test::writeRaw;
 
-using Sync = ImportSettings::Sync;
+using Sync = SyncBy;
 
 class TestImportTrialDialog : public QObject
 {

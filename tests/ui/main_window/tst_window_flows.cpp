@@ -76,6 +76,7 @@ private Q_SLOTS:
     void refusesABadTrial();
     void cancelsTracking();
     void tracks();
+    void synchronisesAgain();
     void exportsAndCopies();
     void cancelsTheDemo();
     void opensTheDemoThatIsThere();
@@ -90,8 +91,7 @@ private:
     QString message() const { return m_window->findChild<MessageBar *>()->text(); }
     Project &project() const { return *m_window->workspace().project(); }
     QStringList content() const { return contentOf(project()); }
-    Answer importAnswer(const QString &trial, const QString &first, const QString &second,
-                        ImportSettings::Sync sync) const;
+    Answer importAnswer(const QString &trial, const QString &first, const QString &second, SyncBy sync) const;
 
     QTemporaryDir m_folder;
     SimulatedScene m_scene = demoTestbed(3);
@@ -297,7 +297,7 @@ void TestWindowFlows::importsIntrinsics()
 }
 
 Answer TestWindowFlows::importAnswer(const QString &trial, const QString &first, const QString &second,
-                                     ImportSettings::Sync sync) const
+                                     SyncBy sync) const
 {
     return [this, trial, first, second, sync](QDialog &dialog) {
         auto &import = dynamic_cast<ImportTrialDialog &>(dialog);
@@ -314,12 +314,11 @@ Answer TestWindowFlows::importAnswer(const QString &trial, const QString &first,
 void TestWindowFlows::importsATrial()
 {
     run("Import trial from videos…", {importAnswer(QStringLiteral("told"), QStringLiteral("a.mkv"),
-                                                   QStringLiteral("b.mkv"), ImportSettings::Sync::Given)});
+                                                   QStringLiteral("b.mkv"), SyncBy::Given)});
     QVERIFY2(project().trials().find("told"), qPrintable(message()));
     QCOMPARE(project().trials().find("told")->syncMethod, std::string("told"));
-    run("Import trial from videos…",
-        {importAnswer(QStringLiteral("found"), QStringLiteral("a.mkv"), QStringLiteral("b.mkv"),
-                      ImportSettings::Sync::Automatic)});
+    run("Import trial from videos…", {importAnswer(QStringLiteral("found"), QStringLiteral("a.mkv"),
+                                                   QStringLiteral("b.mkv"), SyncBy::Automatic)});
     const auto found = project().trials().find("found");
     QVERIFY2(found, qPrintable(message()));
     QCOMPARE(project().trials().recordings(found->id)->size(), std::size_t(2));
@@ -349,8 +348,7 @@ void TestWindowFlows::refusesABadTrial()
     QFETCH(QString, second);
     QFETCH(QString, words);
     const QStringList before = content();
-    run("Import trial from videos…",
-        {importAnswer(trial, QStringLiteral("a.mkv"), second, ImportSettings::Sync::None)});
+    run("Import trial from videos…", {importAnswer(trial, QStringLiteral("a.mkv"), second, SyncBy::None)});
     QVERIFY2(message().contains(words), qPrintable(message()));
     QCOMPARE(content(), before);
 }
@@ -371,6 +369,23 @@ void TestWindowFlows::tracks()
     run("Track…", {press});
     QVERIFY2(message().startsWith(QLatin1String("told is tracked: red in ")), qPrintable(message()));
     QCOMPARE(project().analyses().current(project().trials().find("told")->id)->size(), std::size_t(1));
+}
+
+void TestWindowFlows::synchronisesAgain()
+{
+    run("S&ynchronise…", {[](QDialog &dialog) {
+            auto *how = dialog.findChild<QComboBox *>();
+            how->setCurrentIndex(how->findData(int(SyncBy::Given)));
+            dialog.findChild<QDoubleSpinBox *>()->setValue(0.01);
+            press(dialog);
+        }});
+    QVERIFY2(
+        message().startsWith(QLatin1String("told is synchronised. B: started 10.0 ms later, set by hand.")),
+        qPrintable(message()));
+    const auto trial = project().trials().find("told");
+    QCOMPARE(trial->syncOffsetS, 0.01);
+    QCOMPARE(project().trials().recordings(trial->id)->at(1).startOffsetS, 0.01);
+    QCOMPARE(project().analyses().current(trial->id)->size(), std::size_t(1));
 }
 
 void TestWindowFlows::exportsAndCopies()

@@ -25,9 +25,10 @@ private Q_SLOTS:
         QStandardPaths::setTestModeEnabled(true);
         m_project = openStoredExample(m_folder.path().toStdString());
         auto trial = *m_project->trials().find("Trial 1");
-        trial.syncMethod = "auto"; // known to more than 5 ms only
-        trial.syncOffsetSigmaS = 0.02;
-        QVERIFY(m_project->trials().setSync(trial));
+        auto views = *m_project->trials().recordings(trial.id);
+        trial.syncMethod = views[1].syncMethod = "auto"; // known to more than 5 ms only
+        trial.syncOffsetSigmaS = views[1].startOffsetSigmaS = 0.02;
+        QVERIFY(m_project->trials().setSync(trial, views));
         auto analysis = m_project->analyses().current(trial.id)->front();
         analysis.profile.spikes.clear();
         QVERIFY(m_project->analyses().add(analysis));

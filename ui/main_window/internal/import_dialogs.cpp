@@ -287,7 +287,7 @@ ImportSettings ImportTrialDialog::settings() const
 namespace {
 
 constexpr double highestOffsetS = 600;
-using Sync = ImportSettings::Sync;
+using Sync = SyncBy;
 
 } // namespace
 
@@ -319,10 +319,13 @@ void ViewSteps::addView()
     row.later->setAccessibleName(tr("Time offset of view %1").arg(number));
     row.later->setToolTip(tr("Negative: it started before the first view"));
     row.later->setEnabled(false);
-    connect(row.how, &QComboBox::currentIndexChanged, row.later, [row] {
-        row.later->setEnabled(row.how->currentData().toInt() == static_cast<int>(Sync::Given));
-    });
     const int place = static_cast<int>(m_rows.size());
+    const std::size_t view = m_rows.size() + 1;
+    connect(row.how, &QComboBox::currentIndexChanged, this, [this, row, view] {
+        row.later->setEnabled(row.how->currentData().toInt() == static_cast<int>(Sync::Given));
+        Q_EMIT changed(view);
+    });
+    connect(row.later, &QDoubleSpinBox::valueChanged, this, [this, view] { Q_EMIT changed(view); });
     m_grid->addWidget(row.camera, place, 0);
     m_grid->addWidget(row.how, place, 1);
     m_grid->addWidget(row.later, place, 2);
@@ -338,7 +341,20 @@ void ViewSteps::setCameras(const QStringList &cameras)
     }
 }
 
-ImportSettings::ViewStep ViewSteps::step(std::size_t view) const
+void ViewSteps::offerToKeep()
+{
+    for (const Row &row : m_rows)
+        row.how->addItem(tr("As it is"), static_cast<int>(Sync::Kept));
+}
+
+void ViewSteps::setStep(std::size_t view, const ViewStep &step)
+{
+    const Row &row = m_rows[view - 1];
+    row.how->setCurrentIndex(row.how->findData(static_cast<int>(step.how)));
+    row.later->setValue(step.offsetS);
+}
+
+ViewStep ViewSteps::step(std::size_t view) const
 {
     if (view == 0 || view > m_rows.size())
         return {};

@@ -112,10 +112,17 @@ public:
     void addView();
     /// The views' cameras as they are called now, in order.
     void setCameras(const QStringList &cameras);
+    /// Offers, too, to leave each view as it is.
+    void offerToKeep();
+    /// Chooses how to synchronise a view, counted from 0.
+    void setStep(std::size_t view, const ViewStep &step);
     /// What was chosen for a view, counted from 0; that of the first one is of no use.
-    ImportSettings::ViewStep step(std::size_t view) const;
+    ViewStep step(std::size_t view) const;
     /// All that takes the focus, in order.
     QList<QWidget *> fields() const;
+
+Q_SIGNALS:
+    void changed(std::size_t view); ///< what is chosen for it
 
 private:
     struct Row

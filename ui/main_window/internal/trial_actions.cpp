@@ -8,13 +8,16 @@
 #include "core/workflow/import/import_tracks_job.h"
 #include "core/workflow/import/import_trial_job.h"
 #include "core/workflow/import/recording_source.h"
+#include "core/workflow/track/synchronise_job.h"
 #include "core/workflow/track/track_job.h"
 #include "core/workflow/track/track_warnings.h"
 #include "core/workflow/trial_sources.h"
 #include "core/workflow/turned_recordings.h"
 #include "ui/main_window/internal/import_lesson_dialog.h"
 #include "ui/main_window/internal/import_tracks_dialog.h"
+#include "ui/main_window/internal/job_words.h"
 #include "ui/main_window/internal/robots_dialog.h"
+#include "ui/main_window/internal/synchronise_dialog.h"
 #include "ui/main_window/internal/track_dialog.h"
 #include "ui/main_window/internal/trial_export.h"
 #include "ui/main_window/workspace.h"
@@ -46,32 +49,6 @@ QStringList namesOf(const Result<std::vector<Record>> &records)
         for (const Record &record : *records)
             names << QString::fromStdString(record.name);
     return names;
-}
-
-QString trackedWords(const TrackOutcome &outcome)
-{
-    QStringList parts;
-    for (const TrackedRobot &robot : outcome.robots)
-        parts << TrialActions::tr("%1 in %2 of %3 frames, spikes flagged: %4")
-                     .arg(QString::fromStdString(robot.name))
-                     .arg(robot.tracked)
-                     .arg(robot.frames)
-                     .arg(robot.analysis.profile.spikes.size());
-    QStringList sentences{TrialActions::tr("%1 is tracked: %2.")
-                              .arg(QString::fromStdString(outcome.trial), parts.join(QStringLiteral("; ")))};
-    for (const Message &warning : outcome.warnings)
-        sentences << shownWords(warning);
-    return sentences.join(QLatin1Char(' '));
-}
-
-/// Of either way of importing.
-template <class ImportJob>
-QString importedWords(const ImportJob &job)
-{
-    QStringList sentences{TrialActions::tr("%1 is imported.").arg(QString::fromStdString(job.trial().name))};
-    for (const Message &warning : job.warnings())
-        sentences << shownWords(warning);
-    return sentences.join(QLatin1Char(' '));
 }
 
 Message importing(const std::string &trial)
@@ -106,6 +83,7 @@ TrialActions::TrialActions(Workspace &workspace, QWidget &window)
       m_import(new QAction(themeIcon(QStringLiteral("import")), tr("&Import trial from videos…"), this)),
       m_importTracks(new QAction(themeIcon(QStringLiteral("import")), tr("Import finished tra&cks…"), this)),
       m_track(new QAction(themeIcon(QStringLiteral("track")), tr("&Track…"), this)),
+      m_synchronise(new QAction(tr("S&ynchronise…"), this)),
       m_export(new QAction(themeIcon(QStringLiteral("export")), tr("&Export…"), this)),
       m_video(new QAction(tr("Export &video…"), this)),
       m_addRobot(new QAction(themeIcon(QStringLiteral("add")), tr("Add &robot…"), this))
@@ -113,6 +91,7 @@ TrialActions::TrialActions(Workspace &workspace, QWidget &window)
     nameCommands({{m_import, "import"},
                   {m_importTracks, "importTracks"},
                   {m_track, "track"},
+                  {m_synchronise, "synchronise"},
                   {m_export, "export"},
                   {m_video, "exportVideo"},
                   {m_addRobot, "addRobot"}});
@@ -122,6 +101,7 @@ TrialActions::TrialActions(Workspace &workspace, QWidget &window)
     m_importTracks->setShortcut(QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_I));
     connect(m_importTracks, &QAction::triggered, this, [this] { askImportTracks(); });
     connect(m_track, &QAction::triggered, this, [this] { askTrack(m_trial); });
+    connect(m_synchronise, &QAction::triggered, this, [this] { askSynchronise(m_trial); });
     m_export->setShortcut(QKeySequence(Qt::CTRL | Qt::Key_E));
     connect(m_export, &QAction::triggered, this, &TrialActions::askExport);
     connect(m_video, &QAction::triggered, this, &TrialActions::askVideo);
@@ -135,7 +115,7 @@ TrialActions::TrialActions(Workspace &workspace, QWidget &window)
 
 void TrialActions::fillMenu(QMenu &menu)
 {
-    menu.addActions({m_import, m_importTracks, m_addRobot, m_track, m_export, m_video});
+    menu.addActions({m_import, m_importTracks, m_addRobot, m_track, m_synchronise, m_export, m_video});
 }
 
 void TrialActions::setCurrentTrial(const QString &name)
@@ -153,6 +133,7 @@ void TrialActions::updateActions()
     m_export->setEnabled(!m_trial.isEmpty());
     m_video->setEnabled(!m_trial.isEmpty() && !m_workspace.isBusy());
     m_track->setEnabled(writable && !m_workspace.isBusy() && !m_trial.isEmpty());
+    m_synchronise->setEnabled(m_track->isEnabled());
 }
 
 void TrialActions::showFailure(const Result<void> &result)
@@ -166,7 +147,7 @@ void TrialActions::startImport(const std::shared_ptr<ImportJob> &job, const std:
 {
     showFailure(m_workspace.start(job, importing(trial), [this, job] {
         Q_EMIT trialImported(QString::fromStdString(job->trial().name));
-        Q_EMIT done(importedWords(*job));
+        Q_EMIT done(importedWords(job->trial(), job->warnings()));
     }));
 }
 
@@ -275,7 +256,9 @@ void TrialActions::askTrack(const QString &trial)
     for (const std::string &name : record->robotNames)
         expected << QString::fromStdString(name);
     QStringList caveats;
-    if (const auto views = registeredViews(project, *record)) { // what else is wrong, tracking will say
+    if (auto views = registeredViews(project, *record)) { // what else is wrong, tracking will say
+        std::erase_if(*views,
+                      [](const RegisteredView &view) { return isSyncOpen(view.recording); }); // sought
         for (const Message &sentence : stepWarnings(record->name, *views))
             caveats << shownWords(sentence) + u'.';
         for (const Message &sentence : turnedWarnings(record->name, *views, Opened::NeverTurned))
@@ -290,6 +273,35 @@ void TrialActions::askTrack(const QString &trial)
     const auto imported = importedTracksOf(project, *record);
     settings.again = imported && !imported->empty(); // there is no video to track in
     startTracking(trial, std::move(settings));
+}
+
+void TrialActions::askSynchronise(const QString &trial)
+{
+    Project &project = *m_workspace.project();
+    const Result<TrialRecord> record = project.trials().find(trial.toStdString());
+    const auto views = record ? project.trials().recordings(record->id)
+                              : Result<std::vector<RecordingRecord>>(tl::unexpected(record.error()));
+    if (!views) {
+        Q_EMIT failed(views.error());
+        return;
+    }
+    std::vector<ViewStep> steps;
+    if (views->size() > 1) { // the job says what is wrong with any other
+        std::vector<std::filesystem::path> files;
+        for (const RecordingRecord &view : *views)
+            files.push_back(project.resolve(view));
+        SynchroniseDialog dialog(trial, *views, files, &m_window);
+        if (dialog.exec() != QDialog::Accepted)
+            return;
+        steps = dialog.steps();
+    }
+    const auto job = std::make_shared<SynchroniseJob>(trial.toStdString(), std::move(steps));
+    showFailure(m_workspace.start(
+        job, ODO_TEXT("ui.synchronising", "Synchronising %1")(Named::trial(trial.toStdString())),
+        [this, job] {
+            Q_EMIT trialTracked(QString::fromStdString(job->trial().name));
+            Q_EMIT done(synchronisedWords(*job));
+        }));
 }
 
 void TrialActions::startTracking(const QString &trial, TrackSettings settings)

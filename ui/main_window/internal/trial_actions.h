@@ -29,13 +29,15 @@ class TrialActions : public QObject
 public:
     TrialActions(Workspace &workspace, QWidget &window);
     void fillMenu(QMenu &menu);
-    /// The trial that Track, Export and Export video mean; empty: none.
+    /// The trial that Track, Synchronise, Export and Export video mean; empty: none.
     void setCurrentTrial(const QString &name);
     /// videos: dropped ones; those of several runs are offered as a lesson.
     void askImport(const QStringList &videos = {});
     /// Of tracks that another program measured.
     void askImportTracks(const QStringList &files = {});
     void askTrack(const QString &trial);
+    /// How its views are to be synchronised.
+    void askSynchronise(const QString &trial);
     /// Asks for a new robot; false: none was added.
     bool askRobot();
     /// Stores a manual override of a sample and reanalyses the trial.
@@ -69,7 +71,7 @@ private:
     QWidget &m_window;
     QString m_trial;
     BackgroundTask m_clipSearch; ///< which of the dropped clips belong together
-    QAction *m_import, *m_importTracks, *m_track, *m_export, *m_video, *m_addRobot;
+    QAction *m_import, *m_importTracks, *m_track, *m_synchronise, *m_export, *m_video, *m_addRobot;
 };
 
 } // namespace odo

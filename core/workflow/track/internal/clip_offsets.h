@@ -22,6 +22,7 @@ struct ClipOffsetSearch
     std::vector<RobotRecord> robots;
     std::vector<std::optional<MicrophonePosition>> microphones; ///< of each view
     bool isSlowMotion = false; ///< the files play at another rate than they were filmed at
+    bool mayTakeFields = true; ///< interlaced frames may be counted by their fields
 };
 
 /// What is found of the clocks of all views.

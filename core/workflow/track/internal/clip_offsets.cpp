@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/workflow/import/internal/clip_offsets.h"
+#include "core/workflow/track/internal/clip_offsets.h"
 
 #include "core/project/project.h"
 #include "core/project/project_words.h"
@@ -72,7 +72,9 @@ Result<void> readFrames(std::vector<RegisteredView> &views, const ClipOffsetSear
     auto tracked = ODO_TRY(trackViews(views, canTrack ? search.robots : std::vector<RobotRecord>{}, control,
                                       WithLight::Measured));
     if (canTrack) {
-        const std::vector<std::size_t> byFields = takeFields(views, tracked, control.cancel);
+        std::vector<std::size_t> byFields;
+        if (search.mayTakeFields)
+            byFields = takeFields(views, tracked, control.cancel);
         if (!byFields.empty())
             tracked = ODO_TRY(trackViews(views, search.robots, control, WithLight::Measured));
         for (std::size_t v = 0; v < views.size(); ++v)

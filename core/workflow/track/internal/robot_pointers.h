@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/workflow/track/track_job.h"
+#include "core/workflow/trial_sources.h"
+
+#include <vector>
+
+namespace odo {
+
+/// What is pointed out in a trial, with the new marks replacing those of the same robot and view; nothing
+/// else is changed. robots: those tracked. Errors: a robot or view that the trial has not, a robot detected
+/// by its colour, a time without a frame, a position outside the frame. Project's thread.
+Result<std::vector<PointedOutRobot>> pointedOutRobots(Project &project, const TrialRecord &trial,
+                                                      const std::vector<RegisteredView> &views,
+                                                      const std::vector<RobotRecord> &robots,
+                                                      const std::vector<RobotPointer> &pointers);
+
+} // namespace odo

@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/main_window/internal/synchronise_dialog.h"
+
+#include "ui/main_window/internal/import_dialogs.h"
+#include "ui/models/explanation.h"
+
+#include <QDialogButtonBox>
+#include <QFormLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <QVBoxLayout>
+
+namespace odo {
+
+namespace {
+
+QLabel *plainText(const QString &text)
+{
+    auto *label = new QLabel(text);
+    label->setTextFormat(Qt::PlainText);
+    label->setWordWrap(true);
+    return label;
+}
+
+} // namespace
+
+SynchroniseDialog::SynchroniseDialog(const QString &trial, const std::vector<RecordingRecord> &views,
+                                     const std::vector<std::filesystem::path> &files, QWidget *parent)
+    : QDialog(parent), m_steps(new ViewSteps), m_chart(new SoundChart(m_time)),
+      m_soundWords(plainText(tr("The sound of the videos is being read…")))
+{
+    setWindowTitle(tr("Synchronise %1").arg(trial));
+    auto *buttons = new QDialogButtonBox(QDialogButtonBox::Cancel);
+    QPushButton *accept = buttons->addButton(tr("Synchronise"), QDialogButtonBox::AcceptRole);
+    auto *layout = new QVBoxLayout(this);
+    layout->addWidget(makeSteps(views));
+    layout->addWidget(m_chart, 1);
+    layout->addWidget(m_soundWords);
+    layout->addWidget(
+        plainText(tr("What was tracked in the trial is analysed again. Choose Undo to return to the "
+                     "synchronisation that it has now.")));
+    layout->addWidget(buttons);
+    m_chart->setMinimumHeight(160);
+    m_chart->setEnabled(false);
+    accept->setDefault(true); // only now is it in the dialog, whose Enter key it is to have
+    resize(640, sizeHint().height());
+    m_steps->fields().constFirst()->setFocus();
+    connect(m_steps, &ViewSteps::changed, this, &SynchroniseDialog::showSounds);
+    connect(m_chart, &SoundChart::offsetDragged, this, [this](double offsetS) {
+        m_steps->setStep(m_shownView, {SyncBy::Given, offsetS});
+    });
+    connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
+    connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+    readSounds(files);
+}
+
+QWidget *SynchroniseDialog::makeSteps(const std::vector<RecordingRecord> &views)
+{
+    auto *widget = new QWidget;
+    auto *form = new QFormLayout(widget);
+    form->setContentsMargins(0, 0, 0, 0);
+    QStringList cameras;
+    for (const RecordingRecord &view : views) {
+        m_cameras.push_back(view.cameraName);
+        cameras << QString::fromStdString(view.cameraName);
+        m_steps->addView();
+        if (view.position == 0)
+            continue;
+        m_steps->setStep(std::size_t(view.position), {SyncBy::Automatic, view.startOffsetS});
+        form->addRow(tr("%1 now").arg(cameras.constLast()), plainText(stepText(view)));
+    }
+    if (views.size() > 2)
+        m_steps->offerToKeep();
+    m_steps->setCameras(cameras);
+    auto *steps = new QLabel(tr("&Synchronise"));
+    steps->setBuddy(m_steps->fields().constFirst());
+    form->addRow(steps, m_steps);
+    return widget;
+}
+
+void SynchroniseDialog::readSounds(const std::vector<std::filesystem::path> &files)
+{
+    const auto read = std::make_shared<std::vector<SoundPeaks>>();
+    connect(&m_reading, &BackgroundTask::finished, this, [this, read] {
+        m_sounds = std::move(*read);
+        showSounds(1);
+    });
+    m_reading.start([read, files](const JobControl &control) -> Result<void> {
+        for (const std::filesystem::path &file : files) {
+            const auto sound = readSound(file, control.cancel); // one that cannot be read is none
+            read->push_back(sound ? peaksOf(*sound) : SoundPeaks{});
+        }
+        return {};
+    });
+}
+
+/// Of the first view and another.
+void SynchroniseDialog::showSounds(std::size_t view)
+{
+    if (view >= m_sounds.size())
+        return; // not read yet
+    const SoundPeaks &first = m_sounds.front(), &other = m_sounds[view];
+    const bool areBoth = !first.peaks.empty() && !other.peaks.empty();
+    m_chart->setEnabled(areBoth);
+    m_soundWords->setText(
+        areBoth
+            ? tr("Sound of %1 above, of %2 below. Drag it until both show the same clap at one time; the "
+                 "wheel "
+                 "zooms.")
+                  .arg(QString::fromStdString(m_cameras.front()), QString::fromStdString(m_cameras[view]))
+            : tr("%1 has no sound to compare.")
+                  .arg(QString::fromStdString(first.peaks.empty() ? m_cameras.front() : m_cameras[view])));
+    m_chart->setOffset(m_steps->step(view).offsetS);
+    if (areBoth && m_shownView != view)
+        m_chart->setSounds({first, other});
+    m_shownView = view;
+}
+
+std::vector<ViewStep> SynchroniseDialog::steps() const
+{
+    std::vector<ViewStep> steps;
+    for (std::size_t view = 1; view < m_cameras.size(); ++view)
+        steps.push_back(m_steps->step(view));
+    return steps;
+}
+
+} // namespace odo
