@@ -2,6 +2,7 @@
 #include "app/answers.h"
 
 #include "core/analysis/gate_passages.h"
+#include "core/base/units.h"
 #include "core/project/message_json.h"
 #include "core/video/frame_turn.h"
 
@@ -97,15 +98,16 @@ QJsonObject recordingJson(const RecordingRecord &recording)
 {
     const double duration = recording.frameTimes.empty() ? 0 : toSeconds(recording.frameTimes.back());
     const double interval = recording.framesPerSecond > 0 ? 1 / recording.framesPerSecond : 0;
-    return {{QStringLiteral("frames"), qint64(recording.frameTimes.size())},
-            {QStringLiteral("fps"), recording.framesPerSecond},
-            {QStringLiteral("duration_s"), duration + interval},
-            {QStringLiteral("start_offset_s"), recording.startOffsetS},
-            {QStringLiteral("start_offset_sigma_s"), recording.startOffsetSigmaS},
-            {QStringLiteral("sync_method"), QString::fromStdString(publishedSyncMethod(recording.syncMethod))},
-            {QStringLiteral("clock_rate_ppm"), recording.clockRate * 1e6},
-            {QStringLiteral("rotation_deg"), clockwiseDegreesOf(recording.orientation)},
-            {QStringLiteral("mirrored"), isMirroring(recording.orientation)}};
+    return {
+        {QStringLiteral("frames"), qint64(recording.frameTimes.size())},
+        {QStringLiteral("fps"), recording.framesPerSecond},
+        {QStringLiteral("duration_s"), duration + interval},
+        {QStringLiteral("start_offset_s"), recording.startOffsetS},
+        {QStringLiteral("start_offset_sigma_s"), recording.startOffsetSigmaS},
+        {QStringLiteral("sync_method"), QString::fromStdString(publishedSyncMethod(recording.syncMethod))},
+        {QStringLiteral("clock_rate_ppm"), recording.clockRate * 1e6},
+        {QStringLiteral("rotation_deg"), clockwiseDegreesOf(recording.orientation)},
+        {QStringLiteral("mirrored"), isMirroring(recording.orientation)}};
 }
 
 QJsonArray vectorJson(const Eigen::VectorXd &vector)
@@ -227,6 +229,17 @@ QJsonArray sentencesJson(const std::vector<Message> &sentences)
 QString english(const Message &message)
 {
     return QString::fromStdString(message.english());
+}
+
+QJsonObject variablesJson(const TrialRecord &trial)
+{
+    QJsonObject json;
+    for (const auto &[name, value] : trial.variables) {
+        const auto number = parseNumber(value);
+        json.insert(QString::fromStdString(name),
+                    number ? QJsonValue(*number) : QJsonValue(QString::fromStdString(value)));
+    }
+    return json;
 }
 
 QString dateText(Instant instant)

@@ -42,6 +42,8 @@ QString english(const Message &message);
 
 /// By the clock on the wall here, to the second: "2026-11-23T15:04:05".
 QString dateText(Instant instant);
+/// A trial's own variables by name; what reads as a number is one.
+QJsonObject variablesJson(const TrialRecord &trial);
 
 /// A task with the fields that a task file has (core/exchange/task_file.h), and its name.
 QJsonObject taskJson(const TaskRecord &record);

@@ -190,6 +190,7 @@ inline const QString turn = QStringLiteral("turn");
 inline const QString unit = QStringLiteral("unit");
 inline const QString use = QStringLiteral("use");
 inline const QString valid = QStringLiteral("valid");
+inline const QString variable = QStringLiteral("var");
 inline const QString video = QStringLiteral("video");
 inline const QString xAxis = QStringLiteral("x-axis");
 

@@ -419,6 +419,7 @@ Result<void> runShow(const QStringList &arguments, const CancelToken &cancel)
                  {QStringLiteral("team"), QString::fromStdString(trial.teamName)},
                  {QStringLiteral("task"), QString::fromStdString(trial.task)},
                  {QStringLiteral("notes"), QString::fromStdString(trial.notes)},
+                 {QStringLiteral("variables"), variablesJson(trial)},
                  {QStringLiteral("views"), views},
                  {QStringLiteral("sync"), syncJson(trial)},
                  {QStringLiteral("verdict"), verdictJson(verdict)},

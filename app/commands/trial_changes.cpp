@@ -37,6 +37,7 @@ QJsonObject trialJson(const TrialRecord &trial)
             {QStringLiteral("robots"), namesJson(trial.robotNames)},
             {QStringLiteral("notes"), QString::fromStdString(trial.notes)},
             {QStringLiteral("tags"), namesJson(trial.tags)},
+            {QStringLiteral("variables"), variablesJson(trial)},
             {QStringLiteral("duration_s"), trial.durationS},
             {QStringLiteral("sync"), syncJson(trial)},
             {QStringLiteral("views"), trial.viewCount},
@@ -60,6 +61,8 @@ QString trialText(const TrialRecord &trial)
                       QStringLiteral("  date    %1").arg(dateText(trial.date)),
                       QStringLiteral("  robots  %1")
                           .arg(robots.isEmpty() ? orNone({}) : robots.join(QStringLiteral(", ")))};
+    for (const auto &[name, value] : trial.variables)
+        lines << QStringLiteral("  %1 = %2").arg(QString::fromStdString(name), QString::fromStdString(value));
     if (!trial.notes.empty())
         lines << QStringLiteral("  notes   %1").arg(QString::fromStdString(trial.notes).simplified());
     return lines.join(u'\n');
@@ -81,6 +84,21 @@ Result<Instant> dateOf(const CommandCall &call)
     return Instant(std::chrono::milliseconds(date.toMSecsSinceEpoch()));
 }
 
+/// KEY=VALUE; KEY= removes it.
+Result<std::map<std::string, std::string>> variablesOf(const CommandCall &call)
+{
+    std::map<std::string, std::string> variables;
+    for (const std::string &text : call.texts(option::variable)) {
+        const auto equals = text.find('=');
+        if (equals == 0 || equals == std::string::npos)
+            return call.wrongCall(
+                ODO_TEXT("app.variable_is",
+                         "--var '%1' is not KEY=VALUE, such as surface=carpet, or KEY= to remove it")(text));
+        variables.insert_or_assign(text.substr(0, equals), text.substr(equals + 1));
+    }
+    return variables;
+}
+
 std::optional<std::string> given(const CommandCall &call, const QString &option)
 {
     return call.isSet(option) ? std::optional(call.value(option)) : std::nullopt;
@@ -98,6 +116,7 @@ Result<void> set(const CommandCall &call, Project &project, const TrialRecord &t
     }
     if (call.isSet(option::robot))
         edit.robots = call.texts(option::robot);
+    edit.variables = ODO_TRY(variablesOf(call));
     const bool isNewTeam = edit.team && !edit.team->empty() && !project.teams().find(*edit.team);
     std::optional<SynchroniseJob> sync;
     if (call.isSet(option::sync)) {
@@ -190,7 +209,7 @@ const QList<Verb> &verbs()
 {
     static const QList<Verb> all{{QStringLiteral("set"),
                                   {option::name, option::team, option::ofClass, option::date, option::task,
-                                   option::robot, option::sync, option::note},
+                                   option::robot, option::variable, option::sync, option::note},
                                   &set},
                                  {QStringLiteral("remove"), {}, &removeTrial},
                                  {QStringLiteral("restore"), {}, &restoreTrial},
@@ -205,7 +224,8 @@ CommandSyntax trialSyntax()
     return {
         QStringLiteral("trial"),
         QStringLiteral("set P.odo TRIAL [--name N] [--team T] [--class C] [--date ISO] [--task TASK] "
-                       "[--robot R]... [--sync auto|motion|flash|audio|none|SECONDS[,...]] [--note TEXT] "
+                       "[--robot R]... [--var KEY=VALUE]... [--sync "
+                       "auto|motion|flash|audio|none|SECONDS[,...]] [--note TEXT] "
                        "| remove P.odo TRIAL | restore P.odo TRIAL_IN_BIN | copy P.odo TRIAL [--name N] "
                        "| accept P.odo TRIAL --reason TEXT | withdraw P.odo TRIAL [--json]"),
         3,
@@ -221,6 +241,9 @@ CommandSyntax trialSyntax()
          {option::task, QStringLiteral("Its task; '' removes it."), QStringLiteral("TASK")},
          {option::robot, QStringLiteral("A robot that is in it; replaces those it had."),
           QStringLiteral("R")},
+         {option::variable,
+          QStringLiteral("A variable of your own, text or a number: surface=carpet; KEY= removes it."),
+          QStringLiteral("KEY=VALUE")},
          {option::sync,
           QStringLiteral(
               "How much later each other view's first frame was taken than the first view's; auto: "

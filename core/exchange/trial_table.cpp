@@ -3,10 +3,12 @@
 
 #include "core/analysis/metric_table.h"
 #include "core/base/plain_text.h"
+#include "core/base/units.h"
 #include "core/exchange/internal/csv_line.h"
 #include "core/project/names.h"
 
 #include <QDateTime>
+#include <algorithm>
 #include <array>
 #include <cctype>
 #include <memory>
@@ -32,6 +34,21 @@ std::string columnName(const TrialTableColumn &column)
         }
     }
     return name;
+}
+
+/// "var_surface": one word.
+std::string variableName(const std::string &variable)
+{
+    std::string name = "var_" + variable;
+    std::ranges::replace(name, ' ', '_');
+    return name;
+}
+
+/// Empty: the trial does not have it.
+std::string variableCell(const TrialTableRow &row, const std::string &variable)
+{
+    const auto found = row.trial.variables.find(variable);
+    return found == row.trial.variables.end() ? std::string() : found->second;
 }
 
 std::string verdictCell(const TrialTableRow &row)
@@ -84,6 +101,8 @@ Result<void> writeTrialTableCsv(const TrialTable &table, CsvStyle style, const T
     CsvLine header(style);
     for (const char *fact : facts)
         header.text(fact);
+    for (const std::string &variable : table.variables)
+        header.text(variableName(variable));
     for (const TrialTableColumn &column : table.columns) {
         header.text(columnName(column));
         header.text("sigma_" + columnName(column));
@@ -97,6 +116,13 @@ Result<void> writeTrialTableCsv(const TrialTable &table, CsvStyle style, const T
              {row.trial.name, row.trial.teamName, row.trial.className, row.trial.task, row.robot,
               dateOf(row.trial).toString(Qt::ISODate).toStdString(), verdictCell(row)})
             line.text(cell);
+        for (const std::string &variable : table.variables) {
+            const std::string cell = variableCell(row, variable);
+            if (const auto number = parseNumber(cell))
+                line.number(*number);
+            else
+                line.text(cell);
+        }
         for (const std::optional<Metric> &metric : row.metrics) {
             for (const std::optional<double> &number : {metric ? std::optional(metric->value) : std::nullopt,
                                                         metric ? metric->sigma : std::nullopt})
@@ -206,6 +232,8 @@ void fillHeader(lxw_worksheet &sheet, const TrialTable &table, const CellFormats
     SheetRow row(sheet, 0);
     for (const char *fact : {"Trial", "Team", "Class", "Task", "Robot", "Date", "Verdict"})
         row.text(fact, formats.header);
+    for (const std::string &variable : table.variables)
+        row.text(variable, formats.header);
     for (const TrialTableColumn &column : table.columns) {
         row.text(heading(column), formats.header);
         row.text("± " + heading(column), formats.header);
@@ -223,6 +251,13 @@ void fillRow(lxw_worksheet &sheet, std::size_t position, const TrialTable &table
         row.text(cell);
     row.date(dateOf(from.trial), formats.date);
     row.text(verdictCell(from), formats.of(from.verdict));
+    for (const std::string &variable : table.variables) {
+        const std::string cell = variableCell(from, variable);
+        if (const auto number = parseNumber(cell))
+            row.number(*number, nullptr);
+        else
+            row.text(cell);
+    }
     for (std::size_t i = 0; i < table.columns.size(); ++i) {
         const std::optional<Metric> &metric = from.metrics[i];
         if (!metric) {
@@ -259,7 +294,7 @@ Result<void> writeTrialTableXlsx(const TrialTable &table, const OutputTarget &ta
         fillRow(*sheet, i, table, formats);
     constexpr double nameWidth = 18, numberWidth = 14, remarksWidth = 80;
     const auto first = static_cast<lxw_col_t>(facts.size());
-    const auto behind = static_cast<lxw_col_t>(first + 2 * table.columns.size());
+    const auto behind = static_cast<lxw_col_t>(first + table.variables.size() + 2 * table.columns.size());
     worksheet_set_column(sheet, 0, first, nameWidth, nullptr);
     worksheet_set_column(sheet, first, behind, numberWidth, nullptr);
     worksheet_set_column(sheet, behind + 1, behind + 1, remarksWidth, nullptr);

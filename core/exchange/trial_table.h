@@ -34,6 +34,7 @@ struct TrialTableRow
 /// worth is beside it.
 struct TrialTable
 {
+    std::vector<std::string> variables; ///< that the trials have, a column each
     std::vector<TrialTableColumn> columns;
     std::vector<TrialTableRow> rows;
 };

@@ -134,6 +134,8 @@ Message wordOf(RecordKind kind)
         return ODO_TEXT("project.kind_figure", "metric");
     case RecordKind::Tag:
         return ODO_TEXT("project.kind_tag", "tag");
+    case RecordKind::Variable:
+        return ODO_TEXT("project.kind_variable", "variable");
     case RecordKind::Calibration:
         return ODO_TEXT("project.kind_calibration", "calibration");
     case RecordKind::Registration:

@@ -25,7 +25,7 @@ constexpr double bounded(double value)
 {
     return value >= -largestNumber ? std::min(value, largestNumber) : value < 0 ? -largestNumber : 0;
 }
-constexpr std::size_t mostViews = 16, mostRobots = 32, mostTags = 50; ///< of a trial
+constexpr std::size_t mostViews = 16, mostRobots = 32, mostTags = 50, mostVariables = 50; ///< of a trial
 constexpr std::size_t mostMarkers = 1000;                             ///< of a layout
 constexpr int largestRobotM = 10;
 /// Frames a second that a camera may be said to have taken.
@@ -55,6 +55,7 @@ enum class RecordKind {
     Zone,
     Metric,
     Tag,
+    Variable,
     Calibration,
     Registration,
     Intrinsics,

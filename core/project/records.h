@@ -12,6 +12,7 @@
 
 #include <Eigen/Core>
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -149,7 +150,9 @@ struct TrialRecord
     double durationS = 0;
     int viewCount = 0; ///< read only
     bool starred = false;
-    std::vector<std::string> tags;   ///< in alphabetical order
+    std::vector<std::string> tags; ///< in alphabetical order
+    /// a person's own, by name: "surface", "battery"; text, or a number as text
+    std::map<std::string, std::string> variables;
     std::optional<Instant> archived; ///< since when it is out of the way; it counts as before
     /// since when it is in the bin: it counts nowhere, and can be restored
     std::optional<Instant> binned;

@@ -197,6 +197,8 @@ public:
     Result<void> setStarred(RecordId trial, bool starred);
     /// Replaces its tags; each a name, in any order.
     Result<void> setTags(RecordId trial, const std::vector<std::string> &tags);
+    /// Replaces its variables: names, and values of one line that are not empty.
+    Result<void> setVariables(RecordId trial, const std::map<std::string, std::string> &variables);
     /// Every tag that a trial has, in alphabetical order.
     Result<std::vector<std::string>> tags() const;
     Result<void> setArchived(RecordId trial, bool archived);

@@ -74,6 +74,18 @@ private Q_SLOTS:
         QCOMPARE(good("trial set %P one --team Falcon --robot red").exitStatus, 0);
     }
 
+    void variablesComeAndGo()
+    {
+        QJsonObject json = set({u"one"_s, u"--var"_s, u"surface=carpet"_s, u"--var"_s, u"battery=7.4"_s});
+        QCOMPARE(json[u"variables"_s].toObject(),
+                 (QJsonObject{{u"battery"_s, 7.4}, {u"surface"_s, u"carpet"_s}}));
+        QVERIFY(good("table %P -o -").out.contains(",verdict,var_battery,var_surface,"));
+        json = set({u"one"_s, u"--var"_s, u"surface="_s});
+        QCOMPARE(json[u"variables"_s].toObject(), (QJsonObject{{u"battery"_s, 7.4}}));
+        const QJsonObject shown = runProgram({u"show"_s, m_project, u"one"_s, u"--json"_s}).json();
+        QCOMPARE(shown[u"variables"_s], json[u"variables"_s]);
+    }
+
     void datesOfIso8601_data()
     {
         QTest::addColumn<QString>("date");
@@ -125,6 +137,9 @@ private Q_SLOTS:
         addBadCall("trial set %P one --class 10A", 1, "it belongs to class 9B, not to class 10A");
         addBadCall("trial set %P one --task Slalom", 1, "Slalom");
         addBadCall("trial set %P one --robot green", 1, "green");
+        addBadCall("trial set %P one --var surface", 2, "--var 'surface' is not KEY=VALUE");
+        addBadCall("trial set %P one --var =carpet", 2, "--var '=carpet' is not KEY=VALUE");
+        addBadCall("trial set %P one --sync auto", 1, "it does not have two views");
         addBadCall("trial set %P one --date yesterday", 2, "--date 'yesterday' is not an ISO 8601 date");
         addBadCall("trial set %P one --date 2025-02-30", 2, "--date '2025-02-30' is not an ISO 8601 date");
         addBadCall("trial set %P one --date 2025-03-04T25:00", 2, "is not an ISO 8601 date");

@@ -161,10 +161,16 @@ private Q_SLOTS:
         trial.syncRate = 2e-4;
         trial.syncRateSigma = 3e-6;
         QVERIFY((*m_project)->trials().setSync(trial, {}));
+        const std::map<std::string, std::string> variables{{"surface", "carpet"}, {"battery", "7.4"}};
+        QVERIFY((*m_project)->trials().setVariables(trial.id, variables));
+        for (const auto &wrong : std::vector<std::map<std::string, std::string>>{
+                 {{"surface", "two\nlines"}}, {{"", "x"}}, {{"x", ""}}, {{std::string(201, 'x'), "x"}}})
+            QVERIFY(!(*m_project)->trials().setVariables(trial.id, wrong));
         const auto changed = (*m_project)->trials().get(trial.id);
         QCOMPARE(changed->notes, std::string("wet floor"));
         QVERIFY(changed->robots == std::vector<RecordId>{robot});
         QCOMPARE(changed->syncMethod, std::string("told"));
+        QVERIFY(changed->variables == variables);
         QCOMPARE(changed->syncRate, 2e-4);
         QCOMPARE(changed->syncRateSigma, 3e-6);
         QCOMPARE((*m_project)->trials().recordings(trial.id)->at(1).startOffsetS, 0.25);

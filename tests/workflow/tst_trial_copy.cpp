@@ -24,6 +24,7 @@ private Q_SLOTS:
         RecordSource source(3);
         m_filled = *fill(*m_project, source);
         QVERIFY(trials().setTags(m_filled.trial, {"final", "wet"}));
+        QVERIFY(trials().setVariables(m_filled.trial, {{"surface", "carpet"}}));
         QVERIFY(trials().setStarred(m_filled.trial, true));
         QVERIFY(trials().setManualOverrides(m_filled.trial, m_filled.robot, {{2, true}}));
         QVERIFY(trials().setPointedOut(m_filled.trial,
@@ -48,6 +49,7 @@ private Q_SLOTS:
         QVERIFY(m_copy.date == original.date);
         QCOMPARE(m_copy.notes, original.notes);
         QCOMPARE(m_copy.tags, original.tags);
+        QVERIFY(!original.variables.empty() && m_copy.variables == original.variables);
         QCOMPARE(m_copy.robots, original.robots);
         QCOMPARE(m_copy.syncMethod, original.syncMethod);
         QCOMPARE(m_copy.syncOffsetS, original.syncOffsetS);

@@ -41,6 +41,8 @@ QString searchTextOf(const TrialRecord &trial)
         words += '\n' + robot;
     for (const std::string &tag : trial.tags)
         words += '\n' + tag;
+    for (const auto &[name, value] : trial.variables)
+        words += '\n' + name + ' ' + value;
     const QDateTime date = QDateTime::fromMSecsSinceEpoch(trial.date.time_since_epoch().count());
     return (QString::fromStdString(words) + u'\n' + QLocale().toString(date, QLocale::ShortFormat)).toLower();
 }

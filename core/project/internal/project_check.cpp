@@ -176,13 +176,22 @@ struct TextColumn
     const char *table, *column;
     int most;
 };
-constexpr TextColumn texts[] = {{"trial", "name", maxNameLength},    {"team", "name", maxNameLength},
-                                {"class", "name", maxNameLength},    {"robot", "name", maxNameLength},
-                                {"camera", "name", maxNameLength},   {"layout", "name", maxNameLength},
-                                {"task", "name", maxNameLength},     {"marker", "label", maxNameLength},
-                                {"gate", "name", maxNameLength},     {"zone", "name", maxNameLength},
-                                {"trial_tag", "tag", maxNameLength}, {"team_member", "name", maxNameLength},
-                                {"trial", "notes", maxTextLength},   {"property", "value", maxNameLength}};
+constexpr TextColumn texts[] = {{"trial", "name", maxNameLength},
+                                {"team", "name", maxNameLength},
+                                {"class", "name", maxNameLength},
+                                {"robot", "name", maxNameLength},
+                                {"camera", "name", maxNameLength},
+                                {"layout", "name", maxNameLength},
+                                {"task", "name", maxNameLength},
+                                {"marker", "label", maxNameLength},
+                                {"gate", "name", maxNameLength},
+                                {"zone", "name", maxNameLength},
+                                {"trial_tag", "tag", maxNameLength},
+                                {"trial_variable", "name", maxNameLength},
+                                {"trial_variable", "value", maxNameLength},
+                                {"team_member", "name", maxNameLength},
+                                {"trial", "notes", maxTextLength},
+                                {"property", "value", maxNameLength}};
 
 struct NumberColumn
 {
@@ -210,6 +219,7 @@ struct ListOf
 constexpr ListOf lists[] = {{"recording", "trial", mostViews},
                             {"trial_robot", "trial", mostRobots},
                             {"trial_tag", "trial", mostTags},
+                            {"trial_variable", "trial", mostVariables},
                             {"marker", "layout", mostMarkers}};
 
 } // namespace

@@ -101,12 +101,22 @@ Result<void> addLists(const ProjectConnection &connection, const Choice &choice,
                        });
     if (!robots)
         return robots;
-    return read(QStringLiteral("SELECT trial_id, tag FROM trial JOIN trial_tag ON trial_id=trial.id "
-                               "WHERE %1 ORDER BY trial_id, tag"),
-                [](TrialRecord &trial, const Statement &row) {
-                    if (trial.tags.size() < mostTags)
-                        trial.tags.push_back(row.name(1));
-                });
+    auto tags = read(QStringLiteral("SELECT trial_id, tag FROM trial JOIN trial_tag ON trial_id=trial.id "
+                                    "WHERE %1 ORDER BY trial_id, tag"),
+                     [](TrialRecord &trial, const Statement &row) {
+                         if (trial.tags.size() < mostTags)
+                             trial.tags.push_back(row.name(1));
+                     });
+    if (!tags)
+        return tags;
+    return read(
+        QStringLiteral(
+            "SELECT trial_id, trial_variable.name, value FROM trial JOIN trial_variable ON trial_id=trial.id "
+            "WHERE %1 ORDER BY trial_id, trial_variable.name"),
+        [](TrialRecord &trial, const Statement &row) {
+            if (trial.variables.size() < mostVariables)
+                trial.variables.emplace(row.name(1), row.name(2));
+        });
 }
 
 Result<std::vector<TrialRecord>> readTrials(const ProjectConnection &connection, const Choice &choice)
@@ -413,6 +423,27 @@ Result<void> TrialRepository::setTags(RecordId trial, const std::vector<std::str
     });
 }
 
+Result<void> TrialRepository::setVariables(RecordId trial,
+                                           const std::map<std::string, std::string> &variables)
+{
+    return transact(m_connection, [&]() -> Result<void> {
+        const auto known = ODO_TRY(get(trial));
+        ODO_TRY(runFor(m_connection, "DELETE FROM trial_variable WHERE trial_id=?", trial));
+        if (variables.size() > mostVariables)
+            return fail(
+                ErrorCode::InvalidInput, trialSubject(known.name),
+                ODO_TEXT("project.too_many_variables", "a trial has %1 variables at most")(mostVariables),
+                ODO_TEXT("project.remove_variables", "remove some of its variables"));
+        for (const auto &[name, value] : variables) {
+            ODO_TRY(checkName(RecordKind::Variable, name));
+            ODO_TRY(checkName(RecordKind::Variable, value));
+            Statement insert(m_connection, QStringLiteral("INSERT INTO trial_variable VALUES (?,?,?)"));
+            ODO_TRY(insert.bind(trial).bind(normalName(name)).bind(normalName(value)).run());
+        }
+        return {};
+    });
+}
+
 Result<std::vector<std::string>> TrialRepository::tags() const
 {
     return textsOf(m_connection, QStringLiteral("SELECT DISTINCT tag FROM trial_tag ORDER BY tag"));
@@ -494,6 +525,7 @@ Result<std::vector<std::string>> TrialRepository::removeForGood(RecordId trial)
               "DELETE FROM imported_track WHERE trial_id=?",
               "DELETE FROM truth WHERE trial_id=?",
               "DELETE FROM trial_tag WHERE trial_id=?",
+              "DELETE FROM trial_variable WHERE trial_id=?",
               "DELETE FROM trial_robot WHERE trial_id=?",
               "DELETE FROM trial WHERE id=?"}) {
             ODO_TRY(runFor(m_connection, sql, trial));

@@ -22,7 +22,8 @@ Message wordsOf(const std::string &trial, const TrialEdit &edit)
 {
     const auto changed = std::ranges::count(
         std::initializer_list<bool>{edit.name.has_value(), edit.team || edit.className, edit.date.has_value(),
-                                    edit.task.has_value(), edit.robots.has_value(), edit.notes.has_value()},
+                                    edit.task.has_value(), edit.robots.has_value(), edit.notes.has_value(),
+                                    !edit.variables.empty()},
         true);
     const MessageArgument name = Named::trial(trial);
     if (changed == 1) {
@@ -87,6 +88,18 @@ Result<std::vector<RecordId>> robotsNamed(Project &project, const std::vector<st
     return robots;
 }
 
+std::map<std::string, std::string> changedVariables(std::map<std::string, std::string> variables,
+                                                    const std::map<std::string, std::string> &changes)
+{
+    for (const auto &[name, value] : changes) {
+        if (value.empty())
+            variables.erase(normalName(name));
+        else
+            variables.insert_or_assign(normalName(name), value);
+    }
+    return variables;
+}
+
 Result<void> apply(Project &project, const TrialRecord &trial, const TrialEdit &edit)
 {
     TrialRepository &trials = project.trials();
@@ -106,6 +119,8 @@ Result<void> apply(Project &project, const TrialRecord &trial, const TrialEdit &
         const auto robots = ODO_TRY(robotsNamed(project, *edit.robots));
         ODO_TRY(trials.setRobots(trial.id, robots));
     }
+    if (!edit.variables.empty())
+        ODO_TRY(trials.setVariables(trial.id, changedVariables(trial.variables, edit.variables)));
     return edit.notes ? trials.setNotes(trial.id, *edit.notes) : Result<void>();
 }
 

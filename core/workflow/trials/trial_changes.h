@@ -24,6 +24,7 @@ struct TrialEdit
     std::optional<std::string> task = {}; ///< empty: none
     std::optional<std::vector<std::string>> robots = {};
     std::optional<std::string> notes = {};
+    std::map<std::string, std::string> variables = {}; ///< empty: the trial loses it
     bool operator==(const TrialEdit &) const = default;
 };
 

@@ -85,6 +85,7 @@ Result<TrialRecord> addCopy(Project &project, const TrialRecord &original, const
     for (const RobotRecord &robot : robots)
         ODO_TRY(copyOfRobot(trials, original.id, copy.id, robot.id));
     ODO_TRY(trials.setTags(copy.id, original.tags));
+    ODO_TRY(trials.setVariables(copy.id, original.variables));
     return trials.get(copy.id);
 }
 

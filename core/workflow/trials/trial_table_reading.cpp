@@ -149,6 +149,11 @@ Result<TrialTable> readTrialTable(Project &project, const TrialTableChoice &give
         std::ranges::move(its, std::back_inserter(runs));
     }
     TrialTable table;
+    std::set<std::string> variables;
+    for (const TrialRecord &trial : trials)
+        for (const auto &variable : trial.variables)
+            variables.insert(variable.first);
+    table.variables.assign(variables.begin(), variables.end());
     for (const std::string &metric : choice.metrics.empty() ? metricsOf(runs) : choice.metrics)
         addColumns(runs, metric, table.columns);
     for (Run &run : runs) {
