@@ -155,12 +155,13 @@ private Q_SLOTS:
         TrialRecord trial = all->front();
         QVERIFY((*m_project)->trials().setNotes(trial.id, "wet floor"));
         QVERIFY((*m_project)->trials().setRobots(trial.id, {robot}));
-        trial.syncMethod = "told";
-        trial.syncOffsetS = 0.25;
-        trial.syncOffsetSigmaS = 0.01;
-        trial.syncRate = 2e-4;
+        auto views = *(*m_project)->trials().recordings(trial.id);
+        trial.syncMethod = views[1].syncMethod = "told";
+        trial.syncOffsetS = views[1].startOffsetS = 0.25;
+        trial.syncOffsetSigmaS = views[1].startOffsetSigmaS = 0.01;
+        trial.syncRate = views[1].clockRate = 2e-4;
         trial.syncRateSigma = 3e-6;
-        QVERIFY((*m_project)->trials().setSync(trial, {}));
+        QVERIFY((*m_project)->trials().setSync(trial, views));
         const std::map<std::string, std::string> variables{{"surface", "carpet"}, {"battery", "7.4"}};
         QVERIFY((*m_project)->trials().setVariables(trial.id, variables));
         for (const auto &wrong : std::vector<std::map<std::string, std::string>>{

@@ -322,6 +322,9 @@ void TestWindowFlows::importsATrial()
     const auto found = project().trials().find("found");
     QVERIFY2(found, qPrintable(message()));
     QCOMPARE(project().trials().recordings(found->id)->size(), std::size_t(2));
+    // Start stays, with its next step
+    QCOMPARE(m_window->windowTitle(), QStringLiteral("class — Odograph"));
+    QVERIFY(m_window->showTrial("found"));
     QTRY_VERIFY2(m_window->windowTitle().contains(QLatin1String("found")),
                  qPrintable(m_window->windowTitle()));
 }
@@ -373,7 +376,7 @@ void TestWindowFlows::tracks()
 
 void TestWindowFlows::synchronisesAgain()
 {
-    run("S&ynchronise…", {[](QDialog &dialog) {
+    run("Synchronise…", {[](QDialog &dialog) {
             auto *how = dialog.findChild<QComboBox *>();
             how->setCurrentIndex(how->findData(int(SyncBy::Given)));
             dialog.findChild<QDoubleSpinBox *>()->setValue(0.01);
