@@ -40,8 +40,8 @@ SynchroniseDialog::SynchroniseDialog(const QString &trial, const std::vector<Rec
         plainText(tr("What was tracked in the trial is analysed again. Choose Undo to return to the "
                      "synchronisation that it has now.")));
     layout->addWidget(buttons);
-    m_chart->setMinimumHeight(160);
-    m_chart->setEnabled(false);
+    m_chart->setMinimumHeight(200);
+    m_chart->hide(); // until there is something to compare
     accept->setDefault(true); // only now is it in the dialog, whose Enter key it is to have
     resize(640, sizeHint().height());
     m_steps->fields().constFirst()->setFocus();
@@ -101,7 +101,10 @@ void SynchroniseDialog::showSounds(std::size_t view)
         return; // not read yet
     const SoundPeaks &first = m_sounds.front(), &other = m_sounds[view];
     const bool areBoth = !first.peaks.empty() && !other.peaks.empty();
-    m_chart->setEnabled(areBoth);
+    if (areBoth != m_chart->isVisibleTo(this)) {
+        m_chart->setVisible(areBoth);
+        resize(width(), sizeHint().height());
+    }
     m_soundWords->setText(
         areBoth
             ? tr("Sound of %1 above, of %2 below. Drag it until both show the same clap at one time; the "
