@@ -2,6 +2,16 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="en" sourcelanguage="en">
 <context>
+    <name>Certificate</name>
+    <message numerus="yes">
+        <source>%n simulated run(s) of %1 s and %2 at up to %3, %4.</source>
+        <translation>
+            <numerusform>%n simulated run of %1 s and %2 at up to %3, %4.</numerusform>
+            <numerusform>%n simulated runs of %1 s and %2 at up to %3, %4.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>ClassReport</name>
     <message numerus="yes">
         <source>of %n team(s)</source>

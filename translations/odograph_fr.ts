@@ -95,6 +95,200 @@
     </message>
 </context>
 <context>
+    <name>Certificate</name>
+    <message>
+        <source>Position</source>
+        <translation>Place</translation>
+    </message>
+    <message>
+        <source>Velocity</source>
+        <translation>Vecteur vitesse</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>Vitesse</translation>
+    </message>
+    <message>
+        <source>Acceleration</source>
+        <translation>Accélération</translation>
+    </message>
+    <message>
+        <source>Amount of acceleration</source>
+        <translation>Norme de l’accélération</translation>
+    </message>
+    <message>
+        <source>Cameras: %1</source>
+        <translation>Caméras : %1</translation>
+    </message>
+    <message>
+        <source>Robot: %1</source>
+        <translation>Robot : %1</translation>
+    </message>
+    <message>
+        <source>Task: %1</source>
+        <translation>Épreuve : %1</translation>
+    </message>
+    <message>
+        <source>Simulated %1, Odograph %2. All errors are against the known truth of the simulation.</source>
+        <translation>Simulé le %1, Odograph %2. Toutes les erreurs sont par rapport à la vérité connue de la simulation.</translation>
+    </message>
+    <message>
+        <source>along the course of the task</source>
+        <translation>le long du parcours de l’épreuve</translation>
+    </message>
+    <message>
+        <source>over the floor that the cameras see: straight, a curve, stop and go</source>
+        <translation>sur le sol que voient les caméras : ligne droite, courbe, arrêts et départs</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n simulated run(s) of %1 s and %2 at up to %3, %4.</source>
+        <translation>
+            <numerusform>%n passage simulé de %1 s et %2, à %3 au plus, %4.</numerusform>
+            <numerusform>%n passages simulés de %1 s et %2, à %3 au plus, %4.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The views of each camera were rendered with its lens, position, image size and frame rate, written as videos, and imported, synchronised, tracked and analysed as any others.</source>
+        <translation>La vue de chaque caméra a été calculée avec son objectif, sa position, sa taille d’image et sa cadence, écrite en vidéo, puis importée, synchronisée, suivie et analysée comme toute autre.</translation>
+    </message>
+    <message>
+        <source>In each run the cameras are a little off from where the project has them, drawn from the stated uncertainty of their registration and lens calibration; so the errors include it.</source>
+        <translation>À chaque passage, les caméras sont un peu à côté de leur place dans le projet, tirées selon l’incertitude indiquée de leur localisation et de l’étalonnage de l’objectif ; les erreurs la comprennent.</translation>
+    </message>
+    <message>
+        <source>A simulation shows what this geometry and this program can do, not what a certain recording did. It has even light, a still camera, a clean floor with the markers, sensor noise of 2 of 255 and an exposure of 8 ms at most, and a robot of simple solids in its colour and size.</source>
+        <translation>Une simulation montre ce que peuvent cette géométrie et ce programme, non ce qu’a donné un enregistrement particulier. Elle a une lumière uniforme, une caméra immobile, un sol propre avec les repères, un bruit de capteur de 2 sur 255, une pose de 8 ms au plus et un robot de solides simples, de sa couleur et de sa taille.</translation>
+    </message>
+    <message>
+        <source>It does not cover flicker, reflections, deep shadows and people in the view; the look of the real robot, cables and hands; a camera that was moved; markers that were measured wrongly; rolling shutters; and errors of lens calibration and registration beyond the stated ones.</source>
+        <translation>Elle ne couvre pas les scintillements, les reflets, les ombres profondes et les personnes dans l’image ; l’aspect du robot réel, les câbles et les mains ; une caméra déplacée ; des repères mal mesurés ; les obturateurs déroulants ; ni les erreurs d’étalonnage et de localisation au-delà de celles indiquées.</translation>
+    </message>
+    <message>
+        <source>The verdict on a trial says which of these were noticed in its recording.</source>
+        <translation>Le verdict sur un essai dit lesquels ont été remarqués dans son enregistrement.</translation>
+    </message>
+    <message>
+        <source>The known run from above</source>
+        <translation>Le passage connu vu de dessus</translation>
+    </message>
+    <message>
+        <source>dashed: truth; strokes: errors of all runs, enlarged %1 times</source>
+        <translation>tirets : vérité ; traits : erreurs de tous les passages, agrandies %1 fois</translation>
+    </message>
+    <message>
+        <source>root mean square</source>
+        <translation>moyenne quadratique</translation>
+    </message>
+    <message>
+        <source>95 % below</source>
+        <translation>95 % sous</translation>
+    </message>
+    <message>
+        <source>stated ± (σ)</source>
+        <translation>± indiqué (σ)</translation>
+    </message>
+    <message>
+        <source>truth inside the stated 95 %</source>
+        <translation>vérité dans les 95 % indiqués</translation>
+    </message>
+    <message>
+        <source>Errors against the truth</source>
+        <translation>Erreurs par rapport à la vérité</translation>
+    </message>
+    <message>
+        <source>%1 of %2 frames have a result</source>
+        <translation>%1 images sur %2 ont un résultat</translation>
+    </message>
+    <message>
+        <source>Certificate of this set-up</source>
+        <translation>Certificat de cette installation</translation>
+    </message>
+    <message>
+        <source>Position error</source>
+        <translation>Erreur de position</translation>
+    </message>
+    <message>
+        <source>Velocity error</source>
+        <translation>Erreur de vitesse</translation>
+    </message>
+    <message>
+        <source>Acceleration error</source>
+        <translation>Erreur d’accélération</translation>
+    </message>
+    <message>
+        <source>Coverage</source>
+        <translation>Couverture</translation>
+    </message>
+    <message>
+        <source>true positions inside the stated 95 %</source>
+        <translation>positions vraies dans les 95 % indiqués</translation>
+    </message>
+    <message>
+        <source>What was simulated</source>
+        <translation>Ce qui a été simulé</translation>
+    </message>
+    <message>
+        <source>What a simulation does not cover</source>
+        <translation>Ce qu’une simulation ne couvre pas</translation>
+    </message>
+    <message>
+        <source>%1, error in %2</source>
+        <translation>%1, erreur en %2</translation>
+    </message>
+    <message>
+        <source>a line for each run; dashed: what the first states for 95 %</source>
+        <translation>une ligne par passage ; tirets : ce que le premier indique pour 95 %</translation>
+    </message>
+    <message>
+        <source>Camera</source>
+        <translation>Caméra</translation>
+    </message>
+    <message>
+        <source>Frames</source>
+        <translation>Images</translation>
+    </message>
+    <message>
+        <source>Lens calibration</source>
+        <translation>Ce que l’on sait de l’objectif</translation>
+    </message>
+    <message>
+        <source>Registration</source>
+        <translation>Localisation</translation>
+    </message>
+    <message>
+        <source>σ on the floor</source>
+        <translation>σ au sol</translation>
+    </message>
+    <message>
+        <source>calibrated</source>
+        <translation>étalonné</translation>
+    </message>
+    <message>
+        <source>estimated from the floor</source>
+        <translation>estimé d’après le sol</translation>
+    </message>
+    <message>
+        <source>assumed</source>
+        <translation>supposé</translation>
+    </message>
+    <message>
+        <source>The views were synchronised by the motion, to %1 ms at worst.</source>
+        <translation>Les vues ont été synchronisées par le mouvement, à %1 ms près au pire.</translation>
+    </message>
+    <message>
+        <source>Certificate of this set-up: errors over time</source>
+        <translation>Certificat de cette installation : erreurs dans le temps</translation>
+    </message>
+    <message>
+        <source>Remarks</source>
+        <translation>Remarques</translation>
+    </message>
+    <message>
+        <source>The cameras</source>
+        <translation>Les caméras</translation>
+    </message>
+</context>
+<context>
     <name>ClassReport</name>
     <message>
         <source>Rank: one more than the number of significantly better teams (medians differ by more than 1.96 σ). Teams of the same rank do not differ significantly.</source>
@@ -13651,6 +13845,30 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <source>Report sent to printer %1.</source>
         <translation>Le rapport est à l’imprimante %1.</translation>
     </message>
+    <message>
+        <source>Certificate of this &amp;set-up…</source>
+        <translation>&amp;Certificat de cette installation…</translation>
+    </message>
+    <message>
+        <source>Over the floor that the cameras see</source>
+        <translation>Sur le sol que voient les caméras</translation>
+    </message>
+    <message>
+        <source>The simulated run:</source>
+        <translation>Le passage simulé :</translation>
+    </message>
+    <message>
+        <source>Save the certificate</source>
+        <translation>Enregistrer le certificat</translation>
+    </message>
+    <message>
+        <source>Certificate</source>
+        <translation>Certificat</translation>
+    </message>
+    <message>
+        <source>Certificate saved as %1.</source>
+        <translation>Le certificat est dans %1.</translation>
+    </message>
 </context>
 <context>
     <name>odo::ReportDialog</name>
@@ -20248,6 +20466,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
 </context>
 <context>
+    <name>ui.making_certificate</name>
+    <message>
+        <source>Simulating the set-up</source>
+        <translation>Simulation de l’installation</translation>
+    </message>
+</context>
+<context>
     <name>ui.making_demo</name>
     <message>
         <source>Creating the demo lesson</source>
@@ -21844,6 +22069,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
 </context>
 <context>
+    <name>workflow.box_stands_in</name>
+    <message>
+        <source>the project has none, so a blue box of 260 mm × 190 mm × 60 mm is simulated</source>
+        <translation>le projet n’en a aucun, un pavé bleu de 260 mm × 190 mm × 60 mm est donc simulé</translation>
+    </message>
+</context>
+<context>
     <name>workflow.by_layout_and_lens</name>
     <message>
         <source>layout &apos;%1&apos;, lens calibration %2</source>
@@ -21956,6 +22188,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
 </context>
 <context>
+    <name>workflow.camera</name>
+    <message>
+        <source>camera &apos;%1&apos;</source>
+        <translation>caméra '%1'</translation>
+    </message>
+</context>
+<context>
     <name>workflow.camera_gave_no_picture</name>
     <message>
         <source>camera &apos;%1&apos; delivered no frame</source>
@@ -21998,10 +22237,24 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
 </context>
 <context>
+    <name>workflow.camera_sees_too_little</name>
+    <message>
+        <source>the camera sees too little of the floor between the markers for a run</source>
+        <translation>la caméra voit trop peu de sol entre les repères pour un passage</translation>
+    </message>
+</context>
+<context>
     <name>workflow.cameras_given_one_file</name>
     <message>
         <source>cameras &apos;%1&apos; and &apos;%2&apos; were given the same file, &apos;%3&apos;</source>
         <translation>les caméras « %1 » et « %2 » ont reçu le même fichier, « %3 »</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.cameras_share_too_little</name>
+    <message>
+        <source>no two cameras share enough of the floor between the markers for a run</source>
+        <translation>aucune paire de caméras ne partage assez de sol entre les repères pour un passage</translation>
     </message>
 </context>
 <context>
@@ -22051,6 +22304,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>%1, or %2</source>
         <translation>%1, ou %2</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.certificate</name>
+    <message>
+        <source>certificate</source>
+        <translation>certificat</translation>
     </message>
 </context>
 <context>
@@ -22135,6 +22395,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>views are matched by time: check --rate if one is in slow motion</source>
         <translation>les vues sont réunies par le temps&#xa0;; vérifiez la cadence réelle si l’une est au ralenti</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.check_robot_and_registration</name>
+    <message>
+        <source>check the robot&apos;s colour and size, and the registrations</source>
+        <translation>vérifiez la couleur et la taille du robot, et les localisations</translation>
     </message>
 </context>
 <context>
@@ -22247,6 +22514,20 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>choose a run on the same layout</source>
         <translation>choisir un essai sur la même disposition</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.choose_seen_task</name>
+    <message>
+        <source>choose a task on the floor that they see, or leave the task out</source>
+        <translation>choisissez une épreuve sur le sol qu’elles voient, ou n’en indiquez aucune</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.choose_task_with_course</name>
+    <message>
+        <source>choose a task that has, or leave the task out</source>
+        <translation>choisissez une épreuve qui en a, ou n’en indiquez aucune</translation>
     </message>
 </context>
 <context>
@@ -22373,6 +22654,27 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>copying the project</source>
         <translation>copie du projet</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.course_not_seen</name>
+    <message>
+        <source>the cameras see only %1 of the course of task &apos;%2&apos;</source>
+        <translation>les caméras ne voient que %1 du parcours de l’épreuve '%2'</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.course_of_task</name>
+    <message>
+        <source>course of task &apos;%1&apos;</source>
+        <translation>parcours de l’épreuve '%1'</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.course_seen_in_part</name>
+    <message>
+        <source>no camera sees %1 of the run whole</source>
+        <translation>aucune caméra ne voit en entier %1 du passage</translation>
     </message>
 </context>
 <context>
@@ -22604,6 +22906,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>frame %1 of trial &apos;%2&apos;</source>
         <translation>image %1 de l’essai &apos;%2&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.frame_rate_of</name>
+    <message>
+        <source>frame rate of %1</source>
+        <translation>cadence de %1</translation>
     </message>
 </context>
 <context>
@@ -23475,6 +23784,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
 </context>
 <context>
+    <name>workflow.no_camera_registered</name>
+    <message>
+        <source>no camera is registered to the floor</source>
+        <translation>aucune caméra n’est localisée par rapport au sol</translation>
+    </message>
+</context>
+<context>
     <name>workflow.no_common_place</name>
     <message>
         <source>The two analyses have no position in common.</source>
@@ -24056,6 +24372,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
 </context>
 <context>
+    <name>workflow.rate_is_assumed</name>
+    <message>
+        <source>no recording shows it, so 30 frames/s are simulated</source>
+        <translation>aucun enregistrement ne la montre, 30 images/s sont donc simulées</translation>
+    </message>
+</context>
+<context>
     <name>workflow.rate_of_header</name>
     <message>
         <source>its header states an even %1</source>
@@ -24130,6 +24453,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>camera &apos;%1&apos; was registered without a lens calibration: register it again with it</source>
         <translation>la caméra &apos;%1&apos; a été localisée sans étalonnage d’objectif : localisez-la de nouveau avec lui</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.register_a_camera</name>
+    <message>
+        <source>register the cameras first</source>
+        <translation>localisez d’abord les caméras</translation>
     </message>
 </context>
 <context>
@@ -24266,6 +24596,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
 </context>
 <context>
+    <name>workflow.registered_on_other_floor</name>
+    <message>
+        <source>it is registered on another floor, &apos;%1&apos;, and left out</source>
+        <translation>elle est localisée sur un autre sol, '%1', et n’est pas prise en compte</translation>
+    </message>
+</context>
+<context>
     <name>workflow.registered_through_another</name>
     <message>
         <source>it was registered via another camera</source>
@@ -24294,10 +24631,24 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
 </context>
 <context>
+    <name>workflow.registration_counts_as_exact</name>
+    <message>
+        <source>its uncertainty is not known, so it counts as exact</source>
+        <translation>son incertitude n’est pas connue, elle compte donc comme exacte</translation>
+    </message>
+</context>
+<context>
     <name>workflow.registration_in_older_axes</name>
     <message>
         <source>it has other axes: those of its layout were changed since</source>
         <translation>il a d’autres axes : ceux de sa disposition ont changé depuis</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.registration_of</name>
+    <message>
+        <source>registration of %1</source>
+        <translation>localisation de %1</translation>
     </message>
 </context>
 <context>
@@ -24368,6 +24719,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>its results differ from those of its analysis</source>
         <translation>ses résultats ne sont pas ceux que son analyse a donnés</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.robot</name>
+    <message>
+        <source>robot</source>
+        <translation>robot</translation>
     </message>
 </context>
 <context>
@@ -24546,6 +24904,20 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
 </context>
 <context>
+    <name>workflow.simulated_robot_not_found</name>
+    <message>
+        <source>the simulated robot was not found in the simulated views</source>
+        <translation>le robot simulé n’a pas été trouvé dans les vues simulées</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.simulating_run</name>
+    <message>
+        <source>simulating run %1 of %2</source>
+        <translation>simulation du passage %1 sur %2</translation>
+    </message>
+</context>
+<context>
     <name>workflow.slow_errors_not_seen</name>
     <message>
         <source>errors that change slowly are not included</source>
@@ -24634,6 +25006,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>its task changed during the analysis</source>
         <translation>son épreuve a été changée pendant la mesure</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.task_without_course</name>
+    <message>
+        <source>task &apos;%1&apos; has neither a path nor gates to drive along</source>
+        <translation>l’épreuve '%1' n’a ni trajectoire ni portes à suivre</translation>
     </message>
 </context>
 <context>
@@ -24774,6 +25153,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>nothing of it had reached the disk, and it was removed</source>
         <translation>rien n’avait atteint le disque, il est écarté</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.turn_cameras_to_floor</name>
+    <message>
+        <source>turn the cameras to the same floor, and register them again</source>
+        <translation>tournez les caméras vers le même sol et localisez-les de nouveau</translation>
     </message>
 </context>
 <context>

@@ -36,6 +36,8 @@ std::span<const NamedCommand> allCommands()
         {"evaluate", "compare a robot's own log with its measured run: pose errors and drift", runEvaluate,
          false},
         {"report", "write a printable report of trials or of a class", runReport, true},
+        {"certificate", "simulate the set-up with a known run and report how accurate it is", runCertificate,
+         true},
         {"table", "write the metrics of all trials to a table for spreadsheets", runTable, false},
         {"export", "write a trial's samples to a file, or its annotated video", runExport, false},
         {"snapshot", "save an image of the window", runSnapshot, true},
