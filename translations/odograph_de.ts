@@ -98,7 +98,7 @@
     <name>Certificate</name>
     <message>
         <source>Position</source>
-        <translation>Ort</translation>
+        <translation>Position</translation>
     </message>
     <message>
         <source>Velocity</source>
@@ -110,7 +110,7 @@
     </message>
     <message>
         <source>Acceleration</source>
-        <translation>Beschleunigung</translation>
+        <translation>Beschleunigungsvektor</translation>
     </message>
     <message>
         <source>Amount of acceleration</source>
@@ -129,10 +129,6 @@
         <translation>Aufgabe: %1</translation>
     </message>
     <message>
-        <source>Simulated %1, Odograph %2. All errors are against the known truth of the simulation.</source>
-        <translation>Simuliert %1, Odograph %2. Alle Fehler gelten gegenüber der bekannten Wahrheit der Simulation.</translation>
-    </message>
-    <message>
         <source>along the course of the task</source>
         <translation>längs der Strecke der Aufgabe</translation>
     </message>
@@ -140,20 +136,9 @@
         <source>over the floor that the cameras see: straight, a curve, stop and go</source>
         <translation>über den Boden, den die Kameras sehen: geradeaus, eine Kurve, anhalten und anfahren</translation>
     </message>
-    <message numerus="yes">
-        <source>%n simulated run(s) of %1 s and %2 at up to %3, %4.</source>
-        <translation>
-            <numerusform>%n simulierte Fahrt von %1 s und %2 mit bis zu %3, %4.</numerusform>
-            <numerusform>%n simulierte Fahrten von je %1 s und %2 mit bis zu %3, %4.</numerusform>
-        </translation>
-    </message>
     <message>
         <source>The views of each camera were rendered with its lens, position, image size and frame rate, written as videos, and imported, synchronised, tracked and analysed as any others.</source>
         <translation>Die Ansicht jeder Kamera wurde mit ihrem Objektiv, ihrer Lage, Bildgröße und Bildrate berechnet, als Video geschrieben und wie jedes andere importiert, synchronisiert, verfolgt und ausgewertet.</translation>
-    </message>
-    <message>
-        <source>In each run the cameras are a little off from where the project has them, drawn from the stated uncertainty of their registration and lens calibration; so the errors include it.</source>
-        <translation>In jeder Fahrt liegen die Kameras ein wenig anders, als das Projekt angibt, gezogen aus der angegebenen Unsicherheit von Einmessung und Objektivkalibrierung; die Fehler enthalten sie also.</translation>
     </message>
     <message>
         <source>A simulation shows what this geometry and this program can do, not what a certain recording did. It has even light, a still camera, a clean floor with the markers, sensor noise of 2 of 255 and an exposure of 8 ms at most, and a robot of simple solids in its colour and size.</source>
@@ -248,10 +233,6 @@
         <translation>Bilder</translation>
     </message>
     <message>
-        <source>Lens calibration</source>
-        <translation>Was vom Objektiv bekannt ist</translation>
-    </message>
-    <message>
         <source>Registration</source>
         <translation>Einmessung</translation>
     </message>
@@ -286,6 +267,25 @@
     <message>
         <source>The cameras</source>
         <translation>Die Kameras</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n simulated run(s) of %1 s and %2 at up to %3, %4.</source>
+        <translation>
+            <numerusform>%n simulierte Fahrt von %1 s und %2 mit bis zu %3, %4.</numerusform>
+            <numerusform>%n simulierte Fahrten von je %1 s und %2 mit bis zu %3, %4.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Lens calibration</source>
+        <translation>Was vom Objektiv bekannt ist</translation>
+    </message>
+    <message>
+        <source>Simulated %1, Odograph %2. All errors are against the known truth of the simulation.</source>
+        <translation>Simuliert %1, Odograph %2. Alle Fehler gelten gegenüber der bekannten Wahrheit der Simulation.</translation>
+    </message>
+    <message>
+        <source>In each run the cameras are a little off from where the project has them, drawn from the stated uncertainty of their registration and lens calibration; so the errors include it.</source>
+        <translation>In jeder Fahrt liegen die Kameras ein wenig anders, als das Projekt angibt, gezogen aus der angegebenen Unsicherheit von Einmessung und Objektivkalibrierung; die Fehler enthalten sie also.</translation>
     </message>
 </context>
 <context>
@@ -1061,6 +1061,161 @@ The method follows S. Park, “Computational Vision for Automatic Tracking and O
 Freie Software unter der GNU General Public License, Version 3 oder neuer, ohne jede Gewährleistung.
 
 Das Verfahren folgt S. Park, „Computational Vision for Automatic Tracking and Objective Estimation of Mobile Robot Trajectory“, 2018.</translation>
+    </message>
+</context>
+<context>
+    <name>HtmlChart</name>
+    <message>
+        <source>smoothed, with its ±95 % band; dots: as measured</source>
+        <translation>geglättet, mit ±95-%-Band; Punkte: wie gemessen</translation>
+    </message>
+    <message>
+        <source>smoothed, with its ±95 % band; dots: as measured; shaded: not measured</source>
+        <translation>geglättet, mit ±95-%-Band; Punkte: wie gemessen; schattiert: nicht gemessen</translation>
+    </message>
+    <message>
+        <source>Speed, %1</source>
+        <translation>Geschwindigkeit, %1</translation>
+    </message>
+    <message>
+        <source>Acceleration along the path, %1</source>
+        <translation>Beschleunigung längs der Bahn, %1</translation>
+    </message>
+</context>
+<context>
+    <name>HtmlMap</name>
+    <message>
+        <source>a square: %1</source>
+        <translation>ein Kästchen: %1</translation>
+    </message>
+    <message>
+        <source>The run from above</source>
+        <translation>Die Fahrt von oben</translation>
+    </message>
+    <message>
+        <source>coloured by speed, from 0 (dark) to %1 (light); ring: start, dot: end</source>
+        <translation>gefärbt nach Geschwindigkeit, von 0 (dunkel) bis %1 (hell); Ring: Anfang, Punkt: Ende</translation>
+    </message>
+    <message>
+        <source>Both runs from above</source>
+        <translation>Beide Fahrten von oben</translation>
+    </message>
+    <message>
+        <source>in the colours of the runs</source>
+        <translation>in den Farben der Fahrten</translation>
+    </message>
+</context>
+<context>
+    <name>HtmlPage</name>
+    <message>
+        <source>Made by Odograph %1; ± is one standard deviation.</source>
+        <translation>Erstellt mit Odograph %1; ± ist eine Standardabweichung.</translation>
+    </message>
+    <message>
+        <source>Verdict: %1</source>
+        <translation>Urteil: %1</translation>
+    </message>
+    <message>
+        <source>Metrics</source>
+        <translation>Kennwerte</translation>
+    </message>
+    <message>
+        <source>metric</source>
+        <translation>Kennwert</translation>
+    </message>
+    <message>
+        <source>value</source>
+        <translation>Wert</translation>
+    </message>
+    <message>
+        <source>unit</source>
+        <translation>Einheit</translation>
+    </message>
+    <message>
+        <source>Splits</source>
+        <translation>Zwischenzeiten</translation>
+    </message>
+    <message>
+        <source>from the start to</source>
+        <translation>vom Start bis</translation>
+    </message>
+    <message>
+        <source>time</source>
+        <translation>Zeit</translation>
+    </message>
+    <message>
+        <source>Run %1</source>
+        <translation>Fahrt %1</translation>
+    </message>
+    <message>
+        <source>sector to %1</source>
+        <translation>Sektor bis %1</translation>
+    </message>
+    <message>
+        <source>No spikes.</source>
+        <translation>Keine Ausreißer.</translation>
+    </message>
+    <message numerus="yes">
+        <source>Spikes: %n</source>
+        <translation>
+            <numerusform>Ausreißer: %n</numerusform>
+            <numerusform>Ausreißer: %n</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>reason</source>
+        <translation>Grund</translation>
+    </message>
+    <message numerus="yes">
+        <source>and %n more</source>
+        <translation>
+            <numerusform>und noch %n</numerusform>
+            <numerusform>und noch %n</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Remarks</source>
+        <translation>Bemerkungen</translation>
+    </message>
+    <message>
+        <source>Where this comes from</source>
+        <translation>Woher das kommt</translation>
+    </message>
+    <message>
+        <source>difference</source>
+        <translation>Unterschied</translation>
+    </message>
+    <message>
+        <source>Comparison</source>
+        <translation>Vergleich</translation>
+    </message>
+    <message>
+        <source>Both runs share their calibration: its uncertainty largely cancels. ≈: not significant.</source>
+        <translation>Beide Fahrten teilen ihre Kalibrierung: Deren Unsicherheit hebt sich weitgehend auf. ≈: nicht signifikant.</translation>
+    </message>
+    <message>
+        <source>The runs have different calibrations: the uncertainties of both count. ≈: not significant.</source>
+        <translation>Die Fahrten haben verschiedene Kalibrierungen: Die Unsicherheiten beider zählen. ≈: nicht signifikant.</translation>
+    </message>
+    <message>
+        <source>Speed over distance, %1</source>
+        <translation>Geschwindigkeit längs des Wegs, %1</translation>
+    </message>
+    <message>
+        <source>with its ±95 % band</source>
+        <translation>mit ihrem ±95-%-Band</translation>
+    </message>
+    <message>
+        <source>Time difference, s</source>
+        <translation>Zeitdifferenz, s</translation>
+    </message>
+    <message>
+        <source>above 0: the second run is later; grey: not significant</source>
+        <translation>über 0: die zweite Fahrt ist später; grau: nicht signifikant</translation>
+    </message>
+    <message>
+        <source>Sectors, s</source>
+        <translation>Sektoren, s</translation>
     </message>
 </context>
 <context>
@@ -2064,6 +2219,10 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>%1 was exported to %2.</source>
         <translation>%1 wurde nach %2 exportiert.</translation>
+    </message>
+    <message>
+        <source>Page to take along (*.html)</source>
+        <translation>Seite zum Mitnehmen (*.html)</translation>
     </message>
 </context>
 <context>
@@ -20368,6 +20527,13 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
 </context>
 <context>
+    <name>ui.html_page</name>
+    <message>
+        <source>page</source>
+        <translation>Seite</translation>
+    </message>
+</context>
+<context>
     <name>ui.import_or_record_first</name>
     <message>
         <source>import or record one first</source>
@@ -20680,6 +20846,13 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>Packing the project</source>
         <translation>Projekt wird gepackt</translation>
+    </message>
+</context>
+<context>
+    <name>ui.page_of_trial</name>
+    <message>
+        <source>page of trial &apos;%1&apos;</source>
+        <translation>Seite des Versuchs &apos;%1&apos;</translation>
     </message>
 </context>
 <context>
@@ -22191,7 +22364,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <name>workflow.camera</name>
     <message>
         <source>camera &apos;%1&apos;</source>
-        <translation>Kamera '%1'</translation>
+        <translation>Kamera &apos;%1&apos;</translation>
     </message>
 </context>
 <context>
@@ -22660,14 +22833,14 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <name>workflow.course_not_seen</name>
     <message>
         <source>the cameras see only %1 of the course of task &apos;%2&apos;</source>
-        <translation>die Kameras sehen nur %1 der Strecke der Aufgabe '%2'</translation>
+        <translation>die Kameras sehen nur %1 der Strecke der Aufgabe &apos;%2&apos;</translation>
     </message>
 </context>
 <context>
     <name>workflow.course_of_task</name>
     <message>
         <source>course of task &apos;%1&apos;</source>
-        <translation>Strecke der Aufgabe '%1'</translation>
+        <translation>Strecke der Aufgabe &apos;%1&apos;</translation>
     </message>
 </context>
 <context>
@@ -24599,7 +24772,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <name>workflow.registered_on_other_floor</name>
     <message>
         <source>it is registered on another floor, &apos;%1&apos;, and left out</source>
-        <translation>sie ist auf einem anderen Boden eingemessen, '%1', und bleibt außen vor</translation>
+        <translation>sie ist auf einem anderen Boden eingemessen, &apos;%1&apos;, und bleibt außen vor</translation>
     </message>
 </context>
 <context>
@@ -25012,7 +25185,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <name>workflow.task_without_course</name>
     <message>
         <source>task &apos;%1&apos; has neither a path nor gates to drive along</source>
-        <translation>die Aufgabe '%1' hat weder eine Bahn noch Tore, an denen sich fahren lässt</translation>
+        <translation>die Aufgabe &apos;%1&apos; hat weder eine Bahn noch Tore, an denen sich fahren lässt</translation>
     </message>
 </context>
 <context>

@@ -43,6 +43,23 @@
     </message>
 </context>
 <context>
+    <name>HtmlPage</name>
+    <message numerus="yes">
+        <source>Spikes: %n</source>
+        <translation>
+            <numerusform>Spikes: %n</numerusform>
+            <numerusform>Spikes: %n</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>and %n more</source>
+        <translation>
+            <numerusform>and %n more</numerusform>
+            <numerusform>and %n more</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>RangeFacts</name>
     <message numerus="yes">
         <source>%n points</source>

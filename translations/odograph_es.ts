@@ -98,7 +98,7 @@
     <name>Certificate</name>
     <message>
         <source>Position</source>
-        <translation>Lugar</translation>
+        <translation>Posición</translation>
     </message>
     <message>
         <source>Velocity</source>
@@ -110,7 +110,7 @@
     </message>
     <message>
         <source>Acceleration</source>
-        <translation>Aceleración</translation>
+        <translation>Vector aceleración</translation>
     </message>
     <message>
         <source>Amount of acceleration</source>
@@ -129,10 +129,6 @@
         <translation>Tarea: %1</translation>
     </message>
     <message>
-        <source>Simulated %1, Odograph %2. All errors are against the known truth of the simulation.</source>
-        <translation>Simulado: %1, Odograph %2. Todos los errores son respecto a la verdad conocida de la simulación.</translation>
-    </message>
-    <message>
         <source>along the course of the task</source>
         <translation>a lo largo del recorrido de la tarea</translation>
     </message>
@@ -140,20 +136,9 @@
         <source>over the floor that the cameras see: straight, a curve, stop and go</source>
         <translation>sobre el suelo que ven las cámaras: recta, curva, paradas y arranques</translation>
     </message>
-    <message numerus="yes">
-        <source>%n simulated run(s) of %1 s and %2 at up to %3, %4.</source>
-        <translation>
-            <numerusform>%n recorrido simulado de %1 s y %2 a un máximo de %3, %4.</numerusform>
-            <numerusform>%n recorridos simulados de %1 s y %2 a un máximo de %3, %4.</numerusform>
-        </translation>
-    </message>
     <message>
         <source>The views of each camera were rendered with its lens, position, image size and frame rate, written as videos, and imported, synchronised, tracked and analysed as any others.</source>
         <translation>La vista de cada cámara se generó con su lente, posición, tamaño de imagen y frecuencia, se escribió como video y se importó, sincronizó, siguió y analizó como cualquier otro.</translation>
-    </message>
-    <message>
-        <source>In each run the cameras are a little off from where the project has them, drawn from the stated uncertainty of their registration and lens calibration; so the errors include it.</source>
-        <translation>En cada recorrido las cámaras están un poco desviadas de donde indica el proyecto, según la incertidumbre declarada de su registro y de la calibración de la lente; los errores la incluyen.</translation>
     </message>
     <message>
         <source>A simulation shows what this geometry and this program can do, not what a certain recording did. It has even light, a still camera, a clean floor with the markers, sensor noise of 2 of 255 and an exposure of 8 ms at most, and a robot of simple solids in its colour and size.</source>
@@ -248,10 +233,6 @@
         <translation>Fotogramas</translation>
     </message>
     <message>
-        <source>Lens calibration</source>
-        <translation>Lo que se sabe de la lente</translation>
-    </message>
-    <message>
         <source>Registration</source>
         <translation>Registro</translation>
     </message>
@@ -286,6 +267,25 @@
     <message>
         <source>The cameras</source>
         <translation>Las cámaras</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n simulated run(s) of %1 s and %2 at up to %3, %4.</source>
+        <translation>
+            <numerusform>%n recorrido simulado de %1 s y %2 a un máximo de %3, %4.</numerusform>
+            <numerusform>%n recorridos simulados de %1 s y %2 a un máximo de %3, %4.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Lens calibration</source>
+        <translation>Lo que se sabe de la lente</translation>
+    </message>
+    <message>
+        <source>Simulated %1, Odograph %2. All errors are against the known truth of the simulation.</source>
+        <translation>Simulado: %1, Odograph %2. Todos los errores son respecto a la verdad conocida de la simulación.</translation>
+    </message>
+    <message>
+        <source>In each run the cameras are a little off from where the project has them, drawn from the stated uncertainty of their registration and lens calibration; so the errors include it.</source>
+        <translation>En cada recorrido las cámaras están un poco desviadas de donde indica el proyecto, según la incertidumbre declarada de su registro y de la calibración de la lente; los errores la incluyen.</translation>
     </message>
 </context>
 <context>
@@ -1061,6 +1061,161 @@ The method follows S. Park, “Computational Vision for Automatic Tracking and O
 Software libre bajo la Licencia Pública General de GNU, versión 3 o posterior, sin garantía alguna.
 
 El método sigue a S. Park, “Computational Vision for Automatic Tracking and Objective Estimation of Mobile Robot Trajectory”, 2018.</translation>
+    </message>
+</context>
+<context>
+    <name>HtmlChart</name>
+    <message>
+        <source>smoothed, with its ±95 % band; dots: as measured</source>
+        <translation>suavizada, con su banda de ±95 %; puntos: lo medido</translation>
+    </message>
+    <message>
+        <source>smoothed, with its ±95 % band; dots: as measured; shaded: not measured</source>
+        <translation>suavizada, con su banda de ±95 %; puntos: lo medido; sombreado: sin medir</translation>
+    </message>
+    <message>
+        <source>Speed, %1</source>
+        <translation>Velocidad, %1</translation>
+    </message>
+    <message>
+        <source>Acceleration along the path, %1</source>
+        <translation>Aceleración a lo largo de la trayectoria, %1</translation>
+    </message>
+</context>
+<context>
+    <name>HtmlMap</name>
+    <message>
+        <source>a square: %1</source>
+        <translation>un cuadro: %1</translation>
+    </message>
+    <message>
+        <source>The run from above</source>
+        <translation>El recorrido visto desde arriba</translation>
+    </message>
+    <message>
+        <source>coloured by speed, from 0 (dark) to %1 (light); ring: start, dot: end</source>
+        <translation>en color según la velocidad, de 0 (oscuro) a %1 (claro); anillo: inicio, punto: final</translation>
+    </message>
+    <message>
+        <source>Both runs from above</source>
+        <translation>Ambos recorridos vistos desde arriba</translation>
+    </message>
+    <message>
+        <source>in the colours of the runs</source>
+        <translation>en los colores de los recorridos</translation>
+    </message>
+</context>
+<context>
+    <name>HtmlPage</name>
+    <message>
+        <source>Made by Odograph %1; ± is one standard deviation.</source>
+        <translation>Hecho con Odograph %1; ± es una desviación típica.</translation>
+    </message>
+    <message>
+        <source>Verdict: %1</source>
+        <translation>Veredicto: %1</translation>
+    </message>
+    <message>
+        <source>Metrics</source>
+        <translation>Indicadores</translation>
+    </message>
+    <message>
+        <source>metric</source>
+        <translation>indicador</translation>
+    </message>
+    <message>
+        <source>value</source>
+        <translation>valor</translation>
+    </message>
+    <message>
+        <source>unit</source>
+        <translation>unidad</translation>
+    </message>
+    <message>
+        <source>Splits</source>
+        <translation>Parciales</translation>
+    </message>
+    <message>
+        <source>from the start to</source>
+        <translation>desde la salida hasta</translation>
+    </message>
+    <message>
+        <source>time</source>
+        <translation>tiempo</translation>
+    </message>
+    <message>
+        <source>Run %1</source>
+        <translation>Recorrido %1</translation>
+    </message>
+    <message>
+        <source>sector to %1</source>
+        <translation>sector hasta %1</translation>
+    </message>
+    <message>
+        <source>No spikes.</source>
+        <translation>Sin valores atípicos.</translation>
+    </message>
+    <message numerus="yes">
+        <source>Spikes: %n</source>
+        <translation>
+            <numerusform>Valores atípicos: %n</numerusform>
+            <numerusform>Valores atípicos: %n</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>reason</source>
+        <translation>motivo</translation>
+    </message>
+    <message numerus="yes">
+        <source>and %n more</source>
+        <translation>
+            <numerusform>y %n más</numerusform>
+            <numerusform>y %n más</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Remarks</source>
+        <translation>Observaciones</translation>
+    </message>
+    <message>
+        <source>Where this comes from</source>
+        <translation>De dónde procede</translation>
+    </message>
+    <message>
+        <source>difference</source>
+        <translation>diferencia</translation>
+    </message>
+    <message>
+        <source>Comparison</source>
+        <translation>Comparación</translation>
+    </message>
+    <message>
+        <source>Both runs share their calibration: its uncertainty largely cancels. ≈: not significant.</source>
+        <translation>Ambos recorridos comparten su calibración: su incertidumbre se cancela en gran parte. ≈: no significativo.</translation>
+    </message>
+    <message>
+        <source>The runs have different calibrations: the uncertainties of both count. ≈: not significant.</source>
+        <translation>Los recorridos tienen calibraciones distintas: cuentan las incertidumbres de ambas. ≈: no significativo.</translation>
+    </message>
+    <message>
+        <source>Speed over distance, %1</source>
+        <translation>Velocidad a lo largo del camino, %1</translation>
+    </message>
+    <message>
+        <source>with its ±95 % band</source>
+        <translation>con su banda de ±95 %</translation>
+    </message>
+    <message>
+        <source>Time difference, s</source>
+        <translation>Diferencia de tiempo, s</translation>
+    </message>
+    <message>
+        <source>above 0: the second run is later; grey: not significant</source>
+        <translation>por encima de 0: el segundo recorrido va después; gris: no significativo</translation>
+    </message>
+    <message>
+        <source>Sectors, s</source>
+        <translation>Sectores, s</translation>
     </message>
 </context>
 <context>
@@ -2064,6 +2219,10 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <message>
         <source>%1 was exported to %2.</source>
         <translation>%1 se exportó a %2.</translation>
+    </message>
+    <message>
+        <source>Page to take along (*.html)</source>
+        <translation>Página para llevar (*.html)</translation>
     </message>
 </context>
 <context>
@@ -20368,6 +20527,13 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     </message>
 </context>
 <context>
+    <name>ui.html_page</name>
+    <message>
+        <source>page</source>
+        <translation>página</translation>
+    </message>
+</context>
+<context>
     <name>ui.import_or_record_first</name>
     <message>
         <source>import or record one first</source>
@@ -20680,6 +20846,13 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <message>
         <source>Packing the project</source>
         <translation>Empaquetando el proyecto</translation>
+    </message>
+</context>
+<context>
+    <name>ui.page_of_trial</name>
+    <message>
+        <source>page of trial &apos;%1&apos;</source>
+        <translation>página del ensayo &apos;%1&apos;</translation>
     </message>
 </context>
 <context>
@@ -22191,7 +22364,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <name>workflow.camera</name>
     <message>
         <source>camera &apos;%1&apos;</source>
-        <translation>cámara '%1'</translation>
+        <translation>cámara &apos;%1&apos;</translation>
     </message>
 </context>
 <context>
@@ -22660,14 +22833,14 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <name>workflow.course_not_seen</name>
     <message>
         <source>the cameras see only %1 of the course of task &apos;%2&apos;</source>
-        <translation>las cámaras solo ven el %1 del recorrido de la tarea '%2'</translation>
+        <translation>las cámaras solo ven el %1 del recorrido de la tarea &apos;%2&apos;</translation>
     </message>
 </context>
 <context>
     <name>workflow.course_of_task</name>
     <message>
         <source>course of task &apos;%1&apos;</source>
-        <translation>recorrido de la tarea '%1'</translation>
+        <translation>recorrido de la tarea &apos;%1&apos;</translation>
     </message>
 </context>
 <context>
@@ -24599,7 +24772,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <name>workflow.registered_on_other_floor</name>
     <message>
         <source>it is registered on another floor, &apos;%1&apos;, and left out</source>
-        <translation>está registrada en otro suelo, '%1', y se omite</translation>
+        <translation>está registrada en otro suelo, &apos;%1&apos;, y se omite</translation>
     </message>
 </context>
 <context>
@@ -25012,7 +25185,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <name>workflow.task_without_course</name>
     <message>
         <source>task &apos;%1&apos; has neither a path nor gates to drive along</source>
-        <translation>la tarea '%1' no tiene trayectoria ni puertas que recorrer</translation>
+        <translation>la tarea &apos;%1&apos; no tiene trayectoria ni puertas que recorrer</translation>
     </message>
 </context>
 <context>

@@ -98,7 +98,7 @@
     <name>Certificate</name>
     <message>
         <source>Position</source>
-        <translation>Place</translation>
+        <translation>Position</translation>
     </message>
     <message>
         <source>Velocity</source>
@@ -110,7 +110,7 @@
     </message>
     <message>
         <source>Acceleration</source>
-        <translation>Accélération</translation>
+        <translation>Vecteur accélération</translation>
     </message>
     <message>
         <source>Amount of acceleration</source>
@@ -118,19 +118,15 @@
     </message>
     <message>
         <source>Cameras: %1</source>
-        <translation>Caméras : %1</translation>
+        <translation>Caméras&#xa0;:&#xa0;%1</translation>
     </message>
     <message>
         <source>Robot: %1</source>
-        <translation>Robot : %1</translation>
+        <translation>Robot&#xa0;:&#xa0;%1</translation>
     </message>
     <message>
         <source>Task: %1</source>
-        <translation>Épreuve : %1</translation>
-    </message>
-    <message>
-        <source>Simulated %1, Odograph %2. All errors are against the known truth of the simulation.</source>
-        <translation>Simulé le %1, Odograph %2. Toutes les erreurs sont par rapport à la vérité connue de la simulation.</translation>
+        <translation>Épreuve&#xa0;:&#xa0;%1</translation>
     </message>
     <message>
         <source>along the course of the task</source>
@@ -138,22 +134,11 @@
     </message>
     <message>
         <source>over the floor that the cameras see: straight, a curve, stop and go</source>
-        <translation>sur le sol que voient les caméras : ligne droite, courbe, arrêts et départs</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n simulated run(s) of %1 s and %2 at up to %3, %4.</source>
-        <translation>
-            <numerusform>%n passage simulé de %1 s et %2, à %3 au plus, %4.</numerusform>
-            <numerusform>%n passages simulés de %1 s et %2, à %3 au plus, %4.</numerusform>
-        </translation>
+        <translation>sur le sol que voient les caméras&#xa0;: ligne droite, courbe, arrêts et départs</translation>
     </message>
     <message>
         <source>The views of each camera were rendered with its lens, position, image size and frame rate, written as videos, and imported, synchronised, tracked and analysed as any others.</source>
         <translation>La vue de chaque caméra a été calculée avec son objectif, sa position, sa taille d’image et sa cadence, écrite en vidéo, puis importée, synchronisée, suivie et analysée comme toute autre.</translation>
-    </message>
-    <message>
-        <source>In each run the cameras are a little off from where the project has them, drawn from the stated uncertainty of their registration and lens calibration; so the errors include it.</source>
-        <translation>À chaque passage, les caméras sont un peu à côté de leur place dans le projet, tirées selon l’incertitude indiquée de leur localisation et de l’étalonnage de l’objectif ; les erreurs la comprennent.</translation>
     </message>
     <message>
         <source>A simulation shows what this geometry and this program can do, not what a certain recording did. It has even light, a still camera, a clean floor with the markers, sensor noise of 2 of 255 and an exposure of 8 ms at most, and a robot of simple solids in its colour and size.</source>
@@ -161,7 +146,7 @@
     </message>
     <message>
         <source>It does not cover flicker, reflections, deep shadows and people in the view; the look of the real robot, cables and hands; a camera that was moved; markers that were measured wrongly; rolling shutters; and errors of lens calibration and registration beyond the stated ones.</source>
-        <translation>Elle ne couvre pas les scintillements, les reflets, les ombres profondes et les personnes dans l’image ; l’aspect du robot réel, les câbles et les mains ; une caméra déplacée ; des repères mal mesurés ; les obturateurs déroulants ; ni les erreurs d’étalonnage et de localisation au-delà de celles indiquées.</translation>
+        <translation>Elle ne couvre pas les scintillements, les reflets, les ombres profondes et les personnes dans l’image&#xa0;; l’aspect du robot réel, les câbles et les mains&#xa0;; une caméra déplacée&#xa0;; des repères mal mesurés&#xa0;; les obturateurs déroulants&#xa0;; ni les erreurs d’étalonnage et de localisation au-delà de celles indiquées.</translation>
     </message>
     <message>
         <source>The verdict on a trial says which of these were noticed in its recording.</source>
@@ -173,7 +158,7 @@
     </message>
     <message>
         <source>dashed: truth; strokes: errors of all runs, enlarged %1 times</source>
-        <translation>tirets : vérité ; traits : erreurs de tous les passages, agrandies %1 fois</translation>
+        <translation>tirets&#xa0;: vérité&#xa0;; traits&#xa0;: erreurs de tous les passages, agrandies&#xa0;%1 fois</translation>
     </message>
     <message>
         <source>root mean square</source>
@@ -181,7 +166,7 @@
     </message>
     <message>
         <source>95 % below</source>
-        <translation>95 % sous</translation>
+        <translation>95&#xa0;% sous</translation>
     </message>
     <message>
         <source>stated ± (σ)</source>
@@ -189,7 +174,7 @@
     </message>
     <message>
         <source>truth inside the stated 95 %</source>
-        <translation>vérité dans les 95 % indiqués</translation>
+        <translation>vérité dans les 95&#xa0;% indiqués</translation>
     </message>
     <message>
         <source>Errors against the truth</source>
@@ -197,7 +182,7 @@
     </message>
     <message>
         <source>%1 of %2 frames have a result</source>
-        <translation>%1 images sur %2 ont un résultat</translation>
+        <translation>%1 images sur&#xa0;%2 ont un résultat</translation>
     </message>
     <message>
         <source>Certificate of this set-up</source>
@@ -221,7 +206,7 @@
     </message>
     <message>
         <source>true positions inside the stated 95 %</source>
-        <translation>positions vraies dans les 95 % indiqués</translation>
+        <translation>positions vraies dans les 95&#xa0;% indiqués</translation>
     </message>
     <message>
         <source>What was simulated</source>
@@ -233,11 +218,11 @@
     </message>
     <message>
         <source>%1, error in %2</source>
-        <translation>%1, erreur en %2</translation>
+        <translation>%1, erreur en&#xa0;%2</translation>
     </message>
     <message>
         <source>a line for each run; dashed: what the first states for 95 %</source>
-        <translation>une ligne par passage ; tirets : ce que le premier indique pour 95 %</translation>
+        <translation>une ligne par passage&#xa0;; tirets&#xa0;: ce que le premier indique pour 95&#xa0;%</translation>
     </message>
     <message>
         <source>Camera</source>
@@ -246,10 +231,6 @@
     <message>
         <source>Frames</source>
         <translation>Images</translation>
-    </message>
-    <message>
-        <source>Lens calibration</source>
-        <translation>Ce que l’on sait de l’objectif</translation>
     </message>
     <message>
         <source>Registration</source>
@@ -273,11 +254,11 @@
     </message>
     <message>
         <source>The views were synchronised by the motion, to %1 ms at worst.</source>
-        <translation>Les vues ont été synchronisées par le mouvement, à %1 ms près au pire.</translation>
+        <translation>Les vues ont été synchronisées par le mouvement, à&#xa0;%1 ms près au pire.</translation>
     </message>
     <message>
         <source>Certificate of this set-up: errors over time</source>
-        <translation>Certificat de cette installation : erreurs dans le temps</translation>
+        <translation>Certificat de cette installation&#xa0;: erreurs dans le temps</translation>
     </message>
     <message>
         <source>Remarks</source>
@@ -286,6 +267,25 @@
     <message>
         <source>The cameras</source>
         <translation>Les caméras</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n simulated run(s) of %1 s and %2 at up to %3, %4.</source>
+        <translation>
+            <numerusform>%n passage simulé de %1 s et %2, à %3 au plus, %4.</numerusform>
+            <numerusform>%n passages simulés de %1 s et %2, à %3 au plus, %4.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Lens calibration</source>
+        <translation>Ce que l’on sait de l’objectif</translation>
+    </message>
+    <message>
+        <source>Simulated %1, Odograph %2. All errors are against the known truth of the simulation.</source>
+        <translation>Simulé le&#xa0;%1, Odograph&#xa0;%2. Toutes les erreurs sont par rapport à la vérité connue de la simulation.</translation>
+    </message>
+    <message>
+        <source>In each run the cameras are a little off from where the project has them, drawn from the stated uncertainty of their registration and lens calibration; so the errors include it.</source>
+        <translation>À chaque passage, les caméras sont un peu à côté de leur place dans le projet, tirées selon l’incertitude indiquée de leur localisation et de l’étalonnage de l’objectif&#xa0;; les erreurs la comprennent.</translation>
     </message>
 </context>
 <context>
@@ -1061,6 +1061,161 @@ The method follows S. Park, “Computational Vision for Automatic Tracking and O
 Logiciel libre sous la licence publique générale GNU, version 3 ou ultérieure, sans aucune garantie.
 
 La méthode suit S. Park, «&#xa0;Computational Vision for Automatic Tracking and Objective Estimation of Mobile Robot Trajectory&#xa0;», 2018.</translation>
+    </message>
+</context>
+<context>
+    <name>HtmlChart</name>
+    <message>
+        <source>smoothed, with its ±95 % band; dots: as measured</source>
+        <translation>lissé, avec sa bande à ±95&#xa0;%&#xa0;; points&#xa0;: valeurs mesurées</translation>
+    </message>
+    <message>
+        <source>smoothed, with its ±95 % band; dots: as measured; shaded: not measured</source>
+        <translation>lissé, avec sa bande à ±95&#xa0;%&#xa0;; points&#xa0;: valeurs mesurées&#xa0;; ombré&#xa0;: non mesuré</translation>
+    </message>
+    <message>
+        <source>Speed, %1</source>
+        <translation>Vitesse, %1</translation>
+    </message>
+    <message>
+        <source>Acceleration along the path, %1</source>
+        <translation>Accélération le long de la trajectoire, %1</translation>
+    </message>
+</context>
+<context>
+    <name>HtmlMap</name>
+    <message>
+        <source>a square: %1</source>
+        <translation>un carreau&#xa0;:&#xa0;%1</translation>
+    </message>
+    <message>
+        <source>The run from above</source>
+        <translation>Le passage vu de dessus</translation>
+    </message>
+    <message>
+        <source>coloured by speed, from 0 (dark) to %1 (light); ring: start, dot: end</source>
+        <translation>coloré selon la vitesse, de 0 (foncé) à&#xa0;%1 (clair)&#xa0;; anneau&#xa0;: début, point&#xa0;: fin</translation>
+    </message>
+    <message>
+        <source>Both runs from above</source>
+        <translation>Les deux passages vus de dessus</translation>
+    </message>
+    <message>
+        <source>in the colours of the runs</source>
+        <translation>aux couleurs des passages</translation>
+    </message>
+</context>
+<context>
+    <name>HtmlPage</name>
+    <message>
+        <source>Made by Odograph %1; ± is one standard deviation.</source>
+        <translation>Fait avec Odograph&#xa0;%1&#xa0;; ± est un écart type.</translation>
+    </message>
+    <message>
+        <source>Verdict: %1</source>
+        <translation>Verdict&#xa0;:&#xa0;%1</translation>
+    </message>
+    <message>
+        <source>Metrics</source>
+        <translation>Grandeurs</translation>
+    </message>
+    <message>
+        <source>metric</source>
+        <translation>grandeur</translation>
+    </message>
+    <message>
+        <source>value</source>
+        <translation>valeur</translation>
+    </message>
+    <message>
+        <source>unit</source>
+        <translation>unité</translation>
+    </message>
+    <message>
+        <source>Splits</source>
+        <translation>Intermédiaires</translation>
+    </message>
+    <message>
+        <source>from the start to</source>
+        <translation>du départ à</translation>
+    </message>
+    <message>
+        <source>time</source>
+        <translation>temps</translation>
+    </message>
+    <message>
+        <source>Run %1</source>
+        <translation>Passage %1</translation>
+    </message>
+    <message>
+        <source>sector to %1</source>
+        <translation>secteur jusqu’à&#xa0;%1</translation>
+    </message>
+    <message>
+        <source>No spikes.</source>
+        <translation>Aucun pic aberrant.</translation>
+    </message>
+    <message numerus="yes">
+        <source>Spikes: %n</source>
+        <translation>
+            <numerusform>Pics aberrants : %n</numerusform>
+            <numerusform>Pics aberrants : %n</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>reason</source>
+        <translation>raison</translation>
+    </message>
+    <message numerus="yes">
+        <source>and %n more</source>
+        <translation>
+            <numerusform>et %n de plus</numerusform>
+            <numerusform>et %n de plus</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Remarks</source>
+        <translation>Remarques</translation>
+    </message>
+    <message>
+        <source>Where this comes from</source>
+        <translation>D’où cela vient</translation>
+    </message>
+    <message>
+        <source>difference</source>
+        <translation>différence</translation>
+    </message>
+    <message>
+        <source>Comparison</source>
+        <translation>Comparaison</translation>
+    </message>
+    <message>
+        <source>Both runs share their calibration: its uncertainty largely cancels. ≈: not significant.</source>
+        <translation>Les deux passages partagent leur étalonnage&#xa0;: son incertitude s’annule en grande partie. ≈&#xa0;: non significatif.</translation>
+    </message>
+    <message>
+        <source>The runs have different calibrations: the uncertainties of both count. ≈: not significant.</source>
+        <translation>Les passages ont des étalonnages différents&#xa0;: les incertitudes des deux comptent. ≈&#xa0;: non significatif.</translation>
+    </message>
+    <message>
+        <source>Speed over distance, %1</source>
+        <translation>Vitesse le long du trajet, %1</translation>
+    </message>
+    <message>
+        <source>with its ±95 % band</source>
+        <translation>avec sa bande à ±95&#xa0;%</translation>
+    </message>
+    <message>
+        <source>Time difference, s</source>
+        <translation>Écart de temps, s</translation>
+    </message>
+    <message>
+        <source>above 0: the second run is later; grey: not significant</source>
+        <translation>au-dessus de 0&#xa0;: le second passage est plus tard&#xa0;; gris&#xa0;: non significatif</translation>
+    </message>
+    <message>
+        <source>Sectors, s</source>
+        <translation>Secteurs, s</translation>
     </message>
 </context>
 <context>
@@ -2064,6 +2219,10 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>%1 was exported to %2.</source>
         <translation>%1 a été exporté vers %2.</translation>
+    </message>
+    <message>
+        <source>Page to take along (*.html)</source>
+        <translation>Page à emporter (*.html)</translation>
     </message>
 </context>
 <context>
@@ -13855,7 +14014,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
     <message>
         <source>The simulated run:</source>
-        <translation>Le passage simulé :</translation>
+        <translation>Le passage simulé&#xa0;:</translation>
     </message>
     <message>
         <source>Save the certificate</source>
@@ -13867,7 +14026,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
     <message>
         <source>Certificate saved as %1.</source>
-        <translation>Le certificat est dans %1.</translation>
+        <translation>Le certificat est dans&#xa0;%1.</translation>
     </message>
 </context>
 <context>
@@ -20368,6 +20527,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
 </context>
 <context>
+    <name>ui.html_page</name>
+    <message>
+        <source>page</source>
+        <translation>page</translation>
+    </message>
+</context>
+<context>
     <name>ui.import_or_record_first</name>
     <message>
         <source>import or record one first</source>
@@ -20680,6 +20846,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>Packing the project</source>
         <translation>Empaquetage du projet</translation>
+    </message>
+</context>
+<context>
+    <name>ui.page_of_trial</name>
+    <message>
+        <source>page of trial &apos;%1&apos;</source>
+        <translation>page de l’essai &apos;%1&apos;</translation>
     </message>
 </context>
 <context>
@@ -22191,7 +22364,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <name>workflow.camera</name>
     <message>
         <source>camera &apos;%1&apos;</source>
-        <translation>caméra '%1'</translation>
+        <translation>caméra &apos;%1&apos;</translation>
     </message>
 </context>
 <context>
@@ -22660,21 +22833,21 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <name>workflow.course_not_seen</name>
     <message>
         <source>the cameras see only %1 of the course of task &apos;%2&apos;</source>
-        <translation>les caméras ne voient que %1 du parcours de l’épreuve '%2'</translation>
+        <translation>les caméras ne voient que&#xa0;%1 du parcours de l’épreuve &apos;%2&apos;</translation>
     </message>
 </context>
 <context>
     <name>workflow.course_of_task</name>
     <message>
         <source>course of task &apos;%1&apos;</source>
-        <translation>parcours de l’épreuve '%1'</translation>
+        <translation>parcours de l’épreuve &apos;%1&apos;</translation>
     </message>
 </context>
 <context>
     <name>workflow.course_seen_in_part</name>
     <message>
         <source>no camera sees %1 of the run whole</source>
-        <translation>aucune caméra ne voit en entier %1 du passage</translation>
+        <translation>aucune caméra ne voit en entier&#xa0;%1 du passage</translation>
     </message>
 </context>
 <context>
@@ -22912,7 +23085,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <name>workflow.frame_rate_of</name>
     <message>
         <source>frame rate of %1</source>
-        <translation>cadence de %1</translation>
+        <translation>cadence de&#xa0;%1</translation>
     </message>
 </context>
 <context>
@@ -24599,7 +24772,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <name>workflow.registered_on_other_floor</name>
     <message>
         <source>it is registered on another floor, &apos;%1&apos;, and left out</source>
-        <translation>elle est localisée sur un autre sol, '%1', et n’est pas prise en compte</translation>
+        <translation>elle est localisée sur un autre sol, &apos;%1&apos;, et n’est pas prise en compte</translation>
     </message>
 </context>
 <context>
@@ -24648,7 +24821,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <name>workflow.registration_of</name>
     <message>
         <source>registration of %1</source>
-        <translation>localisation de %1</translation>
+        <translation>localisation de&#xa0;%1</translation>
     </message>
 </context>
 <context>
@@ -24914,7 +25087,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <name>workflow.simulating_run</name>
     <message>
         <source>simulating run %1 of %2</source>
-        <translation>simulation du passage %1 sur %2</translation>
+        <translation>simulation du passage&#xa0;%1 sur&#xa0;%2</translation>
     </message>
 </context>
 <context>
@@ -25012,7 +25185,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <name>workflow.task_without_course</name>
     <message>
         <source>task &apos;%1&apos; has neither a path nor gates to drive along</source>
-        <translation>l’épreuve '%1' n’a ni trajectoire ni portes à suivre</translation>
+        <translation>l’épreuve &apos;%1&apos; n’a ni trajectoire ni portes à suivre</translation>
     </message>
 </context>
 <context>

@@ -110,7 +110,7 @@
     </message>
     <message>
         <source>Acceleration</source>
-        <translation>가속도</translation>
+        <translation>가속도 벡터</translation>
     </message>
     <message>
         <source>Amount of acceleration</source>
@@ -129,10 +129,6 @@
         <translation>과제: %1</translation>
     </message>
     <message>
-        <source>Simulated %1, Odograph %2. All errors are against the known truth of the simulation.</source>
-        <translation>%1 시뮬레이션, Odograph %2. 모든 오차는 시뮬레이션의 알려진 참값에 대한 것입니다.</translation>
-    </message>
-    <message>
         <source>along the course of the task</source>
         <translation>과제의 코스를 따라</translation>
     </message>
@@ -140,19 +136,9 @@
         <source>over the floor that the cameras see: straight, a curve, stop and go</source>
         <translation>카메라가 보는 바닥 위에서: 직선, 곡선, 정지와 출발</translation>
     </message>
-    <message numerus="yes">
-        <source>%n simulated run(s) of %1 s and %2 at up to %3, %4.</source>
-        <translation>
-            <numerusform>%1 s, %2, 최고 %3인 시뮬레이션 주행 %n회, %4.</numerusform>
-        </translation>
-    </message>
     <message>
         <source>The views of each camera were rendered with its lens, position, image size and frame rate, written as videos, and imported, synchronised, tracked and analysed as any others.</source>
         <translation>각 카메라의 렌즈, 위치, 영상 크기, 프레임 속도로 화면을 렌더링해 동영상으로 저장한 뒤, 다른 동영상과 똑같이 가져오고 동기화하고 추적하고 분석했습니다.</translation>
-    </message>
-    <message>
-        <source>In each run the cameras are a little off from where the project has them, drawn from the stated uncertainty of their registration and lens calibration; so the errors include it.</source>
-        <translation>각 주행에서 카메라는 정합과 렌즈 보정의 명시된 불확도에서 뽑은 만큼 프로젝트의 위치에서 조금 벗어나 있습니다. 따라서 오차에는 그 불확도가 포함됩니다.</translation>
     </message>
     <message>
         <source>A simulation shows what this geometry and this program can do, not what a certain recording did. It has even light, a still camera, a clean floor with the markers, sensor noise of 2 of 255 and an exposure of 8 ms at most, and a robot of simple solids in its colour and size.</source>
@@ -247,10 +233,6 @@
         <translation>프레임</translation>
     </message>
     <message>
-        <source>Lens calibration</source>
-        <translation>렌즈 정보</translation>
-    </message>
-    <message>
         <source>Registration</source>
         <translation>정합</translation>
     </message>
@@ -285,6 +267,24 @@
     <message>
         <source>The cameras</source>
         <translation>카메라</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n simulated run(s) of %1 s and %2 at up to %3, %4.</source>
+        <translation>
+            <numerusform>%1 s, %2, 최고 %3인 시뮬레이션 주행 %n회, %4.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Lens calibration</source>
+        <translation>렌즈 정보</translation>
+    </message>
+    <message>
+        <source>Simulated %1, Odograph %2. All errors are against the known truth of the simulation.</source>
+        <translation>%1 시뮬레이션, Odograph %2. 모든 오차는 시뮬레이션의 알려진 참값에 대한 것입니다.</translation>
+    </message>
+    <message>
+        <source>In each run the cameras are a little off from where the project has them, drawn from the stated uncertainty of their registration and lens calibration; so the errors include it.</source>
+        <translation>각 주행에서 카메라는 정합과 렌즈 보정의 명시된 불확도에서 뽑은 만큼 프로젝트의 위치에서 조금 벗어나 있습니다. 따라서 오차에는 그 불확도가 포함됩니다.</translation>
     </message>
 </context>
 <context>
@@ -1056,6 +1056,159 @@ The method follows S. Park, “Computational Vision for Automatic Tracking and O
 GNU 일반 공중 사용 허가서(GPL) 버전 3 이상을 따르는 자유 소프트웨어이며, 어떠한 보증도 하지 않습니다.
 
 방법은 S. Park, “Computational Vision for Automatic Tracking and Objective Estimation of Mobile Robot Trajectory”, 2018을 따릅니다.</translation>
+    </message>
+</context>
+<context>
+    <name>HtmlChart</name>
+    <message>
+        <source>smoothed, with its ±95 % band; dots: as measured</source>
+        <translation>평활화, ±95 % 띠 포함; 점: 측정값</translation>
+    </message>
+    <message>
+        <source>smoothed, with its ±95 % band; dots: as measured; shaded: not measured</source>
+        <translation>평활화, ±95 % 띠 포함; 점: 측정값; 음영: 측정되지 않음</translation>
+    </message>
+    <message>
+        <source>Speed, %1</source>
+        <translation>속력, %1</translation>
+    </message>
+    <message>
+        <source>Acceleration along the path, %1</source>
+        <translation>경로 방향 가속도, %1</translation>
+    </message>
+</context>
+<context>
+    <name>HtmlMap</name>
+    <message>
+        <source>a square: %1</source>
+        <translation>한 칸: %1</translation>
+    </message>
+    <message>
+        <source>The run from above</source>
+        <translation>위에서 본 주행</translation>
+    </message>
+    <message>
+        <source>coloured by speed, from 0 (dark) to %1 (light); ring: start, dot: end</source>
+        <translation>속력에 따라 색칠, 0(어두움)부터 %1(밝음)까지; 고리: 시작, 점: 끝</translation>
+    </message>
+    <message>
+        <source>Both runs from above</source>
+        <translation>위에서 본 두 주행</translation>
+    </message>
+    <message>
+        <source>in the colours of the runs</source>
+        <translation>각 주행의 색으로</translation>
+    </message>
+</context>
+<context>
+    <name>HtmlPage</name>
+    <message>
+        <source>Made by Odograph %1; ± is one standard deviation.</source>
+        <translation>Odograph %1(으)로 만듦; ±는 1 표준편차입니다.</translation>
+    </message>
+    <message>
+        <source>Verdict: %1</source>
+        <translation>판정: %1</translation>
+    </message>
+    <message>
+        <source>Metrics</source>
+        <translation>지표</translation>
+    </message>
+    <message>
+        <source>metric</source>
+        <translation>지표</translation>
+    </message>
+    <message>
+        <source>value</source>
+        <translation>값</translation>
+    </message>
+    <message>
+        <source>unit</source>
+        <translation>단위</translation>
+    </message>
+    <message>
+        <source>Splits</source>
+        <translation>중간 기록</translation>
+    </message>
+    <message>
+        <source>from the start to</source>
+        <translation>출발부터</translation>
+    </message>
+    <message>
+        <source>time</source>
+        <translation>시간</translation>
+    </message>
+    <message>
+        <source>Run %1</source>
+        <translation>주행 %1</translation>
+    </message>
+    <message>
+        <source>sector to %1</source>
+        <translation>%1까지의 구간</translation>
+    </message>
+    <message>
+        <source>No spikes.</source>
+        <translation>이상점 없음.</translation>
+    </message>
+    <message numerus="yes">
+        <source>Spikes: %n</source>
+        <translation>
+            <numerusform>이상점: %n</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>reason</source>
+        <translation>이유</translation>
+    </message>
+    <message numerus="yes">
+        <source>and %n more</source>
+        <translation>
+            <numerusform>외 %n개</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Remarks</source>
+        <translation>참고 사항</translation>
+    </message>
+    <message>
+        <source>Where this comes from</source>
+        <translation>출처</translation>
+    </message>
+    <message>
+        <source>difference</source>
+        <translation>차이</translation>
+    </message>
+    <message>
+        <source>Comparison</source>
+        <translation>비교</translation>
+    </message>
+    <message>
+        <source>Both runs share their calibration: its uncertainty largely cancels. ≈: not significant.</source>
+        <translation>두 주행은 같은 보정을 써서 그 불확도가 대부분 상쇄됩니다. ≈: 유의하지 않음.</translation>
+    </message>
+    <message>
+        <source>The runs have different calibrations: the uncertainties of both count. ≈: not significant.</source>
+        <translation>두 주행의 보정이 달라 양쪽의 불확도가 모두 반영됩니다. ≈: 유의하지 않음.</translation>
+    </message>
+    <message>
+        <source>Speed over distance, %1</source>
+        <translation>경로상의 속력, %1</translation>
+    </message>
+    <message>
+        <source>with its ±95 % band</source>
+        <translation>±95 % 띠와 함께</translation>
+    </message>
+    <message>
+        <source>Time difference, s</source>
+        <translation>시간차, s</translation>
+    </message>
+    <message>
+        <source>above 0: the second run is later; grey: not significant</source>
+        <translation>0보다 위: 두 번째 주행이 늦음; 회색: 유의하지 않음</translation>
+    </message>
+    <message>
+        <source>Sectors, s</source>
+        <translation>구간, s</translation>
     </message>
 </context>
 <context>
@@ -2055,6 +2208,10 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>%1 was exported to %2.</source>
         <translation>%1을(를) %2에 내보냈습니다.</translation>
+    </message>
+    <message>
+        <source>Page to take along (*.html)</source>
+        <translation>가져갈 페이지 (*.html)</translation>
     </message>
 </context>
 <context>
@@ -20327,6 +20484,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>ui.html_page</name>
+    <message>
+        <source>page</source>
+        <translation>페이지</translation>
+    </message>
+</context>
+<context>
     <name>ui.import_or_record_first</name>
     <message>
         <source>import or record one first</source>
@@ -20639,6 +20803,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>Packing the project</source>
         <translation>프로젝트 묶는 중</translation>
+    </message>
+</context>
+<context>
+    <name>ui.page_of_trial</name>
+    <message>
+        <source>page of trial &apos;%1&apos;</source>
+        <translation>시행 &apos;%1&apos;의 페이지</translation>
     </message>
 </context>
 <context>
@@ -22150,7 +22321,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <name>workflow.camera</name>
     <message>
         <source>camera &apos;%1&apos;</source>
-        <translation>카메라 '%1'</translation>
+        <translation>카메라 &apos;%1&apos;</translation>
     </message>
 </context>
 <context>
@@ -22619,14 +22790,14 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <name>workflow.course_not_seen</name>
     <message>
         <source>the cameras see only %1 of the course of task &apos;%2&apos;</source>
-        <translation>카메라가 과제 '%2'의 코스 중 %1만 봅니다</translation>
+        <translation>카메라가 과제 &apos;%2&apos;의 코스 중 %1만 봅니다</translation>
     </message>
 </context>
 <context>
     <name>workflow.course_of_task</name>
     <message>
         <source>course of task &apos;%1&apos;</source>
-        <translation>과제 '%1'의 코스</translation>
+        <translation>과제 &apos;%1&apos;의 코스</translation>
     </message>
 </context>
 <context>
@@ -24558,7 +24729,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <name>workflow.registered_on_other_floor</name>
     <message>
         <source>it is registered on another floor, &apos;%1&apos;, and left out</source>
-        <translation>다른 바닥 '%1'에 정합되어 있어 제외합니다</translation>
+        <translation>다른 바닥 &apos;%1&apos;에 정합되어 있어 제외합니다</translation>
     </message>
 </context>
 <context>
@@ -24971,7 +25142,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <name>workflow.task_without_course</name>
     <message>
         <source>task &apos;%1&apos; has neither a path nor gates to drive along</source>
-        <translation>과제 '%1'에는 따라갈 경로도 게이트도 없습니다</translation>
+        <translation>과제 &apos;%1&apos;에는 따라갈 경로도 게이트도 없습니다</translation>
     </message>
 </context>
 <context>

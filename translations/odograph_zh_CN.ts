@@ -110,7 +110,7 @@
     </message>
     <message>
         <source>Acceleration</source>
-        <translation>加速度</translation>
+        <translation>加速度矢量</translation>
     </message>
     <message>
         <source>Amount of acceleration</source>
@@ -129,10 +129,6 @@
         <translation>任务：%1</translation>
     </message>
     <message>
-        <source>Simulated %1, Odograph %2. All errors are against the known truth of the simulation.</source>
-        <translation>模拟于 %1，Odograph %2。所有误差均相对于模拟的已知真值。</translation>
-    </message>
-    <message>
         <source>along the course of the task</source>
         <translation>沿任务的路线</translation>
     </message>
@@ -140,19 +136,9 @@
         <source>over the floor that the cameras see: straight, a curve, stop and go</source>
         <translation>在相机可见的地面上：直线、曲线、走走停停</translation>
     </message>
-    <message numerus="yes">
-        <source>%n simulated run(s) of %1 s and %2 at up to %3, %4.</source>
-        <translation>
-            <numerusform>%n 次模拟运行，每次 %1 s、%2，最高 %3，%4。</numerusform>
-        </translation>
-    </message>
     <message>
         <source>The views of each camera were rendered with its lens, position, image size and frame rate, written as videos, and imported, synchronised, tracked and analysed as any others.</source>
         <translation>按每台相机的镜头、位置、图像尺寸和帧率渲染其画面，写成视频，再像其他视频一样导入、同步、跟踪和分析。</translation>
-    </message>
-    <message>
-        <source>In each run the cameras are a little off from where the project has them, drawn from the stated uncertainty of their registration and lens calibration; so the errors include it.</source>
-        <translation>每次运行中，相机按其配准和镜头标定所声明的不确定度略微偏离项目中的位置，因此误差已包含这一不确定度。</translation>
     </message>
     <message>
         <source>A simulation shows what this geometry and this program can do, not what a certain recording did. It has even light, a still camera, a clean floor with the markers, sensor noise of 2 of 255 and an exposure of 8 ms at most, and a robot of simple solids in its colour and size.</source>
@@ -247,10 +233,6 @@
         <translation>帧</translation>
     </message>
     <message>
-        <source>Lens calibration</source>
-        <translation>镜头的已知参数</translation>
-    </message>
-    <message>
         <source>Registration</source>
         <translation>配准</translation>
     </message>
@@ -285,6 +267,24 @@
     <message>
         <source>The cameras</source>
         <translation>相机</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n simulated run(s) of %1 s and %2 at up to %3, %4.</source>
+        <translation>
+            <numerusform>%n 次模拟运行，每次 %1 s、%2，最高 %3，%4。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Lens calibration</source>
+        <translation>镜头的已知参数</translation>
+    </message>
+    <message>
+        <source>Simulated %1, Odograph %2. All errors are against the known truth of the simulation.</source>
+        <translation>模拟于 %1，Odograph %2。所有误差均相对于模拟的已知真值。</translation>
+    </message>
+    <message>
+        <source>In each run the cameras are a little off from where the project has them, drawn from the stated uncertainty of their registration and lens calibration; so the errors include it.</source>
+        <translation>每次运行中，相机按其配准和镜头标定所声明的不确定度略微偏离项目中的位置，因此误差已包含这一不确定度。</translation>
     </message>
 </context>
 <context>
@@ -1056,6 +1056,159 @@ The method follows S. Park, “Computational Vision for Automatic Tracking and O
 自由软件，遵循 GNU 通用公共许可证第 3 版或更高版本，不提供任何担保。
 
 方法依据 S. Park, “Computational Vision for Automatic Tracking and Objective Estimation of Mobile Robot Trajectory”, 2018。</translation>
+    </message>
+</context>
+<context>
+    <name>HtmlChart</name>
+    <message>
+        <source>smoothed, with its ±95 % band; dots: as measured</source>
+        <translation>平滑后，含 ±95 % 置信带；点：测量值</translation>
+    </message>
+    <message>
+        <source>smoothed, with its ±95 % band; dots: as measured; shaded: not measured</source>
+        <translation>平滑后，含 ±95 % 置信带；点：测量值；阴影：未测量</translation>
+    </message>
+    <message>
+        <source>Speed, %1</source>
+        <translation>速度，%1</translation>
+    </message>
+    <message>
+        <source>Acceleration along the path, %1</source>
+        <translation>沿路径方向的加速度，%1</translation>
+    </message>
+</context>
+<context>
+    <name>HtmlMap</name>
+    <message>
+        <source>a square: %1</source>
+        <translation>一格：%1</translation>
+    </message>
+    <message>
+        <source>The run from above</source>
+        <translation>运行俯视图</translation>
+    </message>
+    <message>
+        <source>coloured by speed, from 0 (dark) to %1 (light); ring: start, dot: end</source>
+        <translation>按速度着色，从 0（深）到 %1（浅）；圆环：起点，圆点：终点</translation>
+    </message>
+    <message>
+        <source>Both runs from above</source>
+        <translation>两次运行俯视图</translation>
+    </message>
+    <message>
+        <source>in the colours of the runs</source>
+        <translation>以各次运行的颜色</translation>
+    </message>
+</context>
+<context>
+    <name>HtmlPage</name>
+    <message>
+        <source>Made by Odograph %1; ± is one standard deviation.</source>
+        <translation>由 Odograph %1 生成；± 为一个标准差。</translation>
+    </message>
+    <message>
+        <source>Verdict: %1</source>
+        <translation>评定：%1</translation>
+    </message>
+    <message>
+        <source>Metrics</source>
+        <translation>指标</translation>
+    </message>
+    <message>
+        <source>metric</source>
+        <translation>指标</translation>
+    </message>
+    <message>
+        <source>value</source>
+        <translation>数值</translation>
+    </message>
+    <message>
+        <source>unit</source>
+        <translation>单位</translation>
+    </message>
+    <message>
+        <source>Splits</source>
+        <translation>分段</translation>
+    </message>
+    <message>
+        <source>from the start to</source>
+        <translation>从起点到</translation>
+    </message>
+    <message>
+        <source>time</source>
+        <translation>时间</translation>
+    </message>
+    <message>
+        <source>Run %1</source>
+        <translation>第 %1 次</translation>
+    </message>
+    <message>
+        <source>sector to %1</source>
+        <translation>到 %1 的区段</translation>
+    </message>
+    <message>
+        <source>No spikes.</source>
+        <translation>无异常点。</translation>
+    </message>
+    <message numerus="yes">
+        <source>Spikes: %n</source>
+        <translation>
+            <numerusform>异常点：%n</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>reason</source>
+        <translation>原因</translation>
+    </message>
+    <message numerus="yes">
+        <source>and %n more</source>
+        <translation>
+            <numerusform>以及另外 %n 个</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Remarks</source>
+        <translation>备注</translation>
+    </message>
+    <message>
+        <source>Where this comes from</source>
+        <translation>数据来源</translation>
+    </message>
+    <message>
+        <source>difference</source>
+        <translation>差值</translation>
+    </message>
+    <message>
+        <source>Comparison</source>
+        <translation>比较</translation>
+    </message>
+    <message>
+        <source>Both runs share their calibration: its uncertainty largely cancels. ≈: not significant.</source>
+        <translation>两次运行共用标定：其不确定度大部分抵消。≈：不显著。</translation>
+    </message>
+    <message>
+        <source>The runs have different calibrations: the uncertainties of both count. ≈: not significant.</source>
+        <translation>两次运行的标定不同：两者的不确定度都计入。≈：不显著。</translation>
+    </message>
+    <message>
+        <source>Speed over distance, %1</source>
+        <translation>沿程速度，%1</translation>
+    </message>
+    <message>
+        <source>with its ±95 % band</source>
+        <translation>及其 ±95 % 置信带</translation>
+    </message>
+    <message>
+        <source>Time difference, s</source>
+        <translation>时间差，s</translation>
+    </message>
+    <message>
+        <source>above 0: the second run is later; grey: not significant</source>
+        <translation>高于 0：第二次运行较晚；灰色：不显著</translation>
+    </message>
+    <message>
+        <source>Sectors, s</source>
+        <translation>区段，s</translation>
     </message>
 </context>
 <context>
@@ -2055,6 +2208,10 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>%1 was exported to %2.</source>
         <translation>%1 已导出到 %2。</translation>
+    </message>
+    <message>
+        <source>Page to take along (*.html)</source>
+        <translation>随身页面 (*.html)</translation>
     </message>
 </context>
 <context>
@@ -20327,6 +20484,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>ui.html_page</name>
+    <message>
+        <source>page</source>
+        <translation>页面</translation>
+    </message>
+</context>
+<context>
     <name>ui.import_or_record_first</name>
     <message>
         <source>import or record one first</source>
@@ -20639,6 +20803,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>Packing the project</source>
         <translation>正在打包项目</translation>
+    </message>
+</context>
+<context>
+    <name>ui.page_of_trial</name>
+    <message>
+        <source>page of trial &apos;%1&apos;</source>
+        <translation>试验“%1”的页面</translation>
     </message>
 </context>
 <context>

@@ -39,7 +39,7 @@ std::span<const NamedCommand> allCommands()
         {"certificate", "simulate the set-up with a known run and report how accurate it is", runCertificate,
          true},
         {"table", "write the metrics of all trials to a table for spreadsheets", runTable, false},
-        {"export", "write a trial's samples to a file, or its annotated video", runExport, false},
+        {"export", "write a trial's samples, a page to take along, or its annotated video", runExport, false},
         {"snapshot", "save an image of the window", runSnapshot, true},
         {"target", "write a board or floor markers for printing", runTarget, true},
         {"check", "check a project and its recordings", runCheck, false},

@@ -40,6 +40,8 @@ private Q_SLOTS:
         add("project", sqlite + "Odog" + QByteArray(30, '\0'), FileKind::Project);
         add("other database", sqlite + QByteArray(34, '\0'), FileKind::Database);
         add("database cut off", sqlite.left(40), FileKind::Database);
+        add("HTML", "\n<!DOCTYPE html>\n<html><body><svg/></body></html>", FileKind::Html);
+        add("HTML without a type", "<HTML lang=\"en\">", FileKind::Html);
         add("SVG", "<?xml version=\"1.0\"?>\n<svg width=\"1\"/>", FileKind::Svg);
         add("page", "<html></html>", FileKind::Text);
         add("JSON", " \n{\"trial\": 1}", FileKind::Json);
