@@ -14005,10 +14005,6 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <translation>Der Bericht ist beim Drucker %1.</translation>
     </message>
     <message>
-        <source>Certificate of this &amp;set-up…</source>
-        <translation>&amp;Zertifikat dieses Aufbaus…</translation>
-    </message>
-    <message>
         <source>Over the floor that the cameras see</source>
         <translation>Über den Boden, den die Kameras sehen</translation>
     </message>
@@ -14027,6 +14023,10 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>Certificate saved as %1.</source>
         <translation>Das Zertifikat ist in %1.</translation>
+    </message>
+    <message>
+        <source>C&amp;ertificate of this set-up…</source>
+        <translation>Zert&amp;ifikat dieses Aufbaus…</translation>
     </message>
 </context>
 <context>

@@ -14005,10 +14005,6 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <translation>El informe está en la impresora %1.</translation>
     </message>
     <message>
-        <source>Certificate of this &amp;set-up…</source>
-        <translation>Cer&amp;tificado de este montaje…</translation>
-    </message>
-    <message>
         <source>Over the floor that the cameras see</source>
         <translation>Sobre el suelo que ven las cámaras</translation>
     </message>
@@ -14027,6 +14023,10 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <message>
         <source>Certificate saved as %1.</source>
         <translation>El certificado está en %1.</translation>
+    </message>
+    <message>
+        <source>C&amp;ertificate of this set-up…</source>
+        <translation>Cer&amp;tificado de este montaje…</translation>
     </message>
 </context>
 <context>

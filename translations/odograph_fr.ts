@@ -14005,10 +14005,6 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <translation>Le rapport est à l’imprimante %1.</translation>
     </message>
     <message>
-        <source>Certificate of this &amp;set-up…</source>
-        <translation>&amp;Certificat de cette installation…</translation>
-    </message>
-    <message>
         <source>Over the floor that the cameras see</source>
         <translation>Sur le sol que voient les caméras</translation>
     </message>
@@ -14027,6 +14023,10 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>Certificate saved as %1.</source>
         <translation>Le certificat est dans&#xa0;%1.</translation>
+    </message>
+    <message>
+        <source>C&amp;ertificate of this set-up…</source>
+        <translation>Cert&amp;ificat de cette installation…</translation>
     </message>
 </context>
 <context>

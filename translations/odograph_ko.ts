@@ -13982,10 +13982,6 @@ Much more than expected means that a setting is wrong: the views are not synchro
         <translation>보고서를 프린터 %1(으)로 보냈습니다.</translation>
     </message>
     <message>
-        <source>Certificate of this &amp;set-up…</source>
-        <translation>이 설정의 인증서(&amp;S)…</translation>
-    </message>
-    <message>
         <source>Over the floor that the cameras see</source>
         <translation>카메라가 보는 바닥 위</translation>
     </message>
@@ -14004,6 +14000,10 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>Certificate saved as %1.</source>
         <translation>인증서를 %1에 저장했습니다.</translation>
+    </message>
+    <message>
+        <source>C&amp;ertificate of this set-up…</source>
+        <translation>이 설정의 인증서(&amp;E)…</translation>
     </message>
 </context>
 <context>

@@ -13982,10 +13982,6 @@ Much more than expected means that a setting is wrong: the views are not synchro
         <translation>报告已送至打印机 %1。</translation>
     </message>
     <message>
-        <source>Certificate of this &amp;set-up…</source>
-        <translation>此设置的证书(&amp;S)…</translation>
-    </message>
-    <message>
         <source>Over the floor that the cameras see</source>
         <translation>在相机可见的地面上</translation>
     </message>
@@ -14004,6 +14000,10 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>Certificate saved as %1.</source>
         <translation>证书已保存为 %1。</translation>
+    </message>
+    <message>
+        <source>C&amp;ertificate of this set-up…</source>
+        <translation>此设置的证书(&amp;E)…</translation>
     </message>
 </context>
 <context>

@@ -41,7 +41,7 @@ ReportSubject subjectOfTrial(const std::string &trial)
 ReportActions::ReportActions(Workspace &workspace, QWidget &window)
     : QObject(&window), m_workspace(workspace), m_window(window),
       m_report(new QAction(themeIcon(QStringLiteral("print")), tr("&Report…"), this)),
-      m_certificate(new QAction(tr("Certificate of this &set-up…"), this))
+      m_certificate(new QAction(tr("C&ertificate of this set-up…"), this))
 {
     nameCommands({{m_report, "report"}, {m_certificate, "certificate"}});
     m_certificate->setEnabled(false);
