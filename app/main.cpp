@@ -124,8 +124,9 @@ int runCommand(const NamedCommand &command, int argc, char **argv)
         return std::any_of(argv, argv + argc, [word](const char *a) { return std::strcmp(a, word) == 0; });
     };
     const bool opensWindow = says("--open");
-    const bool paints =
-        command.needsWindow || (command.run == runExport && (says("video") || says("--format=video")));
+    const bool paints = command.needsWindow ||
+                        (command.run == runExport &&
+                         (says("video") || says("--format=video") || says("html") || says("--format=html")));
     if (paints) {
         // An image of the window needs no display, and must look the same with one.
         qputenv("QT_QPA_PLATFORM", "offscreen");

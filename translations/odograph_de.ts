@@ -95,6 +95,200 @@
     </message>
 </context>
 <context>
+    <name>Certificate</name>
+    <message>
+        <source>Position</source>
+        <translation>Position</translation>
+    </message>
+    <message>
+        <source>Velocity</source>
+        <translation>Geschwindigkeitsvektor</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>Geschwindigkeit</translation>
+    </message>
+    <message>
+        <source>Acceleration</source>
+        <translation>Beschleunigungsvektor</translation>
+    </message>
+    <message>
+        <source>Amount of acceleration</source>
+        <translation>Betrag der Beschleunigung</translation>
+    </message>
+    <message>
+        <source>Cameras: %1</source>
+        <translation>Kameras: %1</translation>
+    </message>
+    <message>
+        <source>Robot: %1</source>
+        <translation>Roboter: %1</translation>
+    </message>
+    <message>
+        <source>Task: %1</source>
+        <translation>Aufgabe: %1</translation>
+    </message>
+    <message>
+        <source>along the course of the task</source>
+        <translation>längs der Strecke der Aufgabe</translation>
+    </message>
+    <message>
+        <source>over the floor that the cameras see: straight, a curve, stop and go</source>
+        <translation>über den Boden, den die Kameras sehen: geradeaus, eine Kurve, anhalten und anfahren</translation>
+    </message>
+    <message>
+        <source>The views of each camera were rendered with its lens, position, image size and frame rate, written as videos, and imported, synchronised, tracked and analysed as any others.</source>
+        <translation>Die Ansicht jeder Kamera wurde mit ihrem Objektiv, ihrer Lage, Bildgröße und Bildrate berechnet, als Video geschrieben und wie jedes andere importiert, synchronisiert, verfolgt und ausgewertet.</translation>
+    </message>
+    <message>
+        <source>A simulation shows what this geometry and this program can do, not what a certain recording did. It has even light, a still camera, a clean floor with the markers, sensor noise of 2 of 255 and an exposure of 8 ms at most, and a robot of simple solids in its colour and size.</source>
+        <translation>Eine Simulation zeigt, was diese Geometrie und dieses Programm leisten können, nicht, was eine bestimmte Aufnahme geleistet hat. Sie hat gleichmäßiges Licht, eine ruhige Kamera, einen sauberen Boden mit den Markern, Sensorrauschen von 2 von 255, höchstens 8 ms Belichtung und einen Roboter aus einfachen Körpern in seiner Farbe und Größe.</translation>
+    </message>
+    <message>
+        <source>It does not cover flicker, reflections, deep shadows and people in the view; the look of the real robot, cables and hands; a camera that was moved; markers that were measured wrongly; rolling shutters; and errors of lens calibration and registration beyond the stated ones.</source>
+        <translation>Sie erfasst nicht: Flimmern, Spiegelungen, tiefe Schatten und Menschen im Bild; das Aussehen des wirklichen Roboters, Kabel und Hände; eine Kamera, die bewegt wurde; falsch gemessene Marker; Rollverschlüsse; und Fehler von Objektivkalibrierung und Einmessung über die angegebenen hinaus.</translation>
+    </message>
+    <message>
+        <source>The verdict on a trial says which of these were noticed in its recording.</source>
+        <translation>Das Urteil über einen Versuch sagt, was davon in seiner Aufnahme bemerkt wurde.</translation>
+    </message>
+    <message>
+        <source>The known run from above</source>
+        <translation>Die bekannte Fahrt von oben</translation>
+    </message>
+    <message>
+        <source>dashed: truth; strokes: errors of all runs, enlarged %1 times</source>
+        <translation>gestrichelt: Wahrheit; Striche: Fehler aller Fahrten, %1-fach vergrößert</translation>
+    </message>
+    <message>
+        <source>root mean square</source>
+        <translation>quadratisches Mittel</translation>
+    </message>
+    <message>
+        <source>95 % below</source>
+        <translation>95 % unter</translation>
+    </message>
+    <message>
+        <source>stated ± (σ)</source>
+        <translation>angegebenes ± (σ)</translation>
+    </message>
+    <message>
+        <source>truth inside the stated 95 %</source>
+        <translation>Wahrheit in den angegebenen 95 %</translation>
+    </message>
+    <message>
+        <source>Errors against the truth</source>
+        <translation>Fehler gegenüber der Wahrheit</translation>
+    </message>
+    <message>
+        <source>%1 of %2 frames have a result</source>
+        <translation>%1 von %2 Bildern haben ein Ergebnis</translation>
+    </message>
+    <message>
+        <source>Certificate of this set-up</source>
+        <translation>Zertifikat dieses Aufbaus</translation>
+    </message>
+    <message>
+        <source>Position error</source>
+        <translation>Positionsfehler</translation>
+    </message>
+    <message>
+        <source>Velocity error</source>
+        <translation>Geschwindigkeitsfehler</translation>
+    </message>
+    <message>
+        <source>Acceleration error</source>
+        <translation>Beschleunigungsfehler</translation>
+    </message>
+    <message>
+        <source>Coverage</source>
+        <translation>Überdeckung</translation>
+    </message>
+    <message>
+        <source>true positions inside the stated 95 %</source>
+        <translation>wahre Positionen in den angegebenen 95 %</translation>
+    </message>
+    <message>
+        <source>What was simulated</source>
+        <translation>Was simuliert wurde</translation>
+    </message>
+    <message>
+        <source>What a simulation does not cover</source>
+        <translation>Was eine Simulation nicht erfasst</translation>
+    </message>
+    <message>
+        <source>%1, error in %2</source>
+        <translation>%1, Fehler in %2</translation>
+    </message>
+    <message>
+        <source>a line for each run; dashed: what the first states for 95 %</source>
+        <translation>eine Linie je Fahrt; gestrichelt: was die erste für 95 % angibt</translation>
+    </message>
+    <message>
+        <source>Camera</source>
+        <translation>Kamera</translation>
+    </message>
+    <message>
+        <source>Frames</source>
+        <translation>Bilder</translation>
+    </message>
+    <message>
+        <source>Registration</source>
+        <translation>Einmessung</translation>
+    </message>
+    <message>
+        <source>σ on the floor</source>
+        <translation>σ am Boden</translation>
+    </message>
+    <message>
+        <source>calibrated</source>
+        <translation>kalibriert</translation>
+    </message>
+    <message>
+        <source>estimated from the floor</source>
+        <translation>aus dem Boden geschätzt</translation>
+    </message>
+    <message>
+        <source>assumed</source>
+        <translation>angenommen</translation>
+    </message>
+    <message>
+        <source>The views were synchronised by the motion, to %1 ms at worst.</source>
+        <translation>Die Ansichten wurden durch die Bewegung synchronisiert, schlechtestenfalls auf %1 ms.</translation>
+    </message>
+    <message>
+        <source>Certificate of this set-up: errors over time</source>
+        <translation>Zertifikat dieses Aufbaus: Fehler über der Zeit</translation>
+    </message>
+    <message>
+        <source>Remarks</source>
+        <translation>Bemerkungen</translation>
+    </message>
+    <message>
+        <source>The cameras</source>
+        <translation>Die Kameras</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n simulated run(s) of %1 s and %2 at up to %3, %4.</source>
+        <translation>
+            <numerusform>%n simulierte Fahrt von %1 s und %2 mit bis zu %3, %4.</numerusform>
+            <numerusform>%n simulierte Fahrten von je %1 s und %2 mit bis zu %3, %4.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Lens calibration</source>
+        <translation>Was vom Objektiv bekannt ist</translation>
+    </message>
+    <message>
+        <source>Simulated %1, Odograph %2. All errors are against the known truth of the simulation.</source>
+        <translation>Simuliert %1, Odograph %2. Alle Fehler gelten gegenüber der bekannten Wahrheit der Simulation.</translation>
+    </message>
+    <message>
+        <source>In each run the cameras are a little off from where the project has them, drawn from the stated uncertainty of their registration and lens calibration; so the errors include it.</source>
+        <translation>In jeder Fahrt liegen die Kameras ein wenig anders, als das Projekt angibt, gezogen aus der angegebenen Unsicherheit von Einmessung und Objektivkalibrierung; die Fehler enthalten sie also.</translation>
+    </message>
+</context>
+<context>
     <name>ClassReport</name>
     <message>
         <source>Rank: one more than the number of significantly better teams (medians differ by more than 1.96 σ). Teams of the same rank do not differ significantly.</source>
@@ -867,6 +1061,161 @@ The method follows S. Park, “Computational Vision for Automatic Tracking and O
 Freie Software unter der GNU General Public License, Version 3 oder neuer, ohne jede Gewährleistung.
 
 Das Verfahren folgt S. Park, „Computational Vision for Automatic Tracking and Objective Estimation of Mobile Robot Trajectory“, 2018.</translation>
+    </message>
+</context>
+<context>
+    <name>HtmlChart</name>
+    <message>
+        <source>smoothed, with its ±95 % band; dots: as measured</source>
+        <translation>geglättet, mit ±95-%-Band; Punkte: wie gemessen</translation>
+    </message>
+    <message>
+        <source>smoothed, with its ±95 % band; dots: as measured; shaded: not measured</source>
+        <translation>geglättet, mit ±95-%-Band; Punkte: wie gemessen; schattiert: nicht gemessen</translation>
+    </message>
+    <message>
+        <source>Speed, %1</source>
+        <translation>Geschwindigkeit, %1</translation>
+    </message>
+    <message>
+        <source>Acceleration along the path, %1</source>
+        <translation>Beschleunigung längs der Bahn, %1</translation>
+    </message>
+</context>
+<context>
+    <name>HtmlMap</name>
+    <message>
+        <source>a square: %1</source>
+        <translation>ein Kästchen: %1</translation>
+    </message>
+    <message>
+        <source>The run from above</source>
+        <translation>Die Fahrt von oben</translation>
+    </message>
+    <message>
+        <source>coloured by speed, from 0 (dark) to %1 (light); ring: start, dot: end</source>
+        <translation>gefärbt nach Geschwindigkeit, von 0 (dunkel) bis %1 (hell); Ring: Anfang, Punkt: Ende</translation>
+    </message>
+    <message>
+        <source>Both runs from above</source>
+        <translation>Beide Fahrten von oben</translation>
+    </message>
+    <message>
+        <source>in the colours of the runs</source>
+        <translation>in den Farben der Fahrten</translation>
+    </message>
+</context>
+<context>
+    <name>HtmlPage</name>
+    <message>
+        <source>Made by Odograph %1; ± is one standard deviation.</source>
+        <translation>Erstellt mit Odograph %1; ± ist eine Standardabweichung.</translation>
+    </message>
+    <message>
+        <source>Verdict: %1</source>
+        <translation>Urteil: %1</translation>
+    </message>
+    <message>
+        <source>Metrics</source>
+        <translation>Kennwerte</translation>
+    </message>
+    <message>
+        <source>metric</source>
+        <translation>Kennwert</translation>
+    </message>
+    <message>
+        <source>value</source>
+        <translation>Wert</translation>
+    </message>
+    <message>
+        <source>unit</source>
+        <translation>Einheit</translation>
+    </message>
+    <message>
+        <source>Splits</source>
+        <translation>Zwischenzeiten</translation>
+    </message>
+    <message>
+        <source>from the start to</source>
+        <translation>vom Start bis</translation>
+    </message>
+    <message>
+        <source>time</source>
+        <translation>Zeit</translation>
+    </message>
+    <message>
+        <source>Run %1</source>
+        <translation>Fahrt %1</translation>
+    </message>
+    <message>
+        <source>sector to %1</source>
+        <translation>Sektor bis %1</translation>
+    </message>
+    <message>
+        <source>No spikes.</source>
+        <translation>Keine Ausreißer.</translation>
+    </message>
+    <message numerus="yes">
+        <source>Spikes: %n</source>
+        <translation>
+            <numerusform>Ausreißer: %n</numerusform>
+            <numerusform>Ausreißer: %n</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>reason</source>
+        <translation>Grund</translation>
+    </message>
+    <message numerus="yes">
+        <source>and %n more</source>
+        <translation>
+            <numerusform>und noch %n</numerusform>
+            <numerusform>und noch %n</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Remarks</source>
+        <translation>Bemerkungen</translation>
+    </message>
+    <message>
+        <source>Where this comes from</source>
+        <translation>Woher das kommt</translation>
+    </message>
+    <message>
+        <source>difference</source>
+        <translation>Unterschied</translation>
+    </message>
+    <message>
+        <source>Comparison</source>
+        <translation>Vergleich</translation>
+    </message>
+    <message>
+        <source>Both runs share their calibration: its uncertainty largely cancels. ≈: not significant.</source>
+        <translation>Beide Fahrten teilen ihre Kalibrierung: Deren Unsicherheit hebt sich weitgehend auf. ≈: nicht signifikant.</translation>
+    </message>
+    <message>
+        <source>The runs have different calibrations: the uncertainties of both count. ≈: not significant.</source>
+        <translation>Die Fahrten haben verschiedene Kalibrierungen: Die Unsicherheiten beider zählen. ≈: nicht signifikant.</translation>
+    </message>
+    <message>
+        <source>Speed over distance, %1</source>
+        <translation>Geschwindigkeit längs des Wegs, %1</translation>
+    </message>
+    <message>
+        <source>with its ±95 % band</source>
+        <translation>mit ihrem ±95-%-Band</translation>
+    </message>
+    <message>
+        <source>Time difference, s</source>
+        <translation>Zeitdifferenz, s</translation>
+    </message>
+    <message>
+        <source>above 0: the second run is later; grey: not significant</source>
+        <translation>über 0: die zweite Fahrt ist später; grau: nicht signifikant</translation>
+    </message>
+    <message>
+        <source>Sectors, s</source>
+        <translation>Sektoren, s</translation>
     </message>
 </context>
 <context>
@@ -1870,6 +2219,10 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>%1 was exported to %2.</source>
         <translation>%1 wurde nach %2 exportiert.</translation>
+    </message>
+    <message>
+        <source>Page to take along (*.html)</source>
+        <translation>Seite zum Mitnehmen (*.html)</translation>
     </message>
 </context>
 <context>
@@ -13651,6 +14004,30 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <source>Report sent to printer %1.</source>
         <translation>Der Bericht ist beim Drucker %1.</translation>
     </message>
+    <message>
+        <source>Over the floor that the cameras see</source>
+        <translation>Über den Boden, den die Kameras sehen</translation>
+    </message>
+    <message>
+        <source>The simulated run:</source>
+        <translation>Die simulierte Fahrt:</translation>
+    </message>
+    <message>
+        <source>Save the certificate</source>
+        <translation>Zertifikat speichern</translation>
+    </message>
+    <message>
+        <source>Certificate</source>
+        <translation>Zertifikat</translation>
+    </message>
+    <message>
+        <source>Certificate saved as %1.</source>
+        <translation>Das Zertifikat ist in %1.</translation>
+    </message>
+    <message>
+        <source>C&amp;ertificate of this set-up…</source>
+        <translation>Zert&amp;ifikat dieses Aufbaus…</translation>
+    </message>
 </context>
 <context>
     <name>odo::ReportDialog</name>
@@ -20208,6 +20585,13 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
 </context>
 <context>
+    <name>ui.html_page</name>
+    <message>
+        <source>page</source>
+        <translation>Seite</translation>
+    </message>
+</context>
+<context>
     <name>ui.import_or_record_first</name>
     <message>
         <source>import or record one first</source>
@@ -20303,6 +20687,13 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>make the squares at most %1, or use larger paper</source>
         <translation>machen Sie die Quadrate höchstens %1 groß, oder nehmen Sie ein größeres Papier</translation>
+    </message>
+</context>
+<context>
+    <name>ui.making_certificate</name>
+    <message>
+        <source>Simulating the set-up</source>
+        <translation>Der Aufbau wird simuliert</translation>
     </message>
 </context>
 <context>
@@ -20513,6 +20904,13 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>Packing the project</source>
         <translation>Projekt wird gepackt</translation>
+    </message>
+</context>
+<context>
+    <name>ui.page_of_trial</name>
+    <message>
+        <source>page of trial &apos;%1&apos;</source>
+        <translation>Seite des Versuchs &apos;%1&apos;</translation>
     </message>
 </context>
 <context>
@@ -21909,6 +22307,13 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
 </context>
 <context>
+    <name>workflow.box_stands_in</name>
+    <message>
+        <source>the project has none, so a blue box of 260 mm × 190 mm × 60 mm is simulated</source>
+        <translation>das Projekt hat keinen, daher wird ein blauer Quader von 260 mm × 190 mm × 60 mm simuliert</translation>
+    </message>
+</context>
+<context>
     <name>workflow.by_layout_and_lens</name>
     <message>
         <source>layout &apos;%1&apos;, lens calibration %2</source>
@@ -22021,6 +22426,13 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
 </context>
 <context>
+    <name>workflow.camera</name>
+    <message>
+        <source>camera &apos;%1&apos;</source>
+        <translation>Kamera &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
     <name>workflow.camera_gave_no_picture</name>
     <message>
         <source>camera &apos;%1&apos; delivered no frame</source>
@@ -22063,10 +22475,24 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
 </context>
 <context>
+    <name>workflow.camera_sees_too_little</name>
+    <message>
+        <source>the camera sees too little of the floor between the markers for a run</source>
+        <translation>die Kamera sieht zu wenig vom Boden zwischen den Markern für eine Fahrt</translation>
+    </message>
+</context>
+<context>
     <name>workflow.cameras_given_one_file</name>
     <message>
         <source>cameras &apos;%1&apos; and &apos;%2&apos; were given the same file, &apos;%3&apos;</source>
         <translation>die Kameras „%1“ und „%2“ bekamen dieselbe Datei, „%3“</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.cameras_share_too_little</name>
+    <message>
+        <source>no two cameras share enough of the floor between the markers for a run</source>
+        <translation>keine zwei Kameras sehen gemeinsam genug vom Boden zwischen den Markern für eine Fahrt</translation>
     </message>
 </context>
 <context>
@@ -22116,6 +22542,13 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>%1, or %2</source>
         <translation>%1, oder %2</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.certificate</name>
+    <message>
+        <source>certificate</source>
+        <translation>Zertifikat</translation>
     </message>
 </context>
 <context>
@@ -22200,6 +22633,13 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>views are matched by time: check --rate if one is in slow motion</source>
         <translation>die Sichten werden über die Zeit verbunden; prüfen Sie die wahre Bildrate, falls eine in Zeitlupe ist</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.check_robot_and_registration</name>
+    <message>
+        <source>check the robot&apos;s colour and size, and the registrations</source>
+        <translation>prüfen Sie Farbe und Größe des Roboters und die Einmessungen</translation>
     </message>
 </context>
 <context>
@@ -22312,6 +22752,20 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>choose a run on the same layout</source>
         <translation>einen Lauf auf derselben Anordnung wählen</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.choose_seen_task</name>
+    <message>
+        <source>choose a task on the floor that they see, or leave the task out</source>
+        <translation>wählen Sie eine Aufgabe auf dem Boden, den sie sehen, oder lassen Sie die Aufgabe weg</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.choose_task_with_course</name>
+    <message>
+        <source>choose a task that has, or leave the task out</source>
+        <translation>wählen Sie eine Aufgabe, die das hat, oder lassen Sie die Aufgabe weg</translation>
     </message>
 </context>
 <context>
@@ -22445,6 +22899,27 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>copying the project</source>
         <translation>Projekt wird kopiert</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.course_not_seen</name>
+    <message>
+        <source>the cameras see only %1 of the course of task &apos;%2&apos;</source>
+        <translation>die Kameras sehen nur %1 der Strecke der Aufgabe &apos;%2&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.course_of_task</name>
+    <message>
+        <source>course of task &apos;%1&apos;</source>
+        <translation>Strecke der Aufgabe &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.course_seen_in_part</name>
+    <message>
+        <source>no camera sees %1 of the run whole</source>
+        <translation>%1 der Fahrt sieht keine Kamera ganz</translation>
     </message>
 </context>
 <context>
@@ -22676,6 +23151,13 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>frame %1 of trial &apos;%2&apos;</source>
         <translation>Bild %1 des Versuchs &apos;%2&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.frame_rate_of</name>
+    <message>
+        <source>frame rate of %1</source>
+        <translation>Bildrate von %1</translation>
     </message>
 </context>
 <context>
@@ -23554,6 +24036,13 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
 </context>
 <context>
+    <name>workflow.no_camera_registered</name>
+    <message>
+        <source>no camera is registered to the floor</source>
+        <translation>keine Kamera ist zum Boden eingemessen</translation>
+    </message>
+</context>
+<context>
     <name>workflow.no_common_place</name>
     <message>
         <source>The two analyses have no position in common.</source>
@@ -24135,6 +24624,13 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
 </context>
 <context>
+    <name>workflow.rate_is_assumed</name>
+    <message>
+        <source>no recording shows it, so 30 frames/s are simulated</source>
+        <translation>keine Aufnahme zeigt sie, daher werden 30 Bilder/s simuliert</translation>
+    </message>
+</context>
+<context>
     <name>workflow.rate_of_header</name>
     <message>
         <source>its header states an even %1</source>
@@ -24209,6 +24705,13 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>camera &apos;%1&apos; was registered without a lens calibration: register it again with it</source>
         <translation>Kamera &apos;%1&apos; wurde ohne Objektivkalibrierung eingemessen: messen Sie sie damit neu ein</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.register_a_camera</name>
+    <message>
+        <source>register the cameras first</source>
+        <translation>messen Sie zuerst die Kameras ein</translation>
     </message>
 </context>
 <context>
@@ -24345,6 +24848,13 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
 </context>
 <context>
+    <name>workflow.registered_on_other_floor</name>
+    <message>
+        <source>it is registered on another floor, &apos;%1&apos;, and left out</source>
+        <translation>sie ist auf einem anderen Boden eingemessen, &apos;%1&apos;, und bleibt außen vor</translation>
+    </message>
+</context>
+<context>
     <name>workflow.registered_through_another</name>
     <message>
         <source>it was registered via another camera</source>
@@ -24373,10 +24883,24 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
 </context>
 <context>
+    <name>workflow.registration_counts_as_exact</name>
+    <message>
+        <source>its uncertainty is not known, so it counts as exact</source>
+        <translation>ihre Unsicherheit ist nicht bekannt, daher gilt sie als genau</translation>
+    </message>
+</context>
+<context>
     <name>workflow.registration_in_older_axes</name>
     <message>
         <source>it has other axes: those of its layout were changed since</source>
         <translation>sie hat andere Achsen: Die ihrer Anordnung wurden seither geändert</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.registration_of</name>
+    <message>
+        <source>registration of %1</source>
+        <translation>Einmessung von %1</translation>
     </message>
 </context>
 <context>
@@ -24447,6 +24971,13 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>its results differ from those of its analysis</source>
         <translation>seine Ergebnisse sind nicht die, die seine Auswertung ergeben hat</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.robot</name>
+    <message>
+        <source>robot</source>
+        <translation>Roboter</translation>
     </message>
 </context>
 <context>
@@ -24625,6 +25156,20 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
 </context>
 <context>
+    <name>workflow.simulated_robot_not_found</name>
+    <message>
+        <source>the simulated robot was not found in the simulated views</source>
+        <translation>der simulierte Roboter wurde in den simulierten Ansichten nicht gefunden</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.simulating_run</name>
+    <message>
+        <source>simulating run %1 of %2</source>
+        <translation>simuliert Fahrt %1 von %2</translation>
+    </message>
+</context>
+<context>
     <name>workflow.slow_errors_not_seen</name>
     <message>
         <source>errors that change slowly are not included</source>
@@ -24727,6 +25272,13 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>its task changed during the analysis</source>
         <translation>seine Aufgabe wurde während der Auswertung geändert</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.task_without_course</name>
+    <message>
+        <source>task &apos;%1&apos; has neither a path nor gates to drive along</source>
+        <translation>die Aufgabe &apos;%1&apos; hat weder eine Bahn noch Tore, an denen sich fahren lässt</translation>
     </message>
 </context>
 <context>
@@ -24867,6 +25419,13 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>nothing of it had reached the disk, and it was removed</source>
         <translation>nichts davon war auf der Platte, er wird weggelassen</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.turn_cameras_to_floor</name>
+    <message>
+        <source>turn the cameras to the same floor, and register them again</source>
+        <translation>richten Sie die Kameras auf denselben Boden und messen Sie sie neu ein</translation>
     </message>
 </context>
 <context>

@@ -2,6 +2,16 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="en" sourcelanguage="en">
 <context>
+    <name>Certificate</name>
+    <message numerus="yes">
+        <source>%n simulated run(s) of %1 s and %2 at up to %3, %4.</source>
+        <translation>
+            <numerusform>%n simulated run of %1 s and %2 at up to %3, %4.</numerusform>
+            <numerusform>%n simulated runs of %1 s and %2 at up to %3, %4.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>ClassReport</name>
     <message numerus="yes">
         <source>of %n team(s)</source>
@@ -29,6 +39,23 @@
         <translation>
             <numerusform>! %n trial with doubtful results counted.</numerusform>
             <numerusform>! %n trials with doubtful results counted.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>HtmlPage</name>
+    <message numerus="yes">
+        <source>Spikes: %n</source>
+        <translation>
+            <numerusform>Spikes: %n</numerusform>
+            <numerusform>Spikes: %n</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>and %n more</source>
+        <translation>
+            <numerusform>and %n more</numerusform>
+            <numerusform>and %n more</numerusform>
         </translation>
     </message>
 </context>

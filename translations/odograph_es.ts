@@ -95,6 +95,200 @@
     </message>
 </context>
 <context>
+    <name>Certificate</name>
+    <message>
+        <source>Position</source>
+        <translation>Posición</translation>
+    </message>
+    <message>
+        <source>Velocity</source>
+        <translation>Vector velocidad</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>Velocidad</translation>
+    </message>
+    <message>
+        <source>Acceleration</source>
+        <translation>Vector aceleración</translation>
+    </message>
+    <message>
+        <source>Amount of acceleration</source>
+        <translation>Módulo de la aceleración</translation>
+    </message>
+    <message>
+        <source>Cameras: %1</source>
+        <translation>Cámaras: %1</translation>
+    </message>
+    <message>
+        <source>Robot: %1</source>
+        <translation>Robot: %1</translation>
+    </message>
+    <message>
+        <source>Task: %1</source>
+        <translation>Tarea: %1</translation>
+    </message>
+    <message>
+        <source>along the course of the task</source>
+        <translation>a lo largo del recorrido de la tarea</translation>
+    </message>
+    <message>
+        <source>over the floor that the cameras see: straight, a curve, stop and go</source>
+        <translation>sobre el suelo que ven las cámaras: recta, curva, paradas y arranques</translation>
+    </message>
+    <message>
+        <source>The views of each camera were rendered with its lens, position, image size and frame rate, written as videos, and imported, synchronised, tracked and analysed as any others.</source>
+        <translation>La vista de cada cámara se generó con su lente, posición, tamaño de imagen y frecuencia, se escribió como video y se importó, sincronizó, siguió y analizó como cualquier otro.</translation>
+    </message>
+    <message>
+        <source>A simulation shows what this geometry and this program can do, not what a certain recording did. It has even light, a still camera, a clean floor with the markers, sensor noise of 2 of 255 and an exposure of 8 ms at most, and a robot of simple solids in its colour and size.</source>
+        <translation>Una simulación muestra lo que pueden esta geometría y este programa, no lo que logró una grabación concreta. Tiene luz uniforme, una cámara quieta, un suelo limpio con los marcadores, ruido del sensor de 2 de 255, una exposición de 8 ms como máximo y un robot de sólidos simples de su color y tamaño.</translation>
+    </message>
+    <message>
+        <source>It does not cover flicker, reflections, deep shadows and people in the view; the look of the real robot, cables and hands; a camera that was moved; markers that were measured wrongly; rolling shutters; and errors of lens calibration and registration beyond the stated ones.</source>
+        <translation>No abarca parpadeos, reflejos, sombras profundas ni personas en la vista; el aspecto del robot real, cables y manos; una cámara que se movió; marcadores mal medidos; obturadores rodantes; ni errores de la calibración de la lente y del registro mayores que los declarados.</translation>
+    </message>
+    <message>
+        <source>The verdict on a trial says which of these were noticed in its recording.</source>
+        <translation>El veredicto de un ensayo dice cuáles de ellos se notaron en su grabación.</translation>
+    </message>
+    <message>
+        <source>The known run from above</source>
+        <translation>El recorrido conocido visto desde arriba</translation>
+    </message>
+    <message>
+        <source>dashed: truth; strokes: errors of all runs, enlarged %1 times</source>
+        <translation>discontinua: verdad; trazos: errores de todos los recorridos, ampliados %1 veces</translation>
+    </message>
+    <message>
+        <source>root mean square</source>
+        <translation>media cuadrática</translation>
+    </message>
+    <message>
+        <source>95 % below</source>
+        <translation>95 % por debajo de</translation>
+    </message>
+    <message>
+        <source>stated ± (σ)</source>
+        <translation>± declarado (σ)</translation>
+    </message>
+    <message>
+        <source>truth inside the stated 95 %</source>
+        <translation>verdad dentro del 95 % declarado</translation>
+    </message>
+    <message>
+        <source>Errors against the truth</source>
+        <translation>Errores respecto a la verdad</translation>
+    </message>
+    <message>
+        <source>%1 of %2 frames have a result</source>
+        <translation>%1 de %2 fotogramas tienen resultado</translation>
+    </message>
+    <message>
+        <source>Certificate of this set-up</source>
+        <translation>Certificado de este montaje</translation>
+    </message>
+    <message>
+        <source>Position error</source>
+        <translation>Error de posición</translation>
+    </message>
+    <message>
+        <source>Velocity error</source>
+        <translation>Error de velocidad</translation>
+    </message>
+    <message>
+        <source>Acceleration error</source>
+        <translation>Error de aceleración</translation>
+    </message>
+    <message>
+        <source>Coverage</source>
+        <translation>Cobertura</translation>
+    </message>
+    <message>
+        <source>true positions inside the stated 95 %</source>
+        <translation>posiciones verdaderas dentro del 95 % declarado</translation>
+    </message>
+    <message>
+        <source>What was simulated</source>
+        <translation>Qué se simuló</translation>
+    </message>
+    <message>
+        <source>What a simulation does not cover</source>
+        <translation>Qué no abarca una simulación</translation>
+    </message>
+    <message>
+        <source>%1, error in %2</source>
+        <translation>%1, error en %2</translation>
+    </message>
+    <message>
+        <source>a line for each run; dashed: what the first states for 95 %</source>
+        <translation>una línea por recorrido; discontinua: lo que el primero declara para el 95 %</translation>
+    </message>
+    <message>
+        <source>Camera</source>
+        <translation>Cámara</translation>
+    </message>
+    <message>
+        <source>Frames</source>
+        <translation>Fotogramas</translation>
+    </message>
+    <message>
+        <source>Registration</source>
+        <translation>Registro</translation>
+    </message>
+    <message>
+        <source>σ on the floor</source>
+        <translation>σ en el suelo</translation>
+    </message>
+    <message>
+        <source>calibrated</source>
+        <translation>calibrada</translation>
+    </message>
+    <message>
+        <source>estimated from the floor</source>
+        <translation>estimada a partir del suelo</translation>
+    </message>
+    <message>
+        <source>assumed</source>
+        <translation>supuesta</translation>
+    </message>
+    <message>
+        <source>The views were synchronised by the motion, to %1 ms at worst.</source>
+        <translation>Las vistas se sincronizaron por el movimiento, a %1 ms en el peor caso.</translation>
+    </message>
+    <message>
+        <source>Certificate of this set-up: errors over time</source>
+        <translation>Certificado de este montaje: errores en el tiempo</translation>
+    </message>
+    <message>
+        <source>Remarks</source>
+        <translation>Observaciones</translation>
+    </message>
+    <message>
+        <source>The cameras</source>
+        <translation>Las cámaras</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n simulated run(s) of %1 s and %2 at up to %3, %4.</source>
+        <translation>
+            <numerusform>%n recorrido simulado de %1 s y %2 a un máximo de %3, %4.</numerusform>
+            <numerusform>%n recorridos simulados de %1 s y %2 a un máximo de %3, %4.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Lens calibration</source>
+        <translation>Lo que se sabe de la lente</translation>
+    </message>
+    <message>
+        <source>Simulated %1, Odograph %2. All errors are against the known truth of the simulation.</source>
+        <translation>Simulado: %1, Odograph %2. Todos los errores son respecto a la verdad conocida de la simulación.</translation>
+    </message>
+    <message>
+        <source>In each run the cameras are a little off from where the project has them, drawn from the stated uncertainty of their registration and lens calibration; so the errors include it.</source>
+        <translation>En cada recorrido las cámaras están un poco desviadas de donde indica el proyecto, según la incertidumbre declarada de su registro y de la calibración de la lente; los errores la incluyen.</translation>
+    </message>
+</context>
+<context>
     <name>ClassReport</name>
     <message>
         <source>Rank: one more than the number of significantly better teams (medians differ by more than 1.96 σ). Teams of the same rank do not differ significantly.</source>
@@ -867,6 +1061,161 @@ The method follows S. Park, “Computational Vision for Automatic Tracking and O
 Software libre bajo la Licencia Pública General de GNU, versión 3 o posterior, sin garantía alguna.
 
 El método sigue a S. Park, “Computational Vision for Automatic Tracking and Objective Estimation of Mobile Robot Trajectory”, 2018.</translation>
+    </message>
+</context>
+<context>
+    <name>HtmlChart</name>
+    <message>
+        <source>smoothed, with its ±95 % band; dots: as measured</source>
+        <translation>suavizada, con su banda de ±95 %; puntos: lo medido</translation>
+    </message>
+    <message>
+        <source>smoothed, with its ±95 % band; dots: as measured; shaded: not measured</source>
+        <translation>suavizada, con su banda de ±95 %; puntos: lo medido; sombreado: sin medir</translation>
+    </message>
+    <message>
+        <source>Speed, %1</source>
+        <translation>Velocidad, %1</translation>
+    </message>
+    <message>
+        <source>Acceleration along the path, %1</source>
+        <translation>Aceleración a lo largo de la trayectoria, %1</translation>
+    </message>
+</context>
+<context>
+    <name>HtmlMap</name>
+    <message>
+        <source>a square: %1</source>
+        <translation>un cuadro: %1</translation>
+    </message>
+    <message>
+        <source>The run from above</source>
+        <translation>El recorrido visto desde arriba</translation>
+    </message>
+    <message>
+        <source>coloured by speed, from 0 (dark) to %1 (light); ring: start, dot: end</source>
+        <translation>en color según la velocidad, de 0 (oscuro) a %1 (claro); anillo: inicio, punto: final</translation>
+    </message>
+    <message>
+        <source>Both runs from above</source>
+        <translation>Ambos recorridos vistos desde arriba</translation>
+    </message>
+    <message>
+        <source>in the colours of the runs</source>
+        <translation>en los colores de los recorridos</translation>
+    </message>
+</context>
+<context>
+    <name>HtmlPage</name>
+    <message>
+        <source>Made by Odograph %1; ± is one standard deviation.</source>
+        <translation>Hecho con Odograph %1; ± es una desviación típica.</translation>
+    </message>
+    <message>
+        <source>Verdict: %1</source>
+        <translation>Veredicto: %1</translation>
+    </message>
+    <message>
+        <source>Metrics</source>
+        <translation>Indicadores</translation>
+    </message>
+    <message>
+        <source>metric</source>
+        <translation>indicador</translation>
+    </message>
+    <message>
+        <source>value</source>
+        <translation>valor</translation>
+    </message>
+    <message>
+        <source>unit</source>
+        <translation>unidad</translation>
+    </message>
+    <message>
+        <source>Splits</source>
+        <translation>Parciales</translation>
+    </message>
+    <message>
+        <source>from the start to</source>
+        <translation>desde la salida hasta</translation>
+    </message>
+    <message>
+        <source>time</source>
+        <translation>tiempo</translation>
+    </message>
+    <message>
+        <source>Run %1</source>
+        <translation>Recorrido %1</translation>
+    </message>
+    <message>
+        <source>sector to %1</source>
+        <translation>sector hasta %1</translation>
+    </message>
+    <message>
+        <source>No spikes.</source>
+        <translation>Sin valores atípicos.</translation>
+    </message>
+    <message numerus="yes">
+        <source>Spikes: %n</source>
+        <translation>
+            <numerusform>Valores atípicos: %n</numerusform>
+            <numerusform>Valores atípicos: %n</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>reason</source>
+        <translation>motivo</translation>
+    </message>
+    <message numerus="yes">
+        <source>and %n more</source>
+        <translation>
+            <numerusform>y %n más</numerusform>
+            <numerusform>y %n más</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Remarks</source>
+        <translation>Observaciones</translation>
+    </message>
+    <message>
+        <source>Where this comes from</source>
+        <translation>De dónde procede</translation>
+    </message>
+    <message>
+        <source>difference</source>
+        <translation>diferencia</translation>
+    </message>
+    <message>
+        <source>Comparison</source>
+        <translation>Comparación</translation>
+    </message>
+    <message>
+        <source>Both runs share their calibration: its uncertainty largely cancels. ≈: not significant.</source>
+        <translation>Ambos recorridos comparten su calibración: su incertidumbre se cancela en gran parte. ≈: no significativo.</translation>
+    </message>
+    <message>
+        <source>The runs have different calibrations: the uncertainties of both count. ≈: not significant.</source>
+        <translation>Los recorridos tienen calibraciones distintas: cuentan las incertidumbres de ambas. ≈: no significativo.</translation>
+    </message>
+    <message>
+        <source>Speed over distance, %1</source>
+        <translation>Velocidad a lo largo del camino, %1</translation>
+    </message>
+    <message>
+        <source>with its ±95 % band</source>
+        <translation>con su banda de ±95 %</translation>
+    </message>
+    <message>
+        <source>Time difference, s</source>
+        <translation>Diferencia de tiempo, s</translation>
+    </message>
+    <message>
+        <source>above 0: the second run is later; grey: not significant</source>
+        <translation>por encima de 0: el segundo recorrido va después; gris: no significativo</translation>
+    </message>
+    <message>
+        <source>Sectors, s</source>
+        <translation>Sectores, s</translation>
     </message>
 </context>
 <context>
@@ -1870,6 +2219,10 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <message>
         <source>%1 was exported to %2.</source>
         <translation>%1 se exportó a %2.</translation>
+    </message>
+    <message>
+        <source>Page to take along (*.html)</source>
+        <translation>Página para llevar (*.html)</translation>
     </message>
 </context>
 <context>
@@ -13651,6 +14004,30 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <source>Report sent to printer %1.</source>
         <translation>El informe está en la impresora %1.</translation>
     </message>
+    <message>
+        <source>Over the floor that the cameras see</source>
+        <translation>Sobre el suelo que ven las cámaras</translation>
+    </message>
+    <message>
+        <source>The simulated run:</source>
+        <translation>El recorrido simulado:</translation>
+    </message>
+    <message>
+        <source>Save the certificate</source>
+        <translation>Guardar el certificado</translation>
+    </message>
+    <message>
+        <source>Certificate</source>
+        <translation>Certificado</translation>
+    </message>
+    <message>
+        <source>Certificate saved as %1.</source>
+        <translation>El certificado está en %1.</translation>
+    </message>
+    <message>
+        <source>C&amp;ertificate of this set-up…</source>
+        <translation>Cer&amp;tificado de este montaje…</translation>
+    </message>
 </context>
 <context>
     <name>odo::ReportDialog</name>
@@ -20208,6 +20585,13 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     </message>
 </context>
 <context>
+    <name>ui.html_page</name>
+    <message>
+        <source>page</source>
+        <translation>página</translation>
+    </message>
+</context>
+<context>
     <name>ui.import_or_record_first</name>
     <message>
         <source>import or record one first</source>
@@ -20303,6 +20687,13 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <message>
         <source>make the squares at most %1, or use larger paper</source>
         <translation>haga las casillas de %1 como máximo, o tome un papel más grande</translation>
+    </message>
+</context>
+<context>
+    <name>ui.making_certificate</name>
+    <message>
+        <source>Simulating the set-up</source>
+        <translation>Simulando el montaje</translation>
     </message>
 </context>
 <context>
@@ -20513,6 +20904,13 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <message>
         <source>Packing the project</source>
         <translation>Empaquetando el proyecto</translation>
+    </message>
+</context>
+<context>
+    <name>ui.page_of_trial</name>
+    <message>
+        <source>page of trial &apos;%1&apos;</source>
+        <translation>página del ensayo &apos;%1&apos;</translation>
     </message>
 </context>
 <context>
@@ -21909,6 +22307,13 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     </message>
 </context>
 <context>
+    <name>workflow.box_stands_in</name>
+    <message>
+        <source>the project has none, so a blue box of 260 mm × 190 mm × 60 mm is simulated</source>
+        <translation>el proyecto no tiene ninguno, así que se simula una caja azul de 260 mm × 190 mm × 60 mm</translation>
+    </message>
+</context>
+<context>
     <name>workflow.by_layout_and_lens</name>
     <message>
         <source>layout &apos;%1&apos;, lens calibration %2</source>
@@ -22021,6 +22426,13 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     </message>
 </context>
 <context>
+    <name>workflow.camera</name>
+    <message>
+        <source>camera &apos;%1&apos;</source>
+        <translation>cámara &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
     <name>workflow.camera_gave_no_picture</name>
     <message>
         <source>camera &apos;%1&apos; delivered no frame</source>
@@ -22063,10 +22475,24 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     </message>
 </context>
 <context>
+    <name>workflow.camera_sees_too_little</name>
+    <message>
+        <source>the camera sees too little of the floor between the markers for a run</source>
+        <translation>la cámara ve demasiado poco suelo entre los marcadores para un recorrido</translation>
+    </message>
+</context>
+<context>
     <name>workflow.cameras_given_one_file</name>
     <message>
         <source>cameras &apos;%1&apos; and &apos;%2&apos; were given the same file, &apos;%3&apos;</source>
         <translation>las cámaras «%1» y «%2» recibieron el mismo archivo, «%3»</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.cameras_share_too_little</name>
+    <message>
+        <source>no two cameras share enough of the floor between the markers for a run</source>
+        <translation>ningún par de cámaras comparte suficiente suelo entre los marcadores para un recorrido</translation>
     </message>
 </context>
 <context>
@@ -22116,6 +22542,13 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <message>
         <source>%1, or %2</source>
         <translation>%1, o %2</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.certificate</name>
+    <message>
+        <source>certificate</source>
+        <translation>certificado</translation>
     </message>
 </context>
 <context>
@@ -22200,6 +22633,13 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <message>
         <source>views are matched by time: check --rate if one is in slow motion</source>
         <translation>las vistas se unen por el tiempo; compruebe la frecuencia real si una está en cámara lenta</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.check_robot_and_registration</name>
+    <message>
+        <source>check the robot&apos;s colour and size, and the registrations</source>
+        <translation>compruebe el color y el tamaño del robot, y los registros</translation>
     </message>
 </context>
 <context>
@@ -22312,6 +22752,20 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <message>
         <source>choose a run on the same layout</source>
         <translation>elija un recorrido en la misma disposición</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.choose_seen_task</name>
+    <message>
+        <source>choose a task on the floor that they see, or leave the task out</source>
+        <translation>elija una tarea en el suelo que ven, o no indique ninguna</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.choose_task_with_course</name>
+    <message>
+        <source>choose a task that has, or leave the task out</source>
+        <translation>elija una tarea que los tenga, o no indique ninguna</translation>
     </message>
 </context>
 <context>
@@ -22445,6 +22899,27 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <message>
         <source>copying the project</source>
         <translation>copiando el proyecto</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.course_not_seen</name>
+    <message>
+        <source>the cameras see only %1 of the course of task &apos;%2&apos;</source>
+        <translation>las cámaras solo ven el %1 del recorrido de la tarea &apos;%2&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.course_of_task</name>
+    <message>
+        <source>course of task &apos;%1&apos;</source>
+        <translation>recorrido de la tarea &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.course_seen_in_part</name>
+    <message>
+        <source>no camera sees %1 of the run whole</source>
+        <translation>ninguna cámara ve entero el %1 del recorrido</translation>
     </message>
 </context>
 <context>
@@ -22676,6 +23151,13 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <message>
         <source>frame %1 of trial &apos;%2&apos;</source>
         <translation>fotograma %1 del ensayo &apos;%2&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.frame_rate_of</name>
+    <message>
+        <source>frame rate of %1</source>
+        <translation>frecuencia de %1</translation>
     </message>
 </context>
 <context>
@@ -23554,6 +24036,13 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     </message>
 </context>
 <context>
+    <name>workflow.no_camera_registered</name>
+    <message>
+        <source>no camera is registered to the floor</source>
+        <translation>ninguna cámara está registrada respecto al suelo</translation>
+    </message>
+</context>
+<context>
     <name>workflow.no_common_place</name>
     <message>
         <source>The two analyses have no position in common.</source>
@@ -24135,6 +24624,13 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     </message>
 </context>
 <context>
+    <name>workflow.rate_is_assumed</name>
+    <message>
+        <source>no recording shows it, so 30 frames/s are simulated</source>
+        <translation>ninguna grabación la muestra, así que se simulan 30 fotogramas/s</translation>
+    </message>
+</context>
+<context>
     <name>workflow.rate_of_header</name>
     <message>
         <source>its header states an even %1</source>
@@ -24209,6 +24705,13 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <message>
         <source>camera &apos;%1&apos; was registered without a lens calibration: register it again with it</source>
         <translation>la cámara &apos;%1&apos; se registró sin calibración de lente: regístrela de nuevo con ella</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.register_a_camera</name>
+    <message>
+        <source>register the cameras first</source>
+        <translation>registre primero las cámaras</translation>
     </message>
 </context>
 <context>
@@ -24345,6 +24848,13 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     </message>
 </context>
 <context>
+    <name>workflow.registered_on_other_floor</name>
+    <message>
+        <source>it is registered on another floor, &apos;%1&apos;, and left out</source>
+        <translation>está registrada en otro suelo, &apos;%1&apos;, y se omite</translation>
+    </message>
+</context>
+<context>
     <name>workflow.registered_through_another</name>
     <message>
         <source>it was registered via another camera</source>
@@ -24373,10 +24883,24 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     </message>
 </context>
 <context>
+    <name>workflow.registration_counts_as_exact</name>
+    <message>
+        <source>its uncertainty is not known, so it counts as exact</source>
+        <translation>no se conoce su incertidumbre, así que cuenta como exacto</translation>
+    </message>
+</context>
+<context>
     <name>workflow.registration_in_older_axes</name>
     <message>
         <source>it has other axes: those of its layout were changed since</source>
         <translation>tiene otros ejes: los de su disposición se han cambiado desde entonces</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.registration_of</name>
+    <message>
+        <source>registration of %1</source>
+        <translation>registro de %1</translation>
     </message>
 </context>
 <context>
@@ -24447,6 +24971,13 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <message>
         <source>its results differ from those of its analysis</source>
         <translation>sus resultados no son los que dio su análisis</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.robot</name>
+    <message>
+        <source>robot</source>
+        <translation>robot</translation>
     </message>
 </context>
 <context>
@@ -24625,6 +25156,20 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     </message>
 </context>
 <context>
+    <name>workflow.simulated_robot_not_found</name>
+    <message>
+        <source>the simulated robot was not found in the simulated views</source>
+        <translation>el robot simulado no se encontró en las vistas simuladas</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.simulating_run</name>
+    <message>
+        <source>simulating run %1 of %2</source>
+        <translation>simulando el recorrido %1 de %2</translation>
+    </message>
+</context>
+<context>
     <name>workflow.slow_errors_not_seen</name>
     <message>
         <source>errors that change slowly are not included</source>
@@ -24727,6 +25272,13 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <message>
         <source>its task changed during the analysis</source>
         <translation>su tarea se cambió mientras se medía</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.task_without_course</name>
+    <message>
+        <source>task &apos;%1&apos; has neither a path nor gates to drive along</source>
+        <translation>la tarea &apos;%1&apos; no tiene trayectoria ni puertas que recorrer</translation>
     </message>
 </context>
 <context>
@@ -24867,6 +25419,13 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <message>
         <source>nothing of it had reached the disk, and it was removed</source>
         <translation>nada había llegado al disco, y se omite</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.turn_cameras_to_floor</name>
+    <message>
+        <source>turn the cameras to the same floor, and register them again</source>
+        <translation>oriente las cámaras al mismo suelo y regístrelas de nuevo</translation>
     </message>
 </context>
 <context>

@@ -95,6 +95,200 @@
     </message>
 </context>
 <context>
+    <name>Certificate</name>
+    <message>
+        <source>Position</source>
+        <translation>Position</translation>
+    </message>
+    <message>
+        <source>Velocity</source>
+        <translation>Vecteur vitesse</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>Vitesse</translation>
+    </message>
+    <message>
+        <source>Acceleration</source>
+        <translation>Vecteur accélération</translation>
+    </message>
+    <message>
+        <source>Amount of acceleration</source>
+        <translation>Norme de l’accélération</translation>
+    </message>
+    <message>
+        <source>Cameras: %1</source>
+        <translation>Caméras&#xa0;:&#xa0;%1</translation>
+    </message>
+    <message>
+        <source>Robot: %1</source>
+        <translation>Robot&#xa0;:&#xa0;%1</translation>
+    </message>
+    <message>
+        <source>Task: %1</source>
+        <translation>Épreuve&#xa0;:&#xa0;%1</translation>
+    </message>
+    <message>
+        <source>along the course of the task</source>
+        <translation>le long du parcours de l’épreuve</translation>
+    </message>
+    <message>
+        <source>over the floor that the cameras see: straight, a curve, stop and go</source>
+        <translation>sur le sol que voient les caméras&#xa0;: ligne droite, courbe, arrêts et départs</translation>
+    </message>
+    <message>
+        <source>The views of each camera were rendered with its lens, position, image size and frame rate, written as videos, and imported, synchronised, tracked and analysed as any others.</source>
+        <translation>La vue de chaque caméra a été calculée avec son objectif, sa position, sa taille d’image et sa cadence, écrite en vidéo, puis importée, synchronisée, suivie et analysée comme toute autre.</translation>
+    </message>
+    <message>
+        <source>A simulation shows what this geometry and this program can do, not what a certain recording did. It has even light, a still camera, a clean floor with the markers, sensor noise of 2 of 255 and an exposure of 8 ms at most, and a robot of simple solids in its colour and size.</source>
+        <translation>Une simulation montre ce que peuvent cette géométrie et ce programme, non ce qu’a donné un enregistrement particulier. Elle a une lumière uniforme, une caméra immobile, un sol propre avec les repères, un bruit de capteur de 2 sur 255, une pose de 8 ms au plus et un robot de solides simples, de sa couleur et de sa taille.</translation>
+    </message>
+    <message>
+        <source>It does not cover flicker, reflections, deep shadows and people in the view; the look of the real robot, cables and hands; a camera that was moved; markers that were measured wrongly; rolling shutters; and errors of lens calibration and registration beyond the stated ones.</source>
+        <translation>Elle ne couvre pas les scintillements, les reflets, les ombres profondes et les personnes dans l’image&#xa0;; l’aspect du robot réel, les câbles et les mains&#xa0;; une caméra déplacée&#xa0;; des repères mal mesurés&#xa0;; les obturateurs déroulants&#xa0;; ni les erreurs d’étalonnage et de localisation au-delà de celles indiquées.</translation>
+    </message>
+    <message>
+        <source>The verdict on a trial says which of these were noticed in its recording.</source>
+        <translation>Le verdict sur un essai dit lesquels ont été remarqués dans son enregistrement.</translation>
+    </message>
+    <message>
+        <source>The known run from above</source>
+        <translation>Le passage connu vu de dessus</translation>
+    </message>
+    <message>
+        <source>dashed: truth; strokes: errors of all runs, enlarged %1 times</source>
+        <translation>tirets&#xa0;: vérité&#xa0;; traits&#xa0;: erreurs de tous les passages, agrandies&#xa0;%1 fois</translation>
+    </message>
+    <message>
+        <source>root mean square</source>
+        <translation>moyenne quadratique</translation>
+    </message>
+    <message>
+        <source>95 % below</source>
+        <translation>95&#xa0;% sous</translation>
+    </message>
+    <message>
+        <source>stated ± (σ)</source>
+        <translation>± indiqué (σ)</translation>
+    </message>
+    <message>
+        <source>truth inside the stated 95 %</source>
+        <translation>vérité dans les 95&#xa0;% indiqués</translation>
+    </message>
+    <message>
+        <source>Errors against the truth</source>
+        <translation>Erreurs par rapport à la vérité</translation>
+    </message>
+    <message>
+        <source>%1 of %2 frames have a result</source>
+        <translation>%1 images sur&#xa0;%2 ont un résultat</translation>
+    </message>
+    <message>
+        <source>Certificate of this set-up</source>
+        <translation>Certificat de cette installation</translation>
+    </message>
+    <message>
+        <source>Position error</source>
+        <translation>Erreur de position</translation>
+    </message>
+    <message>
+        <source>Velocity error</source>
+        <translation>Erreur de vitesse</translation>
+    </message>
+    <message>
+        <source>Acceleration error</source>
+        <translation>Erreur d’accélération</translation>
+    </message>
+    <message>
+        <source>Coverage</source>
+        <translation>Couverture</translation>
+    </message>
+    <message>
+        <source>true positions inside the stated 95 %</source>
+        <translation>positions vraies dans les 95&#xa0;% indiqués</translation>
+    </message>
+    <message>
+        <source>What was simulated</source>
+        <translation>Ce qui a été simulé</translation>
+    </message>
+    <message>
+        <source>What a simulation does not cover</source>
+        <translation>Ce qu’une simulation ne couvre pas</translation>
+    </message>
+    <message>
+        <source>%1, error in %2</source>
+        <translation>%1, erreur en&#xa0;%2</translation>
+    </message>
+    <message>
+        <source>a line for each run; dashed: what the first states for 95 %</source>
+        <translation>une ligne par passage&#xa0;; tirets&#xa0;: ce que le premier indique pour 95&#xa0;%</translation>
+    </message>
+    <message>
+        <source>Camera</source>
+        <translation>Caméra</translation>
+    </message>
+    <message>
+        <source>Frames</source>
+        <translation>Images</translation>
+    </message>
+    <message>
+        <source>Registration</source>
+        <translation>Localisation</translation>
+    </message>
+    <message>
+        <source>σ on the floor</source>
+        <translation>σ au sol</translation>
+    </message>
+    <message>
+        <source>calibrated</source>
+        <translation>étalonné</translation>
+    </message>
+    <message>
+        <source>estimated from the floor</source>
+        <translation>estimé d’après le sol</translation>
+    </message>
+    <message>
+        <source>assumed</source>
+        <translation>supposé</translation>
+    </message>
+    <message>
+        <source>The views were synchronised by the motion, to %1 ms at worst.</source>
+        <translation>Les vues ont été synchronisées par le mouvement, à&#xa0;%1 ms près au pire.</translation>
+    </message>
+    <message>
+        <source>Certificate of this set-up: errors over time</source>
+        <translation>Certificat de cette installation&#xa0;: erreurs dans le temps</translation>
+    </message>
+    <message>
+        <source>Remarks</source>
+        <translation>Remarques</translation>
+    </message>
+    <message>
+        <source>The cameras</source>
+        <translation>Les caméras</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n simulated run(s) of %1 s and %2 at up to %3, %4.</source>
+        <translation>
+            <numerusform>%n passage simulé de %1 s et %2, à %3 au plus, %4.</numerusform>
+            <numerusform>%n passages simulés de %1 s et %2, à %3 au plus, %4.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Lens calibration</source>
+        <translation>Ce que l’on sait de l’objectif</translation>
+    </message>
+    <message>
+        <source>Simulated %1, Odograph %2. All errors are against the known truth of the simulation.</source>
+        <translation>Simulé le&#xa0;%1, Odograph&#xa0;%2. Toutes les erreurs sont par rapport à la vérité connue de la simulation.</translation>
+    </message>
+    <message>
+        <source>In each run the cameras are a little off from where the project has them, drawn from the stated uncertainty of their registration and lens calibration; so the errors include it.</source>
+        <translation>À chaque passage, les caméras sont un peu à côté de leur place dans le projet, tirées selon l’incertitude indiquée de leur localisation et de l’étalonnage de l’objectif&#xa0;; les erreurs la comprennent.</translation>
+    </message>
+</context>
+<context>
     <name>ClassReport</name>
     <message>
         <source>Rank: one more than the number of significantly better teams (medians differ by more than 1.96 σ). Teams of the same rank do not differ significantly.</source>
@@ -867,6 +1061,161 @@ The method follows S. Park, “Computational Vision for Automatic Tracking and O
 Logiciel libre sous la licence publique générale GNU, version 3 ou ultérieure, sans aucune garantie.
 
 La méthode suit S. Park, «&#xa0;Computational Vision for Automatic Tracking and Objective Estimation of Mobile Robot Trajectory&#xa0;», 2018.</translation>
+    </message>
+</context>
+<context>
+    <name>HtmlChart</name>
+    <message>
+        <source>smoothed, with its ±95 % band; dots: as measured</source>
+        <translation>lissé, avec sa bande à ±95&#xa0;%&#xa0;; points&#xa0;: valeurs mesurées</translation>
+    </message>
+    <message>
+        <source>smoothed, with its ±95 % band; dots: as measured; shaded: not measured</source>
+        <translation>lissé, avec sa bande à ±95&#xa0;%&#xa0;; points&#xa0;: valeurs mesurées&#xa0;; ombré&#xa0;: non mesuré</translation>
+    </message>
+    <message>
+        <source>Speed, %1</source>
+        <translation>Vitesse, %1</translation>
+    </message>
+    <message>
+        <source>Acceleration along the path, %1</source>
+        <translation>Accélération le long de la trajectoire, %1</translation>
+    </message>
+</context>
+<context>
+    <name>HtmlMap</name>
+    <message>
+        <source>a square: %1</source>
+        <translation>un carreau&#xa0;:&#xa0;%1</translation>
+    </message>
+    <message>
+        <source>The run from above</source>
+        <translation>Le passage vu de dessus</translation>
+    </message>
+    <message>
+        <source>coloured by speed, from 0 (dark) to %1 (light); ring: start, dot: end</source>
+        <translation>coloré selon la vitesse, de 0 (foncé) à&#xa0;%1 (clair)&#xa0;; anneau&#xa0;: début, point&#xa0;: fin</translation>
+    </message>
+    <message>
+        <source>Both runs from above</source>
+        <translation>Les deux passages vus de dessus</translation>
+    </message>
+    <message>
+        <source>in the colours of the runs</source>
+        <translation>aux couleurs des passages</translation>
+    </message>
+</context>
+<context>
+    <name>HtmlPage</name>
+    <message>
+        <source>Made by Odograph %1; ± is one standard deviation.</source>
+        <translation>Fait avec Odograph&#xa0;%1&#xa0;; ± est un écart type.</translation>
+    </message>
+    <message>
+        <source>Verdict: %1</source>
+        <translation>Verdict&#xa0;:&#xa0;%1</translation>
+    </message>
+    <message>
+        <source>Metrics</source>
+        <translation>Grandeurs</translation>
+    </message>
+    <message>
+        <source>metric</source>
+        <translation>grandeur</translation>
+    </message>
+    <message>
+        <source>value</source>
+        <translation>valeur</translation>
+    </message>
+    <message>
+        <source>unit</source>
+        <translation>unité</translation>
+    </message>
+    <message>
+        <source>Splits</source>
+        <translation>Intermédiaires</translation>
+    </message>
+    <message>
+        <source>from the start to</source>
+        <translation>du départ à</translation>
+    </message>
+    <message>
+        <source>time</source>
+        <translation>temps</translation>
+    </message>
+    <message>
+        <source>Run %1</source>
+        <translation>Passage %1</translation>
+    </message>
+    <message>
+        <source>sector to %1</source>
+        <translation>secteur jusqu’à&#xa0;%1</translation>
+    </message>
+    <message>
+        <source>No spikes.</source>
+        <translation>Aucun pic aberrant.</translation>
+    </message>
+    <message numerus="yes">
+        <source>Spikes: %n</source>
+        <translation>
+            <numerusform>Pics aberrants : %n</numerusform>
+            <numerusform>Pics aberrants : %n</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>reason</source>
+        <translation>raison</translation>
+    </message>
+    <message numerus="yes">
+        <source>and %n more</source>
+        <translation>
+            <numerusform>et %n de plus</numerusform>
+            <numerusform>et %n de plus</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Remarks</source>
+        <translation>Remarques</translation>
+    </message>
+    <message>
+        <source>Where this comes from</source>
+        <translation>D’où cela vient</translation>
+    </message>
+    <message>
+        <source>difference</source>
+        <translation>différence</translation>
+    </message>
+    <message>
+        <source>Comparison</source>
+        <translation>Comparaison</translation>
+    </message>
+    <message>
+        <source>Both runs share their calibration: its uncertainty largely cancels. ≈: not significant.</source>
+        <translation>Les deux passages partagent leur étalonnage&#xa0;: son incertitude s’annule en grande partie. ≈&#xa0;: non significatif.</translation>
+    </message>
+    <message>
+        <source>The runs have different calibrations: the uncertainties of both count. ≈: not significant.</source>
+        <translation>Les passages ont des étalonnages différents&#xa0;: les incertitudes des deux comptent. ≈&#xa0;: non significatif.</translation>
+    </message>
+    <message>
+        <source>Speed over distance, %1</source>
+        <translation>Vitesse le long du trajet, %1</translation>
+    </message>
+    <message>
+        <source>with its ±95 % band</source>
+        <translation>avec sa bande à ±95&#xa0;%</translation>
+    </message>
+    <message>
+        <source>Time difference, s</source>
+        <translation>Écart de temps, s</translation>
+    </message>
+    <message>
+        <source>above 0: the second run is later; grey: not significant</source>
+        <translation>au-dessus de 0&#xa0;: le second passage est plus tard&#xa0;; gris&#xa0;: non significatif</translation>
+    </message>
+    <message>
+        <source>Sectors, s</source>
+        <translation>Secteurs, s</translation>
     </message>
 </context>
 <context>
@@ -1870,6 +2219,10 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>%1 was exported to %2.</source>
         <translation>%1 a été exporté vers %2.</translation>
+    </message>
+    <message>
+        <source>Page to take along (*.html)</source>
+        <translation>Page à emporter (*.html)</translation>
     </message>
 </context>
 <context>
@@ -13651,6 +14004,30 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <source>Report sent to printer %1.</source>
         <translation>Le rapport est à l’imprimante %1.</translation>
     </message>
+    <message>
+        <source>Over the floor that the cameras see</source>
+        <translation>Sur le sol que voient les caméras</translation>
+    </message>
+    <message>
+        <source>The simulated run:</source>
+        <translation>Le passage simulé&#xa0;:</translation>
+    </message>
+    <message>
+        <source>Save the certificate</source>
+        <translation>Enregistrer le certificat</translation>
+    </message>
+    <message>
+        <source>Certificate</source>
+        <translation>Certificat</translation>
+    </message>
+    <message>
+        <source>Certificate saved as %1.</source>
+        <translation>Le certificat est dans&#xa0;%1.</translation>
+    </message>
+    <message>
+        <source>C&amp;ertificate of this set-up…</source>
+        <translation>Cert&amp;ificat de cette installation…</translation>
+    </message>
 </context>
 <context>
     <name>odo::ReportDialog</name>
@@ -20208,6 +20585,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
 </context>
 <context>
+    <name>ui.html_page</name>
+    <message>
+        <source>page</source>
+        <translation>page</translation>
+    </message>
+</context>
+<context>
     <name>ui.import_or_record_first</name>
     <message>
         <source>import or record one first</source>
@@ -20303,6 +20687,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>make the squares at most %1, or use larger paper</source>
         <translation>faites les carrés de %1 au plus, ou prenez un papier plus grand</translation>
+    </message>
+</context>
+<context>
+    <name>ui.making_certificate</name>
+    <message>
+        <source>Simulating the set-up</source>
+        <translation>Simulation de l’installation</translation>
     </message>
 </context>
 <context>
@@ -20513,6 +20904,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>Packing the project</source>
         <translation>Empaquetage du projet</translation>
+    </message>
+</context>
+<context>
+    <name>ui.page_of_trial</name>
+    <message>
+        <source>page of trial &apos;%1&apos;</source>
+        <translation>page de l’essai &apos;%1&apos;</translation>
     </message>
 </context>
 <context>
@@ -21909,6 +22307,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
 </context>
 <context>
+    <name>workflow.box_stands_in</name>
+    <message>
+        <source>the project has none, so a blue box of 260 mm × 190 mm × 60 mm is simulated</source>
+        <translation>le projet n’en a aucun, un pavé bleu de 260 mm × 190 mm × 60 mm est donc simulé</translation>
+    </message>
+</context>
+<context>
     <name>workflow.by_layout_and_lens</name>
     <message>
         <source>layout &apos;%1&apos;, lens calibration %2</source>
@@ -22021,6 +22426,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
 </context>
 <context>
+    <name>workflow.camera</name>
+    <message>
+        <source>camera &apos;%1&apos;</source>
+        <translation>caméra &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
     <name>workflow.camera_gave_no_picture</name>
     <message>
         <source>camera &apos;%1&apos; delivered no frame</source>
@@ -22063,10 +22475,24 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
 </context>
 <context>
+    <name>workflow.camera_sees_too_little</name>
+    <message>
+        <source>the camera sees too little of the floor between the markers for a run</source>
+        <translation>la caméra voit trop peu de sol entre les repères pour un passage</translation>
+    </message>
+</context>
+<context>
     <name>workflow.cameras_given_one_file</name>
     <message>
         <source>cameras &apos;%1&apos; and &apos;%2&apos; were given the same file, &apos;%3&apos;</source>
         <translation>les caméras « %1 » et « %2 » ont reçu le même fichier, « %3 »</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.cameras_share_too_little</name>
+    <message>
+        <source>no two cameras share enough of the floor between the markers for a run</source>
+        <translation>aucune paire de caméras ne partage assez de sol entre les repères pour un passage</translation>
     </message>
 </context>
 <context>
@@ -22116,6 +22542,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>%1, or %2</source>
         <translation>%1, ou %2</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.certificate</name>
+    <message>
+        <source>certificate</source>
+        <translation>certificat</translation>
     </message>
 </context>
 <context>
@@ -22200,6 +22633,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>views are matched by time: check --rate if one is in slow motion</source>
         <translation>les vues sont réunies par le temps&#xa0;; vérifiez la cadence réelle si l’une est au ralenti</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.check_robot_and_registration</name>
+    <message>
+        <source>check the robot&apos;s colour and size, and the registrations</source>
+        <translation>vérifiez la couleur et la taille du robot, et les localisations</translation>
     </message>
 </context>
 <context>
@@ -22312,6 +22752,20 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>choose a run on the same layout</source>
         <translation>choisir un essai sur la même disposition</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.choose_seen_task</name>
+    <message>
+        <source>choose a task on the floor that they see, or leave the task out</source>
+        <translation>choisissez une épreuve sur le sol qu’elles voient, ou n’en indiquez aucune</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.choose_task_with_course</name>
+    <message>
+        <source>choose a task that has, or leave the task out</source>
+        <translation>choisissez une épreuve qui en a, ou n’en indiquez aucune</translation>
     </message>
 </context>
 <context>
@@ -22445,6 +22899,27 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>copying the project</source>
         <translation>copie du projet</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.course_not_seen</name>
+    <message>
+        <source>the cameras see only %1 of the course of task &apos;%2&apos;</source>
+        <translation>les caméras ne voient que&#xa0;%1 du parcours de l’épreuve &apos;%2&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.course_of_task</name>
+    <message>
+        <source>course of task &apos;%1&apos;</source>
+        <translation>parcours de l’épreuve &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.course_seen_in_part</name>
+    <message>
+        <source>no camera sees %1 of the run whole</source>
+        <translation>aucune caméra ne voit en entier&#xa0;%1 du passage</translation>
     </message>
 </context>
 <context>
@@ -22676,6 +23151,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>frame %1 of trial &apos;%2&apos;</source>
         <translation>image %1 de l’essai &apos;%2&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.frame_rate_of</name>
+    <message>
+        <source>frame rate of %1</source>
+        <translation>cadence de&#xa0;%1</translation>
     </message>
 </context>
 <context>
@@ -23554,6 +24036,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
 </context>
 <context>
+    <name>workflow.no_camera_registered</name>
+    <message>
+        <source>no camera is registered to the floor</source>
+        <translation>aucune caméra n’est localisée par rapport au sol</translation>
+    </message>
+</context>
+<context>
     <name>workflow.no_common_place</name>
     <message>
         <source>The two analyses have no position in common.</source>
@@ -24135,6 +24624,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
 </context>
 <context>
+    <name>workflow.rate_is_assumed</name>
+    <message>
+        <source>no recording shows it, so 30 frames/s are simulated</source>
+        <translation>aucun enregistrement ne la montre, 30 images/s sont donc simulées</translation>
+    </message>
+</context>
+<context>
     <name>workflow.rate_of_header</name>
     <message>
         <source>its header states an even %1</source>
@@ -24209,6 +24705,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>camera &apos;%1&apos; was registered without a lens calibration: register it again with it</source>
         <translation>la caméra &apos;%1&apos; a été localisée sans étalonnage d’objectif : localisez-la de nouveau avec lui</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.register_a_camera</name>
+    <message>
+        <source>register the cameras first</source>
+        <translation>localisez d’abord les caméras</translation>
     </message>
 </context>
 <context>
@@ -24345,6 +24848,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
 </context>
 <context>
+    <name>workflow.registered_on_other_floor</name>
+    <message>
+        <source>it is registered on another floor, &apos;%1&apos;, and left out</source>
+        <translation>elle est localisée sur un autre sol, &apos;%1&apos;, et n’est pas prise en compte</translation>
+    </message>
+</context>
+<context>
     <name>workflow.registered_through_another</name>
     <message>
         <source>it was registered via another camera</source>
@@ -24373,10 +24883,24 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
 </context>
 <context>
+    <name>workflow.registration_counts_as_exact</name>
+    <message>
+        <source>its uncertainty is not known, so it counts as exact</source>
+        <translation>son incertitude n’est pas connue, elle compte donc comme exacte</translation>
+    </message>
+</context>
+<context>
     <name>workflow.registration_in_older_axes</name>
     <message>
         <source>it has other axes: those of its layout were changed since</source>
         <translation>il a d’autres axes : ceux de sa disposition ont changé depuis</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.registration_of</name>
+    <message>
+        <source>registration of %1</source>
+        <translation>localisation de&#xa0;%1</translation>
     </message>
 </context>
 <context>
@@ -24447,6 +24971,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>its results differ from those of its analysis</source>
         <translation>ses résultats ne sont pas ceux que son analyse a donnés</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.robot</name>
+    <message>
+        <source>robot</source>
+        <translation>robot</translation>
     </message>
 </context>
 <context>
@@ -24625,6 +25156,20 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
 </context>
 <context>
+    <name>workflow.simulated_robot_not_found</name>
+    <message>
+        <source>the simulated robot was not found in the simulated views</source>
+        <translation>le robot simulé n’a pas été trouvé dans les vues simulées</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.simulating_run</name>
+    <message>
+        <source>simulating run %1 of %2</source>
+        <translation>simulation du passage&#xa0;%1 sur&#xa0;%2</translation>
+    </message>
+</context>
+<context>
     <name>workflow.slow_errors_not_seen</name>
     <message>
         <source>errors that change slowly are not included</source>
@@ -24727,6 +25272,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>its task changed during the analysis</source>
         <translation>son épreuve a été changée pendant la mesure</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.task_without_course</name>
+    <message>
+        <source>task &apos;%1&apos; has neither a path nor gates to drive along</source>
+        <translation>l’épreuve &apos;%1&apos; n’a ni trajectoire ni portes à suivre</translation>
     </message>
 </context>
 <context>
@@ -24867,6 +25419,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>nothing of it had reached the disk, and it was removed</source>
         <translation>rien n’avait atteint le disque, il est écarté</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.turn_cameras_to_floor</name>
+    <message>
+        <source>turn the cameras to the same floor, and register them again</source>
+        <translation>tournez les caméras vers le même sol et localisez-les de nouveau</translation>
     </message>
 </context>
 <context>

@@ -95,6 +95,199 @@
     </message>
 </context>
 <context>
+    <name>Certificate</name>
+    <message>
+        <source>Position</source>
+        <translation>위치</translation>
+    </message>
+    <message>
+        <source>Velocity</source>
+        <translation>속도 벡터</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>속력</translation>
+    </message>
+    <message>
+        <source>Acceleration</source>
+        <translation>가속도 벡터</translation>
+    </message>
+    <message>
+        <source>Amount of acceleration</source>
+        <translation>가속도 크기</translation>
+    </message>
+    <message>
+        <source>Cameras: %1</source>
+        <translation>카메라: %1</translation>
+    </message>
+    <message>
+        <source>Robot: %1</source>
+        <translation>로봇: %1</translation>
+    </message>
+    <message>
+        <source>Task: %1</source>
+        <translation>과제: %1</translation>
+    </message>
+    <message>
+        <source>along the course of the task</source>
+        <translation>과제의 코스를 따라</translation>
+    </message>
+    <message>
+        <source>over the floor that the cameras see: straight, a curve, stop and go</source>
+        <translation>카메라가 보는 바닥 위에서: 직선, 곡선, 정지와 출발</translation>
+    </message>
+    <message>
+        <source>The views of each camera were rendered with its lens, position, image size and frame rate, written as videos, and imported, synchronised, tracked and analysed as any others.</source>
+        <translation>각 카메라의 렌즈, 위치, 영상 크기, 프레임 속도로 화면을 렌더링해 동영상으로 저장한 뒤, 다른 동영상과 똑같이 가져오고 동기화하고 추적하고 분석했습니다.</translation>
+    </message>
+    <message>
+        <source>A simulation shows what this geometry and this program can do, not what a certain recording did. It has even light, a still camera, a clean floor with the markers, sensor noise of 2 of 255 and an exposure of 8 ms at most, and a robot of simple solids in its colour and size.</source>
+        <translation>시뮬레이션은 이 배치와 이 프로그램이 할 수 있는 것을 보여 줄 뿐, 특정 녹화의 결과를 보여 주지는 않습니다. 고른 조명, 움직이지 않는 카메라, 마커가 있는 깨끗한 바닥, 255 중 2의 센서 잡음, 최대 8 ms의 노출, 그리고 제 색과 크기를 지닌 단순한 입체로 된 로봇을 가정합니다.</translation>
+    </message>
+    <message>
+        <source>It does not cover flicker, reflections, deep shadows and people in the view; the look of the real robot, cables and hands; a camera that was moved; markers that were measured wrongly; rolling shutters; and errors of lens calibration and registration beyond the stated ones.</source>
+        <translation>깜박임, 반사, 짙은 그림자, 화면 속 사람, 실제 로봇의 모습과 케이블과 손, 움직인 카메라, 잘못 잰 마커, 롤링 셔터, 그리고 명시된 것을 넘는 렌즈 보정과 정합의 오차는 다루지 않습니다.</translation>
+    </message>
+    <message>
+        <source>The verdict on a trial says which of these were noticed in its recording.</source>
+        <translation>시행의 판정은 이 중 어떤 것이 녹화에서 발견되었는지 알려 줍니다.</translation>
+    </message>
+    <message>
+        <source>The known run from above</source>
+        <translation>위에서 본 알려진 주행</translation>
+    </message>
+    <message>
+        <source>dashed: truth; strokes: errors of all runs, enlarged %1 times</source>
+        <translation>파선: 참값; 짧은 선: 모든 주행의 오차, %1배 확대</translation>
+    </message>
+    <message>
+        <source>root mean square</source>
+        <translation>제곱평균제곱근</translation>
+    </message>
+    <message>
+        <source>95 % below</source>
+        <translation>95 %가 이하</translation>
+    </message>
+    <message>
+        <source>stated ± (σ)</source>
+        <translation>명시된 ± (σ)</translation>
+    </message>
+    <message>
+        <source>truth inside the stated 95 %</source>
+        <translation>명시된 95 % 안의 참값</translation>
+    </message>
+    <message>
+        <source>Errors against the truth</source>
+        <translation>참값에 대한 오차</translation>
+    </message>
+    <message>
+        <source>%1 of %2 frames have a result</source>
+        <translation>프레임 %2개 중 %1개에 결과가 있음</translation>
+    </message>
+    <message>
+        <source>Certificate of this set-up</source>
+        <translation>이 설정의 인증서</translation>
+    </message>
+    <message>
+        <source>Position error</source>
+        <translation>위치 오차</translation>
+    </message>
+    <message>
+        <source>Velocity error</source>
+        <translation>속도 오차</translation>
+    </message>
+    <message>
+        <source>Acceleration error</source>
+        <translation>가속도 오차</translation>
+    </message>
+    <message>
+        <source>Coverage</source>
+        <translation>포함률</translation>
+    </message>
+    <message>
+        <source>true positions inside the stated 95 %</source>
+        <translation>명시된 95 % 안의 참 위치</translation>
+    </message>
+    <message>
+        <source>What was simulated</source>
+        <translation>시뮬레이션한 것</translation>
+    </message>
+    <message>
+        <source>What a simulation does not cover</source>
+        <translation>시뮬레이션이 다루지 않는 것</translation>
+    </message>
+    <message>
+        <source>%1, error in %2</source>
+        <translation>%1, 오차(%2)</translation>
+    </message>
+    <message>
+        <source>a line for each run; dashed: what the first states for 95 %</source>
+        <translation>주행마다 선 하나; 파선: 첫 주행이 명시한 95 %</translation>
+    </message>
+    <message>
+        <source>Camera</source>
+        <translation>카메라</translation>
+    </message>
+    <message>
+        <source>Frames</source>
+        <translation>프레임</translation>
+    </message>
+    <message>
+        <source>Registration</source>
+        <translation>정합</translation>
+    </message>
+    <message>
+        <source>σ on the floor</source>
+        <translation>바닥에서의 σ</translation>
+    </message>
+    <message>
+        <source>calibrated</source>
+        <translation>보정됨</translation>
+    </message>
+    <message>
+        <source>estimated from the floor</source>
+        <translation>바닥에서 추정</translation>
+    </message>
+    <message>
+        <source>assumed</source>
+        <translation>가정</translation>
+    </message>
+    <message>
+        <source>The views were synchronised by the motion, to %1 ms at worst.</source>
+        <translation>뷰는 움직임으로 동기화했으며 최악의 경우 %1 ms입니다.</translation>
+    </message>
+    <message>
+        <source>Certificate of this set-up: errors over time</source>
+        <translation>이 설정의 인증서: 시간에 따른 오차</translation>
+    </message>
+    <message>
+        <source>Remarks</source>
+        <translation>참고 사항</translation>
+    </message>
+    <message>
+        <source>The cameras</source>
+        <translation>카메라</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n simulated run(s) of %1 s and %2 at up to %3, %4.</source>
+        <translation>
+            <numerusform>%1 s, %2, 최고 %3인 시뮬레이션 주행 %n회, %4.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Lens calibration</source>
+        <translation>렌즈 정보</translation>
+    </message>
+    <message>
+        <source>Simulated %1, Odograph %2. All errors are against the known truth of the simulation.</source>
+        <translation>%1 시뮬레이션, Odograph %2. 모든 오차는 시뮬레이션의 알려진 참값에 대한 것입니다.</translation>
+    </message>
+    <message>
+        <source>In each run the cameras are a little off from where the project has them, drawn from the stated uncertainty of their registration and lens calibration; so the errors include it.</source>
+        <translation>각 주행에서 카메라는 정합과 렌즈 보정의 명시된 불확도에서 뽑은 만큼 프로젝트의 위치에서 조금 벗어나 있습니다. 따라서 오차에는 그 불확도가 포함됩니다.</translation>
+    </message>
+</context>
+<context>
     <name>ClassReport</name>
     <message>
         <source>Rank: one more than the number of significantly better teams (medians differ by more than 1.96 σ). Teams of the same rank do not differ significantly.</source>
@@ -863,6 +1056,159 @@ The method follows S. Park, “Computational Vision for Automatic Tracking and O
 GNU 일반 공중 사용 허가서(GPL) 버전 3 이상을 따르는 자유 소프트웨어이며, 어떠한 보증도 하지 않습니다.
 
 방법은 S. Park, “Computational Vision for Automatic Tracking and Objective Estimation of Mobile Robot Trajectory”, 2018을 따릅니다.</translation>
+    </message>
+</context>
+<context>
+    <name>HtmlChart</name>
+    <message>
+        <source>smoothed, with its ±95 % band; dots: as measured</source>
+        <translation>평활화, ±95 % 띠 포함; 점: 측정값</translation>
+    </message>
+    <message>
+        <source>smoothed, with its ±95 % band; dots: as measured; shaded: not measured</source>
+        <translation>평활화, ±95 % 띠 포함; 점: 측정값; 음영: 측정되지 않음</translation>
+    </message>
+    <message>
+        <source>Speed, %1</source>
+        <translation>속력, %1</translation>
+    </message>
+    <message>
+        <source>Acceleration along the path, %1</source>
+        <translation>경로 방향 가속도, %1</translation>
+    </message>
+</context>
+<context>
+    <name>HtmlMap</name>
+    <message>
+        <source>a square: %1</source>
+        <translation>한 칸: %1</translation>
+    </message>
+    <message>
+        <source>The run from above</source>
+        <translation>위에서 본 주행</translation>
+    </message>
+    <message>
+        <source>coloured by speed, from 0 (dark) to %1 (light); ring: start, dot: end</source>
+        <translation>속력에 따라 색칠, 0(어두움)부터 %1(밝음)까지; 고리: 시작, 점: 끝</translation>
+    </message>
+    <message>
+        <source>Both runs from above</source>
+        <translation>위에서 본 두 주행</translation>
+    </message>
+    <message>
+        <source>in the colours of the runs</source>
+        <translation>각 주행의 색으로</translation>
+    </message>
+</context>
+<context>
+    <name>HtmlPage</name>
+    <message>
+        <source>Made by Odograph %1; ± is one standard deviation.</source>
+        <translation>Odograph %1(으)로 만듦; ±는 1 표준편차입니다.</translation>
+    </message>
+    <message>
+        <source>Verdict: %1</source>
+        <translation>판정: %1</translation>
+    </message>
+    <message>
+        <source>Metrics</source>
+        <translation>지표</translation>
+    </message>
+    <message>
+        <source>metric</source>
+        <translation>지표</translation>
+    </message>
+    <message>
+        <source>value</source>
+        <translation>값</translation>
+    </message>
+    <message>
+        <source>unit</source>
+        <translation>단위</translation>
+    </message>
+    <message>
+        <source>Splits</source>
+        <translation>중간 기록</translation>
+    </message>
+    <message>
+        <source>from the start to</source>
+        <translation>출발부터</translation>
+    </message>
+    <message>
+        <source>time</source>
+        <translation>시간</translation>
+    </message>
+    <message>
+        <source>Run %1</source>
+        <translation>주행 %1</translation>
+    </message>
+    <message>
+        <source>sector to %1</source>
+        <translation>%1까지의 구간</translation>
+    </message>
+    <message>
+        <source>No spikes.</source>
+        <translation>이상점 없음.</translation>
+    </message>
+    <message numerus="yes">
+        <source>Spikes: %n</source>
+        <translation>
+            <numerusform>이상점: %n</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>reason</source>
+        <translation>이유</translation>
+    </message>
+    <message numerus="yes">
+        <source>and %n more</source>
+        <translation>
+            <numerusform>외 %n개</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Remarks</source>
+        <translation>참고 사항</translation>
+    </message>
+    <message>
+        <source>Where this comes from</source>
+        <translation>출처</translation>
+    </message>
+    <message>
+        <source>difference</source>
+        <translation>차이</translation>
+    </message>
+    <message>
+        <source>Comparison</source>
+        <translation>비교</translation>
+    </message>
+    <message>
+        <source>Both runs share their calibration: its uncertainty largely cancels. ≈: not significant.</source>
+        <translation>두 주행은 같은 보정을 써서 그 불확도가 대부분 상쇄됩니다. ≈: 유의하지 않음.</translation>
+    </message>
+    <message>
+        <source>The runs have different calibrations: the uncertainties of both count. ≈: not significant.</source>
+        <translation>두 주행의 보정이 달라 양쪽의 불확도가 모두 반영됩니다. ≈: 유의하지 않음.</translation>
+    </message>
+    <message>
+        <source>Speed over distance, %1</source>
+        <translation>경로상의 속력, %1</translation>
+    </message>
+    <message>
+        <source>with its ±95 % band</source>
+        <translation>±95 % 띠와 함께</translation>
+    </message>
+    <message>
+        <source>Time difference, s</source>
+        <translation>시간차, s</translation>
+    </message>
+    <message>
+        <source>above 0: the second run is later; grey: not significant</source>
+        <translation>0보다 위: 두 번째 주행이 늦음; 회색: 유의하지 않음</translation>
+    </message>
+    <message>
+        <source>Sectors, s</source>
+        <translation>구간, s</translation>
     </message>
 </context>
 <context>
@@ -1862,6 +2208,10 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>%1 was exported to %2.</source>
         <translation>%1을(를) %2에 내보냈습니다.</translation>
+    </message>
+    <message>
+        <source>Page to take along (*.html)</source>
+        <translation>가져갈 페이지 (*.html)</translation>
     </message>
 </context>
 <context>
@@ -13631,6 +13981,30 @@ Much more than expected means that a setting is wrong: the views are not synchro
         <source>Report sent to printer %1.</source>
         <translation>보고서를 프린터 %1(으)로 보냈습니다.</translation>
     </message>
+    <message>
+        <source>Over the floor that the cameras see</source>
+        <translation>카메라가 보는 바닥 위</translation>
+    </message>
+    <message>
+        <source>The simulated run:</source>
+        <translation>시뮬레이션할 주행:</translation>
+    </message>
+    <message>
+        <source>Save the certificate</source>
+        <translation>인증서 저장</translation>
+    </message>
+    <message>
+        <source>Certificate</source>
+        <translation>인증서</translation>
+    </message>
+    <message>
+        <source>Certificate saved as %1.</source>
+        <translation>인증서를 %1에 저장했습니다.</translation>
+    </message>
+    <message>
+        <source>C&amp;ertificate of this set-up…</source>
+        <translation>이 설정의 인증서(&amp;E)…</translation>
+    </message>
 </context>
 <context>
     <name>odo::ReportDialog</name>
@@ -20168,6 +20542,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>ui.html_page</name>
+    <message>
+        <source>page</source>
+        <translation>페이지</translation>
+    </message>
+</context>
+<context>
     <name>ui.import_or_record_first</name>
     <message>
         <source>import or record one first</source>
@@ -20263,6 +20644,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>make the squares at most %1, or use larger paper</source>
         <translation>정사각형을 최대 %1로 하거나 더 큰 용지를 쓰십시오</translation>
+    </message>
+</context>
+<context>
+    <name>ui.making_certificate</name>
+    <message>
+        <source>Simulating the set-up</source>
+        <translation>설정을 시뮬레이션하는 중</translation>
     </message>
 </context>
 <context>
@@ -20473,6 +20861,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>Packing the project</source>
         <translation>프로젝트 묶는 중</translation>
+    </message>
+</context>
+<context>
+    <name>ui.page_of_trial</name>
+    <message>
+        <source>page of trial &apos;%1&apos;</source>
+        <translation>시행 &apos;%1&apos;의 페이지</translation>
     </message>
 </context>
 <context>
@@ -21869,6 +22264,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>workflow.box_stands_in</name>
+    <message>
+        <source>the project has none, so a blue box of 260 mm × 190 mm × 60 mm is simulated</source>
+        <translation>프로젝트에 로봇이 없어 260 mm × 190 mm × 60 mm의 파란 상자를 시뮬레이션합니다</translation>
+    </message>
+</context>
+<context>
     <name>workflow.by_layout_and_lens</name>
     <message>
         <source>layout &apos;%1&apos;, lens calibration %2</source>
@@ -21981,6 +22383,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>workflow.camera</name>
+    <message>
+        <source>camera &apos;%1&apos;</source>
+        <translation>카메라 &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
     <name>workflow.camera_gave_no_picture</name>
     <message>
         <source>camera &apos;%1&apos; delivered no frame</source>
@@ -22023,10 +22432,24 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>workflow.camera_sees_too_little</name>
+    <message>
+        <source>the camera sees too little of the floor between the markers for a run</source>
+        <translation>카메라가 보는 마커 사이의 바닥이 주행하기에 너무 작습니다</translation>
+    </message>
+</context>
+<context>
     <name>workflow.cameras_given_one_file</name>
     <message>
         <source>cameras &apos;%1&apos; and &apos;%2&apos; were given the same file, &apos;%3&apos;</source>
         <translation>카메라 ‘%1’과(와) ‘%2’에 같은 파일 ‘%3’이(가) 지정되었습니다</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.cameras_share_too_little</name>
+    <message>
+        <source>no two cameras share enough of the floor between the markers for a run</source>
+        <translation>두 카메라가 함께 보는 마커 사이의 바닥이 주행하기에 충분하지 않습니다</translation>
     </message>
 </context>
 <context>
@@ -22076,6 +22499,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>%1, or %2</source>
         <translation>%1, 또는 %2</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.certificate</name>
+    <message>
+        <source>certificate</source>
+        <translation>인증서</translation>
     </message>
 </context>
 <context>
@@ -22160,6 +22590,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>views are matched by time: check --rate if one is in slow motion</source>
         <translation>뷰는 시간으로 결합됩니다. 슬로 모션이면 실제 프레임 속도를 확인하십시오</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.check_robot_and_registration</name>
+    <message>
+        <source>check the robot&apos;s colour and size, and the registrations</source>
+        <translation>로봇의 색과 크기, 정합을 확인하십시오</translation>
     </message>
 </context>
 <context>
@@ -22272,6 +22709,20 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>choose a run on the same layout</source>
         <translation>같은 배치에서의 주행을 선택하십시오</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.choose_seen_task</name>
+    <message>
+        <source>choose a task on the floor that they see, or leave the task out</source>
+        <translation>카메라가 보는 바닥에 있는 과제를 선택하거나 과제를 지정하지 마십시오</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.choose_task_with_course</name>
+    <message>
+        <source>choose a task that has, or leave the task out</source>
+        <translation>그런 것이 있는 과제를 선택하거나 과제를 지정하지 마십시오</translation>
     </message>
 </context>
 <context>
@@ -22405,6 +22856,27 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>copying the project</source>
         <translation>프로젝트 복사 중</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.course_not_seen</name>
+    <message>
+        <source>the cameras see only %1 of the course of task &apos;%2&apos;</source>
+        <translation>카메라가 과제 &apos;%2&apos;의 코스 중 %1만 봅니다</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.course_of_task</name>
+    <message>
+        <source>course of task &apos;%1&apos;</source>
+        <translation>과제 &apos;%1&apos;의 코스</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.course_seen_in_part</name>
+    <message>
+        <source>no camera sees %1 of the run whole</source>
+        <translation>주행의 %1는 어떤 카메라에도 온전히 보이지 않습니다</translation>
     </message>
 </context>
 <context>
@@ -22636,6 +23108,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>frame %1 of trial &apos;%2&apos;</source>
         <translation>시행 &apos;%2&apos;의 프레임 %1</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.frame_rate_of</name>
+    <message>
+        <source>frame rate of %1</source>
+        <translation>%1의 프레임 속도</translation>
     </message>
 </context>
 <context>
@@ -23514,6 +23993,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>workflow.no_camera_registered</name>
+    <message>
+        <source>no camera is registered to the floor</source>
+        <translation>바닥에 정합된 카메라가 없습니다</translation>
+    </message>
+</context>
+<context>
     <name>workflow.no_common_place</name>
     <message>
         <source>The two analyses have no position in common.</source>
@@ -24095,6 +24581,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>workflow.rate_is_assumed</name>
+    <message>
+        <source>no recording shows it, so 30 frames/s are simulated</source>
+        <translation>보여 주는 녹화가 없어 30 프레임/s로 시뮬레이션합니다</translation>
+    </message>
+</context>
+<context>
     <name>workflow.rate_of_header</name>
     <message>
         <source>its header states an even %1</source>
@@ -24169,6 +24662,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>camera &apos;%1&apos; was registered without a lens calibration: register it again with it</source>
         <translation>카메라 &apos;%1&apos;은(는) 렌즈 보정 없이 정합되었습니다. 렌즈 보정으로 다시 정합하십시오</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.register_a_camera</name>
+    <message>
+        <source>register the cameras first</source>
+        <translation>먼저 카메라를 정합하십시오</translation>
     </message>
 </context>
 <context>
@@ -24305,6 +24805,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>workflow.registered_on_other_floor</name>
+    <message>
+        <source>it is registered on another floor, &apos;%1&apos;, and left out</source>
+        <translation>다른 바닥 &apos;%1&apos;에 정합되어 있어 제외합니다</translation>
+    </message>
+</context>
+<context>
     <name>workflow.registered_through_another</name>
     <message>
         <source>it was registered via another camera</source>
@@ -24333,10 +24840,24 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>workflow.registration_counts_as_exact</name>
+    <message>
+        <source>its uncertainty is not known, so it counts as exact</source>
+        <translation>불확도를 알 수 없어 정확한 것으로 봅니다</translation>
+    </message>
+</context>
+<context>
     <name>workflow.registration_in_older_axes</name>
     <message>
         <source>it has other axes: those of its layout were changed since</source>
         <translation>축이 다릅니다. 그 뒤로 배치의 축이 바뀌었습니다</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.registration_of</name>
+    <message>
+        <source>registration of %1</source>
+        <translation>%1의 정합</translation>
     </message>
 </context>
 <context>
@@ -24407,6 +24928,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>its results differ from those of its analysis</source>
         <translation>결과가 분석에서 나온 값과 다릅니다</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.robot</name>
+    <message>
+        <source>robot</source>
+        <translation>로봇</translation>
     </message>
 </context>
 <context>
@@ -24585,6 +25113,20 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>workflow.simulated_robot_not_found</name>
+    <message>
+        <source>the simulated robot was not found in the simulated views</source>
+        <translation>시뮬레이션한 뷰에서 로봇을 찾지 못했습니다</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.simulating_run</name>
+    <message>
+        <source>simulating run %1 of %2</source>
+        <translation>주행 %2개 중 %1번째 시뮬레이션 중</translation>
+    </message>
+</context>
+<context>
     <name>workflow.slow_errors_not_seen</name>
     <message>
         <source>errors that change slowly are not included</source>
@@ -24687,6 +25229,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>its task changed during the analysis</source>
         <translation>측정하는 동안 과제가 바뀌었습니다</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.task_without_course</name>
+    <message>
+        <source>task &apos;%1&apos; has neither a path nor gates to drive along</source>
+        <translation>과제 &apos;%1&apos;에는 따라갈 경로도 게이트도 없습니다</translation>
     </message>
 </context>
 <context>
@@ -24827,6 +25376,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>nothing of it had reached the disk, and it was removed</source>
         <translation>디스크에 남은 것이 없어 제외됩니다</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.turn_cameras_to_floor</name>
+    <message>
+        <source>turn the cameras to the same floor, and register them again</source>
+        <translation>카메라를 같은 바닥으로 돌리고 다시 정합하십시오</translation>
     </message>
 </context>
 <context>

@@ -95,6 +95,199 @@
     </message>
 </context>
 <context>
+    <name>Certificate</name>
+    <message>
+        <source>Position</source>
+        <translation>位置</translation>
+    </message>
+    <message>
+        <source>Velocity</source>
+        <translation>速度矢量</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>速度</translation>
+    </message>
+    <message>
+        <source>Acceleration</source>
+        <translation>加速度矢量</translation>
+    </message>
+    <message>
+        <source>Amount of acceleration</source>
+        <translation>加速度大小</translation>
+    </message>
+    <message>
+        <source>Cameras: %1</source>
+        <translation>相机：%1</translation>
+    </message>
+    <message>
+        <source>Robot: %1</source>
+        <translation>机器人：%1</translation>
+    </message>
+    <message>
+        <source>Task: %1</source>
+        <translation>任务：%1</translation>
+    </message>
+    <message>
+        <source>along the course of the task</source>
+        <translation>沿任务的路线</translation>
+    </message>
+    <message>
+        <source>over the floor that the cameras see: straight, a curve, stop and go</source>
+        <translation>在相机可见的地面上：直线、曲线、走走停停</translation>
+    </message>
+    <message>
+        <source>The views of each camera were rendered with its lens, position, image size and frame rate, written as videos, and imported, synchronised, tracked and analysed as any others.</source>
+        <translation>按每台相机的镜头、位置、图像尺寸和帧率渲染其画面，写成视频，再像其他视频一样导入、同步、跟踪和分析。</translation>
+    </message>
+    <message>
+        <source>A simulation shows what this geometry and this program can do, not what a certain recording did. It has even light, a still camera, a clean floor with the markers, sensor noise of 2 of 255 and an exposure of 8 ms at most, and a robot of simple solids in its colour and size.</source>
+        <translation>模拟显示的是这种几何布置和本程序能达到的水平，而不是某次录像的实际结果。它假设光照均匀、相机静止、地面干净并带有标记、传感器噪声为 2（满幅 255）、曝光不超过 8 ms，机器人由具有其颜色和尺寸的简单几何体组成。</translation>
+    </message>
+    <message>
+        <source>It does not cover flicker, reflections, deep shadows and people in the view; the look of the real robot, cables and hands; a camera that was moved; markers that were measured wrongly; rolling shutters; and errors of lens calibration and registration beyond the stated ones.</source>
+        <translation>它不包括闪烁、反光、深阴影和画面中的人；真实机器人的外观、线缆和手；被移动的相机；测量错误的标记；卷帘快门；以及超出所声明范围的镜头标定和配准误差。</translation>
+    </message>
+    <message>
+        <source>The verdict on a trial says which of these were noticed in its recording.</source>
+        <translation>试验的评定会说明其录像中发现了其中哪些问题。</translation>
+    </message>
+    <message>
+        <source>The known run from above</source>
+        <translation>已知运行的俯视图</translation>
+    </message>
+    <message>
+        <source>dashed: truth; strokes: errors of all runs, enlarged %1 times</source>
+        <translation>虚线：真值；短线：各次运行的误差，放大 %1 倍</translation>
+    </message>
+    <message>
+        <source>root mean square</source>
+        <translation>均方根</translation>
+    </message>
+    <message>
+        <source>95 % below</source>
+        <translation>95 % 低于</translation>
+    </message>
+    <message>
+        <source>stated ± (σ)</source>
+        <translation>声明的 ± (σ)</translation>
+    </message>
+    <message>
+        <source>truth inside the stated 95 %</source>
+        <translation>真值在声明的 95 % 内</translation>
+    </message>
+    <message>
+        <source>Errors against the truth</source>
+        <translation>相对真值的误差</translation>
+    </message>
+    <message>
+        <source>%1 of %2 frames have a result</source>
+        <translation>%2 帧中有 %1 帧得到结果</translation>
+    </message>
+    <message>
+        <source>Certificate of this set-up</source>
+        <translation>此设置的证书</translation>
+    </message>
+    <message>
+        <source>Position error</source>
+        <translation>位置误差</translation>
+    </message>
+    <message>
+        <source>Velocity error</source>
+        <translation>速度误差</translation>
+    </message>
+    <message>
+        <source>Acceleration error</source>
+        <translation>加速度误差</translation>
+    </message>
+    <message>
+        <source>Coverage</source>
+        <translation>覆盖率</translation>
+    </message>
+    <message>
+        <source>true positions inside the stated 95 %</source>
+        <translation>真实位置在声明的 95 % 内</translation>
+    </message>
+    <message>
+        <source>What was simulated</source>
+        <translation>模拟了什么</translation>
+    </message>
+    <message>
+        <source>What a simulation does not cover</source>
+        <translation>模拟不包括什么</translation>
+    </message>
+    <message>
+        <source>%1, error in %2</source>
+        <translation>%1，误差（%2）</translation>
+    </message>
+    <message>
+        <source>a line for each run; dashed: what the first states for 95 %</source>
+        <translation>每次运行一条线；虚线：第一次运行声明的 95 %</translation>
+    </message>
+    <message>
+        <source>Camera</source>
+        <translation>相机</translation>
+    </message>
+    <message>
+        <source>Frames</source>
+        <translation>帧</translation>
+    </message>
+    <message>
+        <source>Registration</source>
+        <translation>配准</translation>
+    </message>
+    <message>
+        <source>σ on the floor</source>
+        <translation>地面上的 σ</translation>
+    </message>
+    <message>
+        <source>calibrated</source>
+        <translation>已标定</translation>
+    </message>
+    <message>
+        <source>estimated from the floor</source>
+        <translation>由地面估计</translation>
+    </message>
+    <message>
+        <source>assumed</source>
+        <translation>假定</translation>
+    </message>
+    <message>
+        <source>The views were synchronised by the motion, to %1 ms at worst.</source>
+        <translation>各视图由运动同步，最差为 %1 ms。</translation>
+    </message>
+    <message>
+        <source>Certificate of this set-up: errors over time</source>
+        <translation>此设置的证书：误差随时间变化</translation>
+    </message>
+    <message>
+        <source>Remarks</source>
+        <translation>备注</translation>
+    </message>
+    <message>
+        <source>The cameras</source>
+        <translation>相机</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n simulated run(s) of %1 s and %2 at up to %3, %4.</source>
+        <translation>
+            <numerusform>%n 次模拟运行，每次 %1 s、%2，最高 %3，%4。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Lens calibration</source>
+        <translation>镜头的已知参数</translation>
+    </message>
+    <message>
+        <source>Simulated %1, Odograph %2. All errors are against the known truth of the simulation.</source>
+        <translation>模拟于 %1，Odograph %2。所有误差均相对于模拟的已知真值。</translation>
+    </message>
+    <message>
+        <source>In each run the cameras are a little off from where the project has them, drawn from the stated uncertainty of their registration and lens calibration; so the errors include it.</source>
+        <translation>每次运行中，相机按其配准和镜头标定所声明的不确定度略微偏离项目中的位置，因此误差已包含这一不确定度。</translation>
+    </message>
+</context>
+<context>
     <name>ClassReport</name>
     <message>
         <source>Rank: one more than the number of significantly better teams (medians differ by more than 1.96 σ). Teams of the same rank do not differ significantly.</source>
@@ -863,6 +1056,159 @@ The method follows S. Park, “Computational Vision for Automatic Tracking and O
 自由软件，遵循 GNU 通用公共许可证第 3 版或更高版本，不提供任何担保。
 
 方法依据 S. Park, “Computational Vision for Automatic Tracking and Objective Estimation of Mobile Robot Trajectory”, 2018。</translation>
+    </message>
+</context>
+<context>
+    <name>HtmlChart</name>
+    <message>
+        <source>smoothed, with its ±95 % band; dots: as measured</source>
+        <translation>平滑后，含 ±95 % 置信带；点：测量值</translation>
+    </message>
+    <message>
+        <source>smoothed, with its ±95 % band; dots: as measured; shaded: not measured</source>
+        <translation>平滑后，含 ±95 % 置信带；点：测量值；阴影：未测量</translation>
+    </message>
+    <message>
+        <source>Speed, %1</source>
+        <translation>速度，%1</translation>
+    </message>
+    <message>
+        <source>Acceleration along the path, %1</source>
+        <translation>沿路径方向的加速度，%1</translation>
+    </message>
+</context>
+<context>
+    <name>HtmlMap</name>
+    <message>
+        <source>a square: %1</source>
+        <translation>一格：%1</translation>
+    </message>
+    <message>
+        <source>The run from above</source>
+        <translation>运行俯视图</translation>
+    </message>
+    <message>
+        <source>coloured by speed, from 0 (dark) to %1 (light); ring: start, dot: end</source>
+        <translation>按速度着色，从 0（深）到 %1（浅）；圆环：起点，圆点：终点</translation>
+    </message>
+    <message>
+        <source>Both runs from above</source>
+        <translation>两次运行俯视图</translation>
+    </message>
+    <message>
+        <source>in the colours of the runs</source>
+        <translation>以各次运行的颜色</translation>
+    </message>
+</context>
+<context>
+    <name>HtmlPage</name>
+    <message>
+        <source>Made by Odograph %1; ± is one standard deviation.</source>
+        <translation>由 Odograph %1 生成；± 为一个标准差。</translation>
+    </message>
+    <message>
+        <source>Verdict: %1</source>
+        <translation>评定：%1</translation>
+    </message>
+    <message>
+        <source>Metrics</source>
+        <translation>指标</translation>
+    </message>
+    <message>
+        <source>metric</source>
+        <translation>指标</translation>
+    </message>
+    <message>
+        <source>value</source>
+        <translation>数值</translation>
+    </message>
+    <message>
+        <source>unit</source>
+        <translation>单位</translation>
+    </message>
+    <message>
+        <source>Splits</source>
+        <translation>分段</translation>
+    </message>
+    <message>
+        <source>from the start to</source>
+        <translation>从起点到</translation>
+    </message>
+    <message>
+        <source>time</source>
+        <translation>时间</translation>
+    </message>
+    <message>
+        <source>Run %1</source>
+        <translation>第 %1 次</translation>
+    </message>
+    <message>
+        <source>sector to %1</source>
+        <translation>到 %1 的区段</translation>
+    </message>
+    <message>
+        <source>No spikes.</source>
+        <translation>无异常点。</translation>
+    </message>
+    <message numerus="yes">
+        <source>Spikes: %n</source>
+        <translation>
+            <numerusform>异常点：%n</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>reason</source>
+        <translation>原因</translation>
+    </message>
+    <message numerus="yes">
+        <source>and %n more</source>
+        <translation>
+            <numerusform>以及另外 %n 个</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Remarks</source>
+        <translation>备注</translation>
+    </message>
+    <message>
+        <source>Where this comes from</source>
+        <translation>数据来源</translation>
+    </message>
+    <message>
+        <source>difference</source>
+        <translation>差值</translation>
+    </message>
+    <message>
+        <source>Comparison</source>
+        <translation>比较</translation>
+    </message>
+    <message>
+        <source>Both runs share their calibration: its uncertainty largely cancels. ≈: not significant.</source>
+        <translation>两次运行共用标定：其不确定度大部分抵消。≈：不显著。</translation>
+    </message>
+    <message>
+        <source>The runs have different calibrations: the uncertainties of both count. ≈: not significant.</source>
+        <translation>两次运行的标定不同：两者的不确定度都计入。≈：不显著。</translation>
+    </message>
+    <message>
+        <source>Speed over distance, %1</source>
+        <translation>沿程速度，%1</translation>
+    </message>
+    <message>
+        <source>with its ±95 % band</source>
+        <translation>及其 ±95 % 置信带</translation>
+    </message>
+    <message>
+        <source>Time difference, s</source>
+        <translation>时间差，s</translation>
+    </message>
+    <message>
+        <source>above 0: the second run is later; grey: not significant</source>
+        <translation>高于 0：第二次运行较晚；灰色：不显著</translation>
+    </message>
+    <message>
+        <source>Sectors, s</source>
+        <translation>区段，s</translation>
     </message>
 </context>
 <context>
@@ -1862,6 +2208,10 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>%1 was exported to %2.</source>
         <translation>%1 已导出到 %2。</translation>
+    </message>
+    <message>
+        <source>Page to take along (*.html)</source>
+        <translation>随身页面 (*.html)</translation>
     </message>
 </context>
 <context>
@@ -13631,6 +13981,30 @@ Much more than expected means that a setting is wrong: the views are not synchro
         <source>Report sent to printer %1.</source>
         <translation>报告已送至打印机 %1。</translation>
     </message>
+    <message>
+        <source>Over the floor that the cameras see</source>
+        <translation>在相机可见的地面上</translation>
+    </message>
+    <message>
+        <source>The simulated run:</source>
+        <translation>模拟的运行：</translation>
+    </message>
+    <message>
+        <source>Save the certificate</source>
+        <translation>保存证书</translation>
+    </message>
+    <message>
+        <source>Certificate</source>
+        <translation>证书</translation>
+    </message>
+    <message>
+        <source>Certificate saved as %1.</source>
+        <translation>证书已保存为 %1。</translation>
+    </message>
+    <message>
+        <source>C&amp;ertificate of this set-up…</source>
+        <translation>此设置的证书(&amp;E)…</translation>
+    </message>
 </context>
 <context>
     <name>odo::ReportDialog</name>
@@ -20168,6 +20542,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>ui.html_page</name>
+    <message>
+        <source>page</source>
+        <translation>页面</translation>
+    </message>
+</context>
+<context>
     <name>ui.import_or_record_first</name>
     <message>
         <source>import or record one first</source>
@@ -20263,6 +20644,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>make the squares at most %1, or use larger paper</source>
         <translation>请使方格不超过 %1，或使用更大的纸</translation>
+    </message>
+</context>
+<context>
+    <name>ui.making_certificate</name>
+    <message>
+        <source>Simulating the set-up</source>
+        <translation>正在模拟设置</translation>
     </message>
 </context>
 <context>
@@ -20473,6 +20861,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>Packing the project</source>
         <translation>正在打包项目</translation>
+    </message>
+</context>
+<context>
+    <name>ui.page_of_trial</name>
+    <message>
+        <source>page of trial &apos;%1&apos;</source>
+        <translation>试验“%1”的页面</translation>
     </message>
 </context>
 <context>
@@ -21869,6 +22264,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>workflow.box_stands_in</name>
+    <message>
+        <source>the project has none, so a blue box of 260 mm × 190 mm × 60 mm is simulated</source>
+        <translation>项目中没有机器人，因此模拟一个 260 mm × 190 mm × 60 mm 的蓝色方块</translation>
+    </message>
+</context>
+<context>
     <name>workflow.by_layout_and_lens</name>
     <message>
         <source>layout &apos;%1&apos;, lens calibration %2</source>
@@ -21981,6 +22383,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>workflow.camera</name>
+    <message>
+        <source>camera &apos;%1&apos;</source>
+        <translation>相机“%1”</translation>
+    </message>
+</context>
+<context>
     <name>workflow.camera_gave_no_picture</name>
     <message>
         <source>camera &apos;%1&apos; delivered no frame</source>
@@ -22023,10 +22432,24 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>workflow.camera_sees_too_little</name>
+    <message>
+        <source>the camera sees too little of the floor between the markers for a run</source>
+        <translation>相机看到的标记之间的地面太少，无法运行</translation>
+    </message>
+</context>
+<context>
     <name>workflow.cameras_given_one_file</name>
     <message>
         <source>cameras &apos;%1&apos; and &apos;%2&apos; were given the same file, &apos;%3&apos;</source>
         <translation>相机“%1”和“%2”被指定了同一个文件“%3”</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.cameras_share_too_little</name>
+    <message>
+        <source>no two cameras share enough of the floor between the markers for a run</source>
+        <translation>没有两台相机共同看到足够的标记之间的地面来运行</translation>
     </message>
 </context>
 <context>
@@ -22076,6 +22499,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>%1, or %2</source>
         <translation>%1,或者 %2</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.certificate</name>
+    <message>
+        <source>certificate</source>
+        <translation>证书</translation>
     </message>
 </context>
 <context>
@@ -22160,6 +22590,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>views are matched by time: check --rate if one is in slow motion</source>
         <translation>视角按时间结合；若其一为慢动作，请检查相机实际帧率</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.check_robot_and_registration</name>
+    <message>
+        <source>check the robot&apos;s colour and size, and the registrations</source>
+        <translation>请检查机器人的颜色和尺寸以及配准</translation>
     </message>
 </context>
 <context>
@@ -22272,6 +22709,20 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>choose a run on the same layout</source>
         <translation>选择同一布局上的运行</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.choose_seen_task</name>
+    <message>
+        <source>choose a task on the floor that they see, or leave the task out</source>
+        <translation>请选择其可见地面上的任务，或不指定任务</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.choose_task_with_course</name>
+    <message>
+        <source>choose a task that has, or leave the task out</source>
+        <translation>请选择有路径或门的任务，或不指定任务</translation>
     </message>
 </context>
 <context>
@@ -22405,6 +22856,27 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>copying the project</source>
         <translation>正在复制项目</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.course_not_seen</name>
+    <message>
+        <source>the cameras see only %1 of the course of task &apos;%2&apos;</source>
+        <translation>相机只看到任务“%2”路线的 %1</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.course_of_task</name>
+    <message>
+        <source>course of task &apos;%1&apos;</source>
+        <translation>任务“%1”的路线</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.course_seen_in_part</name>
+    <message>
+        <source>no camera sees %1 of the run whole</source>
+        <translation>运行的 %1 没有任何相机能完整看到</translation>
     </message>
 </context>
 <context>
@@ -22636,6 +23108,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>frame %1 of trial &apos;%2&apos;</source>
         <translation>试验“%2”的第 %1 帧</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.frame_rate_of</name>
+    <message>
+        <source>frame rate of %1</source>
+        <translation>%1 的帧率</translation>
     </message>
 </context>
 <context>
@@ -23514,6 +23993,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>workflow.no_camera_registered</name>
+    <message>
+        <source>no camera is registered to the floor</source>
+        <translation>没有相机配准到地面</translation>
+    </message>
+</context>
+<context>
     <name>workflow.no_common_place</name>
     <message>
         <source>The two analyses have no position in common.</source>
@@ -24095,6 +24581,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>workflow.rate_is_assumed</name>
+    <message>
+        <source>no recording shows it, so 30 frames/s are simulated</source>
+        <translation>没有录像显示帧率，因此按 30 帧/s 模拟</translation>
+    </message>
+</context>
+<context>
     <name>workflow.rate_of_header</name>
     <message>
         <source>its header states an even %1</source>
@@ -24169,6 +24662,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>camera &apos;%1&apos; was registered without a lens calibration: register it again with it</source>
         <translation>相机“%1”是在没有镜头标定的情况下配准的：请用镜头标定重新配准</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.register_a_camera</name>
+    <message>
+        <source>register the cameras first</source>
+        <translation>请先配准相机</translation>
     </message>
 </context>
 <context>
@@ -24305,6 +24805,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>workflow.registered_on_other_floor</name>
+    <message>
+        <source>it is registered on another floor, &apos;%1&apos;, and left out</source>
+        <translation>它配准在另一地面“%1”上，未计入</translation>
+    </message>
+</context>
+<context>
     <name>workflow.registered_through_another</name>
     <message>
         <source>it was registered via another camera</source>
@@ -24333,10 +24840,24 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>workflow.registration_counts_as_exact</name>
+    <message>
+        <source>its uncertainty is not known, so it counts as exact</source>
+        <translation>其不确定度未知，因此视为精确</translation>
+    </message>
+</context>
+<context>
     <name>workflow.registration_in_older_axes</name>
     <message>
         <source>it has other axes: those of its layout were changed since</source>
         <translation>坐标轴不同：其布局的坐标轴此后已更改</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.registration_of</name>
+    <message>
+        <source>registration of %1</source>
+        <translation>%1 的配准</translation>
     </message>
 </context>
 <context>
@@ -24407,6 +24928,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>its results differ from those of its analysis</source>
         <translation>其结果与分析得出的结果不一致</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.robot</name>
+    <message>
+        <source>robot</source>
+        <translation>机器人</translation>
     </message>
 </context>
 <context>
@@ -24585,6 +25113,20 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>workflow.simulated_robot_not_found</name>
+    <message>
+        <source>the simulated robot was not found in the simulated views</source>
+        <translation>在模拟的视图中未找到模拟的机器人</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.simulating_run</name>
+    <message>
+        <source>simulating run %1 of %2</source>
+        <translation>正在模拟第 %1 次运行，共 %2 次</translation>
+    </message>
+</context>
+<context>
     <name>workflow.slow_errors_not_seen</name>
     <message>
         <source>errors that change slowly are not included</source>
@@ -24687,6 +25229,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>its task changed during the analysis</source>
         <translation>测量期间其任务被更改</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.task_without_course</name>
+    <message>
+        <source>task &apos;%1&apos; has neither a path nor gates to drive along</source>
+        <translation>任务“%1”既没有路径也没有可通过的门</translation>
     </message>
 </context>
 <context>
@@ -24827,6 +25376,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>nothing of it had reached the disk, and it was removed</source>
         <translation>没有内容写入磁盘，已舍去</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.turn_cameras_to_floor</name>
+    <message>
+        <source>turn the cameras to the same floor, and register them again</source>
+        <translation>请将相机转向同一地面并重新配准</translation>
     </message>
 </context>
 <context>

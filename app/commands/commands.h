@@ -38,6 +38,7 @@ Result<void> runList(const QStringList &arguments, const CancelToken &cancel);
 Result<void> runShow(const QStringList &arguments, const CancelToken &cancel);
 Result<void> runCompare(const QStringList &arguments, const CancelToken &cancel);
 Result<void> runReport(const QStringList &arguments, const CancelToken &cancel);
+Result<void> runCertificate(const QStringList &arguments, const CancelToken &cancel);
 Result<void> runTable(const QStringList &arguments, const CancelToken &cancel);
 Result<void> runExport(const QStringList &arguments, const CancelToken &cancel);
 Result<void> runSnapshot(const QStringList &arguments, const CancelToken &cancel);

@@ -3,6 +3,7 @@
 #include "app/command_call.h"
 #include "app/command_output.h"
 #include "app/commands/commands.h"
+#include "app/commands/export_page.h"
 #include "app/workbench.h"
 #include "core/base/file_system.h"
 #include "core/exchange/track_export.h"
@@ -300,12 +301,13 @@ Result<void> runExport(const QStringList &arguments, const CancelToken &cancel)
     CommandCall call(
         {QStringLiteral("export"),
          QStringLiteral("P.odo TRIAL... -o FILE|FOLDER|- [--force] [--robot R] "
-                        "[--format csv|tum|json|tracker|video] "
+                        "[--format csv|tum|json|tracker|html|video] "
                         "[--csv-style analysis|international|continental] [--columns COLUMN[,...]] "
                         "[--speed 0.25] [--size 1920x1080] [--theme light|dark]"),
          2, -1,
          outputOptions(QStringLiteral(
-             "The file to write; of several trials, or with / behind its name, the folder to write to.")) +
+             "The file to write; of several trials, or with / behind its name, the folder to write to. A "
+             "page (html) holds all trials.")) +
              QList<QCommandLineOption>{
                  {option::robot, QStringLiteral("The robot, if the trial has several."), QStringLiteral("R")},
                  {option::format, QStringLiteral("Of the file."), QStringLiteral("FORMAT"),
@@ -321,11 +323,14 @@ Result<void> runExport(const QStringList &arguments, const CancelToken &cancel)
         return parsed.map([](bool) {});
     if (!call.isSet(option::output))
         return call.missing(option::output);
-    static const std::vector<std::string> formats = {"csv", "tum", "json", "tracker", "video"};
+    static const std::vector<std::string> formats = {"csv", "tum", "json", "tracker", "html", "video"};
     const std::string formatName = call.value(option::format);
     if (std::find(formats.begin(), formats.end(), formatName) == formats.end())
-        return call.wrongCall(ODO_TEXT("app.format_is", "--format is csv, tum, json, tracker or video"));
+        return call.wrongCall(
+            ODO_TEXT("app.format_is", "--format is csv, tum, json, tracker, html or video"));
     const QString file = QString::fromStdString(call.value(option::output));
+    if (formatName == "html")
+        return exportPage(call, file);
     const bool areSeveral = call.positionals().size() > 2;
     if (areSeveral && (file == standardOutput || formatName == "video"))
         return call.wrongCall(ODO_TEXT("app.one_trial_only",

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/files/file_kind.h"
 
+#include <algorithm>
 #include <array>
 #include <tuple>
 #include <utility>
@@ -91,6 +92,18 @@ bool isTracker(std::string_view text)
     return firstLine(rest).first.starts_with("t\tx\ty");
 }
 
+bool startsAsPage(std::string_view text)
+{
+    constexpr std::string_view doctype = "<!doctype html", element = "<html";
+    const auto startsWith = [&text](std::string_view lower) {
+        return text.size() >= lower.size() &&
+               std::equal(lower.begin(), lower.end(), text.begin(), [](char expected, char c) {
+                   return expected == (c >= 'A' && c <= 'Z' ? char(c - 'A' + 'a') : c);
+               });
+    };
+    return startsWith(doctype) || startsWith(element);
+}
+
 FileKind textKind(std::string_view text)
 {
     if (text.starts_with("\xef\xbb\xbf"))
@@ -99,6 +112,8 @@ FileKind textKind(std::string_view text)
     const char first = start == std::string_view::npos ? ' ' : text[start];
     if (first == '{' || first == '[')
         return FileKind::Json;
+    if (startsAsPage(text.substr(std::min(start, text.size()))))
+        return FileKind::Html;
     if (first == '<' && text.find("<svg") != std::string_view::npos)
         return FileKind::Svg;
     if (text.starts_with("%YAML") || text.starts_with("image_width:"))

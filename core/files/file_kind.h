@@ -16,6 +16,7 @@ enum class FileKind {
     Png,
     Jpeg,
     Svg,
+    Html,
     Mp4,
     Matroska,
     Xlsx, ///< a workbook of a spreadsheet

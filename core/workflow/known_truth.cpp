@@ -69,25 +69,25 @@ namespace {
 constexpr Nanoseconds sameTime = std::chrono::microseconds(100);
 constexpr double sigmas95 = 1.96;
 
-std::ptrdiff_t truthIndex(const TruthSeries &truth, Nanoseconds time)
+} // namespace
+
+std::optional<std::size_t> truthAt(const TruthSeries &truth, Nanoseconds time)
 {
     const auto after = std::lower_bound(truth.times.begin(), truth.times.end(), time - sameTime);
     if (after == truth.times.end() || *after > time + sameTime)
-        return -1;
-    return after - truth.times.begin();
+        return std::nullopt;
+    return std::size_t(after - truth.times.begin());
 }
-
-} // namespace
 
 TruthAccuracy compareWithTruth(const Profile &profile, const TruthSeries &truth)
 {
     TruthAccuracy sum;
     for (std::size_t i = 0; i < profile.points.size(); ++i) {
         const ProfilePoint &point = profile.points[i];
-        const std::ptrdiff_t found = truthIndex(truth, profile.samples[i].time);
-        if (!point.valid || found < 0)
+        const std::optional<std::size_t> found = truthAt(truth, profile.samples[i].time);
+        if (!point.valid || !found)
             continue;
-        const auto k = static_cast<std::size_t>(found);
+        const std::size_t k = *found;
         const Eigen::Vector2d error = point.position - truth.positions[k];
         ++sum.compared;
         sum.positionRmsM += error.squaredNorm();

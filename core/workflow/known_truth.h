@@ -4,7 +4,9 @@
 #include "core/project/records.h"
 #include "core/simulation/scene.h"
 
+#include <cstddef>
 #include <filesystem>
+#include <optional>
 
 namespace odo {
 
@@ -26,6 +28,9 @@ struct TruthAccuracy
     /// parts of samples whose 95 % interval holds the truth
     double insideX95 = 0, insideY95 = 0, insideSpeed95 = 0;
 };
+
+/// Which values of a truth belong to a time (within 0.1 ms); nullopt: none.
+std::optional<std::size_t> truthAt(const TruthSeries &truth, Nanoseconds time);
 
 /// Samples and truth are matched by time (within 0.1 ms); both count from the first view's first frame.
 TruthAccuracy compareWithTruth(const Profile &profile, const TruthSeries &truth);

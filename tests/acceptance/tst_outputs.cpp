@@ -65,6 +65,7 @@ const QStringList &commands()
                                  QStringLiteral("export %1 circle --format tum -o"),
                                  QStringLiteral("export %1 circle --format json -o"),
                                  QStringLiteral("export %1 circle --format tracker -o"),
+                                 QStringLiteral("export %1 circle --format html -o"),
                                  QStringLiteral("export %1 straight --format video --size 320x180 -o"),
                                  QStringLiteral("report %1 circle -o"),
                                  QStringLiteral("compare %1 figure-eight figure-eight_with_reflections -o"),

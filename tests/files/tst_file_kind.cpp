@@ -40,8 +40,10 @@ private Q_SLOTS:
         add("project", sqlite + "Odog" + QByteArray(30, '\0'), FileKind::Project);
         add("other database", sqlite + QByteArray(34, '\0'), FileKind::Database);
         add("database cut off", sqlite.left(40), FileKind::Database);
+        add("HTML", "\n<!DOCTYPE html>\n<html><body><svg/></body></html>", FileKind::Html);
+        add("HTML without a type", "<HTML lang=\"en\">", FileKind::Html);
         add("SVG", "<?xml version=\"1.0\"?>\n<svg width=\"1\"/>", FileKind::Svg);
-        add("page", "<html></html>", FileKind::Text);
+        add("markup", "<note></note>", FileKind::Text);
         add("JSON", " \n{\"trial\": 1}", FileKind::Json);
         add("ROS", "image_width: 640\nimage_height: 480\n", FileKind::Yaml);
         add("OpenCV", "%YAML:1.0\n---\n", FileKind::Yaml);

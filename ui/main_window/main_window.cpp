@@ -104,7 +104,7 @@ void MainWindow::makeCentre()
 
 void MainWindow::makeMenus()
 {
-    m_files->fillMenu(*menuBar()->addMenu(tr("&File")), {m_reports->report()});
+    m_files->fillMenu(*menuBar()->addMenu(tr("&File")), {m_reports->report(), m_reports->certificate()});
     QMenu *edit = menuBar()->addMenu(tr("&Edit"));
     m_undo->fillMenu(*edit);
     edit->addSeparator();

@@ -12,6 +12,7 @@
 #include <QApplication>
 #include <QFile>
 #include <QFileDialog>
+#include <QInputDialog>
 #include <QPushButton>
 #include <QSettings>
 #include <QStandardPaths>
@@ -45,6 +46,8 @@ private:
             chooseFile(m_file)(*files);
             return;
         }
+        if (auto *run = qobject_cast<QInputDialog *>(modal)) // of a certificate
+            return run->accept();
         auto *report = qobject_cast<ReportDialog *>(modal);
         if (!report)
             return;
@@ -132,6 +135,17 @@ private Q_SLOTS:
         m_window->findChild<ReportActions *>()->askTrials(
             {QStringLiteral("Trial 1"), QStringLiteral("Trial 2")});
         QTRY_VERIFY_WITH_TIMEOUT(isPdf(path("trials.pdf")), longestMs);
+        QTRY_VERIFY_WITH_TIMEOUT(!m_window->workspace().isBusy(), longestMs);
+    }
+    void theSetUpIsCertified()
+    {
+        Saver saver(path("certificate.pdf"));
+        auto *certificate = m_window->findChild<QAction *>(QStringLiteral("certificate"));
+        QVERIFY(certificate->isEnabled());
+        certificate->trigger();
+        QVERIFY(m_window->workspace().isBusy());
+        // five simulated runs of small images
+        QTRY_VERIFY_WITH_TIMEOUT(isPdf(path("certificate.pdf")), 4 * longestMs);
         QTRY_VERIFY_WITH_TIMEOUT(!m_window->workspace().isBusy(), longestMs);
     }
 };

@@ -10,6 +10,7 @@
 #include "ui/main_window/project_pages.h"
 #include "ui/main_window/workspace.h"
 #include "ui/models/results.h"
+#include "ui/report/certificate_report.h"
 #include "ui/report/report_dialog.h"
 #include "ui/report/report_output.h"
 #include "ui/views/widgets/command_keys.h"
@@ -18,6 +19,7 @@
 
 #include <QAction>
 #include <QDir>
+#include <QInputDialog>
 #include <QPrintDialog>
 #include <QPrinter>
 #include <QStandardPaths>
@@ -38,9 +40,12 @@ ReportSubject subjectOfTrial(const std::string &trial)
 
 ReportActions::ReportActions(Workspace &workspace, QWidget &window)
     : QObject(&window), m_workspace(workspace), m_window(window),
-      m_report(new QAction(themeIcon(QStringLiteral("print")), tr("&Report…"), this))
+      m_report(new QAction(themeIcon(QStringLiteral("print")), tr("&Report…"), this)),
+      m_certificate(new QAction(tr("C&ertificate of this set-up…"), this))
 {
-    nameCommands({{m_report, "report"}});
+    nameCommands({{m_report, "report"}, {m_certificate, "certificate"}});
+    m_certificate->setEnabled(false);
+    connect(m_certificate, &QAction::triggered, this, &ReportActions::askCertificate);
     m_report->setShortcut(QKeySequence::Print);
     m_report->setEnabled(false);
     connect(m_report, &QAction::triggered, this, qOverload<>(&ReportActions::ask));
@@ -53,6 +58,7 @@ void ReportActions::setPages(ProjectPages *pages)
     m_pages = pages;
     m_dialog.reset(); // it reads the project
     m_report->setEnabled(pages != nullptr);
+    m_certificate->setEnabled(pages != nullptr);
 }
 
 /// What is on screen first.
@@ -165,12 +171,52 @@ void ReportActions::print()
 /// The window is free again; its status line has the progress, and how to cancel.
 void ReportActions::start(std::unique_ptr<PageOutput> output, const QString &doneWords)
 {
-    const auto started = m_workspace.start(std::make_shared<ReportJob>(m_dialog->maker(), std::move(output)),
-                                           ODO_TEXT("ui.making_report", "Creating the report"),
-                                           [this, doneWords] { Q_EMIT done(doneWords); });
+    auto job = std::make_shared<ReportJob>(m_dialog->maker(), std::move(output));
     m_dialog->accept();
+    startJob(std::move(job), ODO_TEXT("ui.making_report", "Creating the report"), doneWords);
+}
+
+void ReportActions::startJob(std::shared_ptr<ReportJob> job, const Message &words, const QString &doneWords)
+{
+    const auto started =
+        m_workspace.start(std::move(job), words, [this, doneWords] { Q_EMIT done(doneWords); });
     if (!started)
         Q_EMIT failed(started.error());
+}
+
+/// Which run, then where to; the simulation goes on beside the window.
+void ReportActions::askCertificate()
+{
+    QStringList runs(tr("Over the floor that the cameras see"));
+    for (const TaskRecord &task :
+         m_workspace.project()->tasks().current().value_or(std::vector<TaskRecord>()))
+        runs << QString::fromStdString(task.name);
+    int chosenRun = 0;
+    if (runs.size() > 1) {
+        QInputDialog question(&m_window);
+        question.setWindowTitle(m_certificate->iconText());
+        question.setLabelText(tr("The simulated run:"));
+        question.setComboBoxItems(runs);
+        if (question.exec() != QDialog::Accepted)
+            return;
+        chosenRun = int(std::max<qsizetype>(0, runs.indexOf(question.textValue())));
+    }
+    const QDir folder(QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation));
+    const auto chosen =
+        askOutput(&m_window, tr("Save the certificate"), folder.filePath(tr("Certificate") + u'.' + ending),
+                  {{tr("PDF files (*.pdf)"), ending, FileKind::Pdf}});
+    if (!chosen)
+        return;
+    CertificateSettings settings;
+    if (chosenRun > 0)
+        settings.task = runs.at(chosenRun).toStdString();
+    auto maker = reportBy(storedReportSettings(), [settings](const ReportOptions &options) {
+        return certificateReport(settings, options);
+    });
+    startJob(std::make_shared<ReportJob>(std::move(maker),
+                                         std::make_unique<PdfFile>(chosen->target, tr("Certificate"))),
+             ODO_TEXT("ui.making_certificate", "Simulating the set-up"),
+             tr("Certificate saved as %1.").arg(QDir::toNativeSeparators(chosen->file)));
 }
 
 } // namespace odo

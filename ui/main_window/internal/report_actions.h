@@ -14,6 +14,7 @@ class QWidget;
 namespace odo {
 
 class PageOutput;
+class ReportJob;
 class ProjectPages;
 class Workspace;
 struct ChosenOutput;
@@ -27,6 +28,8 @@ public:
     ReportActions(Workspace &workspace, QWidget &window);
     ~ReportActions() override;
     QAction *report() const { return m_report; }
+    /// Of the set-up of the project, whatever is on screen.
+    QAction *certificate() const { return m_certificate; }
     /// Whose trial, comparison or class a report is of; null: no project is open.
     void setPages(ProjectPages *pages);
     /// A report of what is on screen.
@@ -47,12 +50,14 @@ private:
     void save();
     void write(const ChosenOutput &output);
     void print();
+    void askCertificate();
     void start(std::unique_ptr<PageOutput> output, const QString &doneWords);
+    void startJob(std::shared_ptr<ReportJob> job, const Message &words, const QString &doneWords);
 
     Workspace &m_workspace;
     QWidget &m_window;
     ProjectPages *m_pages = nullptr;
-    QAction *m_report;
+    QAction *m_report, *m_certificate;
     /// Kept when it is closed: a preview that is still being painted ends by itself meanwhile.
     std::unique_ptr<ReportDialog> m_dialog;
 };

@@ -7,6 +7,8 @@
 #include "core/project/project.h"
 #include "core/project/repositories.h"
 #include "core/workflow/shared_words.h"
+#include "ui/main_window/language.h"
+#include "ui/report/html_page.h"
 #include "ui/views/widgets/form_fields.h"
 
 #include <QComboBox>
@@ -33,7 +35,7 @@ class TrialExportWords
 struct Format
 {
     OutputFormat output;
-    std::string (*text)(const AnalysisRecord &analysis);
+    std::string (*text)(const AnalysisRecord &analysis); ///< null: a page
 };
 
 template <CsvStyle style>
@@ -54,7 +56,9 @@ QList<Format> formats()
          &csvText<CsvStyle::Continental>},
         {{TrialExportWords::tr("Tracker text (*.txt)"), QStringLiteral("txt"), FileKind::Tracker},
          &trackTracker},
-        {{TrialExportWords::tr("TUM trajectory (*.tum)"), QStringLiteral("tum"), FileKind::Tum}, &trackTum}};
+        {{TrialExportWords::tr("TUM trajectory (*.tum)"), QStringLiteral("tum"), FileKind::Tum}, &trackTum},
+        {{TrialExportWords::tr("Page to take along (*.html)"), QStringLiteral("html"), FileKind::Html},
+         nullptr}};
 }
 
 /// The index of the one that is meant; -1: the person thought better of it.
@@ -93,7 +97,11 @@ Result<QString> exportTrial(Project &project, const QString &trial, QWidget &win
         askOutput(&window, TrialExportWords::tr("Export %1").arg(trial), folder.filePath(offered), outputs);
     if (!chosen)
         return QString();
-    const std::string text = formats().at(chosen->format).text(analyses.at(static_cast<std::size_t>(robot)));
+    const AnalysisRecord &analysis = analyses.at(static_cast<std::size_t>(robot));
+    const Format format = formats().at(chosen->format);
+    const std::string text =
+        format.text ? format.text(analysis)
+                    : ODO_TRY(htmlPage(project, {{record.name}, analysis.robotName, shownLanguage()}, {}));
     ODO_TRY(writeOutput(chosen->target, text));
     return TrialExportWords::tr("%1 was exported to %2.").arg(trial, QDir::toNativeSeparators(chosen->file));
 }

@@ -238,12 +238,9 @@ void drawRunChart(QPainter &painter, const QRectF &rect, const Profile &profile,
     painter.restore();
 }
 
-namespace {
-
-/// Ground, grid and markers in a frame, and whatever comes on them.
-void drawFramed(QPainter &painter, const QRectF &rect, const Eigen::AlignedBox2d &bounds,
-                const std::optional<MarkerLayout> &layout,
-                const std::function<void(const MapPlan &)> &drawRest)
+void drawFramedMap(QPainter &painter, const QRectF &rect, const Eigen::AlignedBox2d &bounds,
+                   const std::optional<MarkerLayout> &layout,
+                   const std::function<void(const MapPlan &)> &drawRest)
 {
     const QPalette &palette = reportPalette();
     const ThemeColours colours = ThemeColours::of(palette);
@@ -263,6 +260,8 @@ void drawFramed(QPainter &painter, const QRectF &rect, const Eigen::AlignedBox2d
     painter.setPen(QPen(colours.border, 0.8));
     painter.drawRect(rect);
 }
+
+namespace {
 
 void drawOtherWay(QPainter &painter, const MapPlan &plan, const Profile &profile)
 {
@@ -302,25 +301,16 @@ void drawNumbers(QPainter &painter, const MapPlan &plan, const std::vector<RunEv
     }
 }
 
-/// Gates or zones with names fit for paper.
-template <class Named>
-std::vector<Named> literal(std::vector<Named> all)
-{
-    for (Named &each : all)
-        each.name = literalName(each.name).toStdString();
-    return all;
-}
-
 } // namespace
 
 void drawRunMap(QPainter &painter, const QRectF &rect, const TrialScene &scene, std::size_t robot,
                 const std::vector<RunEvent> &events)
 {
     const QPalette &palette = reportPalette();
-    drawFramed(painter, rect, scene.floorBounds(), scene.layout, [&](const MapPlan &plan) {
+    drawFramedMap(painter, rect, scene.floorBounds(), scene.layout, [&](const MapPlan &plan) {
         const auto toPage = [&plan](const Eigen::Vector2d &point) { return plan.fromWorld(point); };
         if (scene.task) {
-            drawZones(painter, literal(scene.task->zones), toPage, palette);
+            drawZones(painter, literalNames(scene.task->zones), toPage, palette);
             drawReferencePath(painter, scene.task->path, toPage, palette);
         }
         for (std::size_t other = 0; other < scene.robots.size(); ++other)
@@ -330,7 +320,7 @@ void drawRunMap(QPainter &painter, const QRectF &rect, const TrialScene &scene, 
         if (scene.robots.size() > robot && scene.robots[robot].analysis)
             drawSpeedTrail(painter, plan, scene.robots[robot].analysis->profile, top, palette);
         if (scene.task)
-            drawGates(painter, literal(scene.task->gates), toPage, palette);
+            drawGates(painter, literalNames(scene.task->gates), toPage, palette);
         if (scene.robots.size() > robot && scene.robots[robot].analysis)
             drawMapSpikes(painter, plan, scene.robots[robot].analysis->profile, palette);
         drawSpeedLegend(painter, plan, top, palette);
@@ -343,11 +333,11 @@ void drawComparedMap(QPainter &painter, const QRectF &rect, const ComparisonScen
 {
     const QPalette &palette = reportPalette();
     const TrialScene &first = *scene.scenes.front();
-    drawFramed(painter, rect, scene.floorBounds(), first.layout, [&](const MapPlan &plan) {
+    drawFramedMap(painter, rect, scene.floorBounds(), first.layout, [&](const MapPlan &plan) {
         const ReferencePath &path = scene.compared.comparison.path;
         if (first.task)
             drawZones(
-                painter, literal(first.task->zones),
+                painter, literalNames(first.task->zones),
                 [&plan](const Eigen::Vector2d &point) { return plan.fromWorld(point); }, palette);
         if (scene.compared.comparison.isTasksPath)
             drawReferencePath(

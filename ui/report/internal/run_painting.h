@@ -5,9 +5,13 @@
 #include "core/analysis/quantity_curve.h"
 #include "ui/models/comparison_scene.h"
 #include "ui/models/trial_scene.h"
+#include "ui/report/internal/report_painting.h"
+#include "ui/views/map/map_painting.h"
 
 #include <QRectF>
 #include <QString>
+#include <functional>
+#include <optional>
 #include <vector>
 
 class QPainter;
@@ -40,6 +44,20 @@ void drawRunChart(QPainter &painter, const QRectF &rect, const Profile &profile,
 /// The number of an event in a disc, of a spike in a square, so that they differ without colour.
 void drawEventNumber(QPainter &painter, const QPointF &centre, const RunEvent &event);
 constexpr double eventNumberRadius = 6.5;
+
+/// Ground, grid and markers in a frame, and whatever comes on them.
+void drawFramedMap(QPainter &painter, const QRectF &rect, const Eigen::AlignedBox2d &bounds,
+                   const std::optional<MarkerLayout> &layout,
+                   const std::function<void(const MapPlan &)> &drawRest);
+
+/// Gates or zones with names fit for paper.
+template <class Each>
+std::vector<Each> literalNames(std::vector<Each> all)
+{
+    for (Each &each : all)
+        each.name = literalName(each.name).toStdString();
+    return all;
+}
 
 /// The floor from above with a robot's path coloured by speed, the gates and the course of the task, spikes,
 /// and the events' numbers; the paths of other robots are thin and grey. Painted by what the map of the

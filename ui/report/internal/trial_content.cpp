@@ -150,6 +150,8 @@ Result<TrialContentPtr> TrialContentReader::read(const std::string &trial, const
     content->calibrationRmsPx = ODO_TRY(calibrationsOf(*scene));
     content->stillTime = tellingMoment(*scene);
     content->isAtTopSpeed = m_moment == StillMoment::TopSpeed;
+    if (m_moment == StillMoment::None)
+        return content;
     const Readers readers = openVideos(*scene, cancel);
     if (!content->isAtTopSpeed)
         content->stillTime = keyFrameTime(*scene, readers, content->stillTime);

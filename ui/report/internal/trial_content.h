@@ -35,7 +35,8 @@ std::vector<Still> takeStills(const TrialScene &scene, Nanoseconds time, int wid
 /// frame in the middle of a group of H.264 needs all before it.
 enum class StillMoment {
     TopSpeed,
-    KeyFrame ///< of the first view, the last one up to the top speed
+    KeyFrame, ///< of the first view, the last one up to the top speed
+    None      ///< no stills
 };
 
 /// What a report says of one trial: immutable values, safe to share with any thread.
