@@ -13,6 +13,7 @@
 #include <QDateTime>
 #include <QRegularExpression>
 #include <algorithm>
+#include <cmath>
 
 namespace odo {
 
@@ -36,6 +37,7 @@ QJsonObject trialJson(const TrialRecord &trial)
             {QStringLiteral("notes"), QString::fromStdString(trial.notes)},
             {QStringLiteral("tags"), namesJson(trial.tags)},
             {QStringLiteral("duration_s"), trial.durationS},
+            {QStringLiteral("range"), rangeJson(trial)},
             {QStringLiteral("views"), trial.viewCount},
             {QStringLiteral("in_bin"), trial.binned.has_value()}};
 }
@@ -57,6 +59,10 @@ QString trialText(const TrialRecord &trial)
                       QStringLiteral("  date    %1").arg(dateText(trial.date)),
                       QStringLiteral("  robots  %1")
                           .arg(robots.isEmpty() ? orNone({}) : robots.join(QStringLiteral(", ")))};
+    if (trial.range)
+        lines << QStringLiteral("  range   %1 s to %2 s")
+                     .arg(toSeconds(trial.range->begin), 0, 'f', 3)
+                     .arg(toSeconds(trial.range->end), 0, 'f', 3);
     if (!trial.notes.empty())
         lines << QStringLiteral("  notes   %1").arg(QString::fromStdString(trial.notes).simplified());
     return lines.join(u'\n');
@@ -78,6 +84,29 @@ Result<Instant> dateOf(const CommandCall &call)
     return Instant(std::chrono::milliseconds(date.toMSecsSinceEpoch()));
 }
 
+/// FROM,TO in seconds, motion or none.
+Result<RangeChoice> rangeChoiceOf(const CommandCall &call)
+{
+    const QString text = QString::fromStdString(call.value(option::range)).trimmed();
+    if (text == QLatin1String("motion"))
+        return RangeChoice(RangeOfMotion());
+    if (text == QLatin1String("none"))
+        return RangeChoice(WholeRun());
+    const QStringList parts = text.split(u',');
+    std::vector<double> seconds;
+    for (const QString &part : parts) {
+        bool isNumber = false;
+        const double number = part.trimmed().toDouble(&isNumber);
+        if (isNumber && std::isfinite(number))
+            seconds.push_back(number);
+    }
+    if (parts.size() != 2 || seconds.size() != 2)
+        return call.wrongCall(ODO_TEXT(
+            "app.range_is", "--range '%1' is not FROM,TO in seconds, such as 1.5,8, nor motion or none")(
+            call.value(option::range)));
+    return RangeChoice(RangeSeconds{seconds[0], seconds[1]});
+}
+
 std::optional<std::string> given(const CommandCall &call, const QString &option)
 {
     return call.isSet(option) ? std::optional(call.value(option)) : std::nullopt;
@@ -95,6 +124,9 @@ Result<void> set(const CommandCall &call, Project &project, const TrialRecord &t
     }
     if (call.isSet(option::robot))
         edit.robots = call.texts(option::robot);
+    if (call.isSet(option::range)) {
+        edit.range = ODO_TRY(rangeChoiceOf(call));
+    }
     const bool isNewTeam = edit.team && !edit.team->empty() && !project.teams().find(*edit.team);
     const auto changed = ODO_TRY(editTrial(project, trial.id, edit));
     call.answer(trialJson(changed),
@@ -172,7 +204,7 @@ const QList<Verb> &verbs()
 {
     static const QList<Verb> all{{QStringLiteral("set"),
                                   {option::name, option::team, option::ofClass, option::date, option::task,
-                                   option::robot, option::note},
+                                   option::robot, option::note, option::range},
                                   &set},
                                  {QStringLiteral("remove"), {}, &removeTrial},
                                  {QStringLiteral("restore"), {}, &restoreTrial},
@@ -187,7 +219,7 @@ CommandSyntax trialSyntax()
     return {
         QStringLiteral("trial"),
         QStringLiteral("set P.odo TRIAL [--name N] [--team T] [--class C] [--date ISO] [--task TASK] "
-                       "[--robot R]... [--note TEXT] "
+                       "[--robot R]... [--range FROM,TO|motion|none] [--note TEXT] "
                        "| remove P.odo TRIAL | restore P.odo TRIAL_IN_BIN | copy P.odo TRIAL [--name N] "
                        "| accept P.odo TRIAL --reason TEXT | withdraw P.odo TRIAL [--json]"),
         3,
@@ -203,6 +235,11 @@ CommandSyntax trialSyntax()
          {option::task, QStringLiteral("Its task; '' removes it."), QStringLiteral("TASK")},
          {option::robot, QStringLiteral("A robot that is in it; replaces those it had."),
           QStringLiteral("R")},
+         {option::range,
+          QStringLiteral(
+              "The part of its time that its results are of, in seconds: FROM,TO; motion: from the "
+              "first motion of its robots to the last; none: all of it."),
+          QStringLiteral("FROM,TO|motion|none")},
          {option::note, QStringLiteral("Its notes; replaces those it had."), QStringLiteral("TEXT")},
          {option::reason, QStringLiteral("Why its doubtful results can be used."), QStringLiteral("TEXT")}}};
 }

@@ -74,6 +74,7 @@ std::vector<Migration> projectMigrations()
         sqlMigration(ODO_TEXT("project.format_17", "verdicts, and their acceptance"), step("17_verdicts")),
         sqlMigration(ODO_TEXT("project.format_18", "how the frames of recordings are turned"),
                      step("18_upright_frames")),
+        sqlMigration(ODO_TEXT("project.format_19", "ranges of trials"), step("19_trial_ranges")),
     };
 }
 

@@ -17,7 +17,8 @@ Message wordsOf(const std::string &trial, const TrialEdit &edit)
 {
     const auto changed = std::ranges::count(
         std::initializer_list<bool>{edit.name.has_value(), edit.team || edit.className, edit.date.has_value(),
-                                    edit.task.has_value(), edit.robots.has_value(), edit.notes.has_value()},
+                                    edit.task.has_value(), edit.robots.has_value(), edit.notes.has_value(),
+                                    edit.range.has_value()},
         true);
     const MessageArgument name = Named::trial(trial);
     if (changed == 1) {
@@ -27,6 +28,8 @@ Message wordsOf(const std::string &trial, const TrialEdit &edit)
             return ODO_TEXT("workflow.give_team", "assign %1 to team %2")(name, Named::team(*edit.team));
         if (edit.task && !edit.task->empty())
             return giveTaskChange(trial, *edit.task);
+        if (edit.range)
+            return rangeChange(trial, *edit.range);
         if (edit.notes)
             return ODO_TEXT("ui.write_notes", "write notes of %1")(name);
     }
@@ -100,6 +103,10 @@ Result<void> apply(Project &project, const TrialRecord &trial, const TrialEdit &
     if (edit.robots) {
         const auto robots = ODO_TRY(robotsNamed(project, *edit.robots));
         ODO_TRY(trials.setRobots(trial.id, robots));
+    }
+    if (edit.range) {
+        RangeJob job(edit.name ? normalName(*edit.name) : trial.name, *edit.range);
+        ODO_TRY(runToEnd(job, project, JobControl()));
     }
     return edit.notes ? trials.setNotes(trial.id, *edit.notes) : Result<void>();
 }

@@ -3,6 +3,7 @@
 
 #include "core/base/error.h"
 #include "core/project/records.h"
+#include "core/workflow/trials/trial_range.h"
 
 #include <optional>
 #include <string>
@@ -24,13 +25,14 @@ struct TrialEdit
     std::optional<std::string> task = {}; ///< empty: none
     std::optional<std::vector<std::string>> robots = {};
     std::optional<std::string> notes = {};
+    std::optional<RangeChoice> range = {};
 };
 
 /// Makes all of it one change, which can be undone; gives the trial as it is then. On the project's thread.
 /// Errors, and nothing is changed: NotFound for a trial, task or robot that the project doesn't have;
 /// AlreadyExists for a name that is taken; WrongCall for a date that is still to come; InvalidInput for a
 /// team that belongs to another class than the trial, unless that class is given, or than the class that is
-/// given, and for a class without a team.
+/// given, and for a class without a team; those of RangeJob.
 Result<TrialRecord> editTrial(Project &project, RecordId trial, const TrialEdit &edit);
 
 /// Moves trials to the bin, or restores them from it, as one change. On the project's thread.
