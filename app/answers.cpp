@@ -94,6 +94,13 @@ QJsonObject syncJson(const TrialRecord &trial)
             {QStringLiteral("rate_sigma_ppm"), trial.syncRateSigma * 1e6}};
 }
 
+QJsonObject rangeJson(const TrialRecord &trial)
+{
+    const TimeSpan range = rangeOf(trial);
+    const auto seconds = [](Nanoseconds time) { return double(time.count()) / 1e9; }; // as t_s of exports
+    return {{QStringLiteral("from_s"), seconds(range.begin)}, {QStringLiteral("to_s"), seconds(range.end)}};
+}
+
 QJsonObject recordingJson(const RecordingRecord &recording)
 {
     const double duration = recording.frameTimes.empty() ? 0 : toSeconds(recording.frameTimes.back());

@@ -17,6 +17,8 @@ namespace odo {
 QJsonObject errorJson(const Error &error);
 QJsonObject intrinsicsJson(const Intrinsics &intrinsics);
 QJsonObject syncJson(const TrialRecord &trial);
+/// {from_s, to_s}: the range of a trial; of one without, all of its time.
+QJsonObject rangeJson(const TrialRecord &trial);
 QJsonObject recordingJson(const RecordingRecord &recording);
 QJsonArray vectorJson(const Eigen::VectorXd &vector);
 /// {level, accepted}, without the checks.

@@ -156,6 +156,7 @@ inline const QString pick = QStringLiteral("pick");
 inline const QString pixel = QStringLiteral("pixel");
 inline const QString pixels = QStringLiteral("pixels");
 inline const QString preRoll = QStringLiteral("pre-roll");
+inline const QString range = QStringLiteral("range");
 inline const QString rate = QStringLiteral("rate");
 inline const QString reason = QStringLiteral("reason");
 inline const QString recover = QStringLiteral("recover");

@@ -1347,6 +1347,10 @@ Das Verfahren folgt S. Park, „Computational Vision for Automatic Tracking and 
         <source>&amp;Tools</source>
         <translation>E&amp;xtras</translation>
     </message>
+    <message>
+        <source>Ran&amp;ge</source>
+        <translation>Berei&amp;ch</translation>
+    </message>
 </context>
 <context>
     <name>RangeFacts</name>
@@ -2395,6 +2399,14 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <source>Withdraw</source>
         <translation>Zurücknehmen</translation>
     </message>
+    <message>
+        <source>Range</source>
+        <translation>Bereich</translation>
+    </message>
+    <message>
+        <source>%1 to %2 of %3</source>
+        <translation>%1 bis %2 von %3</translation>
+    </message>
 </context>
 <context>
     <name>TrialReport</name>
@@ -2512,6 +2524,10 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>Verdict</source>
         <translation>Urteil</translation>
+    </message>
+    <message>
+        <source>Range</source>
+        <translation>Bereich</translation>
     </message>
 </context>
 <context>
@@ -13773,18 +13789,45 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
 </context>
 <context>
-    <name>odo::RangeCard</name>
+    <name>odo::RangeActions</name>
     <message>
-        <source>Range</source>
-        <translation>Bereich</translation>
+        <source>Set &amp;start here</source>
+        <translation>&amp;Start hier setzen</translation>
     </message>
+    <message>
+        <source>The results are of the run from this time on; before it nothing counts.</source>
+        <translation>Die Ergebnisse gelten für die Fahrt ab diesem Zeitpunkt; davor zählt nichts.</translation>
+    </message>
+    <message>
+        <source>Set &amp;end here</source>
+        <translation>&amp;Ende hier setzen</translation>
+    </message>
+    <message>
+        <source>The results are of the run up to this time; after it nothing counts.</source>
+        <translation>Die Ergebnisse gelten für die Fahrt bis zu diesem Zeitpunkt; danach zählt nichts.</translation>
+    </message>
+    <message>
+        <source>From first to last &amp;motion</source>
+        <translation>Von der ersten bis zur letzten Be&amp;wegung</translation>
+    </message>
+    <message>
+        <source>The results are of the run from when a robot first moves to when it last does.</source>
+        <translation>Die Ergebnisse gelten für die Fahrt von der ersten bis zur letzten Bewegung eines Roboters.</translation>
+    </message>
+    <message>
+        <source>&amp;Whole run</source>
+        <translation>&amp;Ganze Fahrt</translation>
+    </message>
+    <message>
+        <source>The results are of all of the trial again.</source>
+        <translation>Die Ergebnisse gelten wieder für den ganzen Versuch.</translation>
+    </message>
+</context>
+<context>
+    <name>odo::RangeCard</name>
     <message>
         <source>&amp;Fit</source>
         <translation>&amp;Anpassung</translation>
-    </message>
-    <message>
-        <source>Statistics of the range</source>
-        <translation>Kennwerte des Bereichs</translation>
     </message>
     <message>
         <source>Robot of the statistics</source>
@@ -13813,6 +13856,14 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>Fitted quantity</source>
         <translation>Größe, die angepasst wird</translation>
+    </message>
+    <message>
+        <source>Selection</source>
+        <translation>Auswahl</translation>
+    </message>
+    <message>
+        <source>Statistics of the selection</source>
+        <translation>Kennwerte der Auswahl</translation>
     </message>
 </context>
 <context>
@@ -16290,16 +16341,16 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <translation>Schlei&amp;fe</translation>
     </message>
     <message>
-        <source>Range beg&amp;ins here</source>
-        <translation>Bereich &amp;beginnt hier</translation>
+        <source>Selection beg&amp;ins here</source>
+        <translation>Auswahl &amp;beginnt hier</translation>
     </message>
     <message>
-        <source>Range &amp;ends here</source>
-        <translation>Bereich &amp;endet hier</translation>
+        <source>Selection &amp;ends here</source>
+        <translation>Auswahl &amp;endet hier</translation>
     </message>
     <message>
-        <source>&amp;Clear the range</source>
-        <translation>Bereich auf&amp;heben</translation>
+        <source>&amp;Clear the selection</source>
+        <translation>Auswahl auf&amp;heben</translation>
     </message>
 </context>
 <context>
@@ -16732,6 +16783,14 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>S&amp;ynchronise…</source>
         <translation>S&amp;ynchronisieren…</translation>
+    </message>
+    <message>
+        <source>The results of %1 are of its range, %2 to %3. Choose Undo to reverse this.</source>
+        <translation>Die Ergebnisse von %1 gelten für seinen Bereich, %2 bis %3. Mit „Rückgängig“ wird das zurückgenommen.</translation>
+    </message>
+    <message>
+        <source>The results of %1 are of the whole run.</source>
+        <translation>Die Ergebnisse von %1 gelten für die ganze Fahrt.</translation>
     </message>
 </context>
 <context>
@@ -17869,6 +17928,13 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
 </context>
 <context>
+    <name>project.format_19</name>
+    <message>
+        <source>ranges and variables of trials</source>
+        <translation>Bereiche und Variablen von Versuchen</translation>
+    </message>
+</context>
+<context>
     <name>project.format_2</name>
     <message>
         <source>manual overrides of samples</source>
@@ -18244,6 +18310,13 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>trial</source>
         <translation>Versuch</translation>
+    </message>
+</context>
+<context>
+    <name>project.kind_variable</name>
+    <message>
+        <source>variable</source>
+        <translation>Variable</translation>
     </message>
 </context>
 <context>
@@ -18821,6 +18894,27 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
 </context>
 <context>
+    <name>project.range_changed</name>
+    <message>
+        <source>the trial&apos;s range has changed since robot &apos;%1&apos; was analysed</source>
+        <translation>der Bereich des Versuchs wurde geändert, seit Roboter &apos;%1&apos; ausgewertet wurde</translation>
+    </message>
+</context>
+<context>
+    <name>project.range_sentence</name>
+    <message>
+        <source>Range: %1 to %2 of %3; all results are of this part.</source>
+        <translation>Bereich: %1 bis %2 von %3; alle Ergebnisse gelten für diesen Teil.</translation>
+    </message>
+</context>
+<context>
+    <name>project.range_without_sample</name>
+    <message>
+        <source>no sample is within its range</source>
+        <translation>in seinem Bereich ist kein Messpunkt</translation>
+    </message>
+</context>
+<context>
     <name>project.raw_times_of</name>
     <message>
         <source>raw times of recording %1</source>
@@ -19000,6 +19094,13 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>choose another name, or remove that file first</source>
         <translation>wählen Sie einen anderen Namen, oder entfernen Sie zuerst jene Datei</translation>
+    </message>
+</context>
+<context>
+    <name>project.remove_variables</name>
+    <message>
+        <source>remove some of its variables</source>
+        <translation>einige seiner Variablen entfernen</translation>
     </message>
 </context>
 <context>
@@ -19245,6 +19346,13 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>it has more than %1 samples</source>
         <translation>mehr als %1 Messpunkte</translation>
+    </message>
+</context>
+<context>
+    <name>project.too_many_variables</name>
+    <message>
+        <source>a trial has %1 variables at most</source>
+        <translation>ein Versuch hat höchstens %1 Variablen</translation>
     </message>
 </context>
 <context>
@@ -21152,6 +21260,13 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
 </context>
 <context>
+    <name>ui.the_range</name>
+    <message>
+        <source>the range</source>
+        <translation>der Bereich</translation>
+    </message>
+</context>
+<context>
     <name>ui.the_sample</name>
     <message>
         <source>the sample</source>
@@ -22734,6 +22849,20 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
 </context>
 <context>
+    <name>workflow.choose_other_range</name>
+    <message>
+        <source>choose another range</source>
+        <translation>wählen Sie einen anderen Bereich</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.choose_range_within</name>
+    <message>
+        <source>choose a range from 0 to %1</source>
+        <translation>wählen Sie einen Bereich von 0 bis %1</translation>
+    </message>
+</context>
+<context>
     <name>workflow.choose_registration</name>
     <message>
         <source>choose registration %1 of camera %2</source>
@@ -22794,6 +22923,13 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>without a team it belongs to no class</source>
         <translation>ohne Team gehört er zu keiner Klasse</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.clear_range</name>
+    <message>
+        <source>remove the range of %1</source>
+        <translation>Bereich von %1 aufheben</translation>
     </message>
 </context>
 <context>
@@ -23357,6 +23493,13 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
 </context>
 <context>
+    <name>workflow.give_range_in_seconds</name>
+    <message>
+        <source>give its start and end in seconds</source>
+        <translation>geben Sie Anfang und Ende in Sekunden an</translation>
+    </message>
+</context>
+<context>
     <name>workflow.give_rate_or_table</name>
     <message>
         <source>give one of them</source>
@@ -23375,6 +23518,13 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>give the seconds, such as 10</source>
         <translation>geben Sie die Sekunden an, etwa 10</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.give_start_first</name>
+    <message>
+        <source>give the start first, then a later end</source>
+        <translation>geben Sie zuerst den Anfang an, dann ein späteres Ende</translation>
     </message>
 </context>
 <context>
@@ -24085,6 +24235,13 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
 </context>
 <context>
+    <name>workflow.no_motion</name>
+    <message>
+        <source>no robot moves in it</source>
+        <translation>kein Roboter bewegt sich darin</translation>
+    </message>
+</context>
+<context>
     <name>workflow.no_multicast</name>
     <message>
         <source>interface &apos;%1&apos; does not support multicast</source>
@@ -24208,6 +24365,13 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>camera &apos;%1&apos; has no such number</source>
         <translation>Kamera &apos;%1&apos; hat keine mit dieser Nummer</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.not_measured_in_range</name>
+    <message>
+        <source>it contains no sample of robot &apos;%1&apos; (%2 to %3)</source>
+        <translation>er enthält keinen Messpunkt von Roboter &apos;%1&apos; (%2 bis %3)</translation>
     </message>
 </context>
 <context>
@@ -24614,6 +24778,34 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>put a plate of another colour on it, or set its true colour</source>
         <translation>setzen Sie eine Platte anderer Farbe darauf, oder geben Sie seine wirkliche Farbe an</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.range_is_reversed</name>
+    <message>
+        <source>its start %1 is not before its end %2</source>
+        <translation>sein Anfang %1 liegt nicht vor seinem Ende %2</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.range_of_trial</name>
+    <message>
+        <source>range of trial &apos;%1&apos;</source>
+        <translation>Bereich von Versuch &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.range_outside_trial</name>
+    <message>
+        <source>%1 to %2 is not within the trial&apos;s time</source>
+        <translation>%1 bis %2 liegt nicht in der Zeit des Versuchs</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.range_without_sample</name>
+    <message>
+        <source>it contains no sample</source>
+        <translation>er enthält keinen Messpunkt</translation>
     </message>
 </context>
 <context>
@@ -25118,6 +25310,13 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>see the list of its revisions</source>
         <translation>die Liste ihrer Revisionen zeigt, welche es gibt</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.set_range</name>
+    <message>
+        <source>set the range of %1</source>
+        <translation>Bereich von %1 setzen</translation>
     </message>
 </context>
 <context>

@@ -1347,6 +1347,10 @@ El método sigue a S. Park, “Computational Vision for Automatic Tracking and O
         <source>&amp;Tools</source>
         <translation>&amp;Herramientas</translation>
     </message>
+    <message>
+        <source>Ran&amp;ge</source>
+        <translation>Tra&amp;mo</translation>
+    </message>
 </context>
 <context>
     <name>RangeFacts</name>
@@ -2395,6 +2399,14 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <source>Withdraw</source>
         <translation>Retirar</translation>
     </message>
+    <message>
+        <source>Range</source>
+        <translation>Tramo</translation>
+    </message>
+    <message>
+        <source>%1 to %2 of %3</source>
+        <translation>de %1 a %2 de %3</translation>
+    </message>
 </context>
 <context>
     <name>TrialReport</name>
@@ -2512,6 +2524,10 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <message>
         <source>Verdict</source>
         <translation>Veredicto</translation>
+    </message>
+    <message>
+        <source>Range</source>
+        <translation>Tramo</translation>
     </message>
 </context>
 <context>
@@ -13773,18 +13789,45 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     </message>
 </context>
 <context>
-    <name>odo::RangeCard</name>
+    <name>odo::RangeActions</name>
     <message>
-        <source>Range</source>
-        <translation>Intervalo</translation>
+        <source>Set &amp;start here</source>
+        <translation>Fijar el &amp;inicio aquí</translation>
     </message>
+    <message>
+        <source>The results are of the run from this time on; before it nothing counts.</source>
+        <translation>Los resultados son del recorrido a partir de este momento; lo anterior no cuenta.</translation>
+    </message>
+    <message>
+        <source>Set &amp;end here</source>
+        <translation>Fijar el &amp;final aquí</translation>
+    </message>
+    <message>
+        <source>The results are of the run up to this time; after it nothing counts.</source>
+        <translation>Los resultados son del recorrido hasta este momento; lo posterior no cuenta.</translation>
+    </message>
+    <message>
+        <source>From first to last &amp;motion</source>
+        <translation>Del primer al último &amp;movimiento</translation>
+    </message>
+    <message>
+        <source>The results are of the run from when a robot first moves to when it last does.</source>
+        <translation>Los resultados son del recorrido desde el primer hasta el último movimiento de un robot.</translation>
+    </message>
+    <message>
+        <source>&amp;Whole run</source>
+        <translation>Recorrido &amp;completo</translation>
+    </message>
+    <message>
+        <source>The results are of all of the trial again.</source>
+        <translation>Los resultados vuelven a ser de todo el ensayo.</translation>
+    </message>
+</context>
+<context>
+    <name>odo::RangeCard</name>
     <message>
         <source>&amp;Fit</source>
         <translation>A&amp;juste</translation>
-    </message>
-    <message>
-        <source>Statistics of the range</source>
-        <translation>Indicadores del intervalo</translation>
     </message>
     <message>
         <source>Robot of the statistics</source>
@@ -13813,6 +13856,14 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <message>
         <source>Fitted quantity</source>
         <translation>Magnitud que se ajusta</translation>
+    </message>
+    <message>
+        <source>Selection</source>
+        <translation>Selección</translation>
+    </message>
+    <message>
+        <source>Statistics of the selection</source>
+        <translation>Indicadores de la selección</translation>
     </message>
 </context>
 <context>
@@ -16290,16 +16341,16 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <translation>&amp;Bucle</translation>
     </message>
     <message>
-        <source>Range beg&amp;ins here</source>
-        <translation>&amp;Inicio del intervalo aquí</translation>
+        <source>Selection beg&amp;ins here</source>
+        <translation>&amp;Inicio de la selección aquí</translation>
     </message>
     <message>
-        <source>Range &amp;ends here</source>
-        <translation>&amp;Fin del intervalo aquí</translation>
+        <source>Selection &amp;ends here</source>
+        <translation>&amp;Fin de la selección aquí</translation>
     </message>
     <message>
-        <source>&amp;Clear the range</source>
-        <translation>&amp;Quitar el intervalo</translation>
+        <source>&amp;Clear the selection</source>
+        <translation>&amp;Quitar la selección</translation>
     </message>
 </context>
 <context>
@@ -16732,6 +16783,14 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <message>
         <source>S&amp;ynchronise…</source>
         <translation>S&amp;incronizar…</translation>
+    </message>
+    <message>
+        <source>The results of %1 are of its range, %2 to %3. Choose Undo to reverse this.</source>
+        <translation>Los resultados de %1 son de su tramo, de %2 a %3. Elija Deshacer para revertirlo.</translation>
+    </message>
+    <message>
+        <source>The results of %1 are of the whole run.</source>
+        <translation>Los resultados de %1 son de todo el recorrido.</translation>
     </message>
 </context>
 <context>
@@ -17869,6 +17928,13 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     </message>
 </context>
 <context>
+    <name>project.format_19</name>
+    <message>
+        <source>ranges and variables of trials</source>
+        <translation>tramos y variables de los ensayos</translation>
+    </message>
+</context>
+<context>
     <name>project.format_2</name>
     <message>
         <source>manual overrides of samples</source>
@@ -18244,6 +18310,13 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <message>
         <source>trial</source>
         <translation>ensayo</translation>
+    </message>
+</context>
+<context>
+    <name>project.kind_variable</name>
+    <message>
+        <source>variable</source>
+        <translation>variable</translation>
     </message>
 </context>
 <context>
@@ -18821,6 +18894,27 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     </message>
 </context>
 <context>
+    <name>project.range_changed</name>
+    <message>
+        <source>the trial&apos;s range has changed since robot &apos;%1&apos; was analysed</source>
+        <translation>el tramo del ensayo ha cambiado desde que se analizó el robot &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>project.range_sentence</name>
+    <message>
+        <source>Range: %1 to %2 of %3; all results are of this part.</source>
+        <translation>Tramo: de %1 a %2 de %3; todos los resultados son de esta parte.</translation>
+    </message>
+</context>
+<context>
+    <name>project.range_without_sample</name>
+    <message>
+        <source>no sample is within its range</source>
+        <translation>ninguna muestra está dentro de su tramo</translation>
+    </message>
+</context>
+<context>
     <name>project.raw_times_of</name>
     <message>
         <source>raw times of recording %1</source>
@@ -19000,6 +19094,13 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <message>
         <source>choose another name, or remove that file first</source>
         <translation>elija otro nombre, o elimine antes ese archivo</translation>
+    </message>
+</context>
+<context>
+    <name>project.remove_variables</name>
+    <message>
+        <source>remove some of its variables</source>
+        <translation>elimine algunas de sus variables</translation>
     </message>
 </context>
 <context>
@@ -19245,6 +19346,13 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <message>
         <source>it has more than %1 samples</source>
         <translation>tiene más de %1 muestras</translation>
+    </message>
+</context>
+<context>
+    <name>project.too_many_variables</name>
+    <message>
+        <source>a trial has %1 variables at most</source>
+        <translation>un ensayo tiene como máximo %1 variables</translation>
     </message>
 </context>
 <context>
@@ -21152,6 +21260,13 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     </message>
 </context>
 <context>
+    <name>ui.the_range</name>
+    <message>
+        <source>the range</source>
+        <translation>el tramo</translation>
+    </message>
+</context>
+<context>
     <name>ui.the_sample</name>
     <message>
         <source>the sample</source>
@@ -22734,6 +22849,20 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     </message>
 </context>
 <context>
+    <name>workflow.choose_other_range</name>
+    <message>
+        <source>choose another range</source>
+        <translation>elija otro tramo</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.choose_range_within</name>
+    <message>
+        <source>choose a range from 0 to %1</source>
+        <translation>elija un tramo de 0 a %1</translation>
+    </message>
+</context>
+<context>
     <name>workflow.choose_registration</name>
     <message>
         <source>choose registration %1 of camera %2</source>
@@ -22794,6 +22923,13 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <message>
         <source>without a team it belongs to no class</source>
         <translation>sin equipo no pertenece a ninguna clase</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.clear_range</name>
+    <message>
+        <source>remove the range of %1</source>
+        <translation>quitar el tramo de %1</translation>
     </message>
 </context>
 <context>
@@ -23357,6 +23493,13 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     </message>
 </context>
 <context>
+    <name>workflow.give_range_in_seconds</name>
+    <message>
+        <source>give its start and end in seconds</source>
+        <translation>indique su inicio y su final en segundos</translation>
+    </message>
+</context>
+<context>
     <name>workflow.give_rate_or_table</name>
     <message>
         <source>give one of them</source>
@@ -23375,6 +23518,13 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <message>
         <source>give the seconds, such as 10</source>
         <translation>dé los segundos, como 10</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.give_start_first</name>
+    <message>
+        <source>give the start first, then a later end</source>
+        <translation>indique primero el inicio y después un final posterior</translation>
     </message>
 </context>
 <context>
@@ -24085,6 +24235,13 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     </message>
 </context>
 <context>
+    <name>workflow.no_motion</name>
+    <message>
+        <source>no robot moves in it</source>
+        <translation>ningún robot se mueve en él</translation>
+    </message>
+</context>
+<context>
     <name>workflow.no_multicast</name>
     <message>
         <source>interface &apos;%1&apos; does not support multicast</source>
@@ -24208,6 +24365,13 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <message>
         <source>camera &apos;%1&apos; has no such number</source>
         <translation>la cámara &apos;%1&apos; no tiene ninguna con ese número</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.not_measured_in_range</name>
+    <message>
+        <source>it contains no sample of robot &apos;%1&apos; (%2 to %3)</source>
+        <translation>no contiene ninguna muestra del robot &apos;%1&apos; (de %2 a %3)</translation>
     </message>
 </context>
 <context>
@@ -24614,6 +24778,34 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <message>
         <source>put a plate of another colour on it, or set its true colour</source>
         <translation>póngale una placa de otro color, o indique el color que tiene en realidad</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.range_is_reversed</name>
+    <message>
+        <source>its start %1 is not before its end %2</source>
+        <translation>su inicio %1 no es anterior a su final %2</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.range_of_trial</name>
+    <message>
+        <source>range of trial &apos;%1&apos;</source>
+        <translation>tramo del ensayo &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.range_outside_trial</name>
+    <message>
+        <source>%1 to %2 is not within the trial&apos;s time</source>
+        <translation>de %1 a %2 no está dentro del tiempo del ensayo</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.range_without_sample</name>
+    <message>
+        <source>it contains no sample</source>
+        <translation>no contiene ninguna muestra</translation>
     </message>
 </context>
 <context>
@@ -25118,6 +25310,13 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <message>
         <source>see the list of its revisions</source>
         <translation>vea en sus revisiones las que hay</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.set_range</name>
+    <message>
+        <source>set the range of %1</source>
+        <translation>fijar el tramo de %1</translation>
     </message>
 </context>
 <context>

@@ -1347,6 +1347,10 @@ La méthode suit S. Park, «&#xa0;Computational Vision for Automatic Tracking an
         <source>&amp;Tools</source>
         <translation>&amp;Outils</translation>
     </message>
+    <message>
+        <source>Ran&amp;ge</source>
+        <translation>Pla&amp;ge</translation>
+    </message>
 </context>
 <context>
     <name>RangeFacts</name>
@@ -2395,6 +2399,14 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <source>Withdraw</source>
         <translation>Retirer</translation>
     </message>
+    <message>
+        <source>Range</source>
+        <translation>Plage</translation>
+    </message>
+    <message>
+        <source>%1 to %2 of %3</source>
+        <translation>de %1 à %2 sur %3</translation>
+    </message>
 </context>
 <context>
     <name>TrialReport</name>
@@ -2512,6 +2524,10 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>Verdict</source>
         <translation>Verdict</translation>
+    </message>
+    <message>
+        <source>Range</source>
+        <translation>Plage</translation>
     </message>
 </context>
 <context>
@@ -13773,18 +13789,45 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
 </context>
 <context>
-    <name>odo::RangeCard</name>
+    <name>odo::RangeActions</name>
     <message>
-        <source>Range</source>
-        <translation>Plage</translation>
+        <source>Set &amp;start here</source>
+        <translation>Fixer le &amp;début ici</translation>
     </message>
+    <message>
+        <source>The results are of the run from this time on; before it nothing counts.</source>
+        <translation>Les résultats portent sur le parcours à partir de ce moment ; ce qui précède ne compte pas.</translation>
+    </message>
+    <message>
+        <source>Set &amp;end here</source>
+        <translation>Fixer la &amp;fin ici</translation>
+    </message>
+    <message>
+        <source>The results are of the run up to this time; after it nothing counts.</source>
+        <translation>Les résultats portent sur le parcours jusqu’à ce moment ; ce qui suit ne compte pas.</translation>
+    </message>
+    <message>
+        <source>From first to last &amp;motion</source>
+        <translation>Du premier au dernier &amp;mouvement</translation>
+    </message>
+    <message>
+        <source>The results are of the run from when a robot first moves to when it last does.</source>
+        <translation>Les résultats portent sur le parcours du premier au dernier mouvement d’un robot.</translation>
+    </message>
+    <message>
+        <source>&amp;Whole run</source>
+        <translation>Parcours &amp;entier</translation>
+    </message>
+    <message>
+        <source>The results are of all of the trial again.</source>
+        <translation>Les résultats portent de nouveau sur tout l’essai.</translation>
+    </message>
+</context>
+<context>
+    <name>odo::RangeCard</name>
     <message>
         <source>&amp;Fit</source>
         <translation>A&amp;justement</translation>
-    </message>
-    <message>
-        <source>Statistics of the range</source>
-        <translation>Grandeurs de la plage</translation>
     </message>
     <message>
         <source>Robot of the statistics</source>
@@ -13813,6 +13856,14 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>Fitted quantity</source>
         <translation>Grandeur ajustée</translation>
+    </message>
+    <message>
+        <source>Selection</source>
+        <translation>Sélection</translation>
+    </message>
+    <message>
+        <source>Statistics of the selection</source>
+        <translation>Grandeurs de la sélection</translation>
     </message>
 </context>
 <context>
@@ -16290,16 +16341,16 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <translation>&amp;Boucle</translation>
     </message>
     <message>
-        <source>Range beg&amp;ins here</source>
-        <translation>&amp;Début de la plage ici</translation>
+        <source>Selection beg&amp;ins here</source>
+        <translation>&amp;Début de la sélection ici</translation>
     </message>
     <message>
-        <source>Range &amp;ends here</source>
-        <translation>&amp;Fin de la plage ici</translation>
+        <source>Selection &amp;ends here</source>
+        <translation>&amp;Fin de la sélection ici</translation>
     </message>
     <message>
-        <source>&amp;Clear the range</source>
-        <translation>&amp;Effacer la plage</translation>
+        <source>&amp;Clear the selection</source>
+        <translation>&amp;Effacer la sélection</translation>
     </message>
 </context>
 <context>
@@ -16732,6 +16783,14 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>S&amp;ynchronise…</source>
         <translation>S&amp;ynchroniser…</translation>
+    </message>
+    <message>
+        <source>The results of %1 are of its range, %2 to %3. Choose Undo to reverse this.</source>
+        <translation>Les résultats de %1 portent sur sa plage, de %2 à %3. Choisissez Annuler pour revenir en arrière.</translation>
+    </message>
+    <message>
+        <source>The results of %1 are of the whole run.</source>
+        <translation>Les résultats de %1 portent sur tout le parcours.</translation>
     </message>
 </context>
 <context>
@@ -17869,6 +17928,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
 </context>
 <context>
+    <name>project.format_19</name>
+    <message>
+        <source>ranges and variables of trials</source>
+        <translation>plages et variables des essais</translation>
+    </message>
+</context>
+<context>
     <name>project.format_2</name>
     <message>
         <source>manual overrides of samples</source>
@@ -18244,6 +18310,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>trial</source>
         <translation>essai</translation>
+    </message>
+</context>
+<context>
+    <name>project.kind_variable</name>
+    <message>
+        <source>variable</source>
+        <translation>variable</translation>
     </message>
 </context>
 <context>
@@ -18821,6 +18894,27 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
 </context>
 <context>
+    <name>project.range_changed</name>
+    <message>
+        <source>the trial&apos;s range has changed since robot &apos;%1&apos; was analysed</source>
+        <translation>la plage de l’essai a changé depuis l’analyse du robot &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>project.range_sentence</name>
+    <message>
+        <source>Range: %1 to %2 of %3; all results are of this part.</source>
+        <translation>Plage : de %1 à %2 sur %3 ; tous les résultats portent sur cette partie.</translation>
+    </message>
+</context>
+<context>
+    <name>project.range_without_sample</name>
+    <message>
+        <source>no sample is within its range</source>
+        <translation>aucun échantillon n’est dans sa plage</translation>
+    </message>
+</context>
+<context>
     <name>project.raw_times_of</name>
     <message>
         <source>raw times of recording %1</source>
@@ -19000,6 +19094,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>choose another name, or remove that file first</source>
         <translation>choisissez un autre nom, ou supprimez d’abord ce fichier</translation>
+    </message>
+</context>
+<context>
+    <name>project.remove_variables</name>
+    <message>
+        <source>remove some of its variables</source>
+        <translation>supprimez quelques-unes de ses variables</translation>
     </message>
 </context>
 <context>
@@ -19245,6 +19346,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>it has more than %1 samples</source>
         <translation>il y a plus de %1 échantillons</translation>
+    </message>
+</context>
+<context>
+    <name>project.too_many_variables</name>
+    <message>
+        <source>a trial has %1 variables at most</source>
+        <translation>un essai a au plus %1 variables</translation>
     </message>
 </context>
 <context>
@@ -21152,6 +21260,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
 </context>
 <context>
+    <name>ui.the_range</name>
+    <message>
+        <source>the range</source>
+        <translation>la plage</translation>
+    </message>
+</context>
+<context>
     <name>ui.the_sample</name>
     <message>
         <source>the sample</source>
@@ -22734,6 +22849,20 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
 </context>
 <context>
+    <name>workflow.choose_other_range</name>
+    <message>
+        <source>choose another range</source>
+        <translation>choisissez une autre plage</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.choose_range_within</name>
+    <message>
+        <source>choose a range from 0 to %1</source>
+        <translation>choisissez une plage de 0 à %1</translation>
+    </message>
+</context>
+<context>
     <name>workflow.choose_registration</name>
     <message>
         <source>choose registration %1 of camera %2</source>
@@ -22794,6 +22923,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>without a team it belongs to no class</source>
         <translation>sans équipe, il n’appartient à aucune classe</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.clear_range</name>
+    <message>
+        <source>remove the range of %1</source>
+        <translation>suppression de la plage de %1</translation>
     </message>
 </context>
 <context>
@@ -23357,6 +23493,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
 </context>
 <context>
+    <name>workflow.give_range_in_seconds</name>
+    <message>
+        <source>give its start and end in seconds</source>
+        <translation>indiquez son début et sa fin en secondes</translation>
+    </message>
+</context>
+<context>
     <name>workflow.give_rate_or_table</name>
     <message>
         <source>give one of them</source>
@@ -23375,6 +23518,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>give the seconds, such as 10</source>
         <translation>donnez les secondes, comme 10</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.give_start_first</name>
+    <message>
+        <source>give the start first, then a later end</source>
+        <translation>indiquez d’abord le début, puis une fin postérieure</translation>
     </message>
 </context>
 <context>
@@ -24085,6 +24235,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
 </context>
 <context>
+    <name>workflow.no_motion</name>
+    <message>
+        <source>no robot moves in it</source>
+        <translation>aucun robot n’y bouge</translation>
+    </message>
+</context>
+<context>
     <name>workflow.no_multicast</name>
     <message>
         <source>interface &apos;%1&apos; does not support multicast</source>
@@ -24208,6 +24365,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>camera &apos;%1&apos; has no such number</source>
         <translation>la caméra &apos;%1&apos; n’en a pas de ce numéro</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.not_measured_in_range</name>
+    <message>
+        <source>it contains no sample of robot &apos;%1&apos; (%2 to %3)</source>
+        <translation>elle ne contient aucun échantillon du robot &apos;%1&apos; (de %2 à %3)</translation>
     </message>
 </context>
 <context>
@@ -24614,6 +24778,34 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>put a plate of another colour on it, or set its true colour</source>
         <translation>posez dessus une plaque d’une autre couleur, ou indiquez sa vraie couleur</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.range_is_reversed</name>
+    <message>
+        <source>its start %1 is not before its end %2</source>
+        <translation>son début %1 n’est pas avant sa fin %2</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.range_of_trial</name>
+    <message>
+        <source>range of trial &apos;%1&apos;</source>
+        <translation>plage de l’essai &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.range_outside_trial</name>
+    <message>
+        <source>%1 to %2 is not within the trial&apos;s time</source>
+        <translation>de %1 à %2 n’est pas dans le temps de l’essai</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.range_without_sample</name>
+    <message>
+        <source>it contains no sample</source>
+        <translation>elle ne contient aucun échantillon</translation>
     </message>
 </context>
 <context>
@@ -25118,6 +25310,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>see the list of its revisions</source>
         <translation>voyez dans ses révisions celles qui existent</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.set_range</name>
+    <message>
+        <source>set the range of %1</source>
+        <translation>plage de %1 fixée</translation>
     </message>
 </context>
 <context>

@@ -1340,6 +1340,10 @@ GNU 일반 공중 사용 허가서(GPL) 버전 3 이상을 따르는 자유 소�
         <source>&amp;Tools</source>
         <translation>도구(&amp;T)</translation>
     </message>
+    <message>
+        <source>Ran&amp;ge</source>
+        <translation>구간(&amp;G)</translation>
+    </message>
 </context>
 <context>
     <name>RangeFacts</name>
@@ -2384,6 +2388,14 @@ Much more than expected means that a setting is wrong: the views are not synchro
         <source>Withdraw</source>
         <translation>철회</translation>
     </message>
+    <message>
+        <source>Range</source>
+        <translation>구간</translation>
+    </message>
+    <message>
+        <source>%1 to %2 of %3</source>
+        <translation>전체 %3 중 %1~%2</translation>
+    </message>
 </context>
 <context>
     <name>TrialReport</name>
@@ -2500,6 +2512,10 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>Verdict</source>
         <translation>판정</translation>
+    </message>
+    <message>
+        <source>Range</source>
+        <translation>구간</translation>
     </message>
 </context>
 <context>
@@ -13751,18 +13767,45 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
-    <name>odo::RangeCard</name>
+    <name>odo::RangeActions</name>
     <message>
-        <source>Range</source>
-        <translation>범위</translation>
+        <source>Set &amp;start here</source>
+        <translation>여기를 시작으로 설정(&amp;S)</translation>
     </message>
+    <message>
+        <source>The results are of the run from this time on; before it nothing counts.</source>
+        <translation>결과는 이 시각부터의 주행에 대한 것이며, 그 이전은 포함되지 않습니다.</translation>
+    </message>
+    <message>
+        <source>Set &amp;end here</source>
+        <translation>여기를 끝으로 설정(&amp;E)</translation>
+    </message>
+    <message>
+        <source>The results are of the run up to this time; after it nothing counts.</source>
+        <translation>결과는 이 시각까지의 주행에 대한 것이며, 그 이후는 포함되지 않습니다.</translation>
+    </message>
+    <message>
+        <source>From first to last &amp;motion</source>
+        <translation>처음 움직임부터 마지막 움직임까지(&amp;M)</translation>
+    </message>
+    <message>
+        <source>The results are of the run from when a robot first moves to when it last does.</source>
+        <translation>결과는 로봇이 처음 움직인 때부터 마지막으로 움직인 때까지의 주행에 대한 것입니다.</translation>
+    </message>
+    <message>
+        <source>&amp;Whole run</source>
+        <translation>전체 주행(&amp;W)</translation>
+    </message>
+    <message>
+        <source>The results are of all of the trial again.</source>
+        <translation>결과가 다시 시행 전체에 대한 것이 됩니다.</translation>
+    </message>
+</context>
+<context>
+    <name>odo::RangeCard</name>
     <message>
         <source>&amp;Fit</source>
         <translation>피팅(&amp;F)</translation>
-    </message>
-    <message>
-        <source>Statistics of the range</source>
-        <translation>범위의 지표</translation>
     </message>
     <message>
         <source>Robot of the statistics</source>
@@ -13791,6 +13834,14 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>Fitted quantity</source>
         <translation>피팅할 양</translation>
+    </message>
+    <message>
+        <source>Selection</source>
+        <translation>선택</translation>
+    </message>
+    <message>
+        <source>Statistics of the selection</source>
+        <translation>선택의 지표</translation>
     </message>
 </context>
 <context>
@@ -16252,16 +16303,16 @@ Much more than expected means that a setting is wrong: the views are not synchro
         <translation>반복(&amp;L)</translation>
     </message>
     <message>
-        <source>Range beg&amp;ins here</source>
-        <translation>여기서 범위 시작(&amp;I)</translation>
+        <source>Selection beg&amp;ins here</source>
+        <translation>여기서 선택 시작(&amp;I)</translation>
     </message>
     <message>
-        <source>Range &amp;ends here</source>
-        <translation>여기서 범위 끝(&amp;E)</translation>
+        <source>Selection &amp;ends here</source>
+        <translation>여기서 선택 끝(&amp;E)</translation>
     </message>
     <message>
-        <source>&amp;Clear the range</source>
-        <translation>범위 지우기(&amp;C)</translation>
+        <source>&amp;Clear the selection</source>
+        <translation>선택 지우기(&amp;C)</translation>
     </message>
 </context>
 <context>
@@ -16689,6 +16740,14 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>S&amp;ynchronise…</source>
         <translation>동기화(&amp;Y)…</translation>
+    </message>
+    <message>
+        <source>The results of %1 are of its range, %2 to %3. Choose Undo to reverse this.</source>
+        <translation>%1의 결과는 구간 %2~%3에 대한 것입니다. 되돌리려면 실행 취소를 선택하십시오.</translation>
+    </message>
+    <message>
+        <source>The results of %1 are of the whole run.</source>
+        <translation>%1의 결과는 전체 주행에 대한 것입니다.</translation>
     </message>
 </context>
 <context>
@@ -17826,6 +17885,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>project.format_19</name>
+    <message>
+        <source>ranges and variables of trials</source>
+        <translation>시행의 구간과 변수</translation>
+    </message>
+</context>
+<context>
     <name>project.format_2</name>
     <message>
         <source>manual overrides of samples</source>
@@ -18201,6 +18267,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>trial</source>
         <translation>시행</translation>
+    </message>
+</context>
+<context>
+    <name>project.kind_variable</name>
+    <message>
+        <source>variable</source>
+        <translation>변수</translation>
     </message>
 </context>
 <context>
@@ -18778,6 +18851,27 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>project.range_changed</name>
+    <message>
+        <source>the trial&apos;s range has changed since robot &apos;%1&apos; was analysed</source>
+        <translation>로봇 &apos;%1&apos;을(를) 분석한 뒤 시행의 구간이 바뀌었습니다</translation>
+    </message>
+</context>
+<context>
+    <name>project.range_sentence</name>
+    <message>
+        <source>Range: %1 to %2 of %3; all results are of this part.</source>
+        <translation>구간: 전체 %3 중 %1~%2. 모든 결과는 이 부분에 대한 것입니다.</translation>
+    </message>
+</context>
+<context>
+    <name>project.range_without_sample</name>
+    <message>
+        <source>no sample is within its range</source>
+        <translation>구간 안에 샘플이 없습니다</translation>
+    </message>
+</context>
+<context>
     <name>project.raw_times_of</name>
     <message>
         <source>raw times of recording %1</source>
@@ -18957,6 +19051,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>choose another name, or remove that file first</source>
         <translation>다른 이름을 고르거나 그 파일을 먼저 지우십시오</translation>
+    </message>
+</context>
+<context>
+    <name>project.remove_variables</name>
+    <message>
+        <source>remove some of its variables</source>
+        <translation>변수 몇 개를 제거하십시오</translation>
     </message>
 </context>
 <context>
@@ -19202,6 +19303,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>it has more than %1 samples</source>
         <translation>샘플이 %1개를 넘습니다</translation>
+    </message>
+</context>
+<context>
+    <name>project.too_many_variables</name>
+    <message>
+        <source>a trial has %1 variables at most</source>
+        <translation>시행 하나의 변수는 최대 %1개입니다</translation>
     </message>
 </context>
 <context>
@@ -21109,6 +21217,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>ui.the_range</name>
+    <message>
+        <source>the range</source>
+        <translation>구간</translation>
+    </message>
+</context>
+<context>
     <name>ui.the_sample</name>
     <message>
         <source>the sample</source>
@@ -22691,6 +22806,20 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>workflow.choose_other_range</name>
+    <message>
+        <source>choose another range</source>
+        <translation>다른 구간을 선택하십시오</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.choose_range_within</name>
+    <message>
+        <source>choose a range from 0 to %1</source>
+        <translation>0부터 %1까지의 구간을 선택하십시오</translation>
+    </message>
+</context>
+<context>
     <name>workflow.choose_registration</name>
     <message>
         <source>choose registration %1 of camera %2</source>
@@ -22751,6 +22880,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>without a team it belongs to no class</source>
         <translation>팀이 없으면 어느 학급에도 속하지 않습니다</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.clear_range</name>
+    <message>
+        <source>remove the range of %1</source>
+        <translation>%1의 구간 해제</translation>
     </message>
 </context>
 <context>
@@ -23314,6 +23450,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>workflow.give_range_in_seconds</name>
+    <message>
+        <source>give its start and end in seconds</source>
+        <translation>시작과 끝을 초 단위로 지정하십시오</translation>
+    </message>
+</context>
+<context>
     <name>workflow.give_rate_or_table</name>
     <message>
         <source>give one of them</source>
@@ -23332,6 +23475,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>give the seconds, such as 10</source>
         <translation>10처럼 초를 주십시오</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.give_start_first</name>
+    <message>
+        <source>give the start first, then a later end</source>
+        <translation>먼저 시작을, 그다음 더 늦은 끝을 지정하십시오</translation>
     </message>
 </context>
 <context>
@@ -24042,6 +24192,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>workflow.no_motion</name>
+    <message>
+        <source>no robot moves in it</source>
+        <translation>움직이는 로봇이 없습니다</translation>
+    </message>
+</context>
+<context>
     <name>workflow.no_multicast</name>
     <message>
         <source>interface &apos;%1&apos; does not support multicast</source>
@@ -24165,6 +24322,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>camera &apos;%1&apos; has no such number</source>
         <translation>카메라 &apos;%1&apos;에 그 번호가 없습니다</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.not_measured_in_range</name>
+    <message>
+        <source>it contains no sample of robot &apos;%1&apos; (%2 to %3)</source>
+        <translation>로봇 &apos;%1&apos;의 샘플이 들어 있지 않습니다(%2~%3)</translation>
     </message>
 </context>
 <context>
@@ -24571,6 +24735,34 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>put a plate of another colour on it, or set its true colour</source>
         <translation>다른 색 판을 얹거나 실제 색을 지정하십시오</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.range_is_reversed</name>
+    <message>
+        <source>its start %1 is not before its end %2</source>
+        <translation>시작 %1이(가) 끝 %2보다 앞서지 않습니다</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.range_of_trial</name>
+    <message>
+        <source>range of trial &apos;%1&apos;</source>
+        <translation>시행 &apos;%1&apos;의 구간</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.range_outside_trial</name>
+    <message>
+        <source>%1 to %2 is not within the trial&apos;s time</source>
+        <translation>%1~%2은(는) 시행의 시간 안에 있지 않습니다</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.range_without_sample</name>
+    <message>
+        <source>it contains no sample</source>
+        <translation>샘플이 들어 있지 않습니다</translation>
     </message>
 </context>
 <context>
@@ -25075,6 +25267,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>see the list of its revisions</source>
         <translation>있는 것은 버전 목록에서 확인하십시오</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.set_range</name>
+    <message>
+        <source>set the range of %1</source>
+        <translation>%1의 구간 설정</translation>
     </message>
 </context>
 <context>

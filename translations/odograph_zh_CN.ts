@@ -1340,6 +1340,10 @@ The method follows S. Park, “Computational Vision for Automatic Tracking and O
         <source>&amp;Tools</source>
         <translation>工具(&amp;T)</translation>
     </message>
+    <message>
+        <source>Ran&amp;ge</source>
+        <translation>区间(&amp;G)</translation>
+    </message>
 </context>
 <context>
     <name>RangeFacts</name>
@@ -2384,6 +2388,14 @@ Much more than expected means that a setting is wrong: the views are not synchro
         <source>Withdraw</source>
         <translation>撤回</translation>
     </message>
+    <message>
+        <source>Range</source>
+        <translation>区间</translation>
+    </message>
+    <message>
+        <source>%1 to %2 of %3</source>
+        <translation>%1 到 %2，共 %3</translation>
+    </message>
 </context>
 <context>
     <name>TrialReport</name>
@@ -2500,6 +2512,10 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>Verdict</source>
         <translation>判定</translation>
+    </message>
+    <message>
+        <source>Range</source>
+        <translation>区间</translation>
     </message>
 </context>
 <context>
@@ -13751,18 +13767,45 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
-    <name>odo::RangeCard</name>
+    <name>odo::RangeActions</name>
     <message>
-        <source>Range</source>
-        <translation>区间</translation>
+        <source>Set &amp;start here</source>
+        <translation>将起点设在此处(&amp;S)</translation>
     </message>
+    <message>
+        <source>The results are of the run from this time on; before it nothing counts.</source>
+        <translation>结果只针对此时刻之后的行驶；之前的部分不计入。</translation>
+    </message>
+    <message>
+        <source>Set &amp;end here</source>
+        <translation>将终点设在此处(&amp;E)</translation>
+    </message>
+    <message>
+        <source>The results are of the run up to this time; after it nothing counts.</source>
+        <translation>结果只针对此时刻之前的行驶；之后的部分不计入。</translation>
+    </message>
+    <message>
+        <source>From first to last &amp;motion</source>
+        <translation>从首次运动到末次运动(&amp;M)</translation>
+    </message>
+    <message>
+        <source>The results are of the run from when a robot first moves to when it last does.</source>
+        <translation>结果只针对从机器人首次运动到末次运动的行驶。</translation>
+    </message>
+    <message>
+        <source>&amp;Whole run</source>
+        <translation>整个行程(&amp;W)</translation>
+    </message>
+    <message>
+        <source>The results are of all of the trial again.</source>
+        <translation>结果重新针对整个试验。</translation>
+    </message>
+</context>
+<context>
+    <name>odo::RangeCard</name>
     <message>
         <source>&amp;Fit</source>
         <translation>拟合(&amp;F)</translation>
-    </message>
-    <message>
-        <source>Statistics of the range</source>
-        <translation>区间的指标</translation>
     </message>
     <message>
         <source>Robot of the statistics</source>
@@ -13791,6 +13834,14 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>Fitted quantity</source>
         <translation>拟合的物理量</translation>
+    </message>
+    <message>
+        <source>Selection</source>
+        <translation>所选部分</translation>
+    </message>
+    <message>
+        <source>Statistics of the selection</source>
+        <translation>所选部分的指标</translation>
     </message>
 </context>
 <context>
@@ -16252,16 +16303,16 @@ Much more than expected means that a setting is wrong: the views are not synchro
         <translation>循环(&amp;L)</translation>
     </message>
     <message>
-        <source>Range beg&amp;ins here</source>
-        <translation>区间从此处开始(&amp;I)</translation>
+        <source>Selection beg&amp;ins here</source>
+        <translation>所选部分从此处开始(&amp;I)</translation>
     </message>
     <message>
-        <source>Range &amp;ends here</source>
-        <translation>区间到此处结束(&amp;E)</translation>
+        <source>Selection &amp;ends here</source>
+        <translation>所选部分到此处结束(&amp;E)</translation>
     </message>
     <message>
-        <source>&amp;Clear the range</source>
-        <translation>清除区间(&amp;C)</translation>
+        <source>&amp;Clear the selection</source>
+        <translation>清除所选部分(&amp;C)</translation>
     </message>
 </context>
 <context>
@@ -16689,6 +16740,14 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>S&amp;ynchronise…</source>
         <translation>同步(&amp;Y)…</translation>
+    </message>
+    <message>
+        <source>The results of %1 are of its range, %2 to %3. Choose Undo to reverse this.</source>
+        <translation>%1 的结果针对其区间 %2 到 %3。选择“撤销”可恢复。</translation>
+    </message>
+    <message>
+        <source>The results of %1 are of the whole run.</source>
+        <translation>%1 的结果针对整个行程。</translation>
     </message>
 </context>
 <context>
@@ -17826,6 +17885,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>project.format_19</name>
+    <message>
+        <source>ranges and variables of trials</source>
+        <translation>试验的区间和变量</translation>
+    </message>
+</context>
+<context>
     <name>project.format_2</name>
     <message>
         <source>manual overrides of samples</source>
@@ -18201,6 +18267,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>trial</source>
         <translation>试验</translation>
+    </message>
+</context>
+<context>
+    <name>project.kind_variable</name>
+    <message>
+        <source>variable</source>
+        <translation>变量</translation>
     </message>
 </context>
 <context>
@@ -18778,6 +18851,27 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>project.range_changed</name>
+    <message>
+        <source>the trial&apos;s range has changed since robot &apos;%1&apos; was analysed</source>
+        <translation>自分析机器人“%1”以来，试验的区间已更改</translation>
+    </message>
+</context>
+<context>
+    <name>project.range_sentence</name>
+    <message>
+        <source>Range: %1 to %2 of %3; all results are of this part.</source>
+        <translation>区间：共 %3，从 %1 到 %2；所有结果都针对这一部分。</translation>
+    </message>
+</context>
+<context>
+    <name>project.range_without_sample</name>
+    <message>
+        <source>no sample is within its range</source>
+        <translation>其区间内没有采样点</translation>
+    </message>
+</context>
+<context>
     <name>project.raw_times_of</name>
     <message>
         <source>raw times of recording %1</source>
@@ -18957,6 +19051,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>choose another name, or remove that file first</source>
         <translation>请换个名称，或先删除该文件</translation>
+    </message>
+</context>
+<context>
+    <name>project.remove_variables</name>
+    <message>
+        <source>remove some of its variables</source>
+        <translation>请删除其中一些变量</translation>
     </message>
 </context>
 <context>
@@ -19202,6 +19303,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>it has more than %1 samples</source>
         <translation>采样点超过 %1 个</translation>
+    </message>
+</context>
+<context>
+    <name>project.too_many_variables</name>
+    <message>
+        <source>a trial has %1 variables at most</source>
+        <translation>一个试验最多有 %1 个变量</translation>
     </message>
 </context>
 <context>
@@ -21109,6 +21217,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>ui.the_range</name>
+    <message>
+        <source>the range</source>
+        <translation>区间</translation>
+    </message>
+</context>
+<context>
     <name>ui.the_sample</name>
     <message>
         <source>the sample</source>
@@ -22691,6 +22806,20 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>workflow.choose_other_range</name>
+    <message>
+        <source>choose another range</source>
+        <translation>请选择其他区间</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.choose_range_within</name>
+    <message>
+        <source>choose a range from 0 to %1</source>
+        <translation>请选择 0 到 %1 之间的区间</translation>
+    </message>
+</context>
+<context>
     <name>workflow.choose_registration</name>
     <message>
         <source>choose registration %1 of camera %2</source>
@@ -22751,6 +22880,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>without a team it belongs to no class</source>
         <translation>没有小组，因而不属于任何班级</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.clear_range</name>
+    <message>
+        <source>remove the range of %1</source>
+        <translation>移除 %1 的区间</translation>
     </message>
 </context>
 <context>
@@ -23314,6 +23450,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>workflow.give_range_in_seconds</name>
+    <message>
+        <source>give its start and end in seconds</source>
+        <translation>请以秒为单位给出起点和终点</translation>
+    </message>
+</context>
+<context>
     <name>workflow.give_rate_or_table</name>
     <message>
         <source>give one of them</source>
@@ -23332,6 +23475,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>give the seconds, such as 10</source>
         <translation>请给出秒数，如 10</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.give_start_first</name>
+    <message>
+        <source>give the start first, then a later end</source>
+        <translation>请先给出起点，再给出更晚的终点</translation>
     </message>
 </context>
 <context>
@@ -24042,6 +24192,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>workflow.no_motion</name>
+    <message>
+        <source>no robot moves in it</source>
+        <translation>其中没有机器人运动</translation>
+    </message>
+</context>
+<context>
     <name>workflow.no_multicast</name>
     <message>
         <source>interface &apos;%1&apos; does not support multicast</source>
@@ -24165,6 +24322,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>camera &apos;%1&apos; has no such number</source>
         <translation>相机“%1”没有此编号</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.not_measured_in_range</name>
+    <message>
+        <source>it contains no sample of robot &apos;%1&apos; (%2 to %3)</source>
+        <translation>其中没有机器人“%1”的采样点（%2 到 %3）</translation>
     </message>
 </context>
 <context>
@@ -24571,6 +24735,34 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>put a plate of another colour on it, or set its true colour</source>
         <translation>请在其上放另一种颜色的板，或给出它真实的颜色</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.range_is_reversed</name>
+    <message>
+        <source>its start %1 is not before its end %2</source>
+        <translation>起点 %1 不早于终点 %2</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.range_of_trial</name>
+    <message>
+        <source>range of trial &apos;%1&apos;</source>
+        <translation>试验“%1”的区间</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.range_outside_trial</name>
+    <message>
+        <source>%1 to %2 is not within the trial&apos;s time</source>
+        <translation>%1 到 %2 不在试验的时间之内</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.range_without_sample</name>
+    <message>
+        <source>it contains no sample</source>
+        <translation>其中没有采样点</translation>
     </message>
 </context>
 <context>
@@ -25075,6 +25267,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>see the list of its revisions</source>
         <translation>请在其版本列表中查看现有的</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.set_range</name>
+    <message>
+        <source>set the range of %1</source>
+        <translation>设置 %1 的区间</translation>
     </message>
 </context>
 <context>

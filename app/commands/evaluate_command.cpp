@@ -228,7 +228,12 @@ Result<void> runEvaluate(const QStringList &arguments, const CancelToken &cancel
         evaluated.error().advice = adviceAsOption(evaluated.error().advice);
         return tl::unexpected(evaluated.error());
     }
-    call.answer(evaluationJson(settings, *evaluated), evaluationText(settings, *evaluated));
+    QJsonObject json = evaluationJson(settings, *evaluated);
+    json.insert(QStringLiteral("range"), rangeJson(run.trial));
+    QString text = evaluationText(settings, *evaluated);
+    if (run.trial.range)
+        text += u'\n' + english(rangeSentence(run.trial));
+    call.answer(json, text);
     for (const Message &warning : evaluated->warnings)
         CommandCall::warn(warning);
     for (const Message &warning : analysisWarnings(run.analysis, run.trial.name))

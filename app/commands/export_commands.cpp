@@ -69,12 +69,14 @@ Result<void> exportVideo(const CommandCall &call, const QString &file)
     // the job knows its kind
     const auto output = ODO_TRY(CommandOutput::of(call, file, std::nullopt, project.get()));
     settings.target = output.target();
+    const auto trial = ODO_TRY(project->trials().find(call.text(1)));
     AnnotatedVideoJob job(call.text(1), settings);
     ODO_TRY(runToEnd(job, *project, call.control()));
     return output.finish(
         call,
         {{QStringLiteral("file"), file},
          {QStringLiteral("format"), QStringLiteral("video")},
+         {QStringLiteral("range"), rangeJson(trial)},
          {QStringLiteral("frames"), job.frameCount()},
          {QStringLiteral("duration_s"), job.durationS()}},
         QStringLiteral("Wrote %1: %2 s.").arg(file, QString::number(job.durationS(), 'f', 1)));
@@ -204,10 +206,12 @@ Result<void> exportFile(const CommandCall &call, const ExportFormat &format, con
     const auto trial = ODO_TRY(project->trials().find(call.text(1)));
     const auto exported = ODO_TRY(readExported(*project, trial));
     ODO_TRY(writeExported(call, exported, call.value(option::robot), format, output.target()));
-    return output.finish(
-        call,
-        {{QStringLiteral("file"), file}, {QStringLiteral("format"), QString::fromStdString(format.name)}},
-        QStringLiteral("Wrote %1.").arg(file));
+    return output.finish(call,
+                         {{QStringLiteral("file"), file},
+                          {QStringLiteral("format"), QString::fromStdString(format.name)},
+                          {QStringLiteral("range"), rangeJson(trial)}},
+                         QStringLiteral("Wrote %1.").arg(file) +
+                             (trial.range ? u'\n' + english(rangeSentence(trial)) : QString()));
 }
 
 /// A file of an export to a folder.

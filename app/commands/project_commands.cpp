@@ -373,6 +373,8 @@ Result<void> runShow(const QStringList &arguments, const CancelToken &cancel)
     QStringList lines(QStringLiteral("Trial %1, team %2")
                           .arg(QString::fromStdString(trial.name), QString::fromStdString(trial.teamName)));
     lines << stepSentences(recordings);
+    if (trial.range)
+        lines << english(rangeSentence(trial));
     if (analyses.empty())
         lines << QStringLiteral("Not tracked yet; run: odograph track %1 %2")
                      .arg(call.positional(0), call.positional(1));
@@ -422,6 +424,7 @@ Result<void> runShow(const QStringList &arguments, const CancelToken &cancel)
                  {QStringLiteral("variables"), variablesJson(trial)},
                  {QStringLiteral("views"), views},
                  {QStringLiteral("sync"), syncJson(trial)},
+                 {QStringLiteral("range"), rangeJson(trial)},
                  {QStringLiteral("verdict"), verdictJson(verdict)},
                  {QStringLiteral("robots"), robots},
                  {QStringLiteral("warnings"), sentencesJson(warnings)}},

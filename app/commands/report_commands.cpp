@@ -232,10 +232,15 @@ Result<void> writeReport(const CommandCall &call, Project &project, const Compar
 
 namespace {
 
-void addVerdicts(const ComparedTrials &trials, QJsonObject &json, QString &words)
+void addRangesAndVerdicts(const ComparedTrials &trials, QJsonObject &json, QString &words)
 {
     QJsonArray verdicts;
+    QJsonArray ranges;
     for (const ComparedTrial &run : trials.runs) {
+        ranges.append(rangeJson(run.trial));
+        if (run.trial.range)
+            words += QStringLiteral("\n%1: %2")
+                         .arg(QString::fromStdString(runName(run)), english(rangeSentence(run.trial)));
         verdicts.append(verdictJson(run.verdict));
         if (run.verdict.checks.empty())
             continue;
@@ -243,6 +248,7 @@ void addVerdicts(const ComparedTrials &trials, QJsonObject &json, QString &words
         for (const QString &line : verdictLines(run.verdict))
             words += QStringLiteral("\n  ") + line;
     }
+    json.insert(QStringLiteral("ranges"), ranges);
     json.insert(QStringLiteral("verdicts"), verdicts);
 }
 
@@ -287,7 +293,7 @@ Result<void> runCompare(const QStringList &arguments, const CancelToken &cancel)
         ODO_TRY(writeReport(call, *project, settings, report->target()));
     QJsonObject json = comparisonJson(compared);
     QString words = comparisonText(trials, compared);
-    addVerdicts(trials, json, words);
+    addRangesAndVerdicts(trials, json, words);
     if (report) {
         ODO_TRY(report->finish(call, json, words));
     } else {

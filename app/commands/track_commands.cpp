@@ -4,6 +4,7 @@
 #include "app/commands/commands.h"
 #include "core/analysis/metrics.h"
 #include "core/base/units.h"
+#include "core/project/repositories.h"
 #include "core/workflow/track/reanalysis.h"
 #include "core/workflow/track/track_job.h"
 
@@ -122,7 +123,11 @@ Result<void> runTrack(const QStringList &arguments, const CancelToken &cancel)
         robots.insert(QString::fromStdString(tracked.name), robotJson(tracked));
         lines << robotText(tracked);
     }
+    const auto trial = ODO_TRY(project->trials().find(outcome.trial));
+    if (trial.range)
+        lines << english(rangeSentence(trial));
     call.answer({{QStringLiteral("trial"), QString::fromStdString(outcome.trial)},
+                 {QStringLiteral("range"), rangeJson(trial)},
                  {QStringLiteral("robots"), robots},
                  {QStringLiteral("warnings"), sentencesJson(outcome.warnings)},
                  {QStringLiteral("wall_s"), outcome.wallS},

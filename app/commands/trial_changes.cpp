@@ -15,6 +15,7 @@
 #include <QDateTime>
 #include <QRegularExpression>
 #include <algorithm>
+#include <cmath>
 
 namespace odo {
 
@@ -40,6 +41,7 @@ QJsonObject trialJson(const TrialRecord &trial)
             {QStringLiteral("variables"), variablesJson(trial)},
             {QStringLiteral("duration_s"), trial.durationS},
             {QStringLiteral("sync"), syncJson(trial)},
+            {QStringLiteral("range"), rangeJson(trial)},
             {QStringLiteral("views"), trial.viewCount},
             {QStringLiteral("in_bin"), trial.binned.has_value()}};
 }
@@ -63,6 +65,10 @@ QString trialText(const TrialRecord &trial)
                           .arg(robots.isEmpty() ? orNone({}) : robots.join(QStringLiteral(", ")))};
     for (const auto &[name, value] : trial.variables)
         lines << QStringLiteral("  %1 = %2").arg(QString::fromStdString(name), QString::fromStdString(value));
+    if (trial.range)
+        lines << QStringLiteral("  range   %1 s to %2 s")
+                     .arg(toSeconds(trial.range->begin), 0, 'f', 3)
+                     .arg(toSeconds(trial.range->end), 0, 'f', 3);
     if (!trial.notes.empty())
         lines << QStringLiteral("  notes   %1").arg(QString::fromStdString(trial.notes).simplified());
     return lines.join(u'\n');
@@ -99,6 +105,29 @@ Result<std::map<std::string, std::string>> variablesOf(const CommandCall &call)
     return variables;
 }
 
+/// FROM,TO in seconds, motion or none.
+Result<RangeChoice> rangeChoiceOf(const CommandCall &call)
+{
+    const QString text = QString::fromStdString(call.value(option::range)).trimmed();
+    if (text == QLatin1String("motion"))
+        return RangeChoice(RangeOfMotion());
+    if (text == QLatin1String("none"))
+        return RangeChoice(WholeRun());
+    const QStringList parts = text.split(u',');
+    std::vector<double> seconds;
+    for (const QString &part : parts) {
+        bool isNumber = false;
+        const double number = part.trimmed().toDouble(&isNumber);
+        if (isNumber && std::isfinite(number))
+            seconds.push_back(number);
+    }
+    if (parts.size() != 2 || seconds.size() != 2)
+        return call.wrongCall(ODO_TEXT(
+            "app.range_is", "--range '%1' is not FROM,TO in seconds, such as 1.5,8, nor motion or none")(
+            call.value(option::range)));
+    return RangeChoice(RangeSeconds{seconds[0], seconds[1]});
+}
+
 std::optional<std::string> given(const CommandCall &call, const QString &option)
 {
     return call.isSet(option) ? std::optional(call.value(option)) : std::nullopt;
@@ -117,6 +146,9 @@ Result<void> set(const CommandCall &call, Project &project, const TrialRecord &t
     if (call.isSet(option::robot))
         edit.robots = call.texts(option::robot);
     edit.variables = ODO_TRY(variablesOf(call));
+    if (call.isSet(option::range)) {
+        edit.range = ODO_TRY(rangeChoiceOf(call));
+    }
     const bool isNewTeam = edit.team && !edit.team->empty() && !project.teams().find(*edit.team);
     std::optional<SynchroniseJob> sync;
     if (call.isSet(option::sync)) {
@@ -129,7 +161,7 @@ Result<void> set(const CommandCall &call, Project &project, const TrialRecord &t
             ODO_TRY(sync->commit(project));
         return editTrial(project, trial.id, edit);
     };
-    const bool areBoth = sync && edit != TrialEdit();
+    const bool areBoth = sync && !isEmpty(edit);
     const auto changed = ODO_TRY(areBoth ? changing(project, editTrialWords(trial.name), store) : store());
     QStringList lines{trialText(changed)};
     if (isNewTeam)
@@ -207,15 +239,16 @@ Result<void> withdraw(const CommandCall &call, Project &project, const TrialReco
 
 const QList<Verb> &verbs()
 {
-    static const QList<Verb> all{{QStringLiteral("set"),
-                                  {option::name, option::team, option::ofClass, option::date, option::task,
-                                   option::robot, option::variable, option::sync, option::note},
-                                  &set},
-                                 {QStringLiteral("remove"), {}, &removeTrial},
-                                 {QStringLiteral("restore"), {}, &restoreTrial},
-                                 {QStringLiteral("copy"), {option::name}, &copy},
-                                 {QStringLiteral("accept"), {option::reason}, &accept},
-                                 {QStringLiteral("withdraw"), {}, &withdraw}};
+    static const QList<Verb> all{
+        {QStringLiteral("set"),
+         {option::name, option::team, option::ofClass, option::date, option::task, option::robot,
+          option::variable, option::range, option::sync, option::note},
+         &set},
+        {QStringLiteral("remove"), {}, &removeTrial},
+        {QStringLiteral("restore"), {}, &restoreTrial},
+        {QStringLiteral("copy"), {option::name}, &copy},
+        {QStringLiteral("accept"), {option::reason}, &accept},
+        {QStringLiteral("withdraw"), {}, &withdraw}};
     return all;
 }
 
@@ -224,7 +257,7 @@ CommandSyntax trialSyntax()
     return {
         QStringLiteral("trial"),
         QStringLiteral("set P.odo TRIAL [--name N] [--team T] [--class C] [--date ISO] [--task TASK] "
-                       "[--robot R]... [--var KEY=VALUE]... [--sync "
+                       "[--robot R]... [--var KEY=VALUE]... [--range FROM,TO|motion|none] [--sync "
                        "auto|motion|flash|audio|none|SECONDS[,...]] [--note TEXT] "
                        "| remove P.odo TRIAL | restore P.odo TRIAL_IN_BIN | copy P.odo TRIAL [--name N] "
                        "| accept P.odo TRIAL --reason TEXT | withdraw P.odo TRIAL [--json]"),
@@ -250,6 +283,11 @@ CommandSyntax trialSyntax()
               "found by the motion, a flash of light or a clap. What was tracked is analysed "
               "again."),
           QStringLiteral("auto|motion|flash|audio|none|SECONDS[,...]")},
+         {option::range,
+          QStringLiteral(
+              "The part of its time that its results are of, in seconds: FROM,TO; motion: from the "
+              "first motion of its robots to the last; none: all of it."),
+          QStringLiteral("FROM,TO|motion|none")},
          {option::note, QStringLiteral("Its notes; replaces those it had."), QStringLiteral("TEXT")},
          {option::reason, QStringLiteral("Why its doubtful results can be used."), QStringLiteral("TEXT")}}};
 }

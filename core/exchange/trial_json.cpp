@@ -49,14 +49,18 @@ QJsonObject trialObject(const TrialRecord &trial)
                            {QStringLiteral("score"), numberOrNull(trial.syncScore)},
                            {QStringLiteral("rate"), numberOrNull(trial.syncRate)},
                            {QStringLiteral("rate_sigma"), numberOrNull(trial.syncRateSigma)}};
-    return {{QStringLiteral("name"), qtText(trial.name)},
-            {QStringLiteral("team"), qtText(trial.teamName)},
-            {QStringLiteral("class"), qtText(trial.className)},
-            {QStringLiteral("task"), qtText(trial.task)},
-            {QStringLiteral("date"), isoText(trial.date)},
-            {QStringLiteral("notes"), qtText(trial.notes)},
-            {QStringLiteral("duration_s"), numberOrNull(trial.durationS)},
-            {QStringLiteral("sync"), sync}};
+    const TimeSpan range = rangeOf(trial);
+    return {
+        {QStringLiteral("name"), qtText(trial.name)},
+        {QStringLiteral("team"), qtText(trial.teamName)},
+        {QStringLiteral("class"), qtText(trial.className)},
+        {QStringLiteral("task"), qtText(trial.task)},
+        {QStringLiteral("date"), isoText(trial.date)},
+        {QStringLiteral("notes"), qtText(trial.notes)},
+        {QStringLiteral("duration_s"), numberOrNull(trial.durationS)},
+        {QStringLiteral("range"), QJsonObject{{QStringLiteral("from_s"), double(range.begin.count()) / 1e9},
+                                              {QStringLiteral("to_s"), double(range.end.count()) / 1e9}}},
+        {QStringLiteral("sync"), sync}};
 }
 
 QJsonObject viewObject(const RecordingRecord &recording)

@@ -71,6 +71,8 @@ std::string lowerBounds(const TrialTable &table, const TrialTableRow &row)
 std::string remarks(const TrialTableRow &row)
 {
     std::vector<Message> sentences;
+    if (row.trial.range)
+        sentences.push_back(rangeSentence(row.trial));
     if (row.isMeasuredOtherwise)
         sentences.push_back(ODO_TEXT("exchange.measured_otherwise",
                                      "It was analysed with a different course than its task has now."));

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/analysis/profile.h"
+#include "core/analysis/range/run_range.h"
 #include "core/analysis/task.h"
 #include "core/base/units.h"
 #include "core/calibration/floor_registration.h"
@@ -148,7 +149,8 @@ struct TrialRecord
     std::vector<RecordId> robots;        ///< that are expected in it
     std::vector<std::string> robotNames; ///< read only, joined
     double durationS = 0;
-    int viewCount = 0; ///< read only
+    std::optional<TimeSpan> range; ///< of its time, that its results are of; empty: all of it
+    int viewCount = 0;             ///< read only
     bool starred = false;
     std::vector<std::string> tags; ///< in alphabetical order
     /// a person's own, by name: "surface", "battery"; text, or a number as text
@@ -159,6 +161,11 @@ struct TrialRecord
     /// read only: it is being recorded, or was when that was cut off; its recordings have raw times only
     bool unfinished = false;
 };
+
+/// The range of a trial; of one without, all of its time.
+TimeSpan rangeOf(const TrialRecord &trial);
+/// "Range: 1.000 s to 7.300 s of 12.033 s; all results are of this part."; empty without a range.
+Message rangeSentence(const TrialRecord &trial);
 
 /// What a list to choose from needs of a trial.
 struct TrialName
@@ -268,13 +275,21 @@ struct AnalysisRecord
     AnalysisOptions options;             ///< read back without the task
     std::vector<RecordId> registrations; ///< one a view, in the views' order; 0 where unregistered
     std::vector<std::string> views;      ///< names of the views, bit i of Sample::views
+    /// of the trial's time, that profile and ambiguous names are of; empty: all of it
+    std::optional<TimeSpan> range;
     Profile profile;
+    OutsideRange outside; ///< what of the run is not in the range
     /// in order; found as the observations were made, so a reanalysis keeps them
     std::vector<AmbiguousName> ambiguousNames;
+    std::vector<AmbiguousName> allAmbiguousNames; ///< with a range: as they were found
     /// Read only: whether positions and metrics are as they were when it was made. NotKept: it is older than
     /// digests.
     enum class Proof { NotKept, Holds, Broken } proof = Proof::NotKept;
 };
+
+/// Gives an analysis another range, or none, and measures that. task: by which it was measured; nullptr: by
+/// none.
+void changeRange(AnalysisRecord &analysis, const std::optional<TimeSpan> &range, const Task *task);
 
 /// One metric of a trial's newest analysis.
 struct TrialMetric

@@ -194,6 +194,8 @@ public:
     Result<void> setRobots(RecordId trial, const std::vector<RecordId> &robots);
     /// By name; empty: none. Analyses that were made before stay.
     Result<void> setTask(RecordId trial, const std::string &task);
+    /// Of a trial alone; its analyses keep theirs (RangeJob sets both). Empty: all of its time.
+    Result<void> setRange(RecordId trial, const std::optional<TimeSpan> &range);
     Result<void> setStarred(RecordId trial, bool starred);
     /// Replaces its tags; each a name, in any order.
     Result<void> setTags(RecordId trial, const std::vector<std::string> &tags);
@@ -269,12 +271,12 @@ class AnalysisRepository
 {
 public:
     explicit AnalysisRepository(ProjectConnection &connection);
-    /// samples: in place of those of the profile, one for each of its points.
+    /// samples: in place of those of the profile, one for each of its points; not with a range.
     Result<AnalysisRecord> add(AnalysisRecord analysis, const SampleSource &samples = {});
-    /// The newest analysis of each robot of the trial, with all its series, and whether they are as they were
-    /// stored.
+    /// The newest analysis of each robot of the trial, with all its series, cut to its range, and whether
+    /// they are as they were stored.
     Result<std::vector<AnalysisRecord>> current(RecordId trial) const;
-    /// When it was ambiguous which robot an analysis is of, in order.
+    /// When it was ambiguous which robot an analysis is of, in order; outside of its range too.
     Result<std::vector<AmbiguousName>> ambiguousNames(RecordId analysis) const;
     /// Metrics alone, for lists: the newest of each robot, cheap.
     Result<std::vector<AnalysisRecord>> currentMetrics(RecordId trial) const;

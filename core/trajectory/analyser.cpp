@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/trajectory/analyser.h"
 
+#include "core/analysis/range/run_range.h"
 #include "core/trajectory/internal/measured_robot.h"
 #include "core/trajectory/internal/track_profile.h"
 #include "core/trajectory/view_disagreement.h"
@@ -69,18 +70,6 @@ Result<void> checkViews(const std::vector<ViewTrack> &views)
     return {};
 }
 
-double meanDisagreement(const std::vector<Sample> &samples)
-{
-    double sum = 0, count = 0;
-    for (const Sample &sample : samples) {
-        if (sample.viewDisagreementM && !isRejected(sample.flags)) {
-            sum += *sample.viewDisagreementM;
-            count += 1;
-        }
-    }
-    return count > 0 ? sum / count : 0;
-}
-
 void markBreaks(const std::vector<ViewTrack> &views, std::vector<Sample> &samples)
 {
     for (const ViewTrack &view : views) {
@@ -136,7 +125,7 @@ Result<Profile> analyse(const std::vector<ViewTrack> &views, const RobotShape &s
     profile.heightM = robot.heightM;
     profile.heightEstimated = robot.heightEstimated;
     profile.clearanceM = robot.clearanceM;
-    profile.meanViewDisagreementM = meanDisagreement(profile.samples);
+    profile.meanViewDisagreementM = meanViewDisagreement(profile.samples);
     profile.contradiction = std::move(robot.contradiction);
     return profile;
 }

@@ -5,6 +5,7 @@
 #include <QDateTime>
 #include <QJsonArray>
 #include <QTest>
+#include <cmath>
 
 using namespace odo;
 using namespace odo::test;
@@ -31,6 +32,15 @@ class TestTrialChanges : public QObject, CallingTest
             names << trial[u"name"_s].toString();
         names.sort();
         return names;
+    }
+
+    static double metric(const QJsonObject &shown, const char *name)
+    {
+        const QJsonArray metrics = shown[u"robots"_s].toObject()[u"red"_s].toObject()[u"metrics"_s].toArray();
+        for (const QJsonValue &one : metrics)
+            if (one[u"name"_s].toString() == QLatin1String(name))
+                return one[u"value"_s].toDouble();
+        return -1;
     }
 
 private Q_SLOTS:
@@ -105,6 +115,41 @@ private Q_SLOTS:
         QCOMPARE(QDateTime::fromString(json[u"date"_s].toString(), Qt::ISODate), moment.toLocalTime());
     }
 
+    /// 4 s at 0.5 m/s, of which the second is meant.
+    void aRange()
+    {
+        const QJsonObject whole = good("show %P two --json").json();
+        QCOMPARE(whole[u"range"_s], (QJsonObject{{u"from_s"_s, 0.0}, {u"to_s"_s, 3.96}}));
+        const QJsonObject json = set({u"two"_s, u"--range"_s, u"1,2"_s});
+        QCOMPARE(json[u"range"_s], (QJsonObject{{u"from_s"_s, 1.0}, {u"to_s"_s, 2.0}}));
+        const ProgramRun shown = good("show %P two");
+        QVERIFY2(shown.out.contains("Range: 1.000 s to 2.000 s of 3.960 s; all results are of this part.\n"),
+                 shown.out.constData());
+        const QJsonObject part = good("show %P two --json").json();
+        QCOMPARE(part[u"range"_s], (QJsonObject{{u"from_s"_s, 1.0}, {u"to_s"_s, 2.0}}));
+        QVERIFY(std::abs(metric(part, "duration") - 1) < 1e-6);
+        QVERIFY(std::abs(metric(part, "path_length") - 0.5) < 0.01);
+
+        const QList<QByteArray> rows = good("export %P two -o -").out.trimmed().split('\n');
+        QCOMPARE(rows.size(), 27); // the header, and 1 s at 25 a second, both ends included
+        QVERIFY(rows[1].startsWith("1,") && rows.last().startsWith("2,"));
+        const QByteArray tables = good("table %P -o - --metrics path_length").out;
+        QVERIFY2(tables.contains("Range: 1.000 s to 2.000 s of 3.960 s"), tables.constData());
+        QVERIFY(good("compare %P one two").out.contains("two: Range: 1.000 s to 2.000 s of 3.960 s"));
+        QCOMPARE(good("track %P two --again --json").json()[u"range"_s], part[u"range"_s]);
+        QCOMPARE(good("show %P two --json").json()[u"robots"_s].toObject()[u"red"_s].toObject()[u"metrics"_s],
+                 part[u"robots"_s].toObject()[u"red"_s].toObject()[u"metrics"_s]);
+        QVERIFY(good("check %P --json").json()[u"ok"_s].toBool());
+
+        QCOMPARE(good("trial set %P two --range motion").exitStatus, 0); // it moves from beginning to end
+        QCOMPARE(good("show %P two --json").json()[u"range"_s], whole[u"range"_s]);
+        QCOMPARE(good("trial set %P two --range none").exitStatus, 0);
+        const QJsonObject again = good("show %P two --json").json();
+        QCOMPARE(again[u"robots"_s].toObject()[u"red"_s].toObject()[u"metrics"_s],
+                 whole[u"robots"_s].toObject()[u"red"_s].toObject()[u"metrics"_s]);
+        QVERIFY(good("check %P --json").json()[u"ok"_s].toBool());
+    }
+
     void theBin()
     {
         QVERIFY(good("trial remove %P two --json").json()[u"in_bin"_s].toBool());
@@ -148,6 +193,17 @@ private Q_SLOTS:
         addBadCall("trial set %P one --date 2999-01-01 --name new --team New", 2, "in the future");
         addBadCall("trial set %P one --note x --task Slalom --team New", 1, "Slalom");
         addBadCall("trial set %P one --sync auto", 2, "sync");
+        addBadCall("trial set %P one --range 2", 2, "--range '2' is not FROM,TO in seconds");
+        addBadCall("trial set %P one --range a,b", 2, "--range 'a,b' is not FROM,TO in seconds");
+        addBadCall("trial set %P one --range 1,nan", 2, "is not FROM,TO in seconds");
+        addBadCall("trial set %P one --range 1,2,3", 2, "is not FROM,TO in seconds");
+        addBadCall("trial set %P one --range 3,1", 2, "its start 3.000 s is not before its end 1.000 s");
+        addBadCall("trial set %P one --range 1,1", 2, "its start 1.000 s is not before its end 1.000 s");
+        addBadCall("trial set %P one --range 1,9", 1, "1.000 s to 9.000 s is not within the trial's time");
+        addBadCall("trial set %P one --range=-1,2", 1, "-1.000 s to 2.000 s is not within the trial's time");
+        addBadCall("trial set %P one --range 1.01,1.03", 1, "it contains no sample of robot 'red'");
+        addBadCall("trial set %P one --range 3,1 --team New", 2, "is not before its end");
+        addBadCall("trial remove %P one --range none", 2, "--range goes with set, not with remove");
         addBadCall("trial restore %P one", 1, "it is not in the bin; use it as it is");
         addBadCall("trial remove %P nobody", 1, "nobody");
         addBadCall("trial remove %P one --team Owl", 2, "--team goes with set, not with remove");

@@ -36,6 +36,7 @@ private Q_SLOTS:
         wanted.syncScore = m_source.number();
         wanted.robots = {blue, red};
         wanted.durationS = m_source.number();
+        wanted.range = TimeSpan{Nanoseconds(0), Nanoseconds(7'000'000'001)};
         const std::vector<RecordingRecord> recordings = {m_source.recording(camera, 20000),
                                                          m_source.recording(camera, 0)};
         const auto stored = (*m_project)->trials().add(wanted, recordings);
@@ -54,6 +55,9 @@ private Q_SLOTS:
         QVERIFY(same(read->syncOffsetS, wanted.syncOffsetS) && same(read->syncScore, wanted.syncScore));
         QVERIFY(same(read->syncOffsetSigmaS, wanted.syncOffsetSigmaS) &&
                 same(read->durationS, wanted.durationS));
+        QVERIFY(read->range == wanted.range); // one that begins with the trial is not none
+        QVERIFY((*m_project)->trials().setRange(read->id, std::nullopt));
+        QVERIFY(!(*m_project)->trials().get(read->id)->range);
         QVERIFY(read->robots == wanted.robots);
         QVERIFY((read->robotNames == std::vector<std::string>{"blue", "red"}));
         QCOMPARE(read->viewCount, 2);

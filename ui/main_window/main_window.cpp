@@ -314,6 +314,7 @@ void MainWindow::addPage(Mode mode)
         connect(review, &ReviewPage::importRequested, m_trials, askImport);
         connect(review, &ReviewPage::trackRequested, m_trials, &TrialActions::askTrack);
         connect(&review->spikes(), &SpikeActions::requested, m_trials, &TrialActions::manualOverride);
+        connect(review, &ReviewPage::rangeRequested, m_trials, &TrialActions::setRange);
         connect(&review->pointing(), &RobotPointing::requested, m_trials, &TrialActions::pointOut);
         showDesk(m_pages->mode());
         m_help->setPages(m_pages.get());

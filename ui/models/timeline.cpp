@@ -134,10 +134,11 @@ void Timeline::makeActions()
              setCurrentFrame(frameCount() - 1);
          }},
         {Command::Loop, "loop", tr("&Loop"), Qt::CTRL | Qt::Key_L, [] {}},
-        {Command::SelectionBegin, "rangeBegin", tr("Range beg&ins here"), Qt::Key_I,
+        {Command::SelectionBegin, "rangeBegin", tr("Selection beg&ins here"), Qt::SHIFT | Qt::Key_I,
          [this] { beginSelection(); }},
-        {Command::SelectionEnd, "rangeEnd", tr("Range &ends here"), Qt::Key_O, [this] { endSelection(); }},
-        {Command::ClearSelection, "clearRange", tr("&Clear the range"), Qt::Key_Escape,
+        {Command::SelectionEnd, "rangeEnd", tr("Selection &ends here"), Qt::SHIFT | Qt::Key_O,
+         [this] { endSelection(); }},
+        {Command::ClearSelection, "clearRange", tr("&Clear the selection"), Qt::Key_Escape,
          [this] { setSelection(std::nullopt); }},
     };
     for (const Entry &entry : entries) {

@@ -39,8 +39,8 @@ public:
         First,            ///< Home
         Last,             ///< End
         Loop,             ///< Ctrl+L, checkable: the selected range, or all
-        SelectionBegin,   ///< I: the range begins here
-        SelectionEnd,     ///< O: it ends here
+        SelectionBegin,   ///< Shift+I: the selection begins here
+        SelectionEnd,     ///< Shift+O: it ends here
         ClearSelection,   ///< Esc, while there is one
     };
 

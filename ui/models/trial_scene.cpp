@@ -21,6 +21,13 @@ std::ptrdiff_t pointIndexAt(const Profile &profile, Nanoseconds time)
     return index >= 0 && profile.points[static_cast<std::size_t>(index)].valid ? index : -1;
 }
 
+const Profile &partAt(const AnalysisRecord &analysis, Nanoseconds time)
+{
+    if (!analysis.range || analysis.range->contains(time))
+        return analysis.profile;
+    return time < analysis.range->begin ? analysis.outside.before : analysis.outside.after;
+}
+
 std::optional<double> drivenHeadingAt(const Profile &profile, std::ptrdiff_t index)
 {
     constexpr double standingMps = 0.05;
@@ -134,8 +141,10 @@ std::vector<Nanoseconds> timesOf(const std::vector<SceneRobot> &robots)
     for (const SceneRobot &robot : robots) {
         if (!robot.analysis)
             continue;
-        for (const Sample &sample : robot.analysis->profile.samples)
-            times.push_back(sample.time);
+        const AnalysisRecord &analysis = *robot.analysis;
+        for (const Profile *part : {&analysis.outside.before, &analysis.profile, &analysis.outside.after})
+            for (const Sample &sample : part->samples)
+                times.push_back(sample.time);
     }
     std::ranges::sort(times);
     times.erase(std::unique(times.begin(), times.end()), times.end());

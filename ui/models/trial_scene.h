@@ -23,6 +23,9 @@ namespace odo {
 /// The last point at or before a time; -1 before the first one, and where the profile does not know.
 std::ptrdiff_t pointIndexAt(const Profile &profile, Nanoseconds time);
 
+/// The part of a run that a time is in: its profile, or what is before or after its range.
+const Profile &partAt(const AnalysisRecord &analysis, Nanoseconds time);
+
 /// Heading of the body at a point, radians, where it was measured; else the direction of motion, and while
 /// the robot stands still the last one. nullopt: neither is known, nor was before.
 std::optional<double> drivenHeadingAt(const Profile &profile, std::ptrdiff_t index);

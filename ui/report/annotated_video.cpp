@@ -14,6 +14,7 @@
 #include "ui/views/widgets/theme.h"
 
 #include <QGuiApplication>
+#include <algorithm>
 
 namespace odo {
 namespace {
@@ -150,7 +151,11 @@ Result<void> AnnotatedVideoJob::run(const JobControl &control)
 
 Result<void> AnnotatedVideoJob::writeImages(const JobControl &control, AnnotatedFrame &painter)
 {
-    const std::vector<Nanoseconds> times = shownTimes(m_scene->frameTimes(), m_settings.speed);
+    std::vector<Nanoseconds> ofRange = m_scene->frameTimes();
+    if (const auto &range = m_scene->trial.range;
+        range && std::ranges::any_of(ofRange, [&](Nanoseconds time) { return range->contains(time); }))
+        std::erase_if(ofRange, [&](Nanoseconds time) { return !range->contains(time); });
+    const std::vector<Nanoseconds> times = shownTimes(ofRange, m_settings.speed);
     const double spanS = toSeconds(times.back() - times.front()) / m_settings.speed;
     VideoWriterOptions options;
     options.nominalFramesPerSecond = spanS > 0 ? double(times.size() - 1) / spanS : 1;

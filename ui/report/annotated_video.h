@@ -26,8 +26,8 @@ struct AnnotatedVideoSettings
     bool isDark = false;
 };
 
-/// The times of the first view that get an image: all of its frames, and of a fast camera so many that no
-/// more than 60 are shown a second.
+/// The times of the first view that get an image: all of its frames (of a trial with a range those within
+/// it), and of a fast camera so many that no more than 60 are shown a second.
 std::vector<Nanoseconds> shownTimes(const std::vector<Nanoseconds> &frameTimes, double speed);
 
 /// Makes one video (H.264, 4:2:0) of a trial: all views with their overlays, the map and the speed, as

@@ -5,6 +5,7 @@
 #include "core/project/project.h"
 #include "ui/models/comparison_scene.h"
 #include "ui/models/results.h"
+#include "ui/models/shown_message.h"
 #include "ui/models/shown_names.h"
 #include "ui/models/verdict_mark.h"
 #include "ui/report/internal/class_report.h"
@@ -297,6 +298,10 @@ void ComparisonPage::paint(const QRectF &sheet)
         foot << ComparisonReportWords::tr("%1: analysed %2, Odograph %3")
                     .arg(literalName(m_scene.name(runAt(side))), shortDate(analysis.made),
                          literalName(analysis.softwareVersion));
+        const TrialRecord &trial = m_scene.trials.runs[runAt(side)].trial;
+        if (trial.range)
+            foot << QStringLiteral("%1: %2").arg(literalName(m_scene.name(runAt(side))),
+                                                 literalName(shownWords(rangeSentence(trial))));
         const TrialVerdict &verdict = m_scene.trials.runs[runAt(side)].verdict;
         if (verdict.level() == CheckLevel::Pass)
             continue;

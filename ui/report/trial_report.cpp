@@ -152,6 +152,8 @@ QStringList provenanceLines(const TrialContent &content, std::size_t robot)
 {
     const TrialScene &scene = *content.scene;
     QStringList lines;
+    if (scene.trial.range)
+        lines << literalName(shownWords(rangeSentence(scene.trial)));
     for (std::size_t view = 0; view < scene.views.size(); ++view)
         lines << viewLine(content, view);
     if (robot >= scene.robots.size() || !scene.robots[robot].analysis)
@@ -526,6 +528,9 @@ QStringList trialHeadFacts(const TrialScene &scene, std::size_t robot)
     if (robot < scene.robots.size())
         add(TrialReportWords::tr("Robot"), QString::fromStdString(scene.robots[robot].robot.name));
     add(TrialReportWords::tr("Task"), QString::fromStdString(scene.trial.task));
+    if (const auto &range = scene.trial.range)
+        add(TrialReportWords::tr("Range"), QStringLiteral("%1–%2 s").arg(decimals(toSeconds(range->begin), 2),
+                                                                         decimals(toSeconds(range->end), 2)));
     if (!scene.verdict.checks.empty())
         add(TrialReportWords::tr("Verdict"), shownVerdict(scene.verdict));
     facts << shortDate(scene.trial.date);

@@ -10,6 +10,7 @@
 #include "ui/review/corrections.h"
 #include "ui/review/internal/range_card.h"
 #include "ui/review/internal/trial_facts.h"
+#include "ui/review/range_actions.h"
 #include "ui/review/review_desk.h"
 #include "ui/views/charts/timeline_bar.h"
 #include "ui/views/widgets/card.h"
@@ -57,8 +58,8 @@ struct ReviewPage::Reading
 ReviewPage::ReviewPage(Project &project, QWidget *parent)
     : QWidget(parent), m_project(project), m_reader(new ProjectReader(project.file(), this)),
       m_timeline(new Timeline(this)), m_spikes(new SpikeActions(*m_timeline, this)),
-      m_pointing(new RobotPointing(*m_timeline, this)), m_stack(new QStackedWidget(this)),
-      m_content(new QWidget(m_stack)), m_chooser(new TrialChooser),
+      m_pointing(new RobotPointing(*m_timeline, this)), m_range(new RangeActions(*m_timeline, this)),
+      m_stack(new QStackedWidget(this)), m_content(new QWidget(m_stack)), m_chooser(new TrialChooser),
       m_desk(new ReviewDesk(*m_timeline, m_content)), m_timelineBar(new TimelineBar(*m_timeline, m_content)),
       m_column(new ReviewColumn(*m_timeline, m_chooser, m_content)),
       m_empty(new EmptyState(
@@ -84,8 +85,8 @@ ReviewPage::ReviewPage(Project &project, QWidget *parent)
 
     m_column->spikes().setActions(m_spikes->actions());
     connect(&m_column->spikes(), &SpikeList::robotChosen, m_spikes, &SpikeActions::setRobot);
-    for (QAction *action :
-         m_timeline->actions() + m_desk->viewActions() + m_spikes->actions() + QList{m_pointing->action()}) {
+    for (QAction *action : m_timeline->actions() + m_desk->viewActions() + m_spikes->actions() +
+                               m_range->actions() + QList{m_pointing->action()}) {
         action->setShortcutContext(Qt::WidgetWithChildrenShortcut);
         addAction(action);
     }
@@ -97,6 +98,11 @@ ReviewPage::ReviewPage(Project &project, QWidget *parent)
     connect(m_chooser, &TrialChooser::chosen, this, [this](const QString &name) {
         if (const Result<void> shown = showTrial(name); !shown)
             Q_EMIT failed(shown.error());
+    });
+    m_timelineBar->setRangeActions(m_range->actions());
+    connect(m_timelineBar, &TimelineBar::rangeDragged, m_range, &RangeActions::request);
+    connect(m_range, &RangeActions::requested, this, [this](const RangeChoice &range) {
+        Q_EMIT rangeRequested(QString::fromStdString(m_scene->trial.name), range);
     });
     connect(m_desk, &ReviewDesk::settled, this, &ReviewPage::showSettled);
     connect(m_desk, &ReviewDesk::pointedAt, m_pointing, &RobotPointing::ask);
@@ -202,6 +208,7 @@ void ReviewPage::adopt(TrialScenePtr scene)
     m_timelineBar->setScene(m_scene);
     m_spikes->setScene(m_scene);
     m_pointing->setScene(m_scene);
+    m_range->setScene(m_scene);
     m_column->setScene(m_scene);
     m_chooser->setCurrent(trial());
     m_stack->setCurrentIndex(m_scene ? 0 : 1);

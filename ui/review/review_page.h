@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/base/error.h"
+#include "core/workflow/trials/trial_range.h"
 #include "ui/models/trial_scene.h"
 
 #include <QStringList>
@@ -16,6 +17,7 @@ namespace odo {
 class EmptyState;
 class Project;
 class ProjectReader;
+class RangeActions;
 class ReviewColumn;
 class ReviewDesk;
 class RobotPointing;
@@ -48,6 +50,7 @@ public:
     TrialChooser &chooser() const { return *m_chooser; }
     SpikeActions &spikes() const { return *m_spikes; }
     RobotPointing &pointing() const { return *m_pointing; }
+    RangeActions &range() const { return *m_range; }
     ReviewDesk &desk() const { return *m_desk; }
     /// The trial is read, and every image that belongs to the present time is on screen, or is not available.
     bool isSettled() const;
@@ -56,6 +59,7 @@ Q_SIGNALS:
     void trialShown();
     void importRequested();
     void trackRequested(const QString &trial);
+    void rangeRequested(const QString &trial, const odo::RangeChoice &range);
     void changed(); ///< the project
     void failed(const odo::Error &error);
     void settled();
@@ -81,6 +85,7 @@ private:
     Timeline *m_timeline;
     SpikeActions *m_spikes;
     RobotPointing *m_pointing;
+    RangeActions *m_range;
     QStackedWidget *m_stack;
     QWidget *m_content; ///< of a trial; what is in it is made there
     TrialChooser *m_chooser;

@@ -122,7 +122,8 @@ private:
     std::map<RecordId, TaskRecord> m_tasks;
     /// analyses made with other manual overrides than their trial has now
     std::set<RecordId> m_overriddenSince;
-    std::set<RecordId> m_changed; ///< analyses of the trial whose results differ from their digests
+    std::set<RecordId> m_otherRange; ///< analyses of another range than their trial has
+    std::set<RecordId> m_changed;    ///< analyses of the trial whose results differ from their digests
     Message m_where;
 };
 
@@ -165,6 +166,19 @@ Result<void> AnalysisCheck::prepare()
     });
     if (!read)
         return read;
+    Statement ranged(
+        m_connection,
+        QStringLiteral(
+            "SELECT analysis.id FROM analysis JOIN trial ON trial.id=trial_id WHERE analysis.id IN "
+            "(SELECT MAX(id) FROM analysis GROUP BY trial_id, robot_id) AND "
+            "(analysis.range_from_ns IS NOT trial.range_from_ns OR "
+            "analysis.range_to_ns IS NOT trial.range_to_ns)"));
+    read = ranged.eachRow([this](const Statement &row) -> Result<void> {
+        m_otherRange.insert(row.integer(0));
+        return {};
+    });
+    if (!read)
+        return read;
     const auto robots = m_project.robots().all();
     for (const RobotRecord &robot : robots.value_or(std::vector<RobotRecord>()))
         m_robotNames[robot.id] = robot.name;
@@ -203,6 +217,11 @@ Result<void> AnalysisCheck::look(const TrialName &trial)
         if (m_overriddenSince.contains(newest.analysis))
             report(ODO_TEXT("project.overrides_changed",
                             "the manual overrides have changed since robot '%1' was analysed")(
+                       Named::robot(newest.robotName)),
+                   restoreOrTrackAgain());
+        if (m_otherRange.contains(newest.analysis))
+            report(ODO_TEXT("project.range_changed",
+                            "the trial's range has changed since robot '%1' was analysed")(
                        Named::robot(newest.robotName)),
                    restoreOrTrackAgain());
     }

@@ -97,6 +97,12 @@ std::vector<DigestedRows> rowsOf(DigestPart part)
             {"SELECT NULL, doubtful_name.position, from_ns, to_ns, robot_id FROM doubtful_name LEFT JOIN "
              "doubtful_name_robot "
              "USING (analysis_id, position) WHERE analysis_id=?1 ORDER BY doubtful_name.position, robot_id",
+             nullptr, true},
+            // Where migrations digest, formats before 19 have no such columns: the names are then the outer
+            // ones.
+            {"SELECT NULL, first, last FROM (SELECT (SELECT range_from_ns FROM analysis WHERE id=?1) AS "
+             "first, (SELECT range_to_ns FROM analysis WHERE id=?1) AS last FROM (SELECT NULL AS "
+             "range_from_ns, NULL AS range_to_ns)) WHERE COALESCE(first, last) IS NOT NULL",
              nullptr, true}};
     }
     return {};

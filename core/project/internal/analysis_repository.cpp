@@ -3,6 +3,7 @@
 #include "core/analysis/motion_stretches.h"
 #include "core/analysis/task.h"
 #include "core/project/internal/analysis_digest.h"
+#include "core/project/internal/analysis_range.h"
 #include "core/project/internal/connection.h"
 #include "core/project/internal/series_blobs.h"
 #include "core/project/internal/series_rows.h"
@@ -20,7 +21,8 @@ namespace {
 const QString newestColumns = QStringLiteral(
     "SELECT analysis.id, trial_id, robot_id, robot.name, made_ms, software_version, smoother, "
     "max_speed_m_s, max_accel_m_s2, longest_bridged_gap_ns, analysis.height_m, height_estimated, "
-    "mean_view_disagreement_m, task_id FROM analysis JOIN robot ON robot.id=robot_id WHERE analysis.id IN "
+    "mean_view_disagreement_m, task_id, range_from_ns, range_to_ns FROM analysis JOIN robot ON "
+    "robot.id=robot_id WHERE analysis.id IN "
     "(SELECT MAX(id) FROM analysis WHERE trial_id=? GROUP BY robot_id) ORDER BY robot_id");
 
 Message analyseAgain()
@@ -53,10 +55,10 @@ Result<RecordId> addRow(ProjectConnection &connection, const AnalysisRecord &ana
 {
     Statement insert(
         connection,
-        QStringLiteral(
-            "INSERT INTO analysis (trial_id, robot_id, made_ms, software_version, smoother, "
-            "max_speed_m_s, max_accel_m_s2, longest_bridged_gap_ns, height_m, "
-            "height_estimated, mean_view_disagreement_m, task_id) VALUES (?,?,?,?,?,?,?,?,?,?,?,?)"));
+        QStringLiteral("INSERT INTO analysis (trial_id, robot_id, made_ms, software_version, smoother, "
+                       "max_speed_m_s, max_accel_m_s2, longest_bridged_gap_ns, height_m, "
+                       "height_estimated, mean_view_disagreement_m, task_id, range_from_ns, range_to_ns) "
+                       "VALUES (?,?,?,?,?,?,?,?,?,?,?,?,?,?)"));
     const AnalysisOptions &options = analysis.options;
     insert.bind(analysis.trial).bind(analysis.robot);
     insert.bind(static_cast<std::int64_t>(analysis.made.time_since_epoch().count()))
@@ -66,7 +68,7 @@ Result<RecordId> addRow(ProjectConnection &connection, const AnalysisRecord &ana
         .bind(options.maxAccelMps2);
     insert.bind(static_cast<std::int64_t>(options.longestBridgedGap.count())).bind(analysis.profile.heightM);
     insert.bind(analysis.profile.heightEstimated ? 1 : 0).bind(analysis.profile.meanViewDisagreementM);
-    insert.bindReference(analysis.task);
+    insert.bindReference(analysis.task).bind(analysis.range);
     ODO_TRY(insert.run());
     return insert.insertedId();
 }
@@ -92,7 +94,7 @@ Result<void> addOverrides(ProjectConnection &connection, RecordId id,
     return {};
 }
 
-Result<void> addFindings(ProjectConnection &connection, RecordId id, const Profile &profile)
+Result<void> addMetrics(ProjectConnection &connection, RecordId id, const Profile &profile)
 {
     for (std::size_t i = 0; i < profile.metrics.size(); ++i) {
         const Metric &metric = profile.metrics[i];
@@ -103,8 +105,13 @@ Result<void> addFindings(ProjectConnection &connection, RecordId id, const Profi
         insert.bind(id).bind(static_cast<std::int64_t>(i)).bind(metric.name).bind(metric.unit);
         ODO_TRY(insert.bind(metric.value).bind(metric.sigma).bind(metric.isAtLeast ? 1 : 0).run());
     }
-    for (std::size_t i = 0; i < profile.spikes.size(); ++i) {
-        const Spike &spike = profile.spikes[i];
+    return {};
+}
+
+Result<void> addSpikes(ProjectConnection &connection, RecordId id, const std::vector<Spike> &spikes)
+{
+    for (std::size_t i = 0; i < spikes.size(); ++i) {
+        const Spike &spike = spikes[i];
         Statement insert(connection, QStringLiteral("INSERT INTO spike VALUES (?,?,?,?,?,?)"));
         insert.bind(id).bind(static_cast<std::int64_t>(i)).bind(spike.sampleIndex);
         insert.bind(static_cast<std::int64_t>(spike.time.count()))
@@ -141,6 +148,19 @@ Result<void> addSeries(ProjectConnection &connection, RecordId id, const Profile
     return {};
 }
 
+/// The series and spikes of the whole run.
+Result<void> addRun(ProjectConnection &connection, RecordId id, const AnalysisRecord &analysis,
+                    const SampleSource &samples)
+{
+    if (!analysis.range) {
+        ODO_TRY(addSpikes(connection, id, analysis.profile.spikes));
+        return addSeries(connection, id, analysis.profile, samples);
+    }
+    const Profile whole = wholeRun(analysis.profile, analysis.outside);
+    ODO_TRY(addSpikes(connection, id, whole.spikes));
+    return addSeries(connection, id, whole, sourceOf(whole.samples));
+}
+
 Result<AnalysisRecord> analysisOf(const Statement &row)
 {
     AnalysisRecord analysis;
@@ -160,6 +180,7 @@ Result<AnalysisRecord> analysisOf(const Statement &row)
     analysis.profile.heightEstimated = row.integer(11) != 0;
     analysis.profile.meanViewDisagreementM = row.real(12);
     analysis.task = row.integer(13);
+    analysis.range = row.span(14);
     return analysis;
 }
 
@@ -251,7 +272,12 @@ Result<void> readSeries(const ProjectConnection &connection, AnalysisRecord &int
     }
     into.profile.samples = std::move(samples);
     into.profile.points = std::move(points);
-    measureGaps(validInstants(into.profile.samples, into.profile.points), into.profile);
+    if (into.range)
+        into.outside = cutToRange(into.profile, *into.range);
+    if (into.range && into.profile.samples.empty())
+        return damaged(ODO_TEXT("project.range_without_sample", "no sample is within its range"));
+    if (!into.range)
+        measureGaps(validInstants(into.profile.samples, into.profile.points), into.profile);
     markLowerBounds(into.profile.metrics, into.profile.gaps);
     return {};
 }
@@ -268,10 +294,11 @@ Result<AnalysisRecord> AnalysisRepository::add(AnalysisRecord analysis, const Sa
         const auto id = ODO_TRY(addRow(m_connection, analysis));
         ODO_TRY(addViews(m_connection, id, analysis));
         ODO_TRY(addOverrides(m_connection, id, analysis.options.overrides));
-        ODO_TRY(addFindings(m_connection, id, analysis.profile));
+        ODO_TRY(addMetrics(m_connection, id, analysis.profile));
         ODO_TRY(addPassages(m_connection, id, analysis.profile.passages));
-        ODO_TRY(addAmbiguousNames(m_connection, id, analysis.ambiguousNames));
-        ODO_TRY(addSeries(m_connection, id, analysis.profile, source));
+        ODO_TRY(addAmbiguousNames(m_connection, id,
+                                  analysis.range ? analysis.allAmbiguousNames : analysis.ambiguousNames));
+        ODO_TRY(addRun(m_connection, id, analysis, source));
         ODO_TRY(writeDigests(m_connection, id));
         analysis.id = id;
         analysis.proof = AnalysisRecord::Proof::Holds;
@@ -291,6 +318,10 @@ Result<std::vector<AnalysisRecord>> AnalysisRepository::current(RecordId trial) 
         ODO_TRY(readDecisions(m_connection, analysis));
         ODO_TRY(readSeries(m_connection, analysis));
         analysis.ambiguousNames = ODO_TRY(ambiguousNames(analysis.id));
+        if (analysis.range)
+            analysis.allAmbiguousNames = analysis.ambiguousNames;
+        if (analysis.range)
+            keepWithin(*analysis.range, analysis.ambiguousNames);
     }
     return analyses;
 }
@@ -381,6 +412,10 @@ const QString courseCondition = QStringLiteral(
     "zone.task_id=task.id) OR task.max_speed_m_s IS NOT NULL OR "
     "task.max_accel_m_s2 IS NOT NULL OR COALESCE(LENGTH(task.path_points), 0)>8)"); // 8 bytes: no points
 
+/// Of a spike, that it is within the range of its analysis.
+const QString spikeInRange = QStringLiteral(
+    "(analysis.range_from_ns IS NULL OR time_ns BETWEEN analysis.range_from_ns AND analysis.range_to_ns)");
+
 /// Newest analyses of the trials of scored tasks, between two dates that are its first parameters.
 QString scoredAnalyses(const QString &columns, const char *joined)
 {
@@ -411,10 +446,10 @@ Result<std::vector<ScoredMetrics>> AnalysisRepository::scoredMetrics(Instant fro
             QStringLiteral(
                 "trial.id, analysis.robot_id, trial.task_id, "
                 "CASE WHEN COALESCE(analysis.task_id, 0)=trial.task_id OR NOT %1 THEN 1 ELSE 0 END, "
-                "(SELECT COUNT(*) FROM spike WHERE analysis_id=analysis.id), "
-                "(SELECT COUNT(*) FROM spike WHERE analysis_id=analysis.id AND (flags & 6)<>0), "
+                "(SELECT COUNT(*) FROM spike WHERE analysis_id=analysis.id AND %2), "
+                "(SELECT COUNT(*) FROM spike WHERE analysis_id=analysis.id AND (flags & 6)<>0 AND %2), "
                 "(SELECT COUNT(DISTINCT gate) FROM gate_passage WHERE analysis_id=analysis.id)")
-                .arg(courseCondition),
+                .arg(courseCondition, spikeInRange),
             ""));
     static_assert((flagBit(SampleFlag::SpeedLimit) | flagBit(SampleFlag::AccelerationLimit)) == 6);
     bindDates(counts, from, to);

@@ -131,6 +131,8 @@ public:
     Statement &bind(const Message &value);
     /// An id, stored as NULL when it is 0.
     Statement &bindReference(RecordId id);
+    /// A span as two numbers of nanoseconds, NULL where there is none.
+    Statement &bind(const std::optional<TimeSpan> &span);
 
     /// Runs a statement that gives no rows.
     Result<void> run();
@@ -143,6 +145,8 @@ public:
     int smallInteger(int column) const; ///< 0 when it does not fit
     double real(int column) const;      ///< within ±largestNumber; 0 for what is no number
     std::optional<double> optionalReal(int column) const;
+    /// Of this column and the next; empty for what is no span since the trial's beginning.
+    std::optional<TimeSpan> span(int column) const;
     std::string text(int column) const; ///< its first 20,000 characters
     /// A name as it can be shown: of one line, without invisible characters (see plainLine), its first 200
     /// characters.

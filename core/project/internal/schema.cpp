@@ -74,7 +74,8 @@ std::vector<Migration> projectMigrations()
         sqlMigration(ODO_TEXT("project.format_17", "verdicts, and their acceptance"), step("17_verdicts")),
         sqlMigration(ODO_TEXT("project.format_18", "how the frames of recordings are turned"),
                      step("18_upright_frames")),
-        sqlMigration(ODO_TEXT("project.format_20", "variables of trials"), step("20_trial_variables")),
+        sqlMigration(ODO_TEXT("project.format_19", "ranges and variables of trials"),
+                     step("19_ranges_and_variables")),
     };
 }
 

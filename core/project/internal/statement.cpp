@@ -68,6 +68,14 @@ Statement &Statement::bindReference(RecordId id)
     return *this;
 }
 
+Statement &Statement::bind(const std::optional<TimeSpan> &span)
+{
+    if (span)
+        return bind(static_cast<std::int64_t>(span->begin.count()))
+            .bind(static_cast<std::int64_t>(span->end.count()));
+    return bindReference(0).bindReference(0);
+}
+
 Result<void> Statement::start()
 {
     if (!m_inRange)
@@ -180,6 +188,14 @@ std::optional<double> Statement::optionalReal(int column) const
     if (m_query.isNull(column))
         return std::nullopt;
     return real(column);
+}
+
+std::optional<TimeSpan> Statement::span(int column) const
+{
+    const TimeSpan span{Nanoseconds(integer(column)), Nanoseconds(integer(column + 1))};
+    const bool isSpan = !m_query.isNull(column) && !m_query.isNull(column + 1) && span.begin.count() >= 0 &&
+                        span.begin < span.end;
+    return isSpan ? std::optional(span) : std::nullopt;
 }
 
 std::string Statement::text(int column) const

@@ -22,7 +22,7 @@ const QString trialColumns = QStringLiteral(
     "sync_method, "
     "sync_offset_s, sync_offset_sigma_s, sync_score, duration_s, sync_rate, sync_rate_sigma, "
     "(SELECT COUNT(*) FROM recording WHERE recording.trial_id=trial.id), trial.state, starred, "
-    "trial.archived_ms, binned_ms, team.pseudonym "
+    "trial.archived_ms, binned_ms, team.pseudonym, trial.range_from_ns, trial.range_to_ns "
     "FROM trial LEFT JOIN team ON team.id=trial.team_id LEFT JOIN class ON class.id=team.class_id "
     "LEFT JOIN task ON task.id=trial.task_id ");
 
@@ -62,6 +62,7 @@ TrialRecord trialOf(const Statement &row)
     trial.archived = instantOf(row, 18);
     trial.binned = instantOf(row, 19);
     trial.teamPseudonym = row.name(20);
+    trial.range = row.span(21);
     return trial;
 }
 
@@ -147,12 +148,13 @@ Result<RecordId> addRow(ProjectConnection &connection, const TrialRecord &trial)
         connection,
         QStringLiteral(
             "INSERT INTO trial (name, team_id, task_id, date_ms, notes, sync_method, "
-            "sync_offset_s, sync_offset_sigma_s, sync_score, duration_s, sync_rate, sync_rate_sigma) "
-            "VALUES (?,?,?,?,?,?,?,?,?,?,?,?)"));
+            "sync_offset_s, sync_offset_sigma_s, sync_score, duration_s, sync_rate, sync_rate_sigma, "
+            "range_from_ns, range_to_ns) VALUES (?,?,?,?,?,?,?,?,?,?,?,?,?,?)"));
     insert.bind(trial.name).bindReference(trial.team).bindReference(task);
     insert.bind(static_cast<std::int64_t>(trial.date.time_since_epoch().count())).bind(trial.notes);
     insert.bind(trial.syncMethod).bind(trial.syncOffsetS).bind(trial.syncOffsetSigmaS).bind(trial.syncScore);
-    ODO_TRY(insert.bind(trial.durationS).bind(trial.syncRate).bind(trial.syncRateSigma).run());
+    insert.bind(trial.durationS).bind(trial.syncRate).bind(trial.syncRateSigma).bind(trial.range);
+    ODO_TRY(insert.run());
     return insert.insertedId();
 }
 
@@ -314,6 +316,16 @@ Result<void> TrialRepository::setTask(RecordId trial, const std::string &task)
         const auto id = ODO_TRY(idOfName(m_connection, RecordKind::Task, task));
         Statement update(m_connection, QStringLiteral("UPDATE trial SET task_id=? WHERE id=?"));
         return update.bindReference(id).bind(trial).run();
+    });
+}
+
+Result<void> TrialRepository::setRange(RecordId trial, const std::optional<TimeSpan> &range)
+{
+    return transact(m_connection, [&]() -> Result<void> {
+        ODO_TRY(get(trial));
+        Statement update(m_connection,
+                         QStringLiteral("UPDATE trial SET range_from_ns=?, range_to_ns=? WHERE id=?"));
+        return update.bind(range).bind(trial).run();
     });
 }
 

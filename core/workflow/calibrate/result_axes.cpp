@@ -295,7 +295,8 @@ Result<bool> bringToPresentAxes(Project &project, const TrialRecord &trial, Anal
         return false;
     if (isIdentity(*presentFrom))
         return true;
-    analysis.profile = transformed(std::move(analysis.profile), *presentFrom);
+    for (Profile *part : {&analysis.outside.before, &analysis.profile, &analysis.outside.after})
+        *part = transformed(std::move(*part), *presentFrom);
     if (analysis.task != 0 && !trial.task.empty()) {
         const auto then = ODO_TRY(project.tasks().get(analysis.task));
         const auto now = ODO_TRY(project.tasks().find(trial.task));

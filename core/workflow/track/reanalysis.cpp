@@ -86,7 +86,8 @@ Result<void> OverrideJob::prepare(Project &project)
     const auto trial = ODO_TRY(project.trials().find(m_request.trial));
     const auto analyses = ODO_TRY(project.analyses().current(trial.id));
     const auto analysis = ODO_TRY(chosenAnalysis(analyses, m_request));
-    const auto sample = ODO_TRY(chosenSample(analysis.profile.samples, m_request));
+    const Profile whole = wholeRun(analysis.profile, analysis.outside);
+    const auto sample = ODO_TRY(chosenSample(whole.samples, m_request));
     m_before = ODO_TRY(project.trials().overrides(trial.id, analysis.robot));
     m_trial = trial.id;
     m_robot = analysis.robot;
@@ -143,10 +144,11 @@ Result<void> OverrideJob::commit(Project &project)
     if (!stored)
         return stored;
     m_outcome.analysis = m_analysis->outcome().robots.front().analysis;
-    for (const Sample &sample : m_outcome.analysis.profile.samples) {
-        if (sample.frame == m_outcome.frame)
-            m_outcome.flags = sample.flags;
-    }
+    const AnalysisRecord &made = m_outcome.analysis;
+    for (const Profile *part : {&made.outside.before, &made.profile, &made.outside.after})
+        for (const Sample &sample : part->samples)
+            if (sample.frame == m_outcome.frame)
+                m_outcome.flags = sample.flags;
     return {};
 }
 

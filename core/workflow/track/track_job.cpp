@@ -16,6 +16,7 @@
 #include "core/workflow/track/view_synchronisation.h"
 #include "core/workflow/track/view_tracking.h"
 #include "core/workflow/trial_sources.h"
+#include "core/workflow/trials/trial_range.h"
 #include "core/workflow/turned_recordings.h"
 
 #include <algorithm>
@@ -66,8 +67,13 @@ struct TrackJob::Impl
     Result<SettledViews> trackAll(const JobControl &control);
     Result<SettledViews> trackSynchronised(const JobControl &control);
     Result<void> analyseAll(std::vector<TrackedView> &tracked);
-    Result<TaskAnalysis> analyseOne(std::vector<TrackedView> &tracked, std::size_t robot) const;
+    Result<TaskAnalysis> analyseOne(std::vector<TrackedView> &tracked, std::size_t robot,
+                                    const std::optional<TimeSpan> &range = {}) const;
+    Result<void> keepRegistrations(Project &project);
     void findOcclusionsIn(const std::vector<TrackedView> &tracked);
+    Result<void> measureRange(AnalysisRecord &analysis, std::vector<TrackedView> &tracked,
+                              std::size_t robot) const;
+    Result<void> cutToRange();
     void addOutcome(AnalysisRecord analysis);
     Result<void> storeAnalyses(Project &project);
 };
@@ -85,6 +91,8 @@ Result<void> TrackJob::prepare(Project &project)
     Impl &d = *m_impl;
     auto trial = ODO_TRY(project.trials().find(d.trialName));
     d.trial = trial;
+    if (d.settings.range)
+        d.trial.range = *d.settings.range;
     if (!d.trial.task.empty()) {
         auto task = ODO_TRY(project.tasks().find(d.trial.task));
         d.task = std::move(task);
@@ -93,6 +101,8 @@ Result<void> TrackJob::prepare(Project &project)
     d.robots = std::move(robots);
     auto views = ODO_TRY(registeredViews(project, d.trial));
     d.views = std::move(views);
+    if (d.settings.range)
+        ODO_TRY(d.keepRegistrations(project));
     ODO_TRY(d.readOptions(project));
     auto pointedOut = ODO_TRY(pointedOutRobots(project, d.trial, d.views, d.robots, d.settings.pointers));
     d.pointedOut = std::move(pointedOut);
@@ -113,6 +123,30 @@ Result<void> TrackJob::prepare(Project &project)
             continue;
         d.views[v].floorView = widenedByShift(*d.views[v].floorView, *shiftPx);
         d.outcome.warnings.push_back(shiftedSentence(d.trialName, d.views[v].recording, *shiftPx));
+    }
+    return {};
+}
+
+/// The views as the newest analyses used them, whatever is in force now.
+Result<void> TrackJob::Impl::keepRegistrations(Project &project)
+{
+    const auto analyses = ODO_TRY(project.analyses().current(trial.id));
+    for (std::size_t v = 0; v < views.size(); ++v) {
+        const auto user = std::ranges::find_if(
+            analyses, [&](const AnalysisRecord &one) { return one.registrations.size() == views.size(); });
+        if (user == analyses.end())
+            return {};
+        RegisteredView &view = views[v];
+        const RecordId used = user->registrations[v];
+        if (used == (view.registration ? view.registration->id : 0))
+            continue;
+        view.registration.reset();
+        view.floorView.reset();
+        if (used == 0)
+            continue;
+        auto registration = ODO_TRY(project.cameras().registration(used));
+        view.floorView = ODO_TRY(floorViewAt(project, registration, view.recording));
+        view.registration = std::move(registration);
     }
     return {};
 }
@@ -253,17 +287,50 @@ Result<void> TrackJob::run(const JobControl &control)
     return {};
 }
 
-Result<TaskAnalysis> TrackJob::Impl::analyseOne(std::vector<TrackedView> &tracked, std::size_t robot) const
+namespace {
+
+/// The observations within a range; of other views than the first those next to it too, for the positions at
+/// its ends lie between them.
+void keepWithin(const TimeSpan &range, std::vector<ViewTrack> &tracks)
+{
+    for (std::size_t v = 0; v < tracks.size(); ++v) {
+        ViewTrack &track = tracks[v];
+        const auto timeOfSeen = [&track](const Observation &one) { return timeOf(track, one); };
+        std::vector<Observation> &all = track.observations;
+        auto first = std::ranges::lower_bound(all, range.begin, {}, timeOfSeen),
+             behind = std::ranges::upper_bound(all, range.end, {}, timeOfSeen);
+        if (v > 0 && first != all.begin())
+            --first;
+        if (v > 0 && behind != all.end())
+            ++behind;
+        all = std::vector<Observation>(first, behind);
+        std::erase_if(track.breaks, [&](Nanoseconds own) {
+            const Nanoseconds time = clockOf(track).commonTime(own);
+            return time <= range.begin || time > range.end;
+        });
+    }
+}
+
+} // namespace
+
+Result<TaskAnalysis> TrackJob::Impl::analyseOne(std::vector<TrackedView> &tracked, std::size_t robot,
+                                                const std::optional<TimeSpan> &range) const
 {
     if (!imported.empty()) {
-        const std::vector<Sample> &raw = imported[robot];
+        std::vector<Sample> raw = imported[robot];
+        if (range)
+            std::erase_if(raw, [&](const Sample &one) { return !range->contains(one.time); });
         return analyseByTask([&](const AnalysisOptions &by) { return analyseImported(raw, by); },
                              optionsForImported(options[robot], raw), task);
     }
     auto tracks = takeViewTracks(views, tracked, robot);
-    auto analysed =
-        analyseByTask([&](const AnalysisOptions &by) { return analyse(tracks, shapeOf(robots[robot]), by); },
-                      options[robot], task);
+    std::vector<ViewTrack> part = range ? tracks : std::vector<ViewTrack>();
+    if (range)
+        keepWithin(*range, part);
+    const std::vector<ViewTrack> &analysedTracks = range ? part : tracks;
+    auto analysed = analyseByTask(
+        [&](const AnalysisOptions &by) { return analyse(analysedTracks, shapeOf(robots[robot]), by); },
+        options[robot], task);
     returnObservations(std::move(tracks), tracked, robot);
     return analysed;
 }
@@ -294,6 +361,8 @@ Result<void> TrackJob::Impl::analyseAll(std::vector<TrackedView> &tracked)
         analysis.options = std::move(analysed->options);
         analysis.profile = std::move(analysed->profile);
         analysis.ambiguousNames = ambiguities[r];
+        if (trial.range)
+            ODO_TRY(measureRange(analysis, tracked, r));
         if (!analysed->caveat.isEmpty())
             outcome.warnings.push_back(
                 joined({robotInTrialSubject(robot.name, trialName), analysed->caveat}, Join::Colon));
@@ -305,6 +374,45 @@ Result<void> TrackJob::Impl::analyseAll(std::vector<TrackedView> &tracked)
     }
     if (imported.empty())
         findOcclusionsIn(tracked);
+    return cutToRange();
+}
+
+/// Of the trial's range, by a new analysis of what is within it: what is outside must not bend its curves or
+/// its solid. Where that has too few samples, it is the part of the whole run.
+Result<void> TrackJob::Impl::measureRange(AnalysisRecord &analysis, std::vector<TrackedView> &tracked,
+                                          std::size_t robot) const
+{
+    changeRange(analysis, trial.range, task ? &task->task : nullptr);
+    if (!hasValidPoint(analysis.profile))
+        return nothingMeasuredInRange(analysis.robotName, trialName, *trial.range);
+    auto part = analyseOne(tracked, robot, trial.range);
+    if (!part || !std::ranges::equal(part->profile.samples, analysis.profile.samples, {}, &Sample::time,
+                                     &Sample::time))
+        return {};
+    analysis.options = std::move(part->options);
+    analysis.profile = std::move(part->profile);
+    return {};
+}
+
+/// Once spikes and occlusions of the whole run are known.
+Result<void> TrackJob::Impl::cutToRange()
+{
+    for (TrackedRobot &robot : outcome.robots) {
+        if (robot.analysis.range != trial.range)
+            changeRange(robot.analysis, trial.range, task ? &task->task : nullptr);
+        const Profile &profile = robot.analysis.profile;
+        if (trial.range && !hasValidPoint(profile))
+            return nothingMeasuredInRange(robot.name, trialName, *trial.range);
+        robot.frames = static_cast<std::int64_t>(profile.samples.size());
+        robot.tracked = std::ranges::count_if(
+            profile.samples, [](const Sample &sample) { return sample.position.has_value(); });
+        if (trial.range)
+            std::erase_if(robot.occlusions, [&](const Occlusion &one) {
+                return one.span.end < trial.range->begin || one.span.begin > trial.range->end;
+            });
+        if (robot.ambiguousS)
+            robot.ambiguousS = ambiguousSeconds(robot.analysis.ambiguousNames);
+    }
     return {};
 }
 
@@ -327,9 +435,6 @@ void TrackJob::Impl::addOutcome(AnalysisRecord analysis)
     result.isFoundByColour = std::ranges::any_of(robots, [&](const RobotRecord &robot) {
         return robot.id == analysis.robot && isFoundByColour({robot.name, robot.colour});
     });
-    result.frames = static_cast<std::int64_t>(analysis.profile.samples.size());
-    for (const Sample &sample : analysis.profile.samples)
-        result.tracked += sample.position.has_value();
     if (!settings.again || !analysis.ambiguousNames.empty())
         result.ambiguousS = ambiguousSeconds(analysis.ambiguousNames);
     result.analysis = std::move(analysis);
@@ -339,6 +444,10 @@ void TrackJob::Impl::addOutcome(AnalysisRecord analysis)
 /// With the verdict that follows from them.
 Result<void> TrackJob::Impl::storeAnalyses(Project &project)
 {
+    if (settings.range)
+        ODO_TRY(project.trials().setRange(trial.id, *settings.range));
+    trial.range = ODO_TRY(project.trials().get(trial.id)).range; // as it is now
+    ODO_TRY(cutToRange());
     std::vector<AnalysisRecord> made;
     for (TrackedRobot &robot : outcome.robots)
         made.push_back(ODO_TRY(project.analyses().add(std::move(robot.analysis))));

@@ -35,6 +35,9 @@ struct TrackSettings
     std::map<std::string, std::vector<ManualOverride>> overrides; ///< by robot, instead of the stored ones
     /// kept with the trial, replacing those of the same robot and view
     std::vector<RobotPointer> pointers;
+    /// The range that the trial gets, in place of its own; the inner one empty: none. With `again`; the
+    /// registrations are then those of the newest analysis, for only what counts of the run changes.
+    std::optional<std::optional<TimeSpan>> range = {};
 };
 
 /// What tracking gave for one robot, as the command line prints it.
@@ -63,8 +66,9 @@ struct TrackOutcome
 
 /// Tracks the robots of a trial in all its views and analyses them by its task: observations and a new
 /// analysis each are stored. A view whose time offset is still open (isSyncOpen) is synchronised first.
-/// Manual overrides and marks stay in force. Of a trial whose tracks were imported there is nothing to track:
-/// it can only be analysed `again`, from the imported positions; InvalidInput otherwise.
+/// Manual overrides, marks and range stay in force: of a trial with a range, what is within it is analysed by
+/// itself, and what is outside has no part in it. Of a trial whose tracks were imported there is nothing to
+/// track: it can only be analysed `again`, from the imported positions; InvalidInput otherwise.
 class TrackJob : public Job
 {
 public:

@@ -77,6 +77,7 @@ Result<std::vector<StoredRobot>> otherRobots(Project &project, RecordId trial,
             robot.observations.push_back(std::move(series).value_or(ObservationSeries()).observations);
         }
         robot.analysis = std::move(analysis);
+        robot.analysis.profile = wholeRun(std::move(robot.analysis.profile), robot.analysis.outside);
     }
     return others;
 }

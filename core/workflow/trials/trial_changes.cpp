@@ -18,21 +18,27 @@ Message editTrialWords(const std::string &trial)
 
 namespace {
 
+std::ptrdiff_t changesIn(const TrialEdit &edit)
+{
+    return std::ranges::count(std::initializer_list<bool>{edit.name.has_value(), edit.team || edit.className,
+                                                          edit.date.has_value(), edit.task.has_value(),
+                                                          edit.robots.has_value(), edit.notes.has_value(),
+                                                          !edit.variables.empty(), edit.range.has_value()},
+                              true);
+}
+
 Message wordsOf(const std::string &trial, const TrialEdit &edit)
 {
-    const auto changed = std::ranges::count(
-        std::initializer_list<bool>{edit.name.has_value(), edit.team || edit.className, edit.date.has_value(),
-                                    edit.task.has_value(), edit.robots.has_value(), edit.notes.has_value(),
-                                    !edit.variables.empty()},
-        true);
     const MessageArgument name = Named::trial(trial);
-    if (changed == 1) {
+    if (changesIn(edit) == 1) {
         if (edit.name)
             return ODO_TEXT("workflow.rename_trial", "rename trial %1 to %2")(name, Named::trial(*edit.name));
         if (edit.team && !edit.team->empty())
             return ODO_TEXT("workflow.give_team", "assign %1 to team %2")(name, Named::team(*edit.team));
         if (edit.task && !edit.task->empty())
             return giveTaskChange(trial, *edit.task);
+        if (edit.range)
+            return rangeChange(trial, *edit.range);
         if (edit.notes)
             return ODO_TEXT("ui.write_notes", "write notes of %1")(name);
     }
@@ -121,10 +127,19 @@ Result<void> apply(Project &project, const TrialRecord &trial, const TrialEdit &
     }
     if (!edit.variables.empty())
         ODO_TRY(trials.setVariables(trial.id, changedVariables(trial.variables, edit.variables)));
+    if (edit.range) {
+        RangeJob job(edit.name ? normalName(*edit.name) : trial.name, *edit.range);
+        ODO_TRY(runToEnd(job, project, JobControl()));
+    }
     return edit.notes ? trials.setNotes(trial.id, *edit.notes) : Result<void>();
 }
 
 } // namespace
+
+bool isEmpty(const TrialEdit &edit)
+{
+    return changesIn(edit) == 0;
+}
 
 Result<TrialRecord> editTrial(Project &project, RecordId id, const TrialEdit &edit)
 {

@@ -3,7 +3,9 @@
 
 #include "core/base/error.h"
 #include "core/project/records.h"
+#include "core/workflow/trials/trial_range.h"
 
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -25,8 +27,10 @@ struct TrialEdit
     std::optional<std::vector<std::string>> robots = {};
     std::optional<std::string> notes = {};
     std::map<std::string, std::string> variables = {}; ///< empty: the trial loses it
-    bool operator==(const TrialEdit &) const = default;
+    std::optional<RangeChoice> range = {};
 };
+
+bool isEmpty(const TrialEdit &edit);
 
 /// Words of a change of several things.
 Message editTrialWords(const std::string &trial);
@@ -35,7 +39,7 @@ Message editTrialWords(const std::string &trial);
 /// Errors, and nothing is changed: NotFound for a trial, task or robot that the project doesn't have;
 /// AlreadyExists for a name that is taken; WrongCall for a date that is still to come; InvalidInput for a
 /// team that belongs to another class than the trial, unless that class is given, or than the class that is
-/// given, and for a class without a team.
+/// given, and for a class without a team; those of RangeJob.
 Result<TrialRecord> editTrial(Project &project, RecordId trial, const TrialEdit &edit);
 
 /// Moves trials to the bin, or restores them from it, as one change. On the project's thread.

@@ -349,6 +349,22 @@ void TrialActions::manualOverride(const OverrideRequest &word)
         }));
 }
 
+void TrialActions::setRange(const QString &trial, const RangeChoice &range)
+{
+    if (!mayChange(ODO_TEXT("ui.the_range", "the range")))
+        return;
+    const std::string name = trial.toStdString();
+    const auto job = std::make_shared<RangeJob>(name, range);
+    showFailure(m_workspace.start(
+        job, ODO_TEXT("ui.measuring_again", "Reanalysing %1")(Named::trial(name)), [this, job, trial] {
+            Q_EMIT done(
+                job->range()
+                    ? tr("The results of %1 are of its range, %2 to %3. Choose Undo to reverse this.")
+                          .arg(trial, secondsText(job->range()->begin), secondsText(job->range()->end))
+                    : tr("The results of %1 are of the whole run.").arg(trial));
+        }));
+}
+
 void TrialActions::askExport()
 {
     const Result<QString> exported = exportTrial(*m_workspace.project(), m_trial, m_window);

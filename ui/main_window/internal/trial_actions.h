@@ -5,6 +5,7 @@
 #include "core/workflow/import/clip_groups.h"
 #include "core/workflow/track/reanalysis.h"
 #include "core/workflow/track/track_job.h"
+#include "core/workflow/trials/trial_range.h"
 #include "ui/main_window/internal/import_dialogs.h"
 #include "ui/models/background_task.h"
 
@@ -42,6 +43,7 @@ public:
     bool askRobot();
     /// Stores a manual override of a sample and reanalyses the trial.
     void manualOverride(const OverrideRequest &word);
+    void setRange(const QString &trial, const RangeChoice &range);
     /// Stores where a person says that a robot is, and tracks the trial again.
     void pointOut(const QString &trial, const RobotPointer &pointer);
 

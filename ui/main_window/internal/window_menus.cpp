@@ -11,6 +11,7 @@
 #include "ui/models/timeline.h"
 #include "ui/record/record_page.h"
 #include "ui/review/corrections.h"
+#include "ui/review/range_actions.h"
 #include "ui/review/review_page.h"
 #include "ui/testbed/testbed_page.h"
 #include "ui/views/widgets/command_keys.h"
@@ -51,6 +52,7 @@ PageMenus::PageMenus(QMenuBar &bar, const ModeBar &modes, ViewActions &views, Tr
     m_view->addSeparator();
     trials.fillMenu(*m_trial);
     m_trial->addSeparator();
+    m_range = m_trial->addMenu(PageMenusWords::tr("Ran&ge"));
     m_spikes = m_trial->addMenu(PageMenusWords::tr("&Spikes"));
     m_history = m_trial->addMenu(PageMenusWords::tr("&History"));
     m_record = m_trial->addMenu(PageMenusWords::tr("Re&cord"));
@@ -74,6 +76,7 @@ void PageMenus::add(ProjectPages &pages, WindowMode mode)
         m_trial->insertActions(m_play->menuAction(),
                                {review.chooser().previousAction(), review.chooser().nextAction()});
         m_trial->insertAction(m_play->menuAction(), review.pointing().action());
+        fill(*m_range, review.range().actions());
         fill(*m_spikes, review.spikes().actions());
         return fill(*m_play, review.timeline().actions());
     }
@@ -85,7 +88,7 @@ void PageMenus::add(ProjectPages &pages, WindowMode mode)
 
 void PageMenus::clear()
 {
-    for (QMenu *menu : {m_spikes, m_history, m_record, m_play, m_tools}) {
+    for (QMenu *menu : {m_range, m_spikes, m_history, m_record, m_play, m_tools}) {
         menu->clear();
         menu->setEnabled(false);
     }

@@ -36,7 +36,7 @@ public:
     void clear();
 
 private:
-    QMenu *m_view, *m_trial, *m_spikes, *m_history, *m_record, *m_play, *m_tools;
+    QMenu *m_view, *m_trial, *m_range, *m_spikes, *m_history, *m_record, *m_play, *m_tools;
 };
 
 class DockDesk;

@@ -74,7 +74,7 @@ constexpr int noFit = -1;
 }
 
 RangeCard::RangeCard(Timeline &timeline, QWidget *parent)
-    : Card(tr("Range"), parent), m_timeline(timeline), m_reporter(new RangeReporter(this)),
+    : Card(tr("Selection"), parent), m_timeline(timeline), m_reporter(new RangeReporter(this)),
       m_robot(new QComboBox(this)), m_shape(new QComboBox), m_fitted(new QComboBox), m_facts(new FactList)
 {
     makeChoices();
@@ -91,7 +91,7 @@ RangeCard::RangeCard(Timeline &timeline, QWidget *parent)
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(0);
     layout->addLayout(fit);
-    QScrollArea *scroll = scrolled(m_facts, tr("Statistics of the range"));
+    QScrollArea *scroll = scrolled(m_facts, tr("Statistics of the selection"));
     scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     layout->addWidget(scroll, 1);
     setContent(content);

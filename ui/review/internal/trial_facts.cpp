@@ -356,6 +356,11 @@ QList<Fact> trialFacts(const TrialScene &scene)
     addVerdict(scene.verdict, facts);
     add(TrialFactsWords::tr("Team"), shownTeam(trial));
     addTask(scene, facts);
+    if (trial.range)
+        add(TrialFactsWords::tr("Range"),
+            TrialFactsWords::tr("%1 to %2 of %3")
+                .arg(secondsText(trial.range->begin), secondsText(trial.range->end),
+                     secondsText(fromSeconds(trial.durationS))));
     for (std::size_t robot = 0; robot < scene.robots.size(); ++robot)
         facts.append(
             {TrialFactsWords::tr("Robot"), robotText(scene.robots[robot]), {}, explainHeight(scene, robot)});

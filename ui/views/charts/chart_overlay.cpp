@@ -40,6 +40,18 @@ void drawChartRange(QPainter &painter, const ChartPlot &plot, double from, doubl
             painter.drawLine(QPointF(x, plot.rect.top()), QPointF(x, plot.rect.bottom()));
 }
 
+void drawChartOutside(QPainter &painter, const ChartPlot &plot, double from, double to,
+                      const QPalette &palette)
+{
+    const ThemeColours colours = ThemeColours::of(palette);
+    QColor veil = colours.border;
+    veil.setAlpha(110);
+    const double left = std::clamp(plot.at(from, 0).x(), plot.rect.left(), plot.rect.right()),
+                 right = std::clamp(plot.at(to, 0).x(), plot.rect.left(), plot.rect.right());
+    painter.fillRect(QRectF(plot.rect.topLeft(), QPointF(left, plot.rect.bottom())), veil);
+    painter.fillRect(QRectF(QPointF(right, plot.rect.top()), plot.rect.bottomRight()), veil);
+}
+
 void drawChartFocus(QPainter &painter, const QWidget &plot)
 {
     if (!plot.hasFocus() || ChartImage::isPaintedBy(painter, plot))

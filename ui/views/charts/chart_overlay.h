@@ -29,6 +29,10 @@ void drawChartCursor(QPainter &painter, const ChartPlot &plot, double x, const Q
 void drawChartRange(QPainter &painter, const ChartPlot &plot, double from, double to,
                     const QPalette &palette);
 
+/// A veil over what is before one position and after another: the outside of the trial's range.
+void drawChartOutside(QPainter &painter, const ChartPlot &plot, double from, double to,
+                      const QPalette &palette);
+
 /// The frame of a chart or map while it has the focus; none in images of it.
 void drawChartFocus(QPainter &painter, const QWidget &plot);
 

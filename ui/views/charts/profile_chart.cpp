@@ -67,7 +67,7 @@ void ChartArea::rebuild()
 {
     if (m_span.scene() != m_scene) // a scene comes to the span first, and to the charts one after the other
         return;
-    m_maker->make(m_scene, m_quantity, m_span.positions());
+    m_maker->make(m_scene, m_quantity, m_span.positions(), m_span.against() == ChartSpan::Against::Time);
     showCurves();
 }
 
@@ -110,6 +110,9 @@ void ChartArea::showFit()
 
 void ChartArea::paintOver(QPainter &painter)
 {
+    if (m_scene && m_scene->trial.range && m_span.against() == ChartSpan::Against::Time)
+        drawChartOutside(painter, plot(), toSeconds(m_scene->trial.range->begin),
+                         toSeconds(m_scene->trial.range->end), palette());
     if (const auto &range = m_timeline.selection())
         drawChartRange(painter, plot(), m_span.cursorPosition(range->begin),
                        m_span.cursorPosition(range->end), palette());

@@ -22,12 +22,15 @@
 #include <QPainterPath>
 #include <QSignalBlocker>
 #include <QToolButton>
+#include <algorithm>
+#include <cmath>
+#include <utility>
 
 namespace odo {
 
 namespace {
 
-constexpr double sliderMargin = 12, handleRadius = 8, grooveHeight = 5;
+constexpr double sliderMargin = 12, handleRadius = 8, grooveHeight = 5, handleReach = 7;
 
 } // namespace
 
@@ -88,12 +91,37 @@ void TimeSlider::goTo(double x)
     m_timeline.setCurrentTime(std::clamp(timeAt(x), m_timeline.startTime(), m_timeline.endTime()));
 }
 
+TimeSpan TimeSlider::range() const
+{
+    if (m_dragged)
+        return *m_dragged;
+    return m_scene && m_scene->trial.range ? *m_scene->trial.range
+                                           : TimeSpan{m_timeline.startTime(), m_timeline.endTime()};
+}
+
+/// The handles are below the groove, where the slider's own does not cover them.
+bool TimeSlider::beginDrag(const QPointF &position)
+{
+    if (!m_scene || m_scene->trial.unfinished || position.y() < grooveY() + grooveHeight)
+        return false;
+    const TimeSpan now = range();
+    const double toBegin = std::abs(position.x() - xOf(now.begin)),
+                 toEnd = std::abs(position.x() - xOf(now.end));
+    if (std::min(toBegin, toEnd) > handleReach)
+        return false;
+    m_dragsEnd = toEnd < toBegin;
+    m_dragged = now;
+    return true;
+}
+
 void TimeSlider::mousePressEvent(QMouseEvent *event)
 {
     if (event->button() != Qt::LeftButton)
         return;
-    setSliderDown(true);
     m_timeline.pause();
+    if (beginDrag(event->position()))
+        return;
+    setSliderDown(true);
     goTo(event->position().x());
 }
 
@@ -101,11 +129,23 @@ void TimeSlider::mouseMoveEvent(QMouseEvent *event)
 {
     if (isSliderDown())
         goTo(event->position().x());
+    if (!m_dragged)
+        return;
+    goTo(event->position().x()); // to see what is there
+    const Nanoseconds time = m_timeline.currentTime();
+    if (m_dragsEnd && time > m_dragged->begin)
+        m_dragged->end = time;
+    else if (!m_dragsEnd && time < m_dragged->end)
+        m_dragged->begin = time;
+    update();
 }
 
 void TimeSlider::mouseReleaseEvent(QMouseEvent *)
 {
     setSliderDown(false);
+    const auto dragged = std::exchange(m_dragged, std::nullopt);
+    if (dragged && *dragged != range())
+        Q_EMIT rangeDragged(*dragged);
 }
 
 void TimeSlider::wheelEvent(QWheelEvent *event)
@@ -192,6 +232,31 @@ void TimeSlider::paintSelection(QPainter &painter, double y) const
     painter.setPen(Qt::NoPen);
 }
 
+/// What is outside is dimmed; a handle hangs from either end.
+void TimeSlider::paintRange(QPainter &painter, double y) const
+{
+    constexpr double width = 8, height = 11;
+    const ThemeColours colours = ThemeColours::of(palette());
+    const double left = xOf(range().begin), right = xOf(range().end);
+    painter.setPen(Qt::NoPen);
+    QColor veil = colours.card;
+    veil.setAlpha(190);
+    painter.setBrush(veil);
+    painter.drawRect(QRectF(QPointF(0, 0), QPointF(left, this->height())));
+    painter.drawRect(QRectF(QPointF(right, 0), QPointF(this->width(), this->height())));
+    const bool isSet = m_dragged || (m_scene && m_scene->trial.range);
+    painter.setPen(QPen(isSet ? colours.accent : colours.field, 1.5));
+    painter.setBrush(isSet ? colours.accent : colours.card);
+    for (const double x : {left, right}) {
+        const double inwards = x == left ? width : -width;
+        painter.drawPolygon(QPolygonF({{x, y + grooveHeight},
+                                       {x + inwards, y + grooveHeight + height},
+                                       {x, y + grooveHeight + height}}));
+        painter.drawLine(QPointF(x, y - handleRadius), QPointF(x, y + grooveHeight + height));
+    }
+    painter.setPen(Qt::NoPen);
+}
+
 void TimeSlider::paintEvent(QPaintEvent *)
 {
     QPainter painter(this);
@@ -211,6 +276,7 @@ void TimeSlider::paintEvent(QPaintEvent *)
     if (m_scene) {
         paintStretches(painter, y - handleRadius - 8);
         paintSpikes(painter, y - handleRadius - 8);
+        paintRange(painter, y);
     }
     if (hasFocus()) {
         QColor halo = colours.accent;
@@ -345,6 +411,7 @@ TimelineBar::TimelineBar(Timeline &timeline, QWidget *parent)
     layout->addWidget(m_slider, 1);
     layout->addWidget(m_rate);
 
+    connect(m_slider, &TimeSlider::rangeDragged, this, &TimelineBar::rangeDragged);
     connect(&m_timeline, &Timeline::currentChanged, this, &TimelineBar::showCurrent);
     connect(&m_timeline, &Timeline::rangeChanged, this, &TimelineBar::showCurrent);
     connect(&m_timeline, &Timeline::playingChanged, this, &TimelineBar::showPlaying);
@@ -376,6 +443,12 @@ void TimelineBar::makeButtons()
 void TimelineBar::setScene(TrialScenePtr scene)
 {
     m_slider->setScene(std::move(scene));
+}
+
+void TimelineBar::setRangeActions(const QList<QAction *> &actions)
+{
+    m_slider->addActions(actions);
+    m_slider->setContextMenuPolicy(Qt::ActionsContextMenu);
 }
 
 void TimelineBar::showCurrent()

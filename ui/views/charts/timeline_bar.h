@@ -6,7 +6,11 @@
 
 #include <QAbstractSlider>
 #include <QFrame>
+#include <QList>
+#include <optional>
+#include <vector>
 
+class QAction;
 class QComboBox;
 class QLabel;
 class QToolButton;
@@ -17,7 +21,7 @@ class Timeline;
 
 /// The slider of the time line: value = frame; spikes as triangles above the groove, stretches in which less
 /// than usual is known of a robot as bars there (hatched: which one it is), with words where the mouse rests;
-/// seconds below it.
+/// seconds below it. What is outside of the trial's range is dimmed; the handles at its ends can be dragged.
 class TimeSlider : public QAbstractSlider
 {
     Q_OBJECT
@@ -29,6 +33,10 @@ public:
     QSize minimumSizeHint() const override;
     /// Where a time lies, in widget coordinates.
     double xOf(Nanoseconds time) const;
+
+Q_SIGNALS:
+    /// To this range of the trial, when a handle of it was let go.
+    void rangeDragged(const odo::TimeSpan &range);
 
 protected:
     bool event(QEvent *event) override;
@@ -43,6 +51,9 @@ private:
     void goTo(double x);
     void paintSeconds(QPainter &painter, double y) const;
     void paintSelection(QPainter &painter, double y) const;
+    void paintRange(QPainter &painter, double y) const;
+    TimeSpan range() const;
+    bool beginDrag(const QPointF &position);
     void paintSpikes(QPainter &painter, double y) const;
     void paintStretches(QPainter &painter, double y) const;
     double grooveY() const;
@@ -50,6 +61,8 @@ private:
     Timeline &m_timeline;
     TrialScenePtr m_scene;
     std::vector<UncertainInterval> m_stretches; ///< of the scene
+    std::optional<TimeSpan> m_dragged;          ///< the range while a handle of it is dragged
+    bool m_dragsEnd = false;
 };
 
 class TimeSlider;
@@ -63,6 +76,11 @@ public:
     explicit TimelineBar(Timeline &timeline, QWidget *parent = nullptr);
     /// The spikes that are marked on the slider; null clears.
     void setScene(TrialScenePtr scene);
+    /// What the context menu of the slider offers.
+    void setRangeActions(const QList<QAction *> &actions);
+
+Q_SIGNALS:
+    void rangeDragged(const odo::TimeSpan &range);
 
 protected:
     void paintEvent(QPaintEvent *event) override;

@@ -11,6 +11,7 @@
 #include <QPainter>
 #include <algorithm>
 #include <numbers>
+#include <span>
 #include <utility>
 
 namespace odo {
@@ -22,9 +23,30 @@ class TrialCurvesWords
     Q_DECLARE_TR_FUNCTIONS(TrialCurves)
 };
 
+/// The lines of what is outside of the range.
+std::vector<ChartCurve> outsideCurves(const TrialScene &scene, Quantity quantity)
+{
+    std::vector<ChartCurve> outside;
+    for (std::size_t robot = 0; robot < scene.robots.size(); ++robot) {
+        const auto &analysis = scene.robots[robot].analysis;
+        if (!analysis || !analysis->range)
+            continue;
+        for (const Profile *part : {&analysis->outside.before, &analysis->outside.after}) {
+            if (part->samples.empty())
+                continue;
+            ProfileCurves curves = profileCurves(*part, quantity, sampleTimes(*part), int(robot));
+            curves.line.ink = ChartInk::Muted;
+            curves.line.hasBand = false;
+            outside.push_back(std::move(curves.line));
+        }
+    }
+    return outside;
+}
+
 } // namespace
 
-TrialCurves::TrialCurves(TrialScenePtr scene, Quantity quantity, const SamplePositions &positions)
+TrialCurves::TrialCurves(TrialScenePtr scene, Quantity quantity, const SamplePositions &positions,
+                         bool withOutside)
     : m_scene(std::move(scene)), m_quantity(quantity)
 {
     if (!m_scene)
@@ -41,17 +63,21 @@ TrialCurves::TrialCurves(TrialScenePtr scene, Quantity quantity, const SamplePos
          {&ProfileCurves::measured, &ProfileCurves::bridged, &ProfileCurves::line, &ProfileCurves::spikes})
         for (ProfileCurves &curves : robots)
             content->curves.push_back(std::move(curves.*part));
+    content->range = valueRange(content->curves, m_quantity);
+    const std::vector<ChartCurve> outside =
+        withOutside ? outsideCurves(*m_scene, m_quantity) : std::vector<ChartCurve>();
+    content->curves.insert(content->curves.begin(), outside.begin(), outside.end());
     m_lines.resize(m_scene->robots.size());
-    for (const ChartCurve &curve : content->curves)
+    for (const ChartCurve &curve : std::span(content->curves).subspan(outside.size()))
         if (curve.kind == ChartCurve::Kind::Line)
             m_lines[static_cast<std::size_t>(curve.group)].push_back(&curve);
-    content->range = valueRange(content->curves, m_quantity);
     m_content = std::move(content);
 }
 
 std::optional<CurveValue> TrialCurves::valueAt(std::size_t robot, Nanoseconds time) const
 {
-    if (m_lines[robot].empty())
+    const auto &range = m_scene->trial.range;
+    if (m_lines[robot].empty() || (range && !range->contains(time)))
         return std::nullopt;
     const std::vector<Sample> &samples = m_scene->robots[robot].analysis->profile.samples;
     const auto after =
@@ -110,16 +136,17 @@ CurveMaker::CurveMaker(QObject *parent) : QObject(parent)
 }
 
 void CurveMaker::make(TrialScenePtr scene, Quantity quantity,
-                      std::shared_ptr<const SamplePositions> positions)
+                      std::shared_ptr<const SamplePositions> positions, bool withOutside)
 {
     m_wanted.reset();
     m_curves = {};
     if (scene && sampleCount(*scene) > mostAtOnce) {
-        m_wanted = std::make_shared<Request>(Request{std::move(scene), quantity, std::move(positions), {}});
+        m_wanted = std::make_shared<Request>(
+            Request{std::move(scene), quantity, std::move(positions), withOutside, {}});
         begin();
         return;
     }
-    m_curves = TrialCurves(std::move(scene), quantity, *positions);
+    m_curves = TrialCurves(std::move(scene), quantity, *positions, withOutside);
 }
 
 void CurveMaker::begin()
@@ -128,7 +155,8 @@ void CurveMaker::begin()
         return;
     m_running = m_wanted;
     m_task.start([request = m_running](const JobControl &) -> Result<void> {
-        request->curves = TrialCurves(request->scene, request->quantity, *request->positions);
+        request->curves =
+            TrialCurves(request->scene, request->quantity, *request->positions, request->withOutside);
         return {};
     });
 }

@@ -35,7 +35,9 @@ class TrialCurves
 {
 public:
     TrialCurves() = default;
-    TrialCurves(TrialScenePtr scene, Quantity quantity, const SamplePositions &positions);
+    /// withOutside: over the time, what is outside of the trial's range too, muted and without a band.
+    TrialCurves(TrialScenePtr scene, Quantity quantity, const SamplePositions &positions,
+                bool withOutside = false);
 
     /// What a chart shows; nullptr without a scene.
     const ChartContentPtr &content() const { return m_content; }
@@ -67,7 +69,8 @@ public:
 
     explicit CurveMaker(QObject *parent = nullptr);
     /// scene: null clears. made() follows where it takes a thread.
-    void make(TrialScenePtr scene, Quantity quantity, std::shared_ptr<const SamplePositions> positions);
+    void make(TrialScenePtr scene, Quantity quantity, std::shared_ptr<const SamplePositions> positions,
+              bool withOutside = false);
     /// What was made last; empty while something is being made.
     const TrialCurves &curves() const { return m_curves; }
     bool isRunning() const { return m_wanted != nullptr; }
@@ -81,6 +84,7 @@ private:
         TrialScenePtr scene;
         Quantity quantity = Quantity::Speed;
         std::shared_ptr<const SamplePositions> positions;
+        bool withOutside = false;
         TrialCurves curves; ///< once it has run
     };
     void begin();

@@ -245,18 +245,22 @@ void drawTrialRobots(QPainter &painter, const MapPlan &plan, const TrialScene &s
     const std::vector<int> positions = paletteIndices(scene);
     for (std::size_t robot = 0; robot < scene.robots.size(); ++robot) {
         const SceneRobot &shown = scene.robots[robot];
-        const std::ptrdiff_t index = shown.analysis ? pointIndexAt(shown.analysis->profile, time) : -1;
+        if (!shown.analysis)
+            continue;
+        const Profile &profile = partAt(*shown.analysis, time);
+        const std::ptrdiff_t index = pointIndexAt(profile, time);
         if (index < 0)
             continue;
-        const Profile &profile = shown.analysis->profile;
         const ProfilePoint &point = profile.points[static_cast<std::size_t>(index)];
         MapRobot sign{&shown.robot,
                       point.position,
                       point.sigmaXM,
                       point.sigmaYM,
                       drivenHeadingAt(profile, index),
-                      alone ? drawnColour(shown.robot.drawingColour, ThemeColours::of(palette).spike, palette)
-                            : seriesColour(positions[robot], palette),
+                      &profile != &shown.analysis->profile ? ThemeColours::of(palette).muted
+                      : alone
+                          ? drawnColour(shown.robot.drawingColour, ThemeColours::of(palette).spike, palette)
+                          : seriesColour(positions[robot], palette),
                       {},
                       scene.referenceM(robot)};
         if (!alone)
