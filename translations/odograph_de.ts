@@ -14057,7 +14057,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
     <message>
         <source>Over the floor that the cameras see</source>
-        <translation>Über den Boden, den die Kameras sehen</translation>
+        <translation>Über den sichtbaren Boden</translation>
     </message>
     <message>
         <source>The simulated run:</source>
@@ -15472,7 +15472,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <translation>Synchronisieren</translation>
     </message>
     <message>
-        <source>What was tracked in the trial is analysed again. Choose Undo to return to the synchronisation that it has now.</source>
+        <source>What was tracked in the trial is reanalysed. Choose Undo to return to the synchronisation that it has now.</source>
         <translation>Was im Versuch verfolgt wurde, wird neu ausgewertet. „Rückgängig“ stellt die jetzige Synchronisation wieder her.</translation>
     </message>
     <message>
@@ -15480,12 +15480,12 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <translation>Der Ton der Videos wird gelesen…</translation>
     </message>
     <message>
-        <source>Sound of %1 above, of %2 below. Drag it until both show the same clap at one time; the wheel zooms.</source>
-        <translation>Ton von %1 oben, von %2 unten. Ziehen Sie ihn, bis beide dasselbe Klatschen zur selben Zeit zeigen; das Mausrad vergrößert.</translation>
+        <source>Sound of the first view above, of the other one below. Drag it until both show the same clap at one time; the wheel zooms.</source>
+        <translation>Ton der ersten Sicht oben, der anderen unten. Ziehen Sie ihn, bis beide dasselbe Klatschen zur selben Zeit zeigen; das Mausrad vergrößert.</translation>
     </message>
     <message>
-        <source>%1 has no sound to compare.</source>
-        <translation>%1 hat keinen Ton zum Vergleichen.</translation>
+        <source>There is no sound in both views to compare.</source>
+        <translation>Es gibt nicht in beiden Sichten Ton zum Vergleichen.</translation>
     </message>
 </context>
 <context>

@@ -15472,7 +15472,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <translation>Sincronizar</translation>
     </message>
     <message>
-        <source>What was tracked in the trial is analysed again. Choose Undo to return to the synchronisation that it has now.</source>
+        <source>What was tracked in the trial is reanalysed. Choose Undo to return to the synchronisation that it has now.</source>
         <translation>Lo que se siguió en el ensayo se analiza de nuevo. «Deshacer» devuelve la sincronización actual.</translation>
     </message>
     <message>
@@ -15480,12 +15480,12 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <translation>Leyendo el sonido de los vídeos…</translation>
     </message>
     <message>
-        <source>Sound of %1 above, of %2 below. Drag it until both show the same clap at one time; the wheel zooms.</source>
-        <translation>Sonido de %1 arriba, de %2 abajo. Arrástrelo hasta que ambos muestren la misma palmada al mismo tiempo; la rueda amplía.</translation>
+        <source>Sound of the first view above, of the other one below. Drag it until both show the same clap at one time; the wheel zooms.</source>
+        <translation>Sonido de la primera vista arriba, de la otra abajo. Arrástrelo hasta que ambos muestren la misma palmada al mismo tiempo; la rueda amplía.</translation>
     </message>
     <message>
-        <source>%1 has no sound to compare.</source>
-        <translation>%1 no tiene sonido que comparar.</translation>
+        <source>There is no sound in both views to compare.</source>
+        <translation>No hay sonido en ambas vistas que comparar.</translation>
     </message>
 </context>
 <context>

@@ -15472,7 +15472,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <translation>Synchroniser</translation>
     </message>
     <message>
-        <source>What was tracked in the trial is analysed again. Choose Undo to return to the synchronisation that it has now.</source>
+        <source>What was tracked in the trial is reanalysed. Choose Undo to return to the synchronisation that it has now.</source>
         <translation>Ce qui a été suivi dans l’essai est analysé de nouveau. « Annuler » rétablit la synchronisation actuelle.</translation>
     </message>
     <message>
@@ -15480,12 +15480,12 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <translation>Lecture du son des vidéos…</translation>
     </message>
     <message>
-        <source>Sound of %1 above, of %2 below. Drag it until both show the same clap at one time; the wheel zooms.</source>
-        <translation>Son de %1 en haut, de %2 en bas. Faites-le glisser jusqu’à ce que les deux montrent le même claquement au même instant ; la molette agrandit.</translation>
+        <source>Sound of the first view above, of the other one below. Drag it until both show the same clap at one time; the wheel zooms.</source>
+        <translation>Son de la première vue en haut, de l’autre en bas. Faites-le glisser jusqu’à ce que les deux montrent le même claquement au même instant ; la molette agrandit.</translation>
     </message>
     <message>
-        <source>%1 has no sound to compare.</source>
-        <translation>%1 n’a pas de son à comparer.</translation>
+        <source>There is no sound in both views to compare.</source>
+        <translation>Il n’y a pas de son à comparer dans les deux vues.</translation>
     </message>
 </context>
 <context>

@@ -15445,7 +15445,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
         <translation>동기화</translation>
     </message>
     <message>
-        <source>What was tracked in the trial is analysed again. Choose Undo to return to the synchronisation that it has now.</source>
+        <source>What was tracked in the trial is reanalysed. Choose Undo to return to the synchronisation that it has now.</source>
         <translation>시행에서 추적된 것은 다시 분석됩니다. 실행 취소를 선택하면 현재 동기화로 돌아갑니다.</translation>
     </message>
     <message>
@@ -15453,12 +15453,12 @@ Much more than expected means that a setting is wrong: the views are not synchro
         <translation>동영상의 소리를 읽는 중…</translation>
     </message>
     <message>
-        <source>Sound of %1 above, of %2 below. Drag it until both show the same clap at one time; the wheel zooms.</source>
-        <translation>위는 %1, 아래는 %2의 소리입니다. 같은 박수 소리가 같은 시각에 보이도록 끌어 옮기십시오. 휠로 확대합니다.</translation>
+        <source>Sound of the first view above, of the other one below. Drag it until both show the same clap at one time; the wheel zooms.</source>
+        <translation>위는 첫 번째 뷰, 아래는 다른 뷰의 소리입니다. 같은 박수 소리가 같은 시각에 보이도록 끌어 옮기십시오. 휠로 확대합니다.</translation>
     </message>
     <message>
-        <source>%1 has no sound to compare.</source>
-        <translation>%1에 비교할 소리가 없습니다.</translation>
+        <source>There is no sound in both views to compare.</source>
+        <translation>두 뷰 모두에 비교할 소리가 있지는 않습니다.</translation>
     </message>
 </context>
 <context>

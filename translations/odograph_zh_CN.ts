@@ -15445,7 +15445,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
         <translation>同步</translation>
     </message>
     <message>
-        <source>What was tracked in the trial is analysed again. Choose Undo to return to the synchronisation that it has now.</source>
+        <source>What was tracked in the trial is reanalysed. Choose Undo to return to the synchronisation that it has now.</source>
         <translation>试验中已跟踪的内容将重新分析。选择“撤销”可恢复当前的同步。</translation>
     </message>
     <message>
@@ -15453,12 +15453,12 @@ Much more than expected means that a setting is wrong: the views are not synchro
         <translation>正在读取视频的声音…</translation>
     </message>
     <message>
-        <source>Sound of %1 above, of %2 below. Drag it until both show the same clap at one time; the wheel zooms.</source>
-        <translation>上方为 %1 的声音，下方为 %2 的声音。拖动它，直到两者在同一时刻显示同一次拍手；滚轮可缩放。</translation>
+        <source>Sound of the first view above, of the other one below. Drag it until both show the same clap at one time; the wheel zooms.</source>
+        <translation>上方为第一个视角的声音，下方为另一个视角的声音。拖动它，直到两者在同一时刻显示同一次拍手；滚轮可缩放。</translation>
     </message>
     <message>
-        <source>%1 has no sound to compare.</source>
-        <translation>%1 没有可比较的声音。</translation>
+        <source>There is no sound in both views to compare.</source>
+        <translation>两个视角并非都有可比较的声音。</translation>
     </message>
 </context>
 <context>

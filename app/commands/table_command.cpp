@@ -13,7 +13,7 @@ namespace odo {
 
 namespace {
 
-QJsonObject rowJson(const TrialTable &table, const TrialTableRow &row)
+QJsonObject rowJson(const ResultTable &table, const TrialTableRow &row)
 {
     QJsonObject metrics;
     for (std::size_t i = 0; i < table.columns.size(); ++i) {
@@ -39,7 +39,7 @@ QJsonObject rowJson(const TrialTable &table, const TrialTableRow &row)
             {QStringLiteral("metrics"), metrics}};
 }
 
-QJsonArray rowsJson(const TrialTable &table)
+QJsonArray rowsJson(const ResultTable &table)
 {
     QJsonArray rows;
     for (const TrialTableRow &row : table.rows)
@@ -76,7 +76,7 @@ Result<Form> formOf(const CommandCall &call, const QString &file)
         ODO_TEXT("app.table_is_csv_or_xlsx", "'%1' is neither a .csv nor an .xlsx file")(file.toStdString()));
 }
 
-Result<void> writeTable(const TrialTable &table, Form form, CsvStyle style, const OutputTarget &target)
+Result<void> writeTable(const ResultTable &table, Form form, CsvStyle style, const OutputTarget &target)
 {
     if (form == Form::Xlsx)
         return writeTrialTableXlsx(table, target);

@@ -280,8 +280,7 @@ CommandSyntax trialSyntax()
          {option::sync,
           QStringLiteral(
               "How much later each other view's first frame was taken than the first view's; auto: "
-              "found by the motion, a flash of light or a clap. What was tracked is analysed "
-              "again."),
+              "found by the motion, a flash of light or a clap. What was tracked is reanalysed."),
           QStringLiteral("auto|motion|flash|audio|none|SECONDS[,...]")},
          {option::range,
           QStringLiteral(

@@ -58,7 +58,7 @@ std::string verdictCell(const TrialTableRow &row)
     return row.verdict ? wordOf(*row.verdict) : std::string("unknown");
 }
 
-std::string lowerBounds(const TrialTable &table, const TrialTableRow &row)
+std::string lowerBounds(const ResultTable &table, const TrialTableRow &row)
 {
     std::string names;
     for (std::size_t i = 0; i < table.columns.size(); ++i)
@@ -96,7 +96,7 @@ constexpr std::array facts{"trial", "team", "class", "task", "robot", "date", "v
 
 } // namespace
 
-Result<void> writeTrialTableCsv(const TrialTable &table, CsvStyle style, const TextSink &sink)
+Result<void> writeTrialTableCsv(const ResultTable &table, CsvStyle style, const TextSink &sink)
 {
     TextPieces text(sink);
     text.add(csvStart(style));
@@ -229,7 +229,7 @@ private:
     lxw_col_t m_column = 0;
 };
 
-void fillHeader(lxw_worksheet &sheet, const TrialTable &table, const CellFormats &formats)
+void fillHeader(lxw_worksheet &sheet, const ResultTable &table, const CellFormats &formats)
 {
     SheetRow row(sheet, 0);
     for (const char *fact : {"Trial", "Team", "Class", "Task", "Robot", "Date", "Verdict"})
@@ -244,7 +244,7 @@ void fillHeader(lxw_worksheet &sheet, const TrialTable &table, const CellFormats
     row.text("Remarks", formats.header);
 }
 
-void fillRow(lxw_worksheet &sheet, std::size_t position, const TrialTable &table, const CellFormats &formats)
+void fillRow(lxw_worksheet &sheet, std::size_t position, const ResultTable &table, const CellFormats &formats)
 {
     const TrialTableRow &from = table.rows[position];
     SheetRow row(sheet, position + 1);
@@ -283,7 +283,7 @@ struct EndOfWorkbook
 
 } // namespace
 
-Result<void> writeTrialTableXlsx(const TrialTable &table, const OutputTarget &target)
+Result<void> writeTrialTableXlsx(const ResultTable &table, const OutputTarget &target)
 {
     const auto output = ODO_TRY(OutputFile::open(target, FileKind::Xlsx));
     std::unique_ptr<lxw_workbook, EndOfWorkbook> workbook(workbook_new(output->temporary().c_str()));

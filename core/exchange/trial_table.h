@@ -32,7 +32,7 @@ struct TrialTableRow
 
 /// Trials and their metrics, for a spreadsheet or a program. Nothing is left out or averaged: what a value is
 /// worth is beside it.
-struct TrialTable
+struct ResultTable
 {
     std::vector<std::string> variables; ///< that the trials have, a column each
     std::vector<TrialTableColumn> columns;
@@ -42,11 +42,11 @@ struct TrialTable
 /// As CSV: a header line without blanks, then a row for each robot of each trial; each metric has a column
 /// with its unit, and one of its σ. at_least names the metrics that can only be larger; a value that is
 /// missing is empty. Any thread.
-Result<void> writeTrialTableCsv(const TrialTable &table, CsvStyle style, const TextSink &sink);
+Result<void> writeTrialTableCsv(const ResultTable &table, CsvStyle style, const TextSink &sink);
 
 /// As an XLSX workbook of one sheet, with the header frozen: numbers are numbers and dates are dates, lower
 /// bounds are shown with "≥", uncertain and bad verdicts are coloured. Any thread. Errors: those of
 /// OutputFile.
-Result<void> writeTrialTableXlsx(const TrialTable &table, const OutputTarget &target);
+Result<void> writeTrialTableXlsx(const ResultTable &table, const OutputTarget &target);
 
 } // namespace odo

@@ -26,7 +26,7 @@ constexpr double bounded(double value)
     return value >= -largestNumber ? std::min(value, largestNumber) : value < 0 ? -largestNumber : 0;
 }
 constexpr std::size_t mostViews = 16, mostRobots = 32, mostTags = 50, mostVariables = 50; ///< of a trial
-constexpr std::size_t mostMarkers = 1000;                             ///< of a layout
+constexpr std::size_t mostMarkers = 1000;                                                 ///< of a layout
 constexpr int largestRobotM = 10;
 /// Frames a second that a camera may be said to have taken.
 constexpr double lowestFrameRate = 0.1, highestFrameRate = 100'000;

@@ -281,8 +281,8 @@ private:
                 settings.robots.push_back(robot.name);
             for (const SimulatedCamera &camera : trial.scene.cameras)
                 settings.videos.emplace_back(camera.name, videoFile(t, camera));
-            settings.steps = {{SyncBy::Given,
-                               frameSceneTime(trial.scene, 1, 0) - frameSceneTime(trial.scene, 0, 0)}};
+            settings.steps = {
+                {SyncBy::Given, frameSceneTime(trial.scene, 1, 0) - frameSceneTime(trial.scene, 0, 0)}};
             ImportTrialJob job(std::move(settings));
             if (auto done = runToEnd(job, m_project, {m_control.cancel, {}}); !done)
                 return done;

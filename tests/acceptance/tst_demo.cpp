@@ -229,7 +229,7 @@ private Q_SLOTS:
         const QJsonObject answer = run.json();
         QCOMPARE(answer.keys(), QStringList({QStringLiteral("aligned_by"), QStringLiteral("delta_t_s"),
                                              QStringLiteral("distance_m"), QStringLiteral("metrics"),
-                                             QStringLiteral("verdicts")}));
+                                             QStringLiteral("ranges"), QStringLiteral("verdicts")}));
         QCOMPARE(answer.value(QStringLiteral("aligned_by")).toString(), QStringLiteral("start_gate"));
         const QJsonArray distances = answer.value(QStringLiteral("distance_m")).toArray(),
                          differences = answer.value(QStringLiteral("delta_t_s")).toArray();

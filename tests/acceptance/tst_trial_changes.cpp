@@ -192,7 +192,6 @@ private Q_SLOTS:
         addBadCall("trial set %P one --date 2999-01-01", 2, "its new date is in the future");
         addBadCall("trial set %P one --date 2999-01-01 --name new --team New", 2, "in the future");
         addBadCall("trial set %P one --note x --task Slalom --team New", 1, "Slalom");
-        addBadCall("trial set %P one --sync auto", 2, "sync");
         addBadCall("trial set %P one --range 2", 2, "--range '2' is not FROM,TO in seconds");
         addBadCall("trial set %P one --range a,b", 2, "--range 'a,b' is not FROM,TO in seconds");
         addBadCall("trial set %P one --range 1,nan", 2, "is not FROM,TO in seconds");

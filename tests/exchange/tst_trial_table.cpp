@@ -37,9 +37,9 @@ TrialVerdict verdict(CheckLevel level)
 
 /// A good run, one with a lower bound whose verdict is not good, a bad one without a metric, an untracked
 /// one.
-TrialTable example()
+ResultTable example()
 {
-    TrialTable table;
+    ResultTable table;
     table.columns = {{"max_speed", "m/s"}, {"max_accel", "m/s²"}, {"stops", "1"}};
     const Metric speed{"max_speed", "m/s", 1.25, 0.5}, accel{"max_accel", "m/s²", 3, {}, true},
         stops{"stops", "1", 2, {}};
@@ -51,7 +51,7 @@ TrialTable example()
     return table;
 }
 
-std::string csv(const TrialTable &table, CsvStyle style)
+std::string csv(const ResultTable &table, CsvStyle style)
 {
     return wholeText([&](const TextSink &sink) { return writeTrialTableCsv(table, style, sink); });
 }
@@ -96,7 +96,7 @@ private Q_SLOTS:
 
     void csvOfSpreadsheets()
     {
-        TrialTable table = example();
+        ResultTable table = example();
         table.rows.resize(1);
         const std::string international = csv(table, CsvStyle::International);
         QCOMPARE(international, "\xef\xbb\xbf" + csv(table, CsvStyle::Analysis));
@@ -108,7 +108,7 @@ private Q_SLOTS:
 
     void acceptedResultsSayWhy()
     {
-        TrialTable table = example();
+        ResultTable table = example();
         table.rows.erase(table.rows.begin());
         table.rows.resize(1);
         table.rows.front().verdict->acceptance = VerdictAcceptance{"seen in the video", {}, {"few_gaps"}};
@@ -166,7 +166,7 @@ private Q_SLOTS:
 
     void aLongTextIsCut()
     {
-        TrialTable table = example();
+        ResultTable table = example();
         table.rows[1].verdict->checks[1].text = foreignWords(std::string(40'000, 'x'));
         const QTemporaryDir folder;
         QVERIFY(writeTrialTableXlsx(table, file(folder)));

@@ -49,6 +49,7 @@ private Q_SLOTS:
     void otherHeadersAreUsedOutsideTheirFolder();
     void includesRunInNoCircle();
     void platformHeadersStayInTheirFolders();
+    void everyTypeHasANameOfItsOwn();
     void everyFileIsFormatted();
 };
 
@@ -120,6 +121,26 @@ void TestHouse::internalHeadersStayInTheirFolder()
                 wrong << source.key() + QLatin1String(" includes ") + include;
         }
     }
+    QCOMPARE(wrong.join(u'\n'), QString());
+}
+
+/// Two types of one name, in whatever folders, are one to the linker, which takes the functions of either.
+void TestHouse::everyTypeHasANameOfItsOwn()
+{
+    static const QRegularExpression type(
+        QStringLiteral("^(?:class|struct|enum class) (\\w+)(?: final)?(?: :[^;]*)?(?: \\{)?$"));
+    QMap<QString, QString> known;
+    QStringList wrong;
+    for (auto source = m_sources.cbegin(); source != m_sources.cend(); ++source)
+        for (const QString &line : source->lines)
+            if (const auto match = type.match(line);
+                match.hasMatch() && source.key().endsWith(QLatin1String(".h")) && !isTest(source.key())) {
+                if (known.contains(match.captured(1)))
+                    wrong << QStringLiteral("%1: %2 and %3")
+                                 .arg(match.captured(1), known.value(match.captured(1)), source.key());
+                known.insert(match.captured(1), source.key());
+            }
+    QVERIFY(known.size() > 300);
     QCOMPARE(wrong.join(u'\n'), QString());
 }
 

@@ -28,7 +28,7 @@ private Q_SLOTS:
 
     void aRowForEachRobotTheOldestFirst()
     {
-        const TrialTable table = *readTrialTable(*m_project, {});
+        const ResultTable table = *readTrialTable(*m_project, {});
         QCOMPARE(names(table),
                  (QStringList{QStringLiteral("Trial 3/"), QStringLiteral("Trial 2/Red 2"),
                               QStringLiteral("Trial 2/Blue 1"), QStringLiteral("Trial 1/Red 2")}));
@@ -45,7 +45,7 @@ private Q_SLOTS:
         QCOMPARE(names(*readTrialTable(*m_project, {.className = "9B"})).size(), 3);
         const std::string task = trial("Trial 1").task;
         QVERIFY(!task.empty());
-        const TrialTable ofTask = *readTrialTable(*m_project, {.task = task});
+        const ResultTable ofTask = *readTrialTable(*m_project, {.task = task});
         QVERIFY(!ofTask.rows.empty());
         for (const TrialTableRow &row : ofTask.rows)
             QCOMPARE(row.trial.task, task);
@@ -56,7 +56,7 @@ private Q_SLOTS:
 
     void metricsComeInTheGivenOrder()
     {
-        const TrialTable table =
+        const ResultTable table =
             *readTrialTable(*m_project, {.metrics = {"path_length", "duration", "score"}});
         QCOMPARE(table.columns.size(), std::size_t(3));
         QCOMPARE(table.columns[0].metric + table.columns[0].unit, std::string("path_lengthm"));
@@ -84,7 +84,7 @@ private Q_SLOTS:
         const std::string metric = analysis.profile.metrics.front().name;
         QVERIFY(m_project->analyses().add(std::move(analysis)));
         const auto isAtLeast = [&] {
-            const TrialTable table = *readTrialTable(*m_project, {.metrics = {metric}});
+            const ResultTable table = *readTrialTable(*m_project, {.metrics = {metric}});
             return table.rows[3].metrics[0]->isAtLeast;
         };
         const bool before = isAtLeast();
@@ -99,7 +99,7 @@ private Q_SLOTS:
         auto analysis = m_project->analyses().current(trial("Trial 1").id)->front();
         analysis.profile.metrics = {{"path_length", "mm", 1500, {}}};
         QVERIFY(m_project->analyses().add(std::move(analysis)));
-        const TrialTable table = *readTrialTable(*m_project, {.metrics = {"path_length"}});
+        const ResultTable table = *readTrialTable(*m_project, {.metrics = {"path_length"}});
         QCOMPARE(table.columns.size(), std::size_t(2));
         QVERIFY(table.columns[0].unit == "m" && table.columns[1].unit == "mm");
         QVERIFY(table.rows[1].metrics[0] && !table.rows[1].metrics[1]);
@@ -116,14 +116,14 @@ private Q_SLOTS:
 
 private:
     TrialRecord trial(const char *name) const { return *m_project->trials().find(name); }
-    static QStringList names(const TrialTable &table)
+    static QStringList names(const ResultTable &table)
     {
         QStringList names;
         for (const TrialTableRow &row : table.rows)
             names << QString::fromStdString(row.trial.name + '/' + row.robot);
         return names;
     }
-    static double valueOf(const TrialTable &table, std::size_t row, const std::string &metric)
+    static double valueOf(const ResultTable &table, std::size_t row, const std::string &metric)
     {
         const auto its = std::ranges::find(table.columns, metric, &TrialTableColumn::metric);
         return table.rows[row].metrics[std::size_t(its - table.columns.begin())]->value;

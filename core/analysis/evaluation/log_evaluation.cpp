@@ -123,7 +123,7 @@ private:
     Result<void> chooseClock(const std::vector<OffsetCandidate> &candidates)
     {
         const double mostUnexplained = likeBestUnexplained * (1 - candidates.front().explained);
-        std::vector<ClockFit> fits;
+        std::vector<LogClockFit> fits;
         for (const OffsetCandidate &candidate : candidates) {
             if (1 - candidate.explained > mostUnexplained)
                 continue;
@@ -138,12 +138,12 @@ private:
                          "too little of its motion is also in the run to find the time offset"),
                 giveOffset());
         double usualM2 = std::numeric_limits<double>::max();
-        for (const ClockFit &fit : fits)
+        for (const LogClockFit &fit : fits)
             usualM2 = std::min(usualM2, median(fit.leftM2));
-        const auto best =
-            std::ranges::min_element(fits, {}, [&](const ClockFit &fit) { return meanLeftM2(fit, usualM2); });
+        const auto best = std::ranges::min_element(
+            fits, {}, [&](const LogClockFit &fit) { return meanLeftM2(fit, usualM2); });
         m_result.clock = best->clock;
-        for (const ClockFit &other : fits)
+        for (const LogClockFit &other : fits)
             if (std::abs(offsetAtMiddle(other) - best->clock.offsetS) > sameOffsetS &&
                 fitsAlike(*best, other))
                 return undetermined(
@@ -160,7 +160,7 @@ private:
     }
 
     /// Of another fit, at the time of the chosen one.
-    double offsetAtMiddle(const ClockFit &other) const
+    double offsetAtMiddle(const LogClockFit &other) const
     {
         return other.clock.trialTimeS(m_result.clock.middleS) - m_result.clock.middleS;
     }

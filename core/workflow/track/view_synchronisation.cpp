@@ -124,8 +124,8 @@ Result<void> findOffsets(std::vector<RegisteredView> &views, const std::vector<s
             (search.sources[i] != OffsetSource::Any || request.otherwise == SyncRequest::Otherwise::Fail))
             return fail(offset.error().code, what, offset.error().why, offset.error().advice);
         if (!offset) {
-            const Message open = ODO_TEXT("workflow.sought_when_tracked",
-                                          "%1; tracking tries again")(offset.error().why);
+            const Message open =
+                ODO_TEXT("workflow.sought_when_tracked", "%1; tracking tries again")(offset.error().why);
             sentences.push_back(wholeMessage(what, open, offset.error().advice));
             continue;
         }

@@ -136,7 +136,7 @@ std::vector<std::string> metricsOf(const std::vector<Run> &runs)
 
 } // namespace
 
-Result<TrialTable> readTrialTable(Project &project, const TrialTableChoice &given)
+Result<ResultTable> readTrialTable(Project &project, const TrialTableChoice &given)
 {
     const auto choice = ODO_TRY(checked(project, given));
     auto trials = ODO_TRY(project.trials().all());
@@ -148,7 +148,7 @@ Result<TrialTable> readTrialTable(Project &project, const TrialTableChoice &give
         auto its = ODO_TRY(runsOf(project, trial, grounds));
         std::ranges::move(its, std::back_inserter(runs));
     }
-    TrialTable table;
+    ResultTable table;
     std::set<std::string> variables;
     for (const TrialRecord &trial : trials)
         for (const auto &variable : trial.variables)

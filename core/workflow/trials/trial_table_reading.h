@@ -21,6 +21,6 @@ struct TrialTableChoice
 /// The newest analysis of each robot in the trials that are not in the bin, the oldest trial first, with the
 /// scores of tasks that are scored. A metric of two units has two columns. On the project's thread. Errors:
 /// NotFound for a class, task, team or metric that the project doesn't have.
-Result<TrialTable> readTrialTable(Project &project, const TrialTableChoice &choice);
+Result<ResultTable> readTrialTable(Project &project, const TrialTableChoice &choice);
 
 } // namespace odo

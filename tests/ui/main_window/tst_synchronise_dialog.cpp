@@ -87,7 +87,7 @@ private Q_SLOTS:
         how->setCurrentIndex(how->findData(int(SyncBy::Given)));
         QCOMPARE(dialog.findChild<QDoubleSpinBox *>()->value(), 0.25);
         QCOMPARE(dialog.steps().front().offsetS, 0.25);
-        QTRY_VERIFY(words("A has no sound to compare."));
+        QTRY_VERIFY(words("There is no sound in both views to compare."));
     }
 
     void ofSeveralViewsSomeMayStay()

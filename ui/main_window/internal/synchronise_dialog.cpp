@@ -3,6 +3,7 @@
 
 #include "ui/main_window/internal/import_dialogs.h"
 #include "ui/models/explanation.h"
+#include "ui/views/widgets/labels.h"
 
 #include <QDialogButtonBox>
 #include <QFormLayout>
@@ -14,11 +15,10 @@ namespace odo {
 
 namespace {
 
-QLabel *plainText(const QString &text)
+QLabel *sentence(const QString &text)
 {
     auto *label = new QLabel(text);
-    label->setTextFormat(Qt::PlainText);
-    label->setWordWrap(true);
+    showAsWords(*label);
     return label;
 }
 
@@ -26,8 +26,8 @@ QLabel *plainText(const QString &text)
 
 SynchroniseDialog::SynchroniseDialog(const QString &trial, const std::vector<RecordingRecord> &views,
                                      const std::vector<std::filesystem::path> &files, QWidget *parent)
-    : QDialog(parent), m_steps(new ViewSteps), m_chart(new SoundChart(m_time)),
-      m_soundWords(plainText(tr("The sound of the videos is being read…")))
+    : QDialog(parent), m_steps(new ViewSteps), m_views(views.size()), m_chart(new SoundChart(m_time)),
+      m_soundWords(sentence(tr("The sound of the videos is being read…")))
 {
     setWindowTitle(tr("Synchronise %1").arg(trial));
     auto *buttons = new QDialogButtonBox(QDialogButtonBox::Cancel);
@@ -36,12 +36,11 @@ SynchroniseDialog::SynchroniseDialog(const QString &trial, const std::vector<Rec
     layout->addWidget(makeSteps(views));
     layout->addWidget(m_chart, 1);
     layout->addWidget(m_soundWords);
-    layout->addWidget(
-        plainText(tr("What was tracked in the trial is analysed again. Choose Undo to return to the "
-                     "synchronisation that it has now.")));
+    layout->addWidget(sentence(tr("What was tracked in the trial is reanalysed. Choose Undo to return to the "
+                                  "synchronisation that it has now.")));
     layout->addWidget(buttons);
     m_chart->setMinimumHeight(200);
-    m_chart->hide(); // until there is something to compare
+    m_chart->hide();          // until there is something to compare
     accept->setDefault(true); // only now is it in the dialog, whose Enter key it is to have
     resize(640, sizeHint().height());
     m_steps->fields().constFirst()->setFocus();
@@ -61,13 +60,14 @@ QWidget *SynchroniseDialog::makeSteps(const std::vector<RecordingRecord> &views)
     form->setContentsMargins(0, 0, 0, 0);
     QStringList cameras;
     for (const RecordingRecord &view : views) {
-        m_cameras.push_back(view.cameraName);
         cameras << QString::fromStdString(view.cameraName);
         m_steps->addView();
         if (view.position == 0)
             continue;
         m_steps->setStep(std::size_t(view.position), {SyncBy::Automatic, view.startOffsetS});
-        form->addRow(tr("%1 now").arg(cameras.constLast()), plainText(stepText(view)));
+        auto *now = new ElidedLabel;
+        now->setFullText(tr("%1 now").arg(cameras.constLast()));
+        form->addRow(now, sentence(stepText(view)));
     }
     if (views.size() > 2)
         m_steps->offerToKeep();
@@ -105,14 +105,9 @@ void SynchroniseDialog::showSounds(std::size_t view)
         m_chart->setVisible(areBoth);
         resize(width(), sizeHint().height());
     }
-    m_soundWords->setText(
-        areBoth
-            ? tr("Sound of %1 above, of %2 below. Drag it until both show the same clap at one time; the "
-                 "wheel "
-                 "zooms.")
-                  .arg(QString::fromStdString(m_cameras.front()), QString::fromStdString(m_cameras[view]))
-            : tr("%1 has no sound to compare.")
-                  .arg(QString::fromStdString(first.peaks.empty() ? m_cameras.front() : m_cameras[view])));
+    m_soundWords->setText(areBoth ? tr("Sound of the first view above, of the other one below. Drag it until "
+                                       "both show the same clap at one time; the wheel zooms.")
+                                  : tr("There is no sound in both views to compare."));
     m_chart->setOffset(m_steps->step(view).offsetS);
     if (areBoth && m_shownView != view)
         m_chart->setSounds({first, other});
@@ -122,7 +117,7 @@ void SynchroniseDialog::showSounds(std::size_t view)
 std::vector<ViewStep> SynchroniseDialog::steps() const
 {
     std::vector<ViewStep> steps;
-    for (std::size_t view = 1; view < m_cameras.size(); ++view)
+    for (std::size_t view = 1; view < m_views; ++view)
         steps.push_back(m_steps->step(view));
     return steps;
 }

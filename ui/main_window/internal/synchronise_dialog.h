@@ -32,8 +32,8 @@ private:
     void readSounds(const std::vector<std::filesystem::path> &files);
     void showSounds(std::size_t view);
 
-    std::vector<std::string> m_cameras;
     ViewSteps *m_steps;
+    std::size_t m_views;
     AxisSpan m_time;
     SoundChart *m_chart;
     QLabel *m_soundWords;             ///< how the chart is used, or why there is none

@@ -239,7 +239,7 @@ double independentRows(const ClockSystem &system)
 }
 
 /// Gauss–Newton from a guess; nullopt where it does not converge.
-std::optional<ClockFit> refined(ClockSystem &system, ClockFit fit, bool withRate)
+std::optional<LogClockFit> refined(ClockSystem &system, LogClockFit fit, bool withRate)
 {
     fit.leftM2.clear();
     for (int round = 0; round < mostRounds; ++round) {
@@ -276,11 +276,11 @@ std::optional<ClockFit> refined(ClockSystem &system, ClockFit fit, bool withRate
 
 } // namespace
 
-std::optional<ClockFit> fitClock(const MeasuredCourse &course, const std::vector<LogPose> &log,
-                                 const LogClock &guess, double scale)
+std::optional<LogClockFit> fitClock(const MeasuredCourse &course, const std::vector<LogPose> &log,
+                                    const LogClock &guess, double scale)
 {
     ClockSystem system(course, log);
-    ClockFit start;
+    LogClockFit start;
     start.clock = guess;
     start.scale = scale;
     system.linearise(start.clock, start.scale);
@@ -298,12 +298,12 @@ std::optional<ClockFit> fitClock(const MeasuredCourse &course, const std::vector
         return steady;
     if (std::abs(changing->clock.rate) > sigmasForRate * changing->clock.sigmaRate)
         return changing;
-    ClockFit without = *steady;
+    LogClockFit without = *steady;
     without.clock.sigmaRate = changing->clock.sigmaRate;
     return without;
 }
 
-double meanLeftM2(const ClockFit &fit, double usualM2)
+double meanLeftM2(const LogClockFit &fit, double usualM2)
 {
     double sum = 0;
     for (const double left : fit.leftM2)
@@ -311,7 +311,7 @@ double meanLeftM2(const ClockFit &fit, double usualM2)
     return sum / double(fit.leftM2.size());
 }
 
-bool fitsAlike(const ClockFit &best, const ClockFit &other)
+bool fitsAlike(const LogClockFit &best, const LogClockFit &other)
 {
     const double usual = median(best.leftM2);
     const double sigma = std::sqrt(2 / best.independent + 2 / other.independent);

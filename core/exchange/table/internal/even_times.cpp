@@ -39,8 +39,8 @@ Line lineThrough(const std::vector<double> &numbers, const std::vector<Nanosecon
 }
 
 /// Puts the times on a line where they are on it but for the rounding.
-Spread putOn(const Line &line, const std::vector<double> &numbers, std::vector<Nanoseconds> &times,
-             Nanoseconds resolution)
+EvenSpread putOn(const Line &line, const std::vector<double> &numbers, std::vector<Nanoseconds> &times,
+                 Nanoseconds resolution)
 {
     constexpr double exact = 0.01, small = 0.2;
     const double unit = static_cast<double>(resolution.count());
@@ -50,9 +50,9 @@ Spread putOn(const Line &line, const std::vector<double> &numbers, std::vector<N
         worst = std::max(worst, std::abs(line.startNs + line.stepNs * numbers[i] - t));
     }
     if (!(worst <= mostResidual * unit))
-        return Spread::NotEven;
+        return EvenSpread::NotEven;
     if (worst < exact * unit)
-        return Spread::AlreadyEven;
+        return EvenSpread::AlreadyEven;
     const Nanoseconds first = times.front();
     // A series that begins at 0 does not begin before it.
     const bool isBefore =
@@ -60,7 +60,7 @@ Spread putOn(const Line &line, const std::vector<double> &numbers, std::vector<N
     const double startNs = isBefore ? 0 : line.startNs;
     for (std::size_t i = 0; i < times.size(); ++i)
         times[i] = first + Nanoseconds(std::llround(startNs + line.stepNs * numbers[i]));
-    return unit < small * line.stepNs ? Spread::Slightly : Spread::Much;
+    return unit < small * line.stepNs ? EvenSpread::Slightly : EvenSpread::Much;
 }
 
 } // namespace
@@ -81,32 +81,32 @@ std::size_t sharedStamps(const std::vector<Nanoseconds> &times)
     return count;
 }
 
-Spread spreadEvenly(std::vector<Nanoseconds> &times, Nanoseconds resolution)
+EvenSpread spreadEvenly(std::vector<Nanoseconds> &times, Nanoseconds resolution)
 {
     if (times.size() < enoughEvenRows || !std::ranges::is_sorted(times) || times.front() == times.back())
-        return Spread::NotEven;
+        return EvenSpread::NotEven;
     const double step =
         static_cast<double>((times.back() - times.front()).count()) / static_cast<double>(times.size() - 1);
     if (static_cast<double>(resolution.count()) < leastShare * step ||
         times.back() - times.front() < leastSpan * resolution)
-        return Spread::NotEven;
+        return EvenSpread::NotEven;
     std::vector<double> numbers(times.size());
     for (std::size_t i = 0; i < times.size(); ++i)
         numbers[i] = static_cast<double>(i);
     const Line line = lineThrough(numbers, times);
-    return line.stepNs > 1 ? putOn(line, numbers, times, resolution) : Spread::NotEven;
+    return line.stepNs > 1 ? putOn(line, numbers, times, resolution) : EvenSpread::NotEven;
 }
 
-Spread spreadWithGaps(std::vector<Nanoseconds> &times, Nanoseconds resolution)
+EvenSpread spreadWithGaps(std::vector<Nanoseconds> &times, Nanoseconds resolution)
 {
     if (times.size() < enoughEvenRows)
-        return Spread::NotEven;
+        return EvenSpread::NotEven;
     std::vector<double> steps;
     for (std::size_t i = 1; i < times.size(); ++i)
         steps.push_back(static_cast<double>((times[i] - times[i - 1]).count()));
     double step = upperMedian(steps);
     if (!(step > 0) || static_cast<double>(resolution.count()) < leastShare * step)
-        return Spread::NotEven;
+        return EvenSpread::NotEven;
     std::vector<double> numbers(times.size(), 0);
     Line line;
     for (int round = 0; round < 3; ++round) {
@@ -115,7 +115,7 @@ Spread spreadWithGaps(std::vector<Nanoseconds> &times, Nanoseconds resolution)
         line = lineThrough(numbers, times);
         step = line.stepNs;
         if (!(step > 1))
-            return Spread::NotEven;
+            return EvenSpread::NotEven;
     }
     return putOn(line, numbers, times, resolution);
 }

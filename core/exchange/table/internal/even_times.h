@@ -17,7 +17,7 @@ Nanoseconds resolutionOf(const std::vector<Nanoseconds> &times);
 /// How many times are those of the row before.
 std::size_t sharedStamps(const std::vector<Nanoseconds> &times);
 
-enum class Spread {
+enum class EvenSpread {
     NotEven,     ///< nothing was done
     AlreadyEven, ///< nothing had to be done
     Slightly,    ///< the rounding is a small part of the interval
@@ -25,8 +25,8 @@ enum class Spread {
 };
 /// Where the resolution shows beside the usual interval and the rows come evenly but for the rounding:
 /// spreads them.
-Spread spreadEvenly(std::vector<Nanoseconds> &times, Nanoseconds resolution);
+EvenSpread spreadEvenly(std::vector<Nanoseconds> &times, Nanoseconds resolution);
 /// The same of times that increase, with rows missing here and there.
-Spread spreadWithGaps(std::vector<Nanoseconds> &times, Nanoseconds resolution);
+EvenSpread spreadWithGaps(std::vector<Nanoseconds> &times, Nanoseconds resolution);
 
 } // namespace odo

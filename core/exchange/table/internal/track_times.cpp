@@ -304,14 +304,14 @@ void takeOutUnset(RawTrack &track, Understanding &how)
 Result<void> unround(RawTrack &track, std::vector<Nanoseconds> &times, Understanding &how)
 {
     const Nanoseconds resolution = resolutionOf(times);
-    const Spread spread = spreadEvenly(times, resolution);
-    if (spread == Spread::Much)
+    const EvenSpread spread = spreadEvenly(times, resolution);
+    if (spread == EvenSpread::Much)
         how.notices.push_back(ODO_TEXT(
             "exchange.stamps_spread",
             "its times are rounded to %1; the lines were spread evenly, %2 frames/s")(
             milliseconds(resolution),
             quantity(static_cast<double>(times.size() - 1) / toSeconds(times.back() - times.front()), 2)));
-    if (spread != Spread::NotEven)
+    if (spread != EvenSpread::NotEven)
         return {};
     takeOutTwins(track, times, how);
     const std::size_t shared = sharedStamps(times);
@@ -323,7 +323,7 @@ Result<void> unround(RawTrack &track, std::vector<Nanoseconds> &times, Understan
             ODO_TEXT("exchange.write_finer_times",
                      "write the times with more digits, or give the frame rate of an even series"));
     ODO_TRY(takeOutBad(track, times, how));
-    if (spreadWithGaps(times, resolution) == Spread::Much)
+    if (spreadWithGaps(times, resolution) == EvenSpread::Much)
         how.notices.push_back(
             ODO_TEXT("exchange.stamps_spread_with_gaps",
                      "its times are rounded to %1; the lines were spread evenly, with gaps")(
