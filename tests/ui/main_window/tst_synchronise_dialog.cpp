@@ -50,13 +50,12 @@ private Q_SLOTS:
 
     void draggedByHandTheSecondSoundMoves()
     {
-        AxisSpan time;
-        SoundChart chart(time);
+        SoundChart chart;
         chart.resize(640, 200);
         chart.show();
         chart.setSounds({peaksOf(clapAt(0.25, 20000)), peaksOf(clapAt(0.65, 9000))});
-        QCOMPARE(time.wholeLow(), 0.0);
-        QCOMPARE(time.wholeHigh(), 1.0);
+        QCOMPARE(chart.span().wholeLow(), 0.0);
+        QCOMPARE(chart.span().wholeHigh(), 1.0);
         QSignalSpy dragged(&chart, &SoundChart::offsetDragged);
         const ChartPlot plot = chart.plot();
         const auto xOf = [&](double timeS) { return plot.at(timeS, 0).toPoint(); };

@@ -57,11 +57,12 @@ SoundPeaks peaksOf(const SoundTrack &track)
     return sound;
 }
 
-SoundChart::SoundChart(AxisSpan &visible, QWidget *parent)
-    : ChartView(visible, ChartAxes{{QStringLiteral("s"), 1}, tr("Loudness")}, parent)
+SoundChart::SoundChart(QWidget *parent)
+    : ChartView(*new AxisSpan, ChartAxes{{QStringLiteral("s"), 1}, tr("Loudness")}, parent)
 {
+    span().setParent(this);
     setAccessibleName(tr("Loudness of both views"));
-    connect(&visible, &AxisSpan::spanChanged, this, &SoundChart::showVisible);
+    connect(&span(), &AxisSpan::spanChanged, this, &SoundChart::showVisible);
     showValues(ValueRange{-1, 1});
 }
 

@@ -27,8 +27,7 @@ class SoundChart : public ChartView
 {
     Q_OBJECT
 public:
-    /// visible: the time that is shown; must outlive this.
-    explicit SoundChart(AxisSpan &visible, QWidget *parent = nullptr);
+    explicit SoundChart(QWidget *parent = nullptr);
     void setSounds(std::array<SoundPeaks, 2> sounds);
     /// How much later the second view's first frame was taken.
     void setOffset(double offsetS);

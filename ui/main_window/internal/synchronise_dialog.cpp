@@ -26,7 +26,7 @@ QLabel *sentence(const QString &text)
 
 SynchroniseDialog::SynchroniseDialog(const QString &trial, const std::vector<RecordingRecord> &views,
                                      const std::vector<std::filesystem::path> &files, QWidget *parent)
-    : QDialog(parent), m_steps(new ViewSteps), m_views(views.size()), m_chart(new SoundChart(m_time)),
+    : QDialog(parent), m_steps(new ViewSteps), m_views(views.size()), m_chart(new SoundChart),
       m_soundWords(sentence(tr("The sound of the videos is being read…")))
 {
     setWindowTitle(tr("Synchronise %1").arg(trial));

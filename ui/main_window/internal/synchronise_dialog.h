@@ -34,7 +34,6 @@ private:
 
     ViewSteps *m_steps;
     std::size_t m_views;
-    AxisSpan m_time;
     SoundChart *m_chart;
     QLabel *m_soundWords;             ///< how the chart is used, or why there is none
     std::vector<SoundPeaks> m_sounds; ///< of each view; without peaks: none
