@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/analysis/profile.h"
+#include "core/base/coverage.h"
 
 #include <optional>
 #include <span>
@@ -18,9 +19,6 @@ struct CurveValue
 {
     double value = 0, sigma = 0;
 };
-/// So many σ to either side hold 95 % of a normal distribution (JCGM 100:2008, table G.1): the reach of
-/// bands, and the bound of what chance alone gives.
-constexpr double coverage95 = 1.959964;
 
 /// The smoothed values of a quantity at all points of a profile, as many as there are points; nullopt where
 /// it has none. World frame, SI. Speed: |v|. Acceleration: along the path, a·v/|v|, so that braking is

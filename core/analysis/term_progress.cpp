@@ -3,6 +3,7 @@
 
 #include "core/analysis/metric_table.h"
 #include "core/analysis/quantity_curve.h"
+#include "core/base/coverage.h"
 #include "core/base/percentile.h"
 
 #include <algorithm>
@@ -32,22 +33,6 @@ double squaresAbout(double mean, const std::vector<double> &values)
 }
 
 } // namespace
-
-double studentT95(int degrees)
-{
-    constexpr double share = 0.05; // in both tails together
-    if (degrees == 1)
-        return 1 / std::tan(share * std::numbers::pi / 2);
-    if (degrees == 2)
-        return std::sqrt(2 / (share * (2 - share)) - 2);
-    constexpr double z = coverage95;
-    const double n = degrees, z2 = z * z;
-    const double g1 = z * (z2 + 1) / 4;
-    const double g2 = z * ((5 * z2 + 16) * z2 + 3) / 96;
-    const double g3 = z * (((3 * z2 + 19) * z2 + 17) * z2 - 15) / 384;
-    const double g4 = z * ((((79 * z2 + 776) * z2 + 1482) * z2 - 1920) * z2 - 945) / 92160;
-    return z + (g1 + (g2 + (g3 + g4 / n) / n) / n) / n;
-}
 
 TermProgress termProgress(const std::vector<TermValue> &metrics, bool isLessBetter)
 {

@@ -39,11 +39,6 @@ struct TermProgress
 /// slope. isLessBetter: what best means. metrics must not be empty.
 TermProgress termProgress(const std::vector<TermValue> &metrics, bool isLessBetter);
 
-/// Student's t that is exceeded in either direction in 5 of 100 cases: exact for one and two degrees of
-/// freedom, else the expansion of Cornish and Fisher (Abramowitz and Stegun 1964, 26.7.5), right to 0.003.
-/// degrees: 1 or more.
-double studentT95(int degrees);
-
 /// What one team has to be ranked by.
 struct TeamStatistics
 {

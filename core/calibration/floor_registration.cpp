@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/calibration/floor_registration.h"
 
+#include "core/base/coverage.h"
 #include "core/base/units.h"
 #include "core/calibration/internal/floor_lens.h"
 #include "core/calibration/internal/marker_pairs.h"
@@ -279,15 +280,30 @@ IntrinsicsSource intrinsicsSourceOf(const Intrinsics &lens, bool isCalibrated)
 namespace {
 
 constexpr double priorFreedom = 4;
-constexpr double refutedBeyond = 3; // times the prior
+
+/// χ² that one case of a thousand exceeds (Wilson and Hilferty 1931): 2.5 % too large at one degree of
+/// freedom, less beyond.
+double rareChiSquared(double freedom)
+{
+    constexpr double z = 3.0902; // of the normal distribution
+    const double spread = 2 / (9 * freedom);
+    return freedom * std::pow(1 - spread + z * std::sqrt(spread), 3);
+}
+
+/// By how much a σ from so few residuals must grow for 1.96 of it to hold 95 %.
+double studentFactor(double freedom)
+{
+    constexpr double least = 2, most = 1e6; // of one residual it would be seven
+    return studentT95(static_cast<int>(std::clamp(freedom, least, most))) / coverage95;
+}
 
 } // namespace
 
 double markSigmaPx(double squaresPx2, double freedom, double believedPx)
 {
     freedom = std::max(0.0, freedom);
-    if (freedom >= 1 && std::sqrt(squaresPx2 / freedom) > refutedBeyond * believedPx)
-        return std::sqrt(squaresPx2 / freedom);
+    if (freedom >= 1 && squaresPx2 > rareChiSquared(freedom) * believedPx * believedPx)
+        return studentFactor(freedom) * std::sqrt(squaresPx2 / freedom);
     return std::sqrt((priorFreedom * believedPx * believedPx + squaresPx2) / (priorFreedom + freedom));
 }
 

@@ -96,10 +96,10 @@ inline constexpr double usualMarkSigmaPx = 0.3;
 /// and how many of them are free. What is believed of it beforehand counts along with the weight of four
 /// residuals: four markers leave two, which alone would often call the noise nearly nothing. The mean of both
 /// variances by what each weighs is the posterior mean of the variance under a scaled inverse χ² prior
-/// (Gelman et al., Bayesian Data Analysis, 2.6) of that mean and six degrees of freedom. Residuals beyond
-/// three times that belief refute it, and speak alone. It holds for tags as well: the program finds them
-/// better, but the layout was measured too. Any thread.
-/// believedPx: another belief.
+/// (Gelman et al., Bayesian Data Analysis, 2.6) of that mean and six degrees of freedom. Residuals that
+/// the belief lets happen once in a thousand cases (χ²) refute it: they count alone, with Student's factor
+/// for so few of them (JCGM 100:2008, G.3.2; that of two residuals at the most). It holds for tags as well:
+/// the program finds them better, but the layout was measured too. Any thread. believedPx: another belief.
 double markSigmaPx(double squaresPx2, double freedom, double believedPx = usualMarkSigmaPx);
 
 } // namespace odo

@@ -33,8 +33,13 @@ private Q_SLOTS:
 
     void residualsThatRefuteTheBeliefSpeakAlone()
     {
-        QVERIFY(markSigmaPx(0.89 * 0.89, 1) < 0.89);
-        QCOMPARE(markSigmaPx(0.91 * 0.91, 1), 0.91);
+        // χ² beyond 22.46 of six (table of the distribution, 0.1 %), and Student's 2.447 for 1.960
+        QVERIFY(markSigmaPx(0.99 * 22.46 * 0.09, 6) < 0.49);
+        QVERIFY(std::abs(markSigmaPx(6 * 0.6 * 0.6, 6) - 0.6 * 2.447 / 1.960) < 0.001);
+        QVERIFY(std::abs(markSigmaPx(40 * 0.6 * 0.6, 40) - 0.6 * 2.021 / 1.960) < 0.001);
+        // of a single residual Student's factor would be 6.5: that of two is taken
+        QVERIFY(markSigmaPx(0.99 * 0.99, 1) < 0.52);
+        QVERIFY(std::abs(markSigmaPx(1.01 * 1.01, 1) - 1.01 * 4.303 / 1.960) < 0.001);
         // less than one residual refutes nothing, however large it is by its freedom
         QVERIFY(markSigmaPx(0.1, 1e-6) < 0.35);
     }

@@ -21,8 +21,10 @@ using Eigen::Vector2d;
 using Eigen::VectorXd;
 
 constexpr std::size_t leastOfKnownLens = 8, leastOfEstimatedLens = 12;
-constexpr double beyondChance = 4;         // σ: 1 in 30,000
-constexpr double beyondChanceOfMany = 4.8; // of all markers the worst: 1 in a million each
+constexpr std::size_t leastForOneMarker = 6; // where the lens is known
+constexpr double believedOfMarker = 4;       // residuals more, as large as usualMarkSigmaPx
+constexpr double beyondChance = 4;           // σ: 1 in 30,000
+constexpr double beyondChanceOfMany = 4.8;   // of all markers the worst: 1 in a million each
 constexpr double alikeBeyondChance = 3.5;
 constexpr double leastShiftPx = 0.3; // of the markers that a cause shifts: less is in the floor's σ
 constexpr double smoothPx = 0.4;     // neighbours that err alike by less are in the floor's σ
@@ -52,8 +54,9 @@ public:
 
     const VectorXd &left() const { return m_left; }
 
-    /// columns: the derivatives by what a cause frees. nullopt where they add nothing.
-    std::optional<Explanation> test(const MatrixXd &columns) const
+    /// columns: the derivatives by what a cause frees. believed: how many residuals of a marker's usual σ
+    /// count with those that are left. nullopt where they add nothing.
+    std::optional<Explanation> test(const MatrixXd &columns, double believed) const
     {
         MatrixXd all(m_base.rows(), m_base.cols() + columns.cols());
         all << m_base, columns;
@@ -66,8 +69,10 @@ public:
         const VectorXd solution = factors.solve(m_off).cwiseQuotient(norms);
         const double after = (m_off - all * solution).squaredNorm();
         const double explained = std::max(0.0, m_left.squaredNorm() - after);
-        const double ratio = (explained / by) / std::max(after / freedom, 1e-12);
-        return Explanation{normalTail(ratio, by, freedom), std::sqrt(2 * explained / double(m_off.size())),
+        const double counted = freedom + believed,
+                     variance = (after + believed * usualMarkSigmaPx * usualMarkSigmaPx) / counted;
+        const double ratio = (explained / by) / std::max(variance, 1e-12);
+        return Explanation{normalTail(ratio, by, counted), std::sqrt(2 * explained / double(m_off.size())),
                            m_off.size() * std::log(std::max(after, 1e-12)) +
                                by * std::log(double(m_off.size())),
                            solution.tail(columns.cols())};
@@ -176,8 +181,10 @@ public:
                   bool intrinsicsKnown)
         : m_pairs(pairs), m_view(view), m_residuals(residualsOf(pairs, view), baseOf(slopes, intrinsicsKnown))
     {
-        tryLayout();
         tryEachMarker();
+        if (pairs.size() < leastOfKnownLens)
+            return;
+        tryLayout();
         if (intrinsicsKnown)
             consider(lensColumns(view.camera(), slopes.byIntrinsics), beyondChance, double(pairs.size()),
                      [](const Explanation &cause) {
@@ -204,7 +211,7 @@ private:
     template <class Judged>
     void consider(const MatrixXd &columns, double limit, double sharing, const Judged &judged)
     {
-        const auto cause = m_residuals.test(columns);
+        const auto cause = m_residuals.test(columns, sharing == 1 ? believedOfMarker : 0);
         const double shiftPx = cause ? cause->explainedPx * std::sqrt(double(m_pairs.size()) / sharing) : 0;
         if (!cause || cause->clearness < limit || shiftPx < leastShiftPx ||
             (m_best && m_best->information < cause->information))
@@ -265,7 +272,7 @@ private:
 ResidualJudgement judgeResiduals(std::span<const PointPair> pairs, const PlanePose &pose,
                                  bool intrinsicsKnown)
 {
-    if (pairs.size() < (intrinsicsKnown ? leastOfKnownLens : leastOfEstimatedLens))
+    if (pairs.size() < (intrinsicsKnown ? leastForOneMarker : leastOfEstimatedLens))
         return {};
     const auto slopes = markerDerivatives(pose.camera, pose.worldFromCamera, positionsOf(pairs));
     if (!slopes)

@@ -24,8 +24,9 @@ struct ResidualJudgement
 /// squares more than 1 in 30,000 drawn errors would (F test; its tail by Paulson's normal approximation, Ann.
 /// Math. Stat. 13, 1942) and by more than a marker's usual error; of several the one with
 /// the smallest Bayesian information criterion is named. Too few markers, 8 where the lens was known and 12
-/// where it was estimated from them, are not judged. pairs: floor position, metres, and pixel. Pure; any
-/// thread.
+/// where it was estimated from them, are not judged, except that from 6 markers on under a
+/// known lens a wrong one is sought; of it a marker's usual error counts as four residuals more. pairs: floor
+/// position, metres, and pixel. Pure; any thread.
 ResidualJudgement judgeResiduals(std::span<const PointPair> pairs, const PlanePose &pose,
                                  bool intrinsicsKnown);
 
