@@ -165,7 +165,8 @@ void LiveTrack::filter(LivePosition &position)
         node.position = *sample.position;
         node.covariance = sample.covariance;
         if (!m_nodes.empty())
-            m_travelM += (node.position - m_nodes.back().position).norm();
+            m_travelM += (node.position - m_nodes.back().position).norm() +
+                         restDriftMps * (node.timeS - m_nodes.back().timeS);
     }
     node.travelM = m_travelM;
     m_filter.predict(node);

@@ -301,7 +301,7 @@ void measureTravel(std::vector<TrackNode> &nodes)
         const double speed = (behind.position - before.position).norm() / (behind.timeS - before.timeS);
         const std::size_t from = measured[m - 1], to = measured[m];
         for (std::size_t i = from + 1; i <= to; ++i)
-            nodes[i].travelM = travelM + speed * (nodes[i].timeS - nodes[from].timeS);
+            nodes[i].travelM = travelM + (speed + restDriftMps) * (nodes[i].timeS - nodes[from].timeS);
         travelM = nodes[to].travelM;
     }
 }

@@ -16,7 +16,7 @@ struct TrackNode
     bool measured = false;
     Eigen::Vector2d position = Eigen::Vector2d::Zero();
     Eigen::Matrix2d covariance = Eigen::Matrix2d::Zero(); ///< m², positive definite where measured
-    double travelM = 0;    ///< length of the way up to here, which makes the slow part of the noise change
+    double travelM = 0; ///< length of the way up to here and restDriftMps, which change the slow part of the noise
     bool struck = false;   ///< the velocity changed abruptly since the node before: a blow
     double liveliness = 1; ///< factor on the jerk's density since the node before: rest, drive, impact
 };
@@ -24,10 +24,14 @@ struct TrackNode
 /// By how much a collision changes the velocity and a motor, or a collision, the acceleration.
 constexpr double blowSpeedSigmaMps = 1.5, blowAccelSigmaMps2 = 10;
 
-/// How the errors of the measurements are correlated. A part of them changes only as the robot moves and
-/// turns before the camera (its edges lie otherwise among the pixels, its sides are lit otherwise): standing
-/// still does not average it out, and over a short distance it looks like motion. Correlation exp(−distance /
-/// slowLengthM), an Ornstein–Uhlenbeck process.
+/// While a robot stands, its errors change as if it crept at this speed, in metres per second: the coding of a
+/// video keeps an edge for a while, the light flickers.
+constexpr double restDriftMps = 0.05;
+
+/// How the errors of the measurements are correlated. A part of them changes as the robot moves and
+/// turns before the camera (its edges lie otherwise among the pixels, its sides are lit otherwise) and hardly
+/// else: standing still does not average it out, and over a short distance it looks like motion. Correlation
+/// exp(−distance / slowLengthM), an Ornstein–Uhlenbeck process.
 struct MeasurementNoise
 {
     double scale = 1;     ///< factor on the stated covariances
