@@ -187,6 +187,8 @@ private:
             CalibrateJob job(std::move(settings));
             if (auto done = runToEnd(job, m_project, {m_control.cancel, {}}); !done)
                 return done;
+            const auto record = ODO_TRY(m_project.cameras().find(camera.name));
+            ODO_TRY(m_project.cameras().setDevice(record.id, "sim:" + camera.name));
         }
         return {};
     }

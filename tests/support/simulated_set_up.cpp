@@ -21,7 +21,11 @@ Result<void> registerSimulatedCamera(Project &project, const SimulatedCamera &ca
     if (!registration)
         return tl::unexpected(registration.error());
     record.registration = std::move(*registration);
-    return storeRegistration(project, camera.name, record).map([](const auto &) {});
+    if (const auto stored = storeRegistration(project, camera.name, record); !stored)
+        return tl::unexpected(stored.error());
+    return project.cameras().find(camera.name).and_then([&](const CameraRecord &stored) {
+        return project.cameras().setDevice(stored.id, "sim:" + camera.name);
+    });
 }
 
 Result<void> addSimulatedRobot(Project &project, const SimulatedRobot &seen, bool isColourGiven)

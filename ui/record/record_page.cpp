@@ -104,6 +104,8 @@ RecordPage::RecordPage(Project &project, bool readOnly, CameraAccess access, QWi
             &m_cameras, &ChosenCameras::poll);
     connect(m_empty->addButton(QStringLiteral("doctor"), tr("Set-up doctor…")), &QPushButton::clicked, this,
             &RecordPage::examine);
+    connect(m_empty->addButton(QStringLiteral("camera"), tr("Cameras…")), &QPushButton::clicked, this,
+            &RecordPage::chooseCameras);
     m_stack->addWidget(content);
     m_stack->addWidget(m_empty);
     auto *layout = new QVBoxLayout(this);

@@ -29,6 +29,11 @@ namespace {
 const QString group = QStringLiteral("record/cameras");
 const std::string simulated = "sim:";
 
+bool isReal(const CameraDescription &device)
+{
+    return device.kind != "simulated";
+}
+
 } // namespace
 
 std::vector<ChosenCamera> proposeCameras(const std::vector<CameraRecord> &cameras,
@@ -39,16 +44,14 @@ std::vector<ChosenCamera> proposeCameras(const std::vector<CameraRecord> &camera
     for (const CameraRecord &camera : cameras)
         chosen.emplace_back(camera.name, "");
     if (chosen.empty()) {
-        for (std::size_t i = 0; i < std::min<std::size_t>(2, connected.size()); ++i)
+        const auto real = std::ranges::count_if(connected, isReal);
+        for (std::ptrdiff_t i = 0; i < std::min<std::ptrdiff_t>(2, real); ++i)
             chosen.emplace_back(std::string(1, char('A' + i)), "");
     }
     std::set<std::string> free;
-    bool anyReal = false;
     for (const CameraDescription &device : connected) {
-        if (device.busy)
-            continue; // another program has it
-        free.insert(device.uri);
-        anyReal = anyReal || device.kind != "simulated";
+        if (!device.busy) // else another program has it
+            free.insert(device.uri);
     }
     const auto give = [&](ChosenCamera &camera, const std::string &uri) {
         if (camera.second.empty() && free.erase(withoutSettings(uri)) > 0)
@@ -57,14 +60,13 @@ std::vector<ChosenCamera> proposeCameras(const std::vector<CameraRecord> &camera
     for (std::size_t i = 0; i < cameras.size(); ++i)
         give(chosen[i], cameras[i].deviceUri);
     for (ChosenCamera &camera : chosen) {
-        if (const auto was = before.find(camera.first); was != before.end())
+        if (const auto was = before.find(camera.first);
+            was != before.end() && !was->second.starts_with(simulated))
             give(camera, was->second);
     }
     for (ChosenCamera &camera : chosen) {
-        if (!anyReal)
-            give(camera, simulated + camera.first);
         for (const CameraDescription &device : connected) {
-            if (device.kind != "simulated")
+            if (isReal(device))
                 give(camera, device.uri);
         }
     }

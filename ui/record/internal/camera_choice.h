@@ -24,9 +24,9 @@ namespace odo {
 using ChosenCamera = std::pair<std::string, std::string>;
 
 /// Which device each camera of a project is: the one set in the project, or chosen before on this machine, if
-/// it is connected and free, with its settings; else a simulated one of its name while no real one is there,
-/// else the real ones that are left, in their order. A project without cameras gets "A", "B", ... for those
-/// that are connected, two at most.
+/// it is connected and free, with its settings; else the real ones that are left, in their order. A simulated
+/// one is proposed only where the project names it. A project without cameras gets "A", "B", ... for the real
+/// ones that are connected, two at most.
 std::vector<ChosenCamera> proposeCameras(const std::vector<CameraRecord> &cameras,
                                          const std::vector<CameraDescription> &connected,
                                          const std::map<std::string, std::string> &before);
