@@ -192,7 +192,7 @@ Result<std::optional<RecordingRecord>> newestRecordingOf(const ProjectConnection
     Statement select(connection,
                      recordingColumns +
                          QStringLiteral("FROM trial CROSS JOIN recording JOIN camera ON camera.id=camera_id "
-                                        "WHERE trial_id=trial.id AND camera_id=? "
+                                        "WHERE trial_id=trial.id AND binned_ms IS NULL AND camera_id=? "
                                         "ORDER BY date_ms DESC, trial.id DESC, position LIMIT 1"));
     auto newest = ODO_TRY(readWhole(connection, select.bind(camera)));
     return newest.empty() ? std::nullopt : std::optional(std::move(newest.front()));

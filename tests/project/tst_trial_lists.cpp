@@ -85,6 +85,8 @@ private Q_SLOTS:
         QCOMPARE(ofA->frameTimes.size(), std::size_t(2));
         QCOMPARE(m_project->trials().newestRecording(m_cameraB).value()->trial, m_trials.at("old"));
         QVERIFY(!m_project->trials().newestRecording(m_project->cameras().add({0, "C", ""})->id).value());
+        QVERIFY(m_project->trials().setBinned(m_trials.at("new"), true));
+        QCOMPARE(m_project->trials().newestRecording(m_cameraA).value()->trial, m_trials.at("old"));
     }
 
     /// Pages put together are the whole list, whatever shares a moment.

@@ -130,6 +130,13 @@ private Q_SLOTS:
         QVERIFY(!example.project->classes().find("10A"));
     }
 
+    void aNewTeamStaysInTheTrialsClass()
+    {
+        Example example;
+        const auto done = example.edit({.team = "Owl"});
+        QVERIFY(done && done->teamName == "Owl" && done->className == "9B");
+    }
+
     void aTeamOfAnotherClassNeedsItsClass()
     {
         const Example example;

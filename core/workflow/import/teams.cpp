@@ -63,12 +63,12 @@ Result<RosterOutcome> importRoster(Project &project, const std::filesystem::path
     return outcome;
 }
 
-Result<TeamRecord> findOrAddTeam(Project &project, const std::string &name)
+Result<TeamRecord> findOrAddTeam(Project &project, const std::string &name, const std::string &className)
 {
     auto found = project.teams().find(name);
     if (found || found.error().code != ErrorCode::NotFound)
         return found;
-    return project.teams().add({0, name, ""});
+    return project.teams().add({0, name, className});
 }
 
 } // namespace odo

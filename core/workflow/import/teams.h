@@ -25,7 +25,9 @@ struct RosterOutcome
 /// thread; rosters are short.
 Result<RosterOutcome> importRoster(Project &project, const std::filesystem::path &file);
 
-/// The team of that name; one without a class is added when there is none. Project's thread.
-Result<TeamRecord> findOrAddTeam(Project &project, const std::string &name);
+/// The team of that name; when there is none, one of that class is added (empty: of no class). Project's
+/// thread.
+Result<TeamRecord> findOrAddTeam(Project &project, const std::string &name,
+                                 const std::string &className = {});
 
 } // namespace odo

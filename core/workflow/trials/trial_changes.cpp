@@ -63,7 +63,7 @@ Result<TeamRecord> wantedTeam(Project &project, const TrialRecord &trial, const 
                     ODO_TEXT("workflow.give_team_too", "give it a team too"));
     if (name.empty())
         return TeamRecord();
-    auto team = ODO_TRY(findOrAddTeam(project, name));
+    auto team = ODO_TRY(findOrAddTeam(project, name, edit.className ? std::string() : trial.className));
     if (!edit.className) {
         if (!trial.className.empty() && !team.className.empty() && team.className != trial.className)
             return ofAnotherClass(team, trial.className,
