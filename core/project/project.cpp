@@ -262,9 +262,10 @@ Result<void> Project::inTransaction(const std::function<Result<void>()> &work)
     return transact(*m_impl->connection, work);
 }
 
-Result<void> Project::change(const Message &words, const std::function<Result<void>()> &work)
+Result<void> Project::change(const Message &words, const std::function<Result<void>()> &work,
+                             const std::function<Result<void>()> &adding)
 {
-    return m_impl->journal.make(words, work);
+    return m_impl->journal.make(words, work, adding);
 }
 
 Result<void> Project::note(const Message &words, const std::function<Result<void>()> &work)

@@ -96,10 +96,13 @@ public:
     Result<void> inTransaction(const std::function<Result<void>()> &work);
     /// As inTransaction, of a change that a person made and can undo. words: what it does ("rename team
     /// Falcon"), also for the list of changes. Inside another change it is a part of that one; work that
-    /// changes nothing leaves no trace.
-    Result<void> change(const Message &words, const std::function<Result<void>()> &work);
-    /// As change, for what cannot be undone because it adds much (what was recorded, imported, measured)
-    /// or deletes permanently: it is in the list of changes. Inside a change it is a part of that one.
+    /// changes nothing leaves no trace. adding: what is done before in the same transaction and stays when
+    /// work is undone, for raw measurements are never lost: an import puts its trial into the bin, and work
+    /// takes it out. Observations stay, too, wherever they are added; undoing takes them out of force.
+    Result<void> change(const Message &words, const std::function<Result<void>()> &work,
+                        const std::function<Result<void>()> &adding = {});
+    /// As change, for what cannot be undone because it was recorded or deleted for good: it is in the list of
+    /// changes. Inside a change it is a part of that one.
     Result<void> note(const Message &words, const std::function<Result<void>()> &work);
     /// Undoes the last change of this session, or redoes it; returns its description. NotFound where there
     /// is none; InvalidInput, and nothing done, where what it concerns has been changed since in another way.

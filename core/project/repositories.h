@@ -217,13 +217,14 @@ public:
     Result<std::vector<RecordingRecord>> recordings(RecordId trial) const; ///< in the order of the views
     /// Those of all trials, without their frame times. Thousands take their time.
     Result<std::vector<RecordingRecord>> allRecordings() const;
-    /// The newest one of a camera; nullopt where it has none.
+    /// The newest one of a camera outside of the bin; nullopt where it has none.
     Result<std::optional<RecordingRecord>> newestRecording(RecordId camera) const;
     /// Where a recording's file lies now; what it is stays as it was stored.
     Result<void> setFile(RecordId recording, const std::filesystem::path &file);
     /// Replaces how the views are synchronised, the trial's and its recordings'.
     Result<void> setSync(const TrialRecord &trial, const std::vector<RecordingRecord> &recordings);
-    /// A new series for a recording and robot joins the older ones; the newest is the current one.
+    /// A new series for a recording and robot joins the older ones; the newest in force is the current one.
+    /// Undoing the change takes it out of force: it stays in the project.
     Result<void> addObservations(const ObservationSeries &series);
     Result<std::optional<ObservationSeries>> currentObservations(RecordId recording, RecordId robot) const;
     /// Manual overrides of samples of a robot; replaces the previous ones. At most one a frame.

@@ -79,6 +79,8 @@ private Q_SLOTS:
     void theOldestAreForgotten();
     void everyChangeIsTold();
     void whatIsNotedIsToldAndStays();
+    void whatIsAddedBeforeStays();
+    void observationsStayOutOfForce();
 
 private:
     QStringList rows() const { return rowsOf(*m_second); }
@@ -324,6 +326,50 @@ void TestChangeJournal::whatIsNotedIsToldAndStays()
     QCOMPARE(m_project->changes()->size(), told + 1); // the inner one is a part
     QVERIFY(m_project->undo());
     QCOMPARE(rows(), before);
+}
+
+void TestChangeJournal::whatIsAddedBeforeStays()
+{
+    const auto tag = [&] { return m_project->trials().setTags(m_trial, {"raw"}); };
+    const auto starIt = [&] { return m_project->trials().setStarred(m_trial, true); };
+    QVERIFY(m_project->change(foreignWords("import"), starIt, tag));
+    QCOMPARE(m_project->undo().value().english(), std::string("import"));
+    QVERIFY(!m_project->trials().get(m_trial)->starred);
+    QCOMPARE(m_project->trials().get(m_trial)->tags.size(), std::size_t(1));
+    QVERIFY(m_project->redo());
+    QVERIFY(m_project->trials().get(m_trial)->starred);
+
+    const QStringList before = rows();
+    QVERIFY(!m_project->change(foreignWords("fail"), failing,
+                               [&] { return m_project->trials().setTags(m_trial, {"half"}); }));
+    QCOMPARE(rows(), before);
+}
+
+/// Undoing a tracking brings the observations of before into use again, and loses none.
+void TestChangeJournal::observationsStayOutOfForce()
+{
+    const RecordId recording = m_project->trials().recordings(m_trial)->front().id;
+    const auto algorithm = [&] {
+        return m_project->trials()
+            .currentObservations(recording, m_robot)
+            ->value_or(ObservationSeries())
+            .algorithm;
+    };
+    const auto count = [&] {
+        return m_second->number(QStringLiteral("SELECT COUNT(*) FROM observation_series")).value();
+    };
+    const std::string first = algorithm();
+    const auto stored = count();
+    QVERIFY(m_project->change(foreignWords("track"), [&] {
+        return m_project->trials().addObservations({recording, m_robot, "later", {Observation()}});
+    }));
+    QCOMPARE(algorithm(), std::string("later"));
+    QVERIFY(m_project->undo());
+    QCOMPARE(algorithm(), first);
+    QCOMPARE(count(), stored + 1);
+    QVERIFY(m_project->redo());
+    QCOMPARE(algorithm(), std::string("later"));
+    QCOMPARE(count(), stored + 1);
 }
 
 ODOGRAPH_TEST(TestChangeJournal, QCoreApplication)

@@ -105,10 +105,13 @@ private Q_SLOTS:
         QVERIFY(!m_project->verdicts().acceptance(m_copy.id)->has_value());
     }
 
-    void itIsListedAndNotUndone()
+    void undoneItIsInTheBin()
     {
         QVERIFY(m_project->changes()->front().words.english().starts_with("copy trial "));
-        QVERIFY(m_project->undoWords().english().find("copy") == std::string::npos);
+        QVERIFY(m_project->undo());
+        QVERIFY(trials().get(m_copy.id)->binned);
+        QVERIFY(m_project->redo());
+        QVERIFY(!trials().get(m_copy.id)->binned);
     }
 
     void namesAreFreeOrRefused()

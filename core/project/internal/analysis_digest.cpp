@@ -31,7 +31,8 @@ std::vector<DigestedRows> rowsOf(DigestPart part)
         return {
             {"SELECT series.id, recording.position, series.algorithm FROM analysis JOIN recording ON "
              "recording.trial_id=analysis.trial_id "
-             "JOIN observation_series AS series ON series.id=(SELECT MAX(id) FROM observation_series WHERE "
+             "JOIN observation_series AS series ON series.id=(SELECT MAX(id) FROM observation_series JOIN "
+             "series_in_force ON series_id=id WHERE "
              "recording_id=recording.id AND robot_id=analysis.robot_id) WHERE analysis.id=?1 ORDER BY "
              "recording.position",
              "SELECT NULL, position, observations FROM observation_chunk WHERE series_id=?1 ORDER BY "

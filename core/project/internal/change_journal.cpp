@@ -21,11 +21,12 @@ namespace odo {
 
 namespace {
 
-/// The journal's own table is never undone, and verdicts follow from the rest.
+/// The journal's own table is never undone, verdicts follow from the rest, and raw measurements stay.
 bool isUndone(const char *table)
 {
-    return std::ranges::none_of(std::array{"change_entry", "verdict", "verdict_check"},
-                                [table](const char *other) { return std::strcmp(table, other) == 0; });
+    return std::ranges::none_of(
+        std::array{"change_entry", "verdict", "verdict_check", "observation_series", "observation_chunk"},
+        [table](const char *other) { return std::strcmp(table, other) == 0; });
 }
 
 struct SessionEnd
@@ -139,24 +140,33 @@ ChangeJournal::ChangeJournal(ProjectConnection &connection, std::size_t mostByte
 {
 }
 
-Result<void> ChangeJournal::make(const Message &words, const std::function<Result<void>()> &work)
+Result<void> ChangeJournal::make(const Message &words, const std::function<Result<void>()> &work,
+                                 const std::function<Result<void>()> &adding)
 {
-    return begin(&ChangeJournal::record, words, work);
+    return begin(
+        words, [&] { return record(words, work, adding); },
+        [&]() -> Result<void> {
+            if (adding)
+                ODO_TRY(adding());
+            return work();
+        });
 }
 
 Result<void> ChangeJournal::note(const Message &words, const std::function<Result<void>()> &work)
 {
-    return begin(&ChangeJournal::count, words, work);
+    return begin(
+        words, [&] { return count(words, work); }, work);
 }
 
-Result<void> ChangeJournal::begin(Watched how, const Message &words,
-                                  const std::function<Result<void>()> &work)
+/// counted: as a change of its own. part: within another one.
+Result<void> ChangeJournal::begin(const Message &words, const std::function<Result<void>()> &counted,
+                                  const std::function<Result<void>()> &part)
 {
     if (m_isMaking)
-        return transact(m_connection, work);
+        return transact(m_connection, part);
     ODO_TRY(checkText(ODO_TEXT("project.change_words", "description of a change"), words.english()));
     m_isMaking = true;
-    auto made = (this->*how)(words, work);
+    auto made = counted();
     m_isMaking = false;
     return made;
 }
@@ -171,10 +181,13 @@ Result<void> ChangeJournal::count(const Message &words, const std::function<Resu
     });
 }
 
-Result<void> ChangeJournal::record(const Message &words, const std::function<Result<void>()> &work)
+Result<void> ChangeJournal::record(const Message &words, const std::function<Result<void>()> &work,
+                                   const std::function<Result<void>()> &adding)
 {
     Change change{words, {}};
     const auto watched = [&]() -> Result<void> {
+        if (adding)
+            ODO_TRY(adding());
         const auto session = ODO_TRY(watch(m_connection));
         ODO_TRY(work());
         auto rows = changeset(m_connection, [&](int *size, void **bytes) {

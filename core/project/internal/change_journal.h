@@ -27,7 +27,9 @@ public:
 
     /// Runs work in one transaction, rolled back when it fails. words: what it does, for people ("rename team
     /// Falcon"). Work that changes nothing leaves no trace. Inside another change it is a part of that one.
-    Result<void> make(const Message &words, const std::function<Result<void>()> &work);
+    /// adding: what is done before in the same transaction, and stays when work is undone.
+    Result<void> make(const Message &words, const std::function<Result<void>()> &work,
+                      const std::function<Result<void>()> &adding = {});
     /// As make, for what is listed but cannot be undone: its rows are not kept, however many they are. What
     /// can be undone or redone stays so.
     Result<void> note(const Message &words, const std::function<Result<void>()> &work);
@@ -48,10 +50,11 @@ private:
         Message words;
         Bytes rows; ///< SQLite's changeset
     };
-    using Watched = Result<void> (ChangeJournal::*)(const Message &, const std::function<Result<void>()> &);
-    Result<void> begin(Watched how, const Message &words, const std::function<Result<void>()> &work);
+    Result<void> begin(const Message &words, const std::function<Result<void>()> &counted,
+                       const std::function<Result<void>()> &part);
     Result<void> count(const Message &words, const std::function<Result<void>()> &work);
-    Result<void> record(const Message &words, const std::function<Result<void>()> &work);
+    Result<void> record(const Message &words, const std::function<Result<void>()> &work,
+                        const std::function<Result<void>()> &adding);
     Result<void> tell(const Message &words, ChangeEntry::Kind kind);
     Result<void> apply(const Bytes &rows, const Message &what, const Message &words, ChangeEntry::Kind kind);
     void forgetOldest();

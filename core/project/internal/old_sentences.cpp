@@ -418,7 +418,11 @@ Result<std::vector<DigestedPart>> touchedParts(const ProjectConnection &connecti
 Result<void> storeMessages(ProjectConnection &connection)
 {
     const auto parts = ODO_TRY(touchedParts(connection));
-    return keepDigestsRight(connection, parts, [&] { return convertColumns(connection); });
+    // Digests name a table that came later: until then all observations are in force.
+    ODO_TRY(connection.execute(QStringLiteral(
+        "CREATE TEMP VIEW series_in_force AS SELECT id AS series_id FROM observation_series")));
+    ODO_TRY(keepDigestsRight(connection, parts, [&] { return convertColumns(connection); }));
+    return connection.execute(QStringLiteral("DROP VIEW temp.series_in_force"));
 }
 
 } // namespace odo

@@ -76,6 +76,8 @@ std::vector<Migration> projectMigrations()
                      step("18_upright_frames")),
         sqlMigration(ODO_TEXT("project.format_19", "ranges and variables of trials"),
                      step("19_ranges_and_variables")),
+        sqlMigration(ODO_TEXT("project.format_20", "which observations are in force"),
+                     step("20_series_in_force")),
     };
 }
 

@@ -33,16 +33,17 @@ Result<void> TrialRepository::addObservations(const ObservationSeries &series)
             row.bind(id).bind(static_cast<std::int64_t>(start / rowsPerChunk)).bind(packObservations(chunk));
             ODO_TRY(row.run());
         }
-        return {};
+        Statement inForce(m_connection, QStringLiteral("INSERT INTO series_in_force VALUES (?)"));
+        return inForce.bind(id).run();
     });
 }
 
 Result<std::optional<ObservationSeries>> TrialRepository::currentObservations(RecordId recording,
                                                                               RecordId robot) const
 {
-    Statement select(m_connection,
-                     QStringLiteral("SELECT id, algorithm FROM observation_series "
-                                    "WHERE recording_id=? AND robot_id=? ORDER BY id DESC LIMIT 1"));
+    Statement select(m_connection, QStringLiteral("SELECT id, algorithm FROM observation_series "
+                                                  "JOIN series_in_force ON series_id=id WHERE recording_id=? "
+                                                  "AND robot_id=? ORDER BY id DESC LIMIT 1"));
     const auto found = ODO_TRY(select.bind(recording).bind(robot).firstRow());
     if (!found)
         return std::nullopt;

@@ -508,6 +508,9 @@ Result<std::vector<std::string>> TrialRepository::removeForGood(RecordId trial)
               "DELETE FROM observation_chunk WHERE series_id IN (SELECT observation_series.id FROM "
               "observation_series "
               "JOIN recording ON recording.id=recording_id WHERE trial_id=?)",
+              "DELETE FROM series_in_force WHERE series_id IN (SELECT observation_series.id FROM "
+              "observation_series "
+              "JOIN recording ON recording.id=recording_id WHERE trial_id=?)",
               "DELETE FROM observation_series WHERE recording_id IN (SELECT id FROM recording WHERE "
               "trial_id=?)",
               "DELETE FROM raw_time_chunk WHERE recording_id IN (SELECT id FROM recording WHERE trial_id=?)",

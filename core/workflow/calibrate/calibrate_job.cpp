@@ -61,14 +61,14 @@ Result<void> CalibrationStorage::writeImages(const std::vector<BoardImage> &imag
 Result<IntrinsicsRecord> CalibrationStorage::commit(Project &project)
 {
     const auto stored =
-        project.note(ODO_TEXT("workflow.calibrate_camera", "calibrate camera %1")(Named::camera(m_camera)),
-                     [&]() -> Result<void> {
-                         const auto camera = ODO_TRY(findOrAddCamera(project, m_camera));
-                         m_record.camera = camera.id;
-                         m_record.made = instantNow();
-                         m_record = ODO_TRY(project.cameras().addIntrinsics(m_record));
-                         return {};
-                     });
+        project.change(ODO_TEXT("workflow.calibrate_camera", "calibrate camera %1")(Named::camera(m_camera)),
+                       [&]() -> Result<void> {
+                           const auto camera = ODO_TRY(findOrAddCamera(project, m_camera));
+                           m_record.camera = camera.id;
+                           m_record.made = instantNow();
+                           m_record = ODO_TRY(project.cameras().addIntrinsics(m_record));
+                           return {};
+                       });
     if (!stored)
         return tl::unexpected(stored.error());
     m_media.keep();

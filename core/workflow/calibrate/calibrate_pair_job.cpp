@@ -234,17 +234,17 @@ Result<CameraModel> CalibratePairJob::cameraOf(std::size_t index, const JobContr
 Result<void> CalibratePairJob::commit(Project &project)
 {
     const auto stored =
-        project.note(ODO_TEXT("workflow.calibrate_pair", "calibrate cameras %1 and %2 as a pair")(
-                         Named::camera(m_settings.cameras[0]), Named::camera(m_settings.cameras[1])),
-                     [&]() -> Result<void> {
-                         for (Side &side : m_sides) {
-                             if (!side.storage)
-                                 continue;
-                             const auto record = ODO_TRY(side.storage->commit(project));
-                             side.intrinsics = record.id;
-                         }
-                         return storeJoined(project);
-                     });
+        project.change(ODO_TEXT("workflow.calibrate_pair", "calibrate cameras %1 and %2 as a pair")(
+                           Named::camera(m_settings.cameras[0]), Named::camera(m_settings.cameras[1])),
+                       [&]() -> Result<void> {
+                           for (Side &side : m_sides) {
+                               if (!side.storage)
+                                   continue;
+                               const auto record = ODO_TRY(side.storage->commit(project));
+                               side.intrinsics = record.id;
+                           }
+                           return storeJoined(project);
+                       });
     for (Side &side : m_sides)
         side.storage.reset(); // what was not stored, goes
     return stored;

@@ -41,14 +41,14 @@ Result<IntrinsicsRecord> importIntrinsics(Project &project, const std::string &c
     record.origin = ODO_TEXT("workflow.lens_imported_from", "imported from %1")(name);
     record.calibration.intrinsics = std::move(intrinsics);
     const auto stored =
-        project.note(ODO_TEXT("workflow.import_lens", "import the lens calibration of camera %1 from %2")(
-                         Named::camera(camera), name),
-                     [&]() -> Result<void> {
-                         const auto found = ODO_TRY(findOrAddCamera(project, camera));
-                         record.camera = found.id;
-                         record = ODO_TRY(project.cameras().addIntrinsics(record));
-                         return {};
-                     });
+        project.change(ODO_TEXT("workflow.import_lens", "import the lens calibration of camera %1 from %2")(
+                           Named::camera(camera), name),
+                       [&]() -> Result<void> {
+                           const auto found = ODO_TRY(findOrAddCamera(project, camera));
+                           record.camera = found.id;
+                           record = ODO_TRY(project.cameras().addIntrinsics(record));
+                           return {};
+                       });
     if (!stored)
         return tl::unexpected(stored.error());
     return record;

@@ -90,11 +90,11 @@ Result<void> FindMatJob::commit(Project &project)
     const std::string name = layoutName();
     if (project.layouts().find(name))
         return {};
-    return project.note(ODO_TEXT("workflow.add_layout_of_mat", "add layout %1")(Named::layout(name)),
-                        [&]() -> Result<void> {
-                            ODO_TRY(project.layouts().add(matLayout(*m_mat)));
-                            return {};
-                        });
+    return project.change(ODO_TEXT("workflow.add_layout_of_mat", "add layout %1")(Named::layout(name)),
+                          [&]() -> Result<void> {
+                              ODO_TRY(project.layouts().add(matLayout(*m_mat)));
+                              return {};
+                          });
 }
 
 } // namespace odo

@@ -259,7 +259,7 @@ Result<RegistrationRecord> registerWithCurrentIntrinsics(Project &project, const
     ODO_TRY(job.prepare(project));
     ODO_TRY(job.run({}));
     std::optional<RegistrationRecord> record;
-    const auto stored = project.note(
+    const auto stored = project.change(
         ODO_TEXT("workflow.register_camera_again", "register camera %1 again")(Named::camera(camera)),
         [&]() -> Result<void> {
             RegistrationRecord again = ODO_TRY(job.withStoredIntrinsics(project));
@@ -290,7 +290,7 @@ Result<RegistrationRecord> RegisterJob::withStoredIntrinsics(Project &project) c
 
 Result<void> RegisterJob::commit(Project &project)
 {
-    auto committed = project.note(registerChange(m_settings.camera), [&]() -> Result<void> {
+    auto committed = project.change(registerChange(m_settings.camera), [&]() -> Result<void> {
         m_record = ODO_TRY(withStoredIntrinsics(project));
         m_record = ODO_TRY(storeRegistration(project, m_settings.camera, m_record));
         return {};
@@ -401,14 +401,14 @@ Result<RegistrationRecord> storeViaCamera(Project &project, const std::string &c
 
 Result<void> RegisterViaCameraJob::commit(Project &project)
 {
-    return project.note(ODO_TEXT("workflow.register_camera_through", "register camera %1 via camera %2")(
-                            Named::camera(m_settings.camera), Named::camera(m_settings.reference)),
-                        [&]() -> Result<void> {
-                            m_record =
-                                ODO_TRY(storeViaCamera(project, m_settings.camera, m_settings.reference,
-                                                       m_referenceRegistration, m_layout, m_record));
-                            return {};
-                        });
+    return project.change(ODO_TEXT("workflow.register_camera_through", "register camera %1 via camera %2")(
+                              Named::camera(m_settings.camera), Named::camera(m_settings.reference)),
+                          [&]() -> Result<void> {
+                              m_record =
+                                  ODO_TRY(storeViaCamera(project, m_settings.camera, m_settings.reference,
+                                                         m_referenceRegistration, m_layout, m_record));
+                              return {};
+                          });
 }
 
 bool isLayoutOfReference(const std::string &layoutName, const std::string &reference)
@@ -449,7 +449,7 @@ Result<void> RegisterJointJob::run(const JobControl &control)
 
 Result<void> RegisterJointJob::commit(Project &project)
 {
-    return project.note(
+    return project.change(
         ODO_TEXT("workflow.register_cameras_together",
                  "register the cameras of layout %1 jointly")(Named::layout(m_settings.layout)),
         [&]() -> Result<void> {

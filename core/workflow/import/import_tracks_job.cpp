@@ -279,7 +279,12 @@ Result<void> ImportTracksJob::analyse(std::size_t robot)
 
 Result<void> ImportTracksJob::commit(Project &project)
 {
-    return project.note(importChange(m_settings.trial), [&] { return store(project); });
+    return project.change(
+        importChange(m_settings.trial), [&] { return project.trials().setBinned(m_trial.id, false); },
+        [&]() -> Result<void> {
+            ODO_TRY(store(project));
+            return project.trials().setBinned(m_trial.id, true);
+        });
 }
 
 Result<void> ImportTracksJob::store(Project &project)

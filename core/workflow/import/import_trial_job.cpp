@@ -223,7 +223,7 @@ Result<void> ImportTrialJob::copyVideo(std::size_t view, const JobControl &contr
 
 Result<void> ImportTrialJob::commit(Project &project)
 {
-    auto committed = project.note(importChange(m_settings.trial, m_sources), [&]() -> Result<void> {
+    const auto store = [&]() -> Result<void> {
         for (RecordingRecord &recording : m_recordings) {
             const auto camera = ODO_TRY(findOrAddCamera(project, recording.cameraName));
             recording.camera = camera.id;
@@ -237,8 +237,11 @@ Result<void> ImportTrialJob::commit(Project &project)
                 m_trial.robots.push_back(robot.id);
         }
         m_trial = ODO_TRY(project.trials().add(m_trial, m_recordings));
-        return {};
-    });
+        return project.trials().setBinned(m_trial.id, true);
+    };
+    auto committed = project.change(
+        importChange(m_settings.trial, m_sources),
+        [&] { return project.trials().setBinned(m_trial.id, false); }, store);
     if (!committed)
         return committed;
     for (ClaimedFile &file : m_files)

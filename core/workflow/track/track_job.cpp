@@ -462,7 +462,7 @@ Result<void> TrackJob::commit(Project &project)
 {
     Impl &d = *m_impl;
     const MessageArgument name = Named::trial(d.trial.name);
-    return project.note(
+    return project.change(
         d.observations.empty() ? ODO_TEXT("workflow.measure_again", "reanalyse %1")(name)
                                : ODO_TEXT("workflow.track", "track %1")(name),
         [&]() -> Result<void> {

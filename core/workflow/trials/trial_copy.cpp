@@ -100,9 +100,15 @@ Result<TrialRecord> copyTrial(Project &project, const std::string &trial, const 
                     endRecordingFirst());
     const std::string free = name.empty() ? ODO_TRY(freeName(project, original.name)) : name;
     Result<TrialRecord> copy = TrialRecord();
-    ODO_TRY(project.note(ODO_TEXT("workflow.copy_trial", "copy trial %1 to %2")(Named::trial(original.name),
-                                                                                Named::trial(free)),
-                         [&] { return withoutValue(copy = addCopy(project, original, free)); }));
+    TrialRepository &trials = project.trials();
+    ODO_TRY(project.change(
+        ODO_TEXT("workflow.copy_trial", "copy trial %1 to %2")(Named::trial(original.name),
+                                                               Named::trial(free)),
+        [&] { return trials.setBinned(copy->id, false); },
+        [&]() -> Result<void> {
+            copy = ODO_TRY(addCopy(project, original, free));
+            return trials.setBinned(copy->id, true);
+        }));
     return copy;
 }
 

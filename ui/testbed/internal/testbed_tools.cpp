@@ -199,14 +199,15 @@ void TestbedTools::registerCamera()
     if (wizard.exec() != QDialog::Accepted)
         return;
     Message verdict;
-    const auto stored = m_project.note(registerChange(wizard.camera().toStdString()), [&]() -> Result<void> {
-        RegistrationRecord registration = wizard.result();
-        registration.image = image.stored();
-        const auto record =
-            ODO_TRY(storeRegistration(m_project, wizard.camera().toStdString(), std::move(registration)));
-        verdict = record.registration.verdict;
-        return {};
-    });
+    const auto stored =
+        m_project.change(registerChange(wizard.camera().toStdString()), [&]() -> Result<void> {
+            RegistrationRecord registration = wizard.result();
+            registration.image = image.stored();
+            const auto record =
+                ODO_TRY(storeRegistration(m_project, wizard.camera().toStdString(), std::move(registration)));
+            verdict = record.registration.verdict;
+            return {};
+        });
     if (!stored)
         return Q_EMIT failed(stored.error());
     image.commit();
