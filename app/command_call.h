@@ -105,6 +105,7 @@ namespace odo::option {
 
 inline const QString adopt = QStringLiteral("adopt");
 inline const QString again = QStringLiteral("again");
+inline const QString address = QStringLiteral("address");
 inline const QString align = QStringLiteral("align");
 inline const QString at = QStringLiteral("at");
 inline const QString axes = QStringLiteral("axes");
@@ -155,6 +156,7 @@ inline const QString pattern = QStringLiteral("pattern");
 inline const QString pick = QStringLiteral("pick");
 inline const QString pixel = QStringLiteral("pixel");
 inline const QString pixels = QStringLiteral("pixels");
+inline const QString port = QStringLiteral("port");
 inline const QString preRoll = QStringLiteral("pre-roll");
 inline const QString range = QStringLiteral("range");
 inline const QString rate = QStringLiteral("rate");

@@ -1935,6 +1935,102 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
 </context>
 <context>
+    <name>Scoreboard</name>
+    <message>
+        <source>Standings</source>
+        <translation>Rangliste</translation>
+    </message>
+    <message>
+        <source>Team</source>
+        <translation>Team</translation>
+    </message>
+    <message>
+        <source>Median</source>
+        <translation>Median</translation>
+    </message>
+    <message>
+        <source>Gap</source>
+        <translation>Abstand</translation>
+    </message>
+    <message>
+        <source>Best</source>
+        <translation>Beste</translation>
+    </message>
+    <message>
+        <source>Last</source>
+        <translation>Letzte</translation>
+    </message>
+    <message>
+        <source>Runs</source>
+        <translation>Fahrten</translation>
+    </message>
+    <message>
+        <source>Rank</source>
+        <translation>Rang</translation>
+    </message>
+    <message>
+        <source>Best run</source>
+        <translation>Beste Fahrt</translation>
+    </message>
+    <message>
+        <source>Connecting…</source>
+        <translation>Verbinde…</translation>
+    </message>
+    <message>
+        <source>Connection lost. Reconnecting…</source>
+        <translation>Verbindung unterbrochen. Verbinde erneut…</translation>
+    </message>
+    <message>
+        <source>This page needs JavaScript.</source>
+        <translation>Diese Seite braucht JavaScript.</translation>
+    </message>
+    <message>
+        <source>Teams rank by the median of their runs. Teams that do not differ significantly (95 %) share a rank. ±: one standard deviation. ≈: not significantly behind the first.</source>
+        <translation>Der Rang folgt aus dem Median der Fahrten. Teams ohne signifikanten Unterschied (95 %) teilen sich einen Rang. ±: eine Standardabweichung. ≈: nicht signifikant hinter dem ersten Team.</translation>
+    </message>
+    <message>
+        <source>No ranks: no trial has a task, and runs of different tasks cannot be compared.</source>
+        <translation>Keine Ränge: Kein Versuch hat eine Aufgabe, und Fahrten verschiedener Aufgaben sind nicht vergleichbar.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n trial(s) not counted: analysed with a different course.</source>
+        <translation>
+            <numerusform>%n Versuch ausgelassen: nach einem anderen Parcours ausgewertet.</numerusform>
+            <numerusform>%n Versuche ausgelassen: nach einem anderen Parcours ausgewertet.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n trial(s) not counted: bad results.</source>
+        <translation>
+            <numerusform>%n Versuch nicht gezählt: schlechte Ergebnisse.</numerusform>
+            <numerusform>%n Versuche nicht gezählt: schlechte Ergebnisse.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>! %n trial(s) with doubtful results counted.</source>
+        <translation>
+            <numerusform>! %n Versuch mit zweifelhaften Ergebnissen gezählt.</numerusform>
+            <numerusform>! %n Versuche mit zweifelhaften Ergebnissen gezählt.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>No team has a result yet.</source>
+        <translation>Noch kein Team hat ein Ergebnis.</translation>
+    </message>
+    <message>
+        <source>Running now</source>
+        <translation>Fährt gerade</translation>
+    </message>
+    <message>
+        <source>The best run from above</source>
+        <translation>Die beste Fahrt von oben</translation>
+    </message>
+    <message>
+        <source>a square: %1</source>
+        <translation>ein Kästchen: %1</translation>
+    </message>
+</context>
+<context>
     <name>SetupWords</name>
     <message>
         <source>Two phones on tripods are enough. Film the robot with both, import the clips or drop them on this window; or connect cameras.</source>
@@ -11304,6 +11400,10 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <source>R&amp;obots…</source>
         <translation>&amp;Roboter…</translation>
     </message>
+    <message>
+        <source>Show &amp;standings…</source>
+        <translation>Rangliste &amp;zeigen…</translation>
+    </message>
 </context>
 <context>
     <name>odo::ClassesDialog</name>
@@ -13285,6 +13385,10 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <source>Another program overwrote “%1” while it was open. Its earlier contents are gone; the window shows the new ones.</source>
         <translation>Ein anderes Programm hat „%1“ überschrieben, während es offen war: Was vorher darin war, ist verloren. Gezeigt wird, was jetzt darin ist.</translation>
     </message>
+    <message>
+        <source>&amp;Class</source>
+        <translation>&amp;Klasse</translation>
+    </message>
 </context>
 <context>
     <name>odo::MapArea</name>
@@ -14908,6 +15012,69 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
 </context>
 <context>
+    <name>odo::ScoreboardDialog</name>
+    <message>
+        <source>&amp;Copy address</source>
+        <translation>Adresse &amp;kopieren</translation>
+    </message>
+    <message>
+        <source>&amp;Open in browser</source>
+        <translation>Im Browser ö&amp;ffnen</translation>
+    </message>
+    <message>
+        <source>Standings as a web page</source>
+        <translation>Rangliste als Webseite</translation>
+    </message>
+    <message>
+        <source>Show the standings on a projector or on phones. The page follows the project as long as this window is open.</source>
+        <translation>Zeigen Sie die Rangliste auf einem Beamer oder auf Handys. Die Seite folgt dem Projekt, solange dieses Fenster offen ist.</translation>
+    </message>
+    <message>
+        <source>C&amp;lass:</source>
+        <translation>K&amp;lasse:</translation>
+    </message>
+    <message>
+        <source>&amp;Task:</source>
+        <translation>&amp;Aufgabe:</translation>
+    </message>
+    <message>
+        <source>&amp;Visible to:</source>
+        <translation>&amp;Sichtbar für:</translation>
+    </message>
+    <message>
+        <source>Address of the page</source>
+        <translation>Adresse der Seite</translation>
+    </message>
+    <message>
+        <source>All classes</source>
+        <translation>Alle Klassen</translation>
+    </message>
+    <message>
+        <source>Task of the newest trial</source>
+        <translation>Aufgabe des neuesten Versuchs</translation>
+    </message>
+    <message>
+        <source>This computer only</source>
+        <translation>Nur diesen Computer</translation>
+    </message>
+    <message>
+        <source>All devices in the network</source>
+        <translation>Alle Geräte im Netz</translation>
+    </message>
+    <message>
+        <source>Starting…</source>
+        <translation>Startet…</translation>
+    </message>
+    <message>
+        <source>Everyone in the network can open this page. It shows the names of teams, classes and tasks, and no others.</source>
+        <translation>Alle im Netz können diese Seite öffnen. Sie zeigt nur die Namen von Teams, Klassen und Aufgaben.</translation>
+    </message>
+    <message>
+        <source>Only this computer can open this page.</source>
+        <translation>Nur dieser Computer kann diese Seite öffnen.</translation>
+    </message>
+</context>
+<context>
     <name>odo::ScoringTable</name>
     <message>
         <source>Remo&amp;ve line</source>
@@ -15208,10 +15375,6 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <translation>Bester</translation>
     </message>
     <message>
-        <source>± from the spread of all teams&apos; trials</source>
-        <translation>± aus der Streuung der Versuche aller Teams</translation>
-    </message>
-    <message>
         <source>Median</source>
         <translation>Median</translation>
     </message>
@@ -15241,6 +15404,10 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>Those with bad results do not count</source>
         <translation>Die mit schlechten Ergebnissen zählen nicht</translation>
+    </message>
+    <message>
+        <source>± from the spread of all teams&apos; trials, at least that of the measurement</source>
+        <translation>± aus der Streuung der Versuche aller Teams, mindestens das der Messung</translation>
     </message>
 </context>
 <context>
@@ -16004,6 +16171,10 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
             <numerusform>%n Versuch nicht gezählt: schlechte Ergebnisse</numerusform>
             <numerusform>%n Versuche nicht gezählt: schlechte Ergebnisse</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>teams that do not differ significantly share a rank</source>
+        <translation>Teams ohne signifikanten Unterschied teilen sich einen Rang</translation>
     </message>
 </context>
 <context>
@@ -20350,6 +20521,13 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
 </context>
 <context>
+    <name>ui.address_not_here</name>
+    <message>
+        <source>it is no address of this computer</source>
+        <translation>sie ist keine Adresse dieses Computers</translation>
+    </message>
+</context>
+<context>
     <name>ui.and_more</name>
     <message>
         <source>and %1 more</source>
@@ -20497,6 +20675,20 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
 </context>
 <context>
+    <name>ui.choose_another_port</name>
+    <message>
+        <source>choose another port, or 0 for any that is free</source>
+        <translation>wählen Sie einen anderen Port, oder 0 für irgendeinen freien</translation>
+    </message>
+</context>
+<context>
+    <name>ui.choose_high_port</name>
+    <message>
+        <source>choose a port of 1024 or more</source>
+        <translation>wählen Sie einen Port ab 1024</translation>
+    </message>
+</context>
+<context>
     <name>ui.choose_logo</name>
     <message>
         <source>choose a PNG, JPEG or SVG image</source>
@@ -20508,6 +20700,13 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>choose one of them, or create it in the workbench</source>
         <translation>wählen Sie eine davon, oder legen Sie sie im Programmfenster an</translation>
+    </message>
+</context>
+<context>
+    <name>ui.choose_own_address</name>
+    <message>
+        <source>choose 127.0.0.1, an address of this computer, or 0.0.0.0 for all of them</source>
+        <translation>wählen Sie 127.0.0.1, eine Adresse dieses Computers, oder 0.0.0.0 für alle</translation>
     </message>
 </context>
 <context>
@@ -21050,6 +21249,20 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
 </context>
 <context>
+    <name>ui.port_in_use</name>
+    <message>
+        <source>another program uses this port</source>
+        <translation>ein anderes Programm benutzt diesen Port</translation>
+    </message>
+</context>
+<context>
+    <name>ui.port_not_allowed</name>
+    <message>
+        <source>the system does not allow this port</source>
+        <translation>das System erlaubt diesen Port nicht</translation>
+    </message>
+</context>
+<context>
     <name>ui.preview</name>
     <message>
         <source>preview</source>
@@ -21187,6 +21400,27 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>Saving a copy</source>
         <translation>Kopie wird gespeichert</translation>
+    </message>
+</context>
+<context>
+    <name>ui.scoreboard_address</name>
+    <message>
+        <source>standings at %1 port %2</source>
+        <translation>Rangliste unter %1 Port %2</translation>
+    </message>
+</context>
+<context>
+    <name>ui.scoreboard_project_gone</name>
+    <message>
+        <source>it was moved or deleted, so the standings ended</source>
+        <translation>sie wurde verschoben oder gelöscht, daher endete die Rangliste</translation>
+    </message>
+</context>
+<context>
+    <name>ui.scoreboard_start_again</name>
+    <message>
+        <source>start them with the file&apos;s present name</source>
+        <translation>starten Sie sie mit dem jetzigen Namen der Datei</translation>
     </message>
 </context>
 <context>

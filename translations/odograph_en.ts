@@ -100,6 +100,30 @@
     </message>
 </context>
 <context>
+    <name>Scoreboard</name>
+    <message numerus="yes">
+        <source>%n trial(s) not counted: analysed with a different course.</source>
+        <translation>
+            <numerusform>%n trial not counted: analysed with a different course.</numerusform>
+            <numerusform>%n trials not counted: analysed with a different course.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n trial(s) not counted: bad results.</source>
+        <translation>
+            <numerusform>%n trial not counted: bad results.</numerusform>
+            <numerusform>%n trials not counted: bad results.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>! %n trial(s) with doubtful results counted.</source>
+        <translation>
+            <numerusform>! %n trial with doubtful results counted.</numerusform>
+            <numerusform>! %n trials with doubtful results counted.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>TrialReport</name>
     <message numerus="yes">
         <source>… and %n more</source>

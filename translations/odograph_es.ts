@@ -1935,6 +1935,102 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     </message>
 </context>
 <context>
+    <name>Scoreboard</name>
+    <message>
+        <source>Standings</source>
+        <translation>Clasificación</translation>
+    </message>
+    <message>
+        <source>Team</source>
+        <translation>Equipo</translation>
+    </message>
+    <message>
+        <source>Median</source>
+        <translation>Mediana</translation>
+    </message>
+    <message>
+        <source>Gap</source>
+        <translation>Diferencia</translation>
+    </message>
+    <message>
+        <source>Best</source>
+        <translation>Mejor</translation>
+    </message>
+    <message>
+        <source>Last</source>
+        <translation>Último</translation>
+    </message>
+    <message>
+        <source>Runs</source>
+        <translation>Recorridos</translation>
+    </message>
+    <message>
+        <source>Rank</source>
+        <translation>Puesto</translation>
+    </message>
+    <message>
+        <source>Best run</source>
+        <translation>Mejor recorrido</translation>
+    </message>
+    <message>
+        <source>Connecting…</source>
+        <translation>Conectando…</translation>
+    </message>
+    <message>
+        <source>Connection lost. Reconnecting…</source>
+        <translation>Conexión perdida. Reconectando…</translation>
+    </message>
+    <message>
+        <source>This page needs JavaScript.</source>
+        <translation>Esta página necesita JavaScript.</translation>
+    </message>
+    <message>
+        <source>Teams rank by the median of their runs. Teams that do not differ significantly (95 %) share a rank. ±: one standard deviation. ≈: not significantly behind the first.</source>
+        <translation>El puesto se decide por la mediana de los recorridos. Los equipos sin diferencia significativa (95 %) comparten puesto. ±: una desviación estándar. ≈: sin retraso significativo respecto al primero.</translation>
+    </message>
+    <message>
+        <source>No ranks: no trial has a task, and runs of different tasks cannot be compared.</source>
+        <translation>Sin puestos: ningún ensayo tiene tarea, y los recorridos de tareas distintas no se pueden comparar.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n trial(s) not counted: analysed with a different course.</source>
+        <translation>
+            <numerusform>%n ensayo omitido: se midió con otro circuito.</numerusform>
+            <numerusform>%n ensayos omitidos: se midieron con otro circuito.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n trial(s) not counted: bad results.</source>
+        <translation>
+            <numerusform>%n ensayo no contado: resultados malos.</numerusform>
+            <numerusform>%n ensayos no contados: resultados malos.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>! %n trial(s) with doubtful results counted.</source>
+        <translation>
+            <numerusform>! %n ensayo con resultados dudosos contado.</numerusform>
+            <numerusform>! %n ensayos con resultados dudosos contados.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>No team has a result yet.</source>
+        <translation>Ningún equipo tiene resultado todavía.</translation>
+    </message>
+    <message>
+        <source>Running now</source>
+        <translation>En marcha</translation>
+    </message>
+    <message>
+        <source>The best run from above</source>
+        <translation>El mejor recorrido desde arriba</translation>
+    </message>
+    <message>
+        <source>a square: %1</source>
+        <translation>un cuadro: %1</translation>
+    </message>
+</context>
+<context>
     <name>SetupWords</name>
     <message>
         <source>Two phones on tripods are enough. Film the robot with both, import the clips or drop them on this window; or connect cameras.</source>
@@ -11304,6 +11400,10 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <source>R&amp;obots…</source>
         <translation>Ro&amp;bots…</translation>
     </message>
+    <message>
+        <source>Show &amp;standings…</source>
+        <translation>Mostrar cla&amp;sificación…</translation>
+    </message>
 </context>
 <context>
     <name>odo::ClassesDialog</name>
@@ -13285,6 +13385,10 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <source>Another program overwrote “%1” while it was open. Its earlier contents are gone; the window shows the new ones.</source>
         <translation>Otro programa ha sobrescrito «%1» mientras estaba abierto: lo que contenía antes se ha perdido. Se muestra lo que contiene ahora.</translation>
     </message>
+    <message>
+        <source>&amp;Class</source>
+        <translation>&amp;Clase</translation>
+    </message>
 </context>
 <context>
     <name>odo::MapArea</name>
@@ -14908,6 +15012,69 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     </message>
 </context>
 <context>
+    <name>odo::ScoreboardDialog</name>
+    <message>
+        <source>&amp;Copy address</source>
+        <translation>&amp;Copiar dirección</translation>
+    </message>
+    <message>
+        <source>&amp;Open in browser</source>
+        <translation>&amp;Abrir en el navegador</translation>
+    </message>
+    <message>
+        <source>Standings as a web page</source>
+        <translation>Clasificación como página web</translation>
+    </message>
+    <message>
+        <source>Show the standings on a projector or on phones. The page follows the project as long as this window is open.</source>
+        <translation>Muestre la clasificación en un proyector o en teléfonos. La página sigue al proyecto mientras esta ventana esté abierta.</translation>
+    </message>
+    <message>
+        <source>C&amp;lass:</source>
+        <translation>C&amp;lase:</translation>
+    </message>
+    <message>
+        <source>&amp;Task:</source>
+        <translation>&amp;Tarea:</translation>
+    </message>
+    <message>
+        <source>&amp;Visible to:</source>
+        <translation>&amp;Visible para:</translation>
+    </message>
+    <message>
+        <source>Address of the page</source>
+        <translation>Dirección de la página</translation>
+    </message>
+    <message>
+        <source>All classes</source>
+        <translation>Todas las clases</translation>
+    </message>
+    <message>
+        <source>Task of the newest trial</source>
+        <translation>Tarea del ensayo más reciente</translation>
+    </message>
+    <message>
+        <source>This computer only</source>
+        <translation>Solo este equipo</translation>
+    </message>
+    <message>
+        <source>All devices in the network</source>
+        <translation>Todos los equipos de la red</translation>
+    </message>
+    <message>
+        <source>Starting…</source>
+        <translation>Iniciando…</translation>
+    </message>
+    <message>
+        <source>Everyone in the network can open this page. It shows the names of teams, classes and tasks, and no others.</source>
+        <translation>Cualquiera en la red puede abrir esta página. Solo muestra nombres de equipos, clases y tareas.</translation>
+    </message>
+    <message>
+        <source>Only this computer can open this page.</source>
+        <translation>Solo este equipo puede abrir esta página.</translation>
+    </message>
+</context>
+<context>
     <name>odo::ScoringTable</name>
     <message>
         <source>Remo&amp;ve line</source>
@@ -15208,10 +15375,6 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <translation>Mejor</translation>
     </message>
     <message>
-        <source>± from the spread of all teams&apos; trials</source>
-        <translation>± según la dispersión de los ensayos de todos los equipos</translation>
-    </message>
-    <message>
         <source>Median</source>
         <translation>Mediana</translation>
     </message>
@@ -15241,6 +15404,10 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <message>
         <source>Those with bad results do not count</source>
         <translation>Los que tienen resultados malos no cuentan</translation>
+    </message>
+    <message>
+        <source>± from the spread of all teams&apos; trials, at least that of the measurement</source>
+        <translation>± según la dispersión de los ensayos de todos los equipos, como mínimo el de la medición</translation>
     </message>
 </context>
 <context>
@@ -16004,6 +16171,10 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
             <numerusform>%n ensayo no contado: resultados malos</numerusform>
             <numerusform>%n ensayos no contados: resultados malos</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>teams that do not differ significantly share a rank</source>
+        <translation>los equipos sin diferencia significativa comparten puesto</translation>
     </message>
 </context>
 <context>
@@ -20350,6 +20521,13 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     </message>
 </context>
 <context>
+    <name>ui.address_not_here</name>
+    <message>
+        <source>it is no address of this computer</source>
+        <translation>no es una dirección de este equipo</translation>
+    </message>
+</context>
+<context>
     <name>ui.and_more</name>
     <message>
         <source>and %1 more</source>
@@ -20497,6 +20675,20 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     </message>
 </context>
 <context>
+    <name>ui.choose_another_port</name>
+    <message>
+        <source>choose another port, or 0 for any that is free</source>
+        <translation>elija otro puerto, o 0 para cualquiera libre</translation>
+    </message>
+</context>
+<context>
+    <name>ui.choose_high_port</name>
+    <message>
+        <source>choose a port of 1024 or more</source>
+        <translation>elija un puerto a partir de 1024</translation>
+    </message>
+</context>
+<context>
     <name>ui.choose_logo</name>
     <message>
         <source>choose a PNG, JPEG or SVG image</source>
@@ -20508,6 +20700,13 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <message>
         <source>choose one of them, or create it in the workbench</source>
         <translation>elija una de ellas, o créela en la ventana</translation>
+    </message>
+</context>
+<context>
+    <name>ui.choose_own_address</name>
+    <message>
+        <source>choose 127.0.0.1, an address of this computer, or 0.0.0.0 for all of them</source>
+        <translation>elija 127.0.0.1, una dirección de este equipo, o 0.0.0.0 para todas</translation>
     </message>
 </context>
 <context>
@@ -21050,6 +21249,20 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     </message>
 </context>
 <context>
+    <name>ui.port_in_use</name>
+    <message>
+        <source>another program uses this port</source>
+        <translation>otro programa usa este puerto</translation>
+    </message>
+</context>
+<context>
+    <name>ui.port_not_allowed</name>
+    <message>
+        <source>the system does not allow this port</source>
+        <translation>el sistema no permite este puerto</translation>
+    </message>
+</context>
+<context>
     <name>ui.preview</name>
     <message>
         <source>preview</source>
@@ -21187,6 +21400,27 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <message>
         <source>Saving a copy</source>
         <translation>Guardando la copia</translation>
+    </message>
+</context>
+<context>
+    <name>ui.scoreboard_address</name>
+    <message>
+        <source>standings at %1 port %2</source>
+        <translation>clasificación en %1 puerto %2</translation>
+    </message>
+</context>
+<context>
+    <name>ui.scoreboard_project_gone</name>
+    <message>
+        <source>it was moved or deleted, so the standings ended</source>
+        <translation>se movió o eliminó, por lo que la clasificación terminó</translation>
+    </message>
+</context>
+<context>
+    <name>ui.scoreboard_start_again</name>
+    <message>
+        <source>start them with the file&apos;s present name</source>
+        <translation>iníciela con el nombre actual del archivo</translation>
     </message>
 </context>
 <context>

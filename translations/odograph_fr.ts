@@ -1935,6 +1935,102 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
 </context>
 <context>
+    <name>Scoreboard</name>
+    <message>
+        <source>Standings</source>
+        <translation>Classement</translation>
+    </message>
+    <message>
+        <source>Team</source>
+        <translation>Équipe</translation>
+    </message>
+    <message>
+        <source>Median</source>
+        <translation>Médiane</translation>
+    </message>
+    <message>
+        <source>Gap</source>
+        <translation>Écart</translation>
+    </message>
+    <message>
+        <source>Best</source>
+        <translation>Meilleur</translation>
+    </message>
+    <message>
+        <source>Last</source>
+        <translation>Dernier</translation>
+    </message>
+    <message>
+        <source>Runs</source>
+        <translation>Parcours</translation>
+    </message>
+    <message>
+        <source>Rank</source>
+        <translation>Rang</translation>
+    </message>
+    <message>
+        <source>Best run</source>
+        <translation>Meilleur parcours</translation>
+    </message>
+    <message>
+        <source>Connecting…</source>
+        <translation>Connexion…</translation>
+    </message>
+    <message>
+        <source>Connection lost. Reconnecting…</source>
+        <translation>Connexion perdue. Reconnexion…</translation>
+    </message>
+    <message>
+        <source>This page needs JavaScript.</source>
+        <translation>Cette page nécessite JavaScript.</translation>
+    </message>
+    <message>
+        <source>Teams rank by the median of their runs. Teams that do not differ significantly (95 %) share a rank. ±: one standard deviation. ≈: not significantly behind the first.</source>
+        <translation>Le rang est donné par la médiane des parcours. Les équipes sans différence significative (95 %) partagent un rang. ± : un écart-type. ≈ : pas de retard significatif sur la première.</translation>
+    </message>
+    <message>
+        <source>No ranks: no trial has a task, and runs of different tasks cannot be compared.</source>
+        <translation>Pas de rangs : aucun essai n’a d’épreuve, et les parcours d’épreuves différentes ne sont pas comparables.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n trial(s) not counted: analysed with a different course.</source>
+        <translation>
+            <numerusform>%n essai exclu&#xa0;: mesuré sur un autre parcours.</numerusform>
+            <numerusform>%n essais exclus&#xa0;: mesurés sur un autre parcours.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n trial(s) not counted: bad results.</source>
+        <translation>
+            <numerusform>%n essai non compté : résultats mauvais.</numerusform>
+            <numerusform>%n essais non comptés : résultats mauvais.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>! %n trial(s) with doubtful results counted.</source>
+        <translation>
+            <numerusform>! %n essai aux résultats douteux compté.</numerusform>
+            <numerusform>! %n essais aux résultats douteux comptés.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>No team has a result yet.</source>
+        <translation>Aucune équipe n’a encore de résultat.</translation>
+    </message>
+    <message>
+        <source>Running now</source>
+        <translation>En cours</translation>
+    </message>
+    <message>
+        <source>The best run from above</source>
+        <translation>Le meilleur parcours vu d’en haut</translation>
+    </message>
+    <message>
+        <source>a square: %1</source>
+        <translation>un carreau : %1</translation>
+    </message>
+</context>
+<context>
     <name>SetupWords</name>
     <message>
         <source>Two phones on tripods are enough. Film the robot with both, import the clips or drop them on this window; or connect cameras.</source>
@@ -11304,6 +11400,10 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <source>R&amp;obots…</source>
         <translation>R&amp;obots…</translation>
     </message>
+    <message>
+        <source>Show &amp;standings…</source>
+        <translation>Afficher le cla&amp;ssement…</translation>
+    </message>
 </context>
 <context>
     <name>odo::ClassesDialog</name>
@@ -13285,6 +13385,10 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <source>Another program overwrote “%1” while it was open. Its earlier contents are gone; the window shows the new ones.</source>
         <translation>Un autre programme a écrasé « %1 » pendant qu’il était ouvert : son contenu précédent est perdu. Son contenu actuel est affiché.</translation>
     </message>
+    <message>
+        <source>&amp;Class</source>
+        <translation>&amp;Classe</translation>
+    </message>
 </context>
 <context>
     <name>odo::MapArea</name>
@@ -14908,6 +15012,69 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
 </context>
 <context>
+    <name>odo::ScoreboardDialog</name>
+    <message>
+        <source>&amp;Copy address</source>
+        <translation>&amp;Copier l’adresse</translation>
+    </message>
+    <message>
+        <source>&amp;Open in browser</source>
+        <translation>&amp;Ouvrir dans le navigateur</translation>
+    </message>
+    <message>
+        <source>Standings as a web page</source>
+        <translation>Classement en page web</translation>
+    </message>
+    <message>
+        <source>Show the standings on a projector or on phones. The page follows the project as long as this window is open.</source>
+        <translation>Affichez le classement sur un projecteur ou des téléphones. La page suit le projet tant que cette fenêtre est ouverte.</translation>
+    </message>
+    <message>
+        <source>C&amp;lass:</source>
+        <translation>C&amp;lasse :</translation>
+    </message>
+    <message>
+        <source>&amp;Task:</source>
+        <translation>É&amp;preuve :</translation>
+    </message>
+    <message>
+        <source>&amp;Visible to:</source>
+        <translation>&amp;Visible pour :</translation>
+    </message>
+    <message>
+        <source>Address of the page</source>
+        <translation>Adresse de la page</translation>
+    </message>
+    <message>
+        <source>All classes</source>
+        <translation>Toutes les classes</translation>
+    </message>
+    <message>
+        <source>Task of the newest trial</source>
+        <translation>Épreuve de l’essai le plus récent</translation>
+    </message>
+    <message>
+        <source>This computer only</source>
+        <translation>Cet ordinateur seul</translation>
+    </message>
+    <message>
+        <source>All devices in the network</source>
+        <translation>Tous les appareils du réseau</translation>
+    </message>
+    <message>
+        <source>Starting…</source>
+        <translation>Démarrage…</translation>
+    </message>
+    <message>
+        <source>Everyone in the network can open this page. It shows the names of teams, classes and tasks, and no others.</source>
+        <translation>Toute personne sur le réseau peut ouvrir cette page. Elle ne montre que les noms d’équipes, de classes et d’épreuves.</translation>
+    </message>
+    <message>
+        <source>Only this computer can open this page.</source>
+        <translation>Seul cet ordinateur peut ouvrir cette page.</translation>
+    </message>
+</context>
+<context>
     <name>odo::ScoringTable</name>
     <message>
         <source>Remo&amp;ve line</source>
@@ -15208,10 +15375,6 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <translation>Meilleur</translation>
     </message>
     <message>
-        <source>± from the spread of all teams&apos; trials</source>
-        <translation>± d’après la dispersion des essais de toutes les équipes</translation>
-    </message>
-    <message>
         <source>Median</source>
         <translation>Médiane</translation>
     </message>
@@ -15241,6 +15404,10 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>Those with bad results do not count</source>
         <translation>Ceux aux résultats mauvais ne comptent pas</translation>
+    </message>
+    <message>
+        <source>± from the spread of all teams&apos; trials, at least that of the measurement</source>
+        <translation>± d’après la dispersion des essais de toutes les équipes, au moins celui de la mesure</translation>
     </message>
 </context>
 <context>
@@ -16004,6 +16171,10 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
             <numerusform>%n essai non compté : résultats mauvais</numerusform>
             <numerusform>%n essais non comptés : résultats mauvais</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>teams that do not differ significantly share a rank</source>
+        <translation>les équipes sans différence significative partagent un rang</translation>
     </message>
 </context>
 <context>
@@ -20350,6 +20521,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
 </context>
 <context>
+    <name>ui.address_not_here</name>
+    <message>
+        <source>it is no address of this computer</source>
+        <translation>ce n’est pas une adresse de cet ordinateur</translation>
+    </message>
+</context>
+<context>
     <name>ui.and_more</name>
     <message>
         <source>and %1 more</source>
@@ -20497,6 +20675,20 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
 </context>
 <context>
+    <name>ui.choose_another_port</name>
+    <message>
+        <source>choose another port, or 0 for any that is free</source>
+        <translation>choisissez un autre port, ou 0 pour n’importe quel port libre</translation>
+    </message>
+</context>
+<context>
+    <name>ui.choose_high_port</name>
+    <message>
+        <source>choose a port of 1024 or more</source>
+        <translation>choisissez un port à partir de 1024</translation>
+    </message>
+</context>
+<context>
     <name>ui.choose_logo</name>
     <message>
         <source>choose a PNG, JPEG or SVG image</source>
@@ -20508,6 +20700,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>choose one of them, or create it in the workbench</source>
         <translation>choisissez-en une, ou créez-la dans la fenêtre d’Odograph</translation>
+    </message>
+</context>
+<context>
+    <name>ui.choose_own_address</name>
+    <message>
+        <source>choose 127.0.0.1, an address of this computer, or 0.0.0.0 for all of them</source>
+        <translation>choisissez 127.0.0.1, une adresse de cet ordinateur, ou 0.0.0.0 pour toutes</translation>
     </message>
 </context>
 <context>
@@ -21050,6 +21249,20 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
 </context>
 <context>
+    <name>ui.port_in_use</name>
+    <message>
+        <source>another program uses this port</source>
+        <translation>un autre programme utilise ce port</translation>
+    </message>
+</context>
+<context>
+    <name>ui.port_not_allowed</name>
+    <message>
+        <source>the system does not allow this port</source>
+        <translation>le système n’autorise pas ce port</translation>
+    </message>
+</context>
+<context>
     <name>ui.preview</name>
     <message>
         <source>preview</source>
@@ -21187,6 +21400,27 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>Saving a copy</source>
         <translation>Enregistrement d’une copie</translation>
+    </message>
+</context>
+<context>
+    <name>ui.scoreboard_address</name>
+    <message>
+        <source>standings at %1 port %2</source>
+        <translation>classement sur %1 port %2</translation>
+    </message>
+</context>
+<context>
+    <name>ui.scoreboard_project_gone</name>
+    <message>
+        <source>it was moved or deleted, so the standings ended</source>
+        <translation>il a été déplacé ou supprimé, le classement s’est donc arrêté</translation>
+    </message>
+</context>
+<context>
+    <name>ui.scoreboard_start_again</name>
+    <message>
+        <source>start them with the file&apos;s present name</source>
+        <translation>relancez-le avec le nom actuel du fichier</translation>
     </message>
 </context>
 <context>

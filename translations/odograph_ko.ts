@@ -1924,6 +1924,99 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>Scoreboard</name>
+    <message>
+        <source>Standings</source>
+        <translation>순위</translation>
+    </message>
+    <message>
+        <source>Team</source>
+        <translation>팀</translation>
+    </message>
+    <message>
+        <source>Median</source>
+        <translation>중앙값</translation>
+    </message>
+    <message>
+        <source>Gap</source>
+        <translation>차이</translation>
+    </message>
+    <message>
+        <source>Best</source>
+        <translation>최고</translation>
+    </message>
+    <message>
+        <source>Last</source>
+        <translation>최근</translation>
+    </message>
+    <message>
+        <source>Runs</source>
+        <translation>주행</translation>
+    </message>
+    <message>
+        <source>Rank</source>
+        <translation>순위</translation>
+    </message>
+    <message>
+        <source>Best run</source>
+        <translation>최고 주행</translation>
+    </message>
+    <message>
+        <source>Connecting…</source>
+        <translation>연결 중…</translation>
+    </message>
+    <message>
+        <source>Connection lost. Reconnecting…</source>
+        <translation>연결이 끊어졌습니다. 다시 연결 중…</translation>
+    </message>
+    <message>
+        <source>This page needs JavaScript.</source>
+        <translation>이 페이지에는 JavaScript가 필요합니다.</translation>
+    </message>
+    <message>
+        <source>Teams rank by the median of their runs. Teams that do not differ significantly (95 %) share a rank. ±: one standard deviation. ≈: not significantly behind the first.</source>
+        <translation>순위는 주행의 중앙값으로 정합니다. 유의한 차이(95 %)가 없는 팀은 같은 순위입니다. ±: 표준 편차. ≈: 1위와 유의한 차이 없음.</translation>
+    </message>
+    <message>
+        <source>No ranks: no trial has a task, and runs of different tasks cannot be compared.</source>
+        <translation>순위 없음: 과제가 있는 시행이 없으며, 과제가 다른 주행은 비교할 수 없습니다.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n trial(s) not counted: analysed with a different course.</source>
+        <translation>
+            <numerusform>시행 %n개 제외: 다른 코스로 측정됨.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n trial(s) not counted: bad results.</source>
+        <translation>
+            <numerusform>시행 %n개 제외: 나쁜 결과.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>! %n trial(s) with doubtful results counted.</source>
+        <translation>
+            <numerusform>! 결과가 의심스러운 시행 %n개 포함.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>No team has a result yet.</source>
+        <translation>아직 결과가 있는 팀이 없습니다.</translation>
+    </message>
+    <message>
+        <source>Running now</source>
+        <translation>주행 중</translation>
+    </message>
+    <message>
+        <source>The best run from above</source>
+        <translation>위에서 본 최고 주행</translation>
+    </message>
+    <message>
+        <source>a square: %1</source>
+        <translation>한 칸: %1</translation>
+    </message>
+</context>
+<context>
     <name>SetupWords</name>
     <message>
         <source>Two phones on tripods are enough. Film the robot with both, import the clips or drop them on this window; or connect cameras.</source>
@@ -11292,6 +11385,10 @@ Much more than expected means that a setting is wrong: the views are not synchro
         <source>R&amp;obots…</source>
         <translation>로봇(&amp;O)…</translation>
     </message>
+    <message>
+        <source>Show &amp;standings…</source>
+        <translation>순위 보기(&amp;S)…</translation>
+    </message>
 </context>
 <context>
     <name>odo::ClassesDialog</name>
@@ -13264,6 +13361,10 @@ Much more than expected means that a setting is wrong: the views are not synchro
         <source>Another program overwrote “%1” while it was open. Its earlier contents are gone; the window shows the new ones.</source>
         <translation>열려 있는 동안 다른 프로그램이 “%1”을(를) 덮어써서 이전 내용이 사라졌습니다. 지금 들어 있는 내용을 보여 줍니다.</translation>
     </message>
+    <message>
+        <source>&amp;Class</source>
+        <translation>학급(&amp;C)</translation>
+    </message>
 </context>
 <context>
     <name>odo::MapArea</name>
@@ -14882,6 +14983,69 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>odo::ScoreboardDialog</name>
+    <message>
+        <source>&amp;Copy address</source>
+        <translation>주소 복사(&amp;C)</translation>
+    </message>
+    <message>
+        <source>&amp;Open in browser</source>
+        <translation>브라우저에서 열기(&amp;O)</translation>
+    </message>
+    <message>
+        <source>Standings as a web page</source>
+        <translation>웹 페이지로 보는 순위</translation>
+    </message>
+    <message>
+        <source>Show the standings on a projector or on phones. The page follows the project as long as this window is open.</source>
+        <translation>프로젝터나 휴대전화에 순위를 표시합니다. 이 창이 열려 있는 동안 페이지는 프로젝트를 따라갑니다.</translation>
+    </message>
+    <message>
+        <source>C&amp;lass:</source>
+        <translation>학급(&amp;L):</translation>
+    </message>
+    <message>
+        <source>&amp;Task:</source>
+        <translation>과제(&amp;T):</translation>
+    </message>
+    <message>
+        <source>&amp;Visible to:</source>
+        <translation>볼 수 있는 기기(&amp;V):</translation>
+    </message>
+    <message>
+        <source>Address of the page</source>
+        <translation>페이지 주소</translation>
+    </message>
+    <message>
+        <source>All classes</source>
+        <translation>모든 학급</translation>
+    </message>
+    <message>
+        <source>Task of the newest trial</source>
+        <translation>최근 시행의 과제</translation>
+    </message>
+    <message>
+        <source>This computer only</source>
+        <translation>이 컴퓨터만</translation>
+    </message>
+    <message>
+        <source>All devices in the network</source>
+        <translation>네트워크의 모든 기기</translation>
+    </message>
+    <message>
+        <source>Starting…</source>
+        <translation>시작 중…</translation>
+    </message>
+    <message>
+        <source>Everyone in the network can open this page. It shows the names of teams, classes and tasks, and no others.</source>
+        <translation>네트워크의 누구나 이 페이지를 열 수 있습니다. 팀, 학급, 과제의 이름만 표시됩니다.</translation>
+    </message>
+    <message>
+        <source>Only this computer can open this page.</source>
+        <translation>이 컴퓨터에서만 이 페이지를 열 수 있습니다.</translation>
+    </message>
+</context>
+<context>
     <name>odo::ScoringTable</name>
     <message>
         <source>Remo&amp;ve line</source>
@@ -15182,10 +15346,6 @@ Much more than expected means that a setting is wrong: the views are not synchro
         <translation>최고</translation>
     </message>
     <message>
-        <source>± from the spread of all teams&apos; trials</source>
-        <translation>±는 모든 팀 시행의 산포에서 구함</translation>
-    </message>
-    <message>
         <source>Median</source>
         <translation>중앙값</translation>
     </message>
@@ -15214,6 +15374,10 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>Those with bad results do not count</source>
         <translation>결과가 나쁜 시행는 세지 않습니다</translation>
+    </message>
+    <message>
+        <source>± from the spread of all teams&apos; trials, at least that of the measurement</source>
+        <translation>± 모든 팀의 시행의 산포에서 구하며, 최소한 측정의 ±입니다</translation>
     </message>
 </context>
 <context>
@@ -15966,6 +16130,10 @@ Much more than expected means that a setting is wrong: the views are not synchro
         <translation>
             <numerusform>시행 %n개 제외: 나쁜 결과</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>teams that do not differ significantly share a rank</source>
+        <translation>유의한 차이가 없는 팀은 같은 순위입니다</translation>
     </message>
 </context>
 <context>
@@ -20307,6 +20475,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>ui.address_not_here</name>
+    <message>
+        <source>it is no address of this computer</source>
+        <translation>이 컴퓨터의 주소가 아닙니다</translation>
+    </message>
+</context>
+<context>
     <name>ui.and_more</name>
     <message>
         <source>and %1 more</source>
@@ -20454,6 +20629,20 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>ui.choose_another_port</name>
+    <message>
+        <source>choose another port, or 0 for any that is free</source>
+        <translation>다른 포트를 고르거나, 빈 포트를 쓰려면 0을 고르십시오</translation>
+    </message>
+</context>
+<context>
+    <name>ui.choose_high_port</name>
+    <message>
+        <source>choose a port of 1024 or more</source>
+        <translation>1024 이상의 포트를 고르십시오</translation>
+    </message>
+</context>
+<context>
     <name>ui.choose_logo</name>
     <message>
         <source>choose a PNG, JPEG or SVG image</source>
@@ -20465,6 +20654,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>choose one of them, or create it in the workbench</source>
         <translation>그중 하나를 고르거나 창에서 학급을 만드십시오</translation>
+    </message>
+</context>
+<context>
+    <name>ui.choose_own_address</name>
+    <message>
+        <source>choose 127.0.0.1, an address of this computer, or 0.0.0.0 for all of them</source>
+        <translation>127.0.0.1, 이 컴퓨터의 주소, 또는 모두를 뜻하는 0.0.0.0을 고르십시오</translation>
     </message>
 </context>
 <context>
@@ -21007,6 +21203,20 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>ui.port_in_use</name>
+    <message>
+        <source>another program uses this port</source>
+        <translation>다른 프로그램이 이 포트를 사용합니다</translation>
+    </message>
+</context>
+<context>
+    <name>ui.port_not_allowed</name>
+    <message>
+        <source>the system does not allow this port</source>
+        <translation>시스템이 이 포트를 허용하지 않습니다</translation>
+    </message>
+</context>
+<context>
     <name>ui.preview</name>
     <message>
         <source>preview</source>
@@ -21144,6 +21354,27 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>Saving a copy</source>
         <translation>사본 저장 중</translation>
+    </message>
+</context>
+<context>
+    <name>ui.scoreboard_address</name>
+    <message>
+        <source>standings at %1 port %2</source>
+        <translation>순위, %1 포트 %2</translation>
+    </message>
+</context>
+<context>
+    <name>ui.scoreboard_project_gone</name>
+    <message>
+        <source>it was moved or deleted, so the standings ended</source>
+        <translation>이동되거나 삭제되어 순위 표시가 끝났습니다</translation>
+    </message>
+</context>
+<context>
+    <name>ui.scoreboard_start_again</name>
+    <message>
+        <source>start them with the file&apos;s present name</source>
+        <translation>파일의 현재 이름으로 다시 시작하십시오</translation>
     </message>
 </context>
 <context>

@@ -1924,6 +1924,99 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>Scoreboard</name>
+    <message>
+        <source>Standings</source>
+        <translation>排名</translation>
+    </message>
+    <message>
+        <source>Team</source>
+        <translation>小组</translation>
+    </message>
+    <message>
+        <source>Median</source>
+        <translation>中位数</translation>
+    </message>
+    <message>
+        <source>Gap</source>
+        <translation>差距</translation>
+    </message>
+    <message>
+        <source>Best</source>
+        <translation>最佳</translation>
+    </message>
+    <message>
+        <source>Last</source>
+        <translation>最近</translation>
+    </message>
+    <message>
+        <source>Runs</source>
+        <translation>行驶次数</translation>
+    </message>
+    <message>
+        <source>Rank</source>
+        <translation>名次</translation>
+    </message>
+    <message>
+        <source>Best run</source>
+        <translation>最佳行驶</translation>
+    </message>
+    <message>
+        <source>Connecting…</source>
+        <translation>正在连接…</translation>
+    </message>
+    <message>
+        <source>Connection lost. Reconnecting…</source>
+        <translation>连接已断开，正在重新连接…</translation>
+    </message>
+    <message>
+        <source>This page needs JavaScript.</source>
+        <translation>此页面需要 JavaScript。</translation>
+    </message>
+    <message>
+        <source>Teams rank by the median of their runs. Teams that do not differ significantly (95 %) share a rank. ±: one standard deviation. ≈: not significantly behind the first.</source>
+        <translation>名次按各次行驶的中位数排列。差异不显著（95 %）的小组名次相同。±：一个标准差。≈：与第一名差异不显著。</translation>
+    </message>
+    <message>
+        <source>No ranks: no trial has a task, and runs of different tasks cannot be compared.</source>
+        <translation>无名次：没有试验属于任务，不同任务的行驶无法比较。</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n trial(s) not counted: analysed with a different course.</source>
+        <translation>
+            <numerusform>有 %n 次试验未计入：是按另一赛道测量的。</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n trial(s) not counted: bad results.</source>
+        <translation>
+            <numerusform>%n 次试验未计入：结果不可用。</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>! %n trial(s) with doubtful results counted.</source>
+        <translation>
+            <numerusform>! 计入 %n 次结果存疑的试验。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>No team has a result yet.</source>
+        <translation>还没有小组有结果。</translation>
+    </message>
+    <message>
+        <source>Running now</source>
+        <translation>正在行驶</translation>
+    </message>
+    <message>
+        <source>The best run from above</source>
+        <translation>最佳行驶的俯视图</translation>
+    </message>
+    <message>
+        <source>a square: %1</source>
+        <translation>一格：%1</translation>
+    </message>
+</context>
+<context>
     <name>SetupWords</name>
     <message>
         <source>Two phones on tripods are enough. Film the robot with both, import the clips or drop them on this window; or connect cameras.</source>
@@ -11292,6 +11385,10 @@ Much more than expected means that a setting is wrong: the views are not synchro
         <source>R&amp;obots…</source>
         <translation>机器人(&amp;O)…</translation>
     </message>
+    <message>
+        <source>Show &amp;standings…</source>
+        <translation>显示排名(&amp;S)…</translation>
+    </message>
 </context>
 <context>
     <name>odo::ClassesDialog</name>
@@ -13264,6 +13361,10 @@ Much more than expected means that a setting is wrong: the views are not synchro
         <source>Another program overwrote “%1” while it was open. Its earlier contents are gone; the window shows the new ones.</source>
         <translation>“%1”打开期间被另一个程序覆盖：之前的内容已丢失。现在显示的是其当前内容。</translation>
     </message>
+    <message>
+        <source>&amp;Class</source>
+        <translation>班级(&amp;C)</translation>
+    </message>
 </context>
 <context>
     <name>odo::MapArea</name>
@@ -14882,6 +14983,69 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>odo::ScoreboardDialog</name>
+    <message>
+        <source>&amp;Copy address</source>
+        <translation>复制地址(&amp;C)</translation>
+    </message>
+    <message>
+        <source>&amp;Open in browser</source>
+        <translation>在浏览器中打开(&amp;O)</translation>
+    </message>
+    <message>
+        <source>Standings as a web page</source>
+        <translation>网页排名</translation>
+    </message>
+    <message>
+        <source>Show the standings on a projector or on phones. The page follows the project as long as this window is open.</source>
+        <translation>在投影仪或手机上显示排名。此窗口打开期间，页面随项目更新。</translation>
+    </message>
+    <message>
+        <source>C&amp;lass:</source>
+        <translation>班级(&amp;L)：</translation>
+    </message>
+    <message>
+        <source>&amp;Task:</source>
+        <translation>任务(&amp;T)：</translation>
+    </message>
+    <message>
+        <source>&amp;Visible to:</source>
+        <translation>可见范围(&amp;V)：</translation>
+    </message>
+    <message>
+        <source>Address of the page</source>
+        <translation>页面地址</translation>
+    </message>
+    <message>
+        <source>All classes</source>
+        <translation>所有班级</translation>
+    </message>
+    <message>
+        <source>Task of the newest trial</source>
+        <translation>最新试验的任务</translation>
+    </message>
+    <message>
+        <source>This computer only</source>
+        <translation>仅此电脑</translation>
+    </message>
+    <message>
+        <source>All devices in the network</source>
+        <translation>网络中的所有设备</translation>
+    </message>
+    <message>
+        <source>Starting…</source>
+        <translation>正在启动…</translation>
+    </message>
+    <message>
+        <source>Everyone in the network can open this page. It shows the names of teams, classes and tasks, and no others.</source>
+        <translation>网络中的任何人都可以打开此页面。它只显示小组、班级和任务的名称。</translation>
+    </message>
+    <message>
+        <source>Only this computer can open this page.</source>
+        <translation>只有此电脑可以打开此页面。</translation>
+    </message>
+</context>
+<context>
     <name>odo::ScoringTable</name>
     <message>
         <source>Remo&amp;ve line</source>
@@ -15182,10 +15346,6 @@ Much more than expected means that a setting is wrong: the views are not synchro
         <translation>最佳</translation>
     </message>
     <message>
-        <source>± from the spread of all teams&apos; trials</source>
-        <translation>± 由所有小组试验的离散度得出</translation>
-    </message>
-    <message>
         <source>Median</source>
         <translation>中位数</translation>
     </message>
@@ -15214,6 +15374,10 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>Those with bad results do not count</source>
         <translation>结果不可用的试验不计入</translation>
+    </message>
+    <message>
+        <source>± from the spread of all teams&apos; trials, at least that of the measurement</source>
+        <translation>± 来自所有小组试验的离散度，不小于测量本身的 ±</translation>
     </message>
 </context>
 <context>
@@ -15966,6 +16130,10 @@ Much more than expected means that a setting is wrong: the views are not synchro
         <translation>
             <numerusform>%n 次试验未计入：结果不可用</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>teams that do not differ significantly share a rank</source>
+        <translation>差异不显著的小组名次相同</translation>
     </message>
 </context>
 <context>
@@ -20307,6 +20475,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>ui.address_not_here</name>
+    <message>
+        <source>it is no address of this computer</source>
+        <translation>它不是此电脑的地址</translation>
+    </message>
+</context>
+<context>
     <name>ui.and_more</name>
     <message>
         <source>and %1 more</source>
@@ -20454,6 +20629,20 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>ui.choose_another_port</name>
+    <message>
+        <source>choose another port, or 0 for any that is free</source>
+        <translation>选择其他端口，或用 0 表示任意空闲端口</translation>
+    </message>
+</context>
+<context>
+    <name>ui.choose_high_port</name>
+    <message>
+        <source>choose a port of 1024 or more</source>
+        <translation>选择 1024 或更大的端口</translation>
+    </message>
+</context>
+<context>
     <name>ui.choose_logo</name>
     <message>
         <source>choose a PNG, JPEG or SVG image</source>
@@ -20465,6 +20654,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>choose one of them, or create it in the workbench</source>
         <translation>请选择其中之一，或在工作台中创建</translation>
+    </message>
+</context>
+<context>
+    <name>ui.choose_own_address</name>
+    <message>
+        <source>choose 127.0.0.1, an address of this computer, or 0.0.0.0 for all of them</source>
+        <translation>选择 127.0.0.1、此电脑的一个地址，或用 0.0.0.0 表示全部</translation>
     </message>
 </context>
 <context>
@@ -21007,6 +21203,20 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>ui.port_in_use</name>
+    <message>
+        <source>another program uses this port</source>
+        <translation>另一个程序正在使用此端口</translation>
+    </message>
+</context>
+<context>
+    <name>ui.port_not_allowed</name>
+    <message>
+        <source>the system does not allow this port</source>
+        <translation>系统不允许使用此端口</translation>
+    </message>
+</context>
+<context>
     <name>ui.preview</name>
     <message>
         <source>preview</source>
@@ -21144,6 +21354,27 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>Saving a copy</source>
         <translation>正在保存副本</translation>
+    </message>
+</context>
+<context>
+    <name>ui.scoreboard_address</name>
+    <message>
+        <source>standings at %1 port %2</source>
+        <translation>排名：%1 端口 %2</translation>
+    </message>
+</context>
+<context>
+    <name>ui.scoreboard_project_gone</name>
+    <message>
+        <source>it was moved or deleted, so the standings ended</source>
+        <translation>它已被移动或删除，排名显示因此结束</translation>
+    </message>
+</context>
+<context>
+    <name>ui.scoreboard_start_again</name>
+    <message>
+        <source>start them with the file&apos;s present name</source>
+        <translation>用文件现在的名称重新启动</translation>
     </message>
 </context>
 <context>

@@ -40,6 +40,8 @@ std::span<const NamedCommand> allCommands()
          true},
         {"table", "write the metrics of all trials to a table for spreadsheets", runTable, false},
         {"export", "write a trial's samples, a page to take along, or its annotated video", runExport, false},
+        {"scoreboard", "show the standings of a task as a web page that follows the project", runScoreboard,
+         false},
         {"snapshot", "save an image of the window", runSnapshot, true},
         {"target", "write a board or floor markers for printing", runTarget, true},
         {"check", "check a project and its recordings", runCheck, false},

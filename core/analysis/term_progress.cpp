@@ -86,9 +86,9 @@ void rankTeams(std::vector<TeamStatistics> &teams, bool isLessBetter)
     for (TeamStatistics &team : teams) {
         const auto count = static_cast<double>(team.values.size());
         team.median = team.values.empty() ? 0 : median(team.values);
-        team.sigma = team.values.empty()
-                         ? 0
-                         : spread / std::sqrt(count) * (count > 2 ? std::sqrt(std::numbers::pi / 2) : 1);
+        team.sigma = team.values.empty() ? 0
+                                         : std::max(spread, team.runSigma) / std::sqrt(count) *
+                                               (count > 2 ? std::sqrt(std::numbers::pi / 2) : 1);
     }
     for (TeamStatistics &team : teams) {
         const auto isAhead = [&](const TeamStatistics &other) {

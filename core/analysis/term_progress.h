@@ -43,16 +43,18 @@ TermProgress termProgress(const std::vector<TermValue> &metrics, bool isLessBett
 struct TeamStatistics
 {
     std::vector<double> values; ///< of its runs
+    double runSigma = 0;        ///< root mean square of its runs' own σ; 0: none is known
     double median = 0;          ///< of them; rank
     double sigma = 0;           ///< of the median
     int rank = 1;               ///< one more than the number of teams that are significantly better
 };
 
 /// Fills median, sigma and rank of each team. The spread of one run is assumed the same for all teams and
-/// pooled over them (JCGM 100:2008, 4.2.4), so a team with one run has a σ too; σ of a median of n runs is
-/// that spread times √(π/2n), of one or two runs (where it is the mean) the spread over √n. A team is
-/// significantly better if the medians differ by more than 1.96 σ of their difference. If no team has two
-/// runs there is no spread: σ is 0, and each difference counts. Empty teams have rank 0.
+/// pooled over them (JCGM 100:2008, 4.2.4), so a team with one run has a σ too. It contains what the runs
+/// were measured with; where it is less than a team's own runSigma (few runs, or none repeated), that counts
+/// instead. σ of a median of n runs is that σ of one times √(π/2n), of one or two runs (where it is the mean)
+/// over √n. A team is significantly better if the medians differ by more than 1.96 σ of their difference.
+/// Without any σ each difference counts. Empty teams have rank 0.
 void rankTeams(std::vector<TeamStatistics> &teams, bool isLessBetter);
 
 /// Whether a smaller value of a metric is better, by its name: for times and distances from the path; for

@@ -107,6 +107,30 @@ private Q_SLOTS:
         QCOMPARE(teams[0].rank, 2);
     }
 
+    /// One run each, ±0.05: 0.07 is within 1.96·√2·0.05 = 0.139, 0.8 is not. Where repeated runs spread more
+    /// than that, their spread counts, which contains it.
+    void theMeasurementsOwnUncertaintyCounts()
+    {
+        std::vector<TeamStatistics> teams(3);
+        teams[0].values = {8.20};
+        teams[1].values = {8.27};
+        teams[2].values = {9.00};
+        for (TeamStatistics &team : teams)
+            team.runSigma = 0.05;
+        rankTeams(teams, true);
+        QCOMPARE(teams[0].sigma, 0.05);
+        QCOMPARE(teams[0].rank, 1);
+        QCOMPARE(teams[1].rank, 1);
+        QCOMPARE(teams[2].rank, 3);
+        teams[0].runSigma = 0; // of a track that came without one
+        rankTeams(teams, true);
+        QCOMPARE(teams[1].rank, 1); // 0.07 of 0.098
+        teams[2].values = {9.00, 7.00};
+        rankTeams(teams, true);
+        QCOMPARE(teams[0].sigma, std::numbers::sqrt2);
+        QCOMPARE(teams[2].sigma, 1.0);
+    }
+
     void withoutASpreadEveryDifferenceCounts()
     {
         std::vector<TeamStatistics> teams(3);

@@ -89,13 +89,41 @@ private Q_SLOTS:
         QVERIFY(term.standings({"", "Slalom", "gate_time"}).isRanked());
     }
 
+    /// Times of ±0.01 s: 0.02 s is no difference between two runs, 0.05 s is one.
+    void runsThatDoNotDifferSignificantlyShareARank()
+    {
+        Term term;
+        term.add(1, "9B", 8.02);
+        term.add(2, "9B", 8.00);
+        term.add(3, "9B", 8.05);
+        const Standings standings = term.standings({"", "Slalom", "gate_time"});
+        QCOMPARE(standings.teams[0].team, std::string("Team 2"));
+        QCOMPARE(standings.teams[0].statistics.rank, 1);
+        QCOMPARE(standings.teams[1].team, std::string("Team 1"));
+        QCOMPARE(standings.teams[1].statistics.rank, 1);
+        QCOMPARE(standings.teams[2].statistics.rank, 3);
+        QCOMPARE(standings.teams[0].statistics.sigma, 0.01);
+    }
+
+    void theBestRunIsNamed()
+    {
+        Term term;
+        for (const double seconds : {9.0, 8.0, 8.0, 8.5})
+            term.add(1, "9B", seconds);
+        const TeamStanding team = term.standings({"", "Slalom", "gate_time"}).teams.front();
+        QCOMPARE(team.bestRun().trial, std::string("Trial 2"));
+        QCOMPARE(team.bestRun().robot, RecordId(1));
+    }
+
     /// Of several robots the best one counts, whichever way that is.
     void theBestRobotCounts()
     {
         Term term;
         const RecordId trial = term.add(1, "9B", 5.0).id;
         term.metrics.push_back({trial, 2, {"gate_time", "s", 4.0, 0.01}});
-        QCOMPARE(term.standings({"", "", "gate_time"}).teams.at(0).progress.best, 4.0);
+        const TeamStanding team = term.standings({"", "", "gate_time"}).teams.at(0);
+        QCOMPARE(team.progress.best, 4.0);
+        QCOMPARE(team.bestRun().robot, RecordId(2));
         QCOMPARE(term.standings({"", "", "max_speed"}).teams.at(0).progress.best, 5.0);
     }
 };

@@ -108,15 +108,18 @@ void MainWindow::makeMenus()
     QMenu *edit = menuBar()->addMenu(tr("&Edit"));
     m_undo->fillMenu(*edit);
     edit->addSeparator();
-    m_class->fillMenu(*edit);
-    edit->addSeparator();
-    m_many->fillMenu(*edit);
+    edit->addAction(m_many->changes());
     edit->addSeparator();
     QAction *preferences =
         edit->addAction(tr("Pr&eferences…"), this, [this] { showPreferences(PreferencesDialog::General); });
     preferences->setShortcut(QKeySequence(Qt::CTRL | Qt::Key_Comma));
     preferences->setMenuRole(QAction::PreferencesRole);
     nameCommands({{preferences, "preferences"}});
+    QMenu *ofClass = menuBar()->addMenu(tr("&Class"));
+    m_class->fillMenu(*ofClass);
+    ofClass->addAction(m_many->roster());
+    ofClass->addSeparator();
+    ofClass->addAction(m_class->standings());
     m_menus = std::make_unique<PageMenus>(*menuBar(), *m_modeBar, *m_views, *m_trials);
     m_help->fillMenu(*menuBar()->addMenu(tr("&Help")));
     m_keys->adopt(*menuBar());

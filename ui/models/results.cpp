@@ -264,7 +264,8 @@ QVariant StandingsModel::heading(int column, int role) const
     case BestColumn:
         return tr("Best");
     case MedianColumn:
-        return tip ? tr("± from the spread of all teams' trials") : tr("Median");
+        return tip ? tr("± from the spread of all teams' trials, at least that of the measurement")
+                   : tr("Median");
     case SpreadColumn:
         return tip ? tr("Repeatability: standard deviation of one trial about the line of progress")
                    : tr("Spread");

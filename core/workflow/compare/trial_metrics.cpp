@@ -7,6 +7,7 @@
 #include "core/workflow/track/stored_verdicts.h"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <set>
 #include <tuple>
@@ -141,10 +142,13 @@ void measure(TeamStanding &team, bool isLessBetter)
 {
     std::ranges::stable_sort(team.runs, {}, &TeamRun::date);
     std::vector<TermValue> course;
+    double squares = 0;
     for (const TeamRun &run : team.runs) {
         team.statistics.values.push_back(run.metric.value);
         course.push_back({daysOf(run.date), run.metric.value});
+        squares += std::pow(run.metric.sigma.value_or(0), 2);
     }
+    team.statistics.runSigma = std::sqrt(squares / double(team.runs.size()));
     team.progress = termProgress(course, isLessBetter);
 }
 
@@ -155,12 +159,13 @@ Standings standingsOf(std::span<const TrialRecord *const> trials,
                       const std::set<RecordId> &doubtful)
 {
     Standings standings{choice, isLessBetter(choice.metric), {}};
-    std::unordered_map<RecordId, Metric> best;
+    std::unordered_map<RecordId, const TrialMetric *> best;
     for (const TrialMetric &trialMetric : trialMetrics) {
-        const auto [known, isNew] = best.try_emplace(trialMetric.trial, trialMetric.metric);
-        if (!isNew && (standings.isLessBetter ? trialMetric.metric.value < known->second.value
-                                              : trialMetric.metric.value > known->second.value))
-            known->second = trialMetric.metric;
+        const auto [known, isNew] = best.try_emplace(trialMetric.trial, &trialMetric);
+        const double other = known->second->metric.value;
+        if (!isNew &&
+            (standings.isLessBetter ? trialMetric.metric.value < other : trialMetric.metric.value > other))
+            known->second = &trialMetric;
     }
     std::map<RecordId, TeamStanding> teams;
     for (const TrialRecord *trial : trials) {
@@ -171,7 +176,8 @@ Standings standingsOf(std::span<const TrialRecord *const> trials,
         team.team = trial->teamName;
         team.pseudonym = trial->teamPseudonym;
         team.className = trial->className;
-        team.runs.push_back({trial->name, trial->date, metric->second, doubtful.contains(trial->id)});
+        team.runs.push_back({trial->name, metric->second->robot, trial->date, metric->second->metric,
+                             doubtful.contains(trial->id)});
     }
     std::vector<TeamStatistics> ranked;
     for (auto &[id, team] : teams) {

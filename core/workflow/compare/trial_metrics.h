@@ -100,6 +100,7 @@ struct StandingsChoice
 struct TeamRun
 {
     std::string trial;
+    RecordId robot = 0; ///< that gave it
     Instant date;
     Metric metric;
     bool isDoubtful = false; ///< its verdict is, and was not accepted
@@ -112,6 +113,13 @@ struct TeamStanding
     TeamStatistics statistics; ///< its runs' values, median, σ and rank
     TermProgress progress;
     int doubtfulRuns() const { return int(std::ranges::count_if(runs, &TeamRun::isDoubtful)); }
+    /// The first of its runs with the best value.
+    const TeamRun &bestRun() const
+    {
+        const auto found = std::ranges::find_if(
+            runs, [this](const TeamRun &run) { return run.metric.value == progress.best; });
+        return found == runs.end() ? runs.front() : *found;
+    }
 };
 
 struct Standings

@@ -192,6 +192,8 @@ void TeamsPanel::showRemark(const CountedTrials &counted)
     QStringList words(count == 0 ? tr("No team has a result for this metric") : tr("%n team(s)", "", count));
     if (!m_model->standings().isRanked() && count > 0)
         words << tr("choose a task to rank them: runs of different tasks cannot be compared");
+    if (m_model->standings().isRanked() && count > 1)
+        words << tr("teams that do not differ significantly share a rank");
     if (counted.leftOut > 0)
         words << tr("%n trial(s) not counted: analysed with a different course. Reanalyse them", "",
                     counted.leftOut);

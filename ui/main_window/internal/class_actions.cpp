@@ -16,6 +16,7 @@
 #include "ui/main_window/workspace.h"
 #include "ui/models/project_changes.h"
 #include "ui/models/shown_message.h"
+#include "ui/scoreboard/scoreboard_dialog.h"
 #include "ui/testbed/tasks/tasks_dialog.h"
 #include "ui/views/widgets/command_keys.h"
 #include "ui/views/widgets/form_fields.h"
@@ -82,13 +83,17 @@ ChangesDialog::ChangesDialog(std::vector<ChangeEntry> changes, QWidget *parent) 
 
 ClassActions::ClassActions(Workspace &workspace, QWidget &window)
     : QObject(&window), m_workspace(workspace), m_window(window), m_tasks(new QAction(tr("&Tasks…"), this)),
-      m_classes(new QAction(tr("C&lasses and teams…"), this)), m_robots(new QAction(tr("R&obots…"), this))
+      m_classes(new QAction(tr("C&lasses and teams…"), this)), m_robots(new QAction(tr("R&obots…"), this)),
+      m_standings(new QAction(themeIcon(QStringLiteral("history")), tr("Show &standings…"), this))
 {
     connect(m_tasks, &QAction::triggered, this, &ClassActions::showTasks);
     connect(m_classes, &QAction::triggered, this, &ClassActions::showClasses);
     connect(m_robots, &QAction::triggered, this, &ClassActions::showRobots);
+    connect(m_standings, &QAction::triggered, this, &ClassActions::showStandings);
     connect(&m_workspace, &Workspace::opened, this, &ClassActions::updateActions);
-    nameCommands({{m_tasks, "tasks"}, {m_classes, "classes"}, {m_robots, "robots"}});
+    connect(&m_workspace, &Workspace::aboutToClose, this, [this] { delete m_scoreboard; }); // it reads there
+    nameCommands(
+        {{m_tasks, "tasks"}, {m_classes, "classes"}, {m_robots, "robots"}, {m_standings, "standings"}});
     updateActions();
 }
 
@@ -99,7 +104,7 @@ void ClassActions::fillMenu(QMenu &menu)
 
 void ClassActions::updateActions()
 {
-    for (QAction *action : {m_tasks, m_classes, m_robots})
+    for (QAction *action : {m_tasks, m_classes, m_robots, m_standings})
         action->setEnabled(m_workspace.project() != nullptr);
 }
 
@@ -133,6 +138,15 @@ void ClassActions::showRobots()
     dialog.exec();
 }
 
+void ClassActions::showStandings()
+{
+    if (!m_scoreboard)
+        m_scoreboard = new ScoreboardDialog(*m_workspace.project(), &m_window);
+    m_scoreboard->show();
+    m_scoreboard->raise();
+    m_scoreboard->activateWindow();
+}
+
 HistoryActions::HistoryActions(Workspace &workspace, QWidget &window)
     : QObject(&window), m_workspace(workspace), m_window(window), m_batch(new TrialBatch(workspace, this)),
       m_roster(new QAction(themeIcon(QStringLiteral("import")), tr("Import &roster…"), this)),
@@ -144,11 +158,6 @@ HistoryActions::HistoryActions(Workspace &workspace, QWidget &window)
     connect(m_batch, &TrialBatch::ended, this, &HistoryActions::tellEnd);
     connect(&m_workspace, &Workspace::opened, this, &HistoryActions::updateActions);
     updateActions();
-}
-
-void HistoryActions::fillMenu(QMenu &menu)
-{
-    menu.addActions({m_roster, m_changes});
 }
 
 bool HistoryActions::isRunning() const

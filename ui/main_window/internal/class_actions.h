@@ -4,6 +4,7 @@
 #include "core/base/error.h"
 
 #include <QObject>
+#include <QPointer>
 #include <QStringList>
 #include <functional>
 #include <memory>
@@ -15,16 +16,18 @@ class QWidget;
 
 namespace odo {
 
+class ScoreboardDialog;
 class Workspace;
 
-/// What a class has, and is set up once a year: its tasks, its teams, its robots. Owns the actions, and opens
-/// their dialogs.
+/// What a class has, and is set up once a year: its tasks, its teams, its robots; and its standings as a web
+/// page. Owns the actions, and opens their dialogs.
 class ClassActions : public QObject
 {
     Q_OBJECT
 public:
     ClassActions(Workspace &workspace, QWidget &window);
     void fillMenu(QMenu &menu);
+    QAction *standings() const { return m_standings; }
     void showTasks();
 
 Q_SIGNALS:
@@ -35,11 +38,13 @@ Q_SIGNALS:
 private:
     void showClasses();
     void showRobots();
+    void showStandings();
     void updateActions();
 
     Workspace &m_workspace;
     QWidget &m_window;
-    QAction *m_tasks, *m_classes, *m_robots;
+    QAction *m_tasks, *m_classes, *m_robots, *m_standings;
+    QPointer<ScoreboardDialog> m_scoreboard; ///< while it is open
 };
 
 struct BinContent;
@@ -53,7 +58,8 @@ class HistoryActions : public QObject
     Q_OBJECT
 public:
     HistoryActions(Workspace &workspace, QWidget &window);
-    void fillMenu(QMenu &menu);
+    QAction *roster() const { return m_roster; }
+    QAction *changes() const { return m_changes; }
     /// From a file that is asked for.
     void askRoster();
     /// Into a folder that is asked for.

@@ -3,11 +3,7 @@
 
 #include "core/base/error.h"
 #include "core/base/percentile.h"
-#include "core/project/class_repository.h"
-#include "core/project/project.h"
-#include "core/project/repositories.h"
-#include "core/workflow/compare/trial_metrics.h"
-#include "core/workflow/shared_words.h"
+#include "core/workflow/compare/standings_reading.h"
 #include "ui/models/results.h"
 #include "ui/models/shown_names.h"
 #include "ui/report/internal/report_painting.h"
@@ -21,77 +17,21 @@
 #include <QPainter>
 #include <algorithm>
 #include <cmath>
-#include <map>
 
 namespace odo {
 
-namespace {
-
-Result<void> checkClass(Project &project, const std::string &name)
-{
-    const auto classes = ODO_TRY(project.classes().all());
-    if (std::ranges::find(classes, name, &ClassRecord::name) != classes.end())
-        return {};
-    std::vector<std::string> names;
-    for (const ClassRecord &each : classes)
-        names.push_back(each.name);
-    return fail(ErrorCode::NotFound, classSubject(name),
-                names.empty() ? Message(ODO_TEXT("ui.project_has_no_class", "the project has none"))
-                              : ODO_TEXT("ui.project_has_classes", "the project has %1")(
-                                    quotedNames(names, MessageArgument::Kind::Class)),
-                ODO_TEXT("ui.choose_or_make_class", "choose one of them, or create it in the workbench"));
-}
-
-/// The task that most trials of the class have; empty: none has one.
-std::string usualTask(const std::vector<TrialRecord> &trials, const std::string &className)
-{
-    std::map<std::string, int> counts;
-    for (const TrialRecord &trial : trials)
-        if (!trial.task.empty() && countsIn(trial, className, {}))
-            ++counts[trial.task];
-    const auto most = std::ranges::max_element(counts, {}, [](const auto &each) { return each.second; });
-    return most == counts.end() ? std::string() : most->first;
-}
-
-/// The score where the task is scored, else the most informative metric available.
-Result<std::string> usualMetric(Project &project, const std::string &task)
-{
-    if (!task.empty()) {
-        const auto record = ODO_TRY(project.tasks().find(task));
-        const auto scoring = ODO_TRY(project.tasks().scoring(record.id));
-        if (!scoring.empty())
-            return std::string(scoreMetric);
-    }
-    const auto names = ODO_TRY(project.analyses().metricNames());
-    const std::vector<std::string> telling = informativeMetricNames(names);
-    return telling.empty() ? std::string() : telling.front();
-}
-
-} // namespace
-
 Result<ClassContentPtr> readClassContent(Project &project, const ClassReportSettings &settings)
 {
-    ODO_TRY(checkClass(project, settings.className));
-    const auto all = ODO_TRY(project.trials().all());
+    auto reading = ODO_TRY(readStandings(project, {settings.className, settings.task, settings.metric}));
     auto content = std::make_shared<ClassContent>();
     content->settings = settings;
     ClassReportSettings &chosen = content->settings;
-    if (chosen.task.empty())
-        chosen.task = usualTask(all, chosen.className);
-    else if (const auto task = project.tasks().find(chosen.task); !task)
-        return tl::unexpected(task.error());
-    if (chosen.metric.empty()) {
-        auto metric = ODO_TRY(usualMetric(project, chosen.task));
-        chosen.metric = std::move(metric);
-    }
-    const auto trialMetrics = ODO_TRY(metricsOf(project, chosen.metric));
-    const auto grounds = ODO_TRY(countingGrounds(project, chosen.className, chosen.task));
-    const CountedTrials counted = countedTrials(all, chosen.className, chosen.task, grounds);
-    content->trials = int(counted.trials.size()) + counted.leftOut + counted.bad;
-    content->leftOut = counted.leftOut;
-    content->bad = counted.bad;
-    content->standings = standingsOf(counted.trials, trialMetrics,
-                                     {chosen.className, chosen.task, chosen.metric}, counted.doubtful);
+    chosen.task = reading.standings.choice.task;
+    chosen.metric = reading.standings.choice.metric;
+    content->trials = reading.trials;
+    content->leftOut = reading.leftOut;
+    content->bad = reading.bad;
+    content->standings = std::move(reading.standings);
     if (content->standings.teams.empty())
         return fail(
             ErrorCode::NotFound,

@@ -3,6 +3,7 @@
 #include "ui/models/number_text.h"
 #include "ui/report/internal/html_figures.h"
 #include "ui/report/internal/report_painting.h"
+#include "ui/report/run_map.h"
 #include "ui/views/charts/chart_axis.h"
 #include "ui/views/curves/simplified_line.h"
 #include "ui/views/map/trial_map.h"
@@ -44,7 +45,8 @@ QString pointsOf(const QPolygonF &line)
 class SvgMap
 {
 public:
-    SvgMap(HtmlWriter &page, const Eigen::AlignedBox2d &bounds) : m_page(page), m_bounds(bounds)
+    SvgMap(HtmlWriter &page, const Eigen::AlignedBox2d &bounds, MapWords words)
+        : m_page(page), m_bounds(bounds), m_words(std::move(words))
     {
         const Eigen::Vector2d size = bounds.sizes().cwiseMax(Eigen::Vector2d(0.01, 0.01));
         m_scale = std::min((mapWidth - 2 * mapMargin) / size.x(), (tallestMap - 2 * mapMargin) / size.y());
@@ -57,23 +59,14 @@ public:
         return {m_left + m_scale * (point.x() - m_bounds.min().x()),
                 m_height - mapMargin - m_scale * (point.y() - m_bounds.min().y())};
     }
-    void begin(const QString &title)
+    void begin()
     {
-        m_page.open("figure");
         m_page.open("svg", {{"viewBox", QStringLiteral("0 0 %1 %2").arg(mapWidth).arg(std::ceil(m_height))},
                             {"role", QStringLiteral("img")},
-                            {"aria-label", title}});
+                            {"aria-label", m_words.title}});
         writeGrid();
     }
-    void end(const QString &title, const QString &remark)
-    {
-        m_page.close();
-        m_page.open("figcaption");
-        m_page.element("strong", title);
-        m_page.text(QStringLiteral(" – ") + remark);
-        m_page.close();
-        m_page.close();
-    }
+    void end() { m_page.close(); }
     void label(const QPointF &where, const QString &text)
     {
         m_page.element(
@@ -153,12 +146,13 @@ private:
                          .arg(mapCoordinate(m_left), mapCoordinate(at({0, y}).y()),
                               mapCoordinate(mapWidth - m_left));
         m_page.shape("path", {{"class", QStringLiteral("grid")}, {"d", lines}});
-        m_page.element("text", HtmlMapWords::tr("a square: %1").arg(distanceText(step)),
+        m_page.element("text", m_words.square.arg(distanceText(step, m_words.locale)),
                        {{"x", mapCoordinate(m_left)}, {"y", mapCoordinate(m_height - 7)}});
     }
 
     HtmlWriter &m_page;
     const Eigen::AlignedBox2d m_bounds;
+    const MapWords m_words;
     double m_scale = 1, m_height = 1, m_left = 0;
 };
 
@@ -217,31 +211,55 @@ void writeEnds(SvgMap &map, const Profile &profile)
     map.dot(QStringLiteral("finish"), map.at(last->position), 4);
 }
 
-} // namespace
-
-void writeRunMap(HtmlWriter &page, const TrialScene &scene, std::size_t robot)
+void writeRun(HtmlWriter &page, const TrialScene &scene, std::size_t robot, const MapWords &words)
 {
     const Profile &profile = scene.robots[robot].analysis->profile;
-    const double topMps = topSpeedMps(scene);
-    const QString title = HtmlMapWords::tr("The run from above");
-    SvgMap map(page, scene.floorBounds());
-    map.begin(title);
+    SvgMap map(page, scene.floorBounds(), words);
+    map.begin();
     if (scene.layout)
         map.layout(*scene.layout);
     if (scene.task)
         map.task(*scene.task);
-    writeSpeedPath(map, profile, topMps);
+    writeSpeedPath(map, profile, topSpeedMps(scene));
     writeMapSpikes(map, profile);
     writeEnds(map, profile);
-    map.end(title, HtmlMapWords::tr("coloured by speed, from 0 (dark) to %1 (light); ring: start, dot: end")
-                       .arg(speedText(topMps, std::nullopt)));
+    map.end();
+}
+
+void endFigure(HtmlWriter &page, const QString &title, const QString &remark)
+{
+    page.open("figcaption");
+    page.element("strong", title);
+    page.text(QStringLiteral(" – ") + remark);
+    page.close();
+    page.close();
+}
+
+} // namespace
+
+QString runMap(const TrialScene &scene, std::size_t robot, const MapWords &words)
+{
+    HtmlWriter page;
+    writeRun(page, scene, robot, words);
+    return page.take();
+}
+
+void writeRunMap(HtmlWriter &page, const TrialScene &scene, std::size_t robot)
+{
+    const QString title = HtmlMapWords::tr("The run from above");
+    page.open("figure");
+    writeRun(page, scene, robot, {title, HtmlMapWords::tr("a square: %1"), QLocale()});
+    endFigure(page, title,
+              HtmlMapWords::tr("coloured by speed, from 0 (dark) to %1 (light); ring: start, dot: end")
+                  .arg(speedText(topSpeedMps(scene), std::nullopt)));
 }
 
 void writeComparedMap(HtmlWriter &page, const ComparisonScene &scene)
 {
     const QString title = HtmlMapWords::tr("Both runs from above");
-    SvgMap map(page, scene.floorBounds());
-    map.begin(title);
+    page.open("figure");
+    SvgMap map(page, scene.floorBounds(), {title, HtmlMapWords::tr("a square: %1"), QLocale()});
+    map.begin();
     const TrialScene &first = *scene.scenes.front();
     if (first.layout)
         map.layout(*first.layout);
@@ -257,7 +275,8 @@ void writeComparedMap(HtmlWriter &page, const ComparisonScene &scene)
             map.line(QStringLiteral("line s%1").arg(run), line);
         }
     }
-    map.end(title, HtmlMapWords::tr("in the colours of the runs"));
+    map.end();
+    endFigure(page, title, HtmlMapWords::tr("in the colours of the runs"));
 }
 
 } // namespace odo
