@@ -11950,6 +11950,13 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
 </context>
 <context>
+    <name>odo::FloorCopy</name>
+    <message>
+        <source>&amp;Copy floor position</source>
+        <translation>Bodenposition &amp;kopieren</translation>
+    </message>
+</context>
+<context>
     <name>odo::FloorMap</name>
     <message>
         <source>Top-down map</source>
@@ -11987,16 +11994,16 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
 <context>
     <name>odo::FloorReadOut</name>
     <message>
-        <source>&amp;Copy floor position</source>
-        <translation>Bodenposition &amp;kopieren</translation>
-    </message>
-    <message>
         <source>x %1 · y %2</source>
         <translation>x %1 · y %2</translation>
     </message>
     <message>
         <source>Not on the floor</source>
         <translation>Nicht auf dem Boden</translation>
+    </message>
+    <message>
+        <source>u %1 · v %2 px</source>
+        <translation>u %1 · v %2 px</translation>
     </message>
 </context>
 <context>
@@ -13374,6 +13381,10 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <source>0 to %1 apart</source>
         <translation>0 bis %1 auseinander</translation>
     </message>
+    <message>
+        <source>x %1 · y %2</source>
+        <translation>x %1 · y %2</translation>
+    </message>
 </context>
 <context>
     <name>odo::MarkActions</name>
@@ -14422,6 +14433,26 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>Outline the detected robots in each view</source>
         <translation>Zeichnet in jeder Sicht den Umriss dessen, was für einen Roboter gehalten wurde</translation>
+    </message>
+    <message>
+        <source>Zoom &amp;in</source>
+        <translation>Ver&amp;größern</translation>
+    </message>
+    <message>
+        <source>Zoom &amp;out</source>
+        <translation>Ver&amp;kleinern</translation>
+    </message>
+    <message>
+        <source>Zoom to &amp;fit</source>
+        <translation>&amp;Einpassen</translation>
+    </message>
+    <message>
+        <source>&amp;Enlarge, or back</source>
+        <translation>Sicht ma&amp;ximieren oder zurück</translation>
+    </message>
+    <message>
+        <source>Of the view or map under the mouse</source>
+        <translation>Der Sicht oder Karte unter der Maus</translation>
     </message>
 </context>
 <context>

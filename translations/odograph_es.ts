@@ -11950,6 +11950,13 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     </message>
 </context>
 <context>
+    <name>odo::FloorCopy</name>
+    <message>
+        <source>&amp;Copy floor position</source>
+        <translation>&amp;Copiar la posición en el suelo</translation>
+    </message>
+</context>
+<context>
     <name>odo::FloorMap</name>
     <message>
         <source>Top-down map</source>
@@ -11987,16 +11994,16 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
 <context>
     <name>odo::FloorReadOut</name>
     <message>
-        <source>&amp;Copy floor position</source>
-        <translation>&amp;Copiar la posición en el suelo</translation>
-    </message>
-    <message>
         <source>x %1 · y %2</source>
         <translation>x %1 · y %2</translation>
     </message>
     <message>
         <source>Not on the floor</source>
         <translation>No está en el suelo</translation>
+    </message>
+    <message>
+        <source>u %1 · v %2 px</source>
+        <translation>u %1 · v %2 px</translation>
     </message>
 </context>
 <context>
@@ -13374,6 +13381,10 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <source>0 to %1 apart</source>
         <translation>separación de 0 a %1</translation>
     </message>
+    <message>
+        <source>x %1 · y %2</source>
+        <translation>x %1 · y %2</translation>
+    </message>
 </context>
 <context>
     <name>odo::MarkActions</name>
@@ -14422,6 +14433,26 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <message>
         <source>Outline the detected robots in each view</source>
         <translation>Dibuja en cada vista el contorno de lo que se tomó por un robot</translation>
+    </message>
+    <message>
+        <source>Zoom &amp;in</source>
+        <translation>Acerca&amp;r</translation>
+    </message>
+    <message>
+        <source>Zoom &amp;out</source>
+        <translation>A&amp;lejar</translation>
+    </message>
+    <message>
+        <source>Zoom to &amp;fit</source>
+        <translation>A&amp;justar</translation>
+    </message>
+    <message>
+        <source>&amp;Enlarge, or back</source>
+        <translation>Ma&amp;ximizar vista, o volver</translation>
+    </message>
+    <message>
+        <source>Of the view or map under the mouse</source>
+        <translation>De la vista o el mapa bajo el ratón</translation>
     </message>
 </context>
 <context>

@@ -11950,6 +11950,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
 </context>
 <context>
+    <name>odo::FloorCopy</name>
+    <message>
+        <source>&amp;Copy floor position</source>
+        <translation>&amp;Copier la position au sol</translation>
+    </message>
+</context>
+<context>
     <name>odo::FloorMap</name>
     <message>
         <source>Top-down map</source>
@@ -11987,16 +11994,16 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>odo::FloorReadOut</name>
     <message>
-        <source>&amp;Copy floor position</source>
-        <translation>&amp;Copier la position au sol</translation>
-    </message>
-    <message>
         <source>x %1 · y %2</source>
         <translation>x %1 · y %2</translation>
     </message>
     <message>
         <source>Not on the floor</source>
         <translation>Pas sur le sol</translation>
+    </message>
+    <message>
+        <source>u %1 · v %2 px</source>
+        <translation>u %1 · v %2 px</translation>
     </message>
 </context>
 <context>
@@ -13374,6 +13381,10 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <source>0 to %1 apart</source>
         <translation>écart de 0 à %1</translation>
     </message>
+    <message>
+        <source>x %1 · y %2</source>
+        <translation>x %1 · y %2</translation>
+    </message>
 </context>
 <context>
     <name>odo::MarkActions</name>
@@ -14422,6 +14433,26 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>Outline the detected robots in each view</source>
         <translation>Trace dans chaque vue le contour de ce qui a été pris pour un robot</translation>
+    </message>
+    <message>
+        <source>Zoom &amp;in</source>
+        <translation>&amp;Zoom avant</translation>
+    </message>
+    <message>
+        <source>Zoom &amp;out</source>
+        <translation>Zoom a&amp;rrière</translation>
+    </message>
+    <message>
+        <source>Zoom to &amp;fit</source>
+        <translation>A&amp;juster</translation>
+    </message>
+    <message>
+        <source>&amp;Enlarge, or back</source>
+        <translation>Agrandir la vue, ou reve&amp;nir</translation>
+    </message>
+    <message>
+        <source>Of the view or map under the mouse</source>
+        <translation>De la vue ou de la carte sous la souris</translation>
     </message>
 </context>
 <context>

@@ -11935,6 +11935,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>odo::FloorCopy</name>
+    <message>
+        <source>&amp;Copy floor position</source>
+        <translation>复制地面位置(&amp;C)</translation>
+    </message>
+</context>
+<context>
     <name>odo::FloorMap</name>
     <message>
         <source>Top-down map</source>
@@ -11972,16 +11979,16 @@ Much more than expected means that a setting is wrong: the views are not synchro
 <context>
     <name>odo::FloorReadOut</name>
     <message>
-        <source>&amp;Copy floor position</source>
-        <translation>复制地面位置(&amp;C)</translation>
-    </message>
-    <message>
         <source>x %1 · y %2</source>
         <translation>x %1 · y %2</translation>
     </message>
     <message>
         <source>Not on the floor</source>
         <translation>不在地面上</translation>
+    </message>
+    <message>
+        <source>u %1 · v %2 px</source>
+        <translation>u %1 · v %2 px</translation>
     </message>
 </context>
 <context>
@@ -13352,6 +13359,10 @@ Much more than expected means that a setting is wrong: the views are not synchro
         <source>0 to %1 apart</source>
         <translation>相距 0 至 %1</translation>
     </message>
+    <message>
+        <source>x %1 · y %2</source>
+        <translation>x %1 · y %2</translation>
+    </message>
 </context>
 <context>
     <name>odo::MarkActions</name>
@@ -14395,6 +14406,26 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>Outline the detected robots in each view</source>
         <translation>在每个视角中描出被当作机器人的部分的轮廓</translation>
+    </message>
+    <message>
+        <source>Zoom &amp;in</source>
+        <translation>放大(&amp;I)</translation>
+    </message>
+    <message>
+        <source>Zoom &amp;out</source>
+        <translation>缩小(&amp;O)</translation>
+    </message>
+    <message>
+        <source>Zoom to &amp;fit</source>
+        <translation>适合窗口(&amp;F)</translation>
+    </message>
+    <message>
+        <source>&amp;Enlarge, or back</source>
+        <translation>最大化视角或还原(&amp;E)</translation>
+    </message>
+    <message>
+        <source>Of the view or map under the mouse</source>
+        <translation>鼠标所在的视角或地图</translation>
     </message>
 </context>
 <context>
