@@ -2503,6 +2503,10 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <source>%1 to %2 of %3</source>
         <translation>%1 bis %2 von %3</translation>
     </message>
+    <message>
+        <source>Class</source>
+        <translation>Klasse</translation>
+    </message>
 </context>
 <context>
     <name>TrialReport</name>
@@ -11858,6 +11862,84 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
 </context>
 <context>
+    <name>odo::EditTrialDialog</name>
+    <message>
+        <source>Robots in the trial</source>
+        <translation>Roboter im Versuch</translation>
+    </message>
+    <message>
+        <source>Edit %1</source>
+        <translation>%1 bearbeiten</translation>
+    </message>
+    <message numerus="yes">
+        <source>Edit %n trial(s)</source>
+        <translation>
+            <numerusform>%n Versuch bearbeiten</numerusform>
+            <numerusform>%n Versuche bearbeiten</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Why it was not changed</source>
+        <translation>Warum nichts geändert wurde</translation>
+    </message>
+    <message>
+        <source>&amp;Change</source>
+        <translation>Ä&amp;ndern</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>Keine</translation>
+    </message>
+    <message>
+        <source>&amp;Name</source>
+        <translation>Na&amp;me</translation>
+    </message>
+    <message>
+        <source>T&amp;eam</source>
+        <translation>&amp;Team</translation>
+    </message>
+    <message>
+        <source>C&amp;lass</source>
+        <translation>K&amp;lasse</translation>
+    </message>
+    <message>
+        <source>&amp;Date and time</source>
+        <translation>&amp;Datum und Uhrzeit</translation>
+    </message>
+    <message>
+        <source>Tas&amp;k</source>
+        <translation>Auf&amp;gabe</translation>
+    </message>
+    <message>
+        <source>R&amp;obots</source>
+        <translation>&amp;Roboter</translation>
+    </message>
+    <message>
+        <source>separated by commas</source>
+        <translation>durch Kommas getrennt</translation>
+    </message>
+    <message>
+        <source>Ta&amp;gs</source>
+        <translation>&amp;Schlagwörter</translation>
+    </message>
+    <message>
+        <source>Note&amp;s</source>
+        <translation>N&amp;otizen</translation>
+    </message>
+    <message>
+        <source>&amp;Variables</source>
+        <translation>&amp;Variablen</translation>
+    </message>
+    <message>
+        <source>&amp;Remove variable</source>
+        <translation>Variable &amp;entfernen</translation>
+    </message>
+    <message>
+        <source>The variable %1 is in the table twice. Remove one of the rows.</source>
+        <translation>Die Variable %1 steht zweimal in der Tabelle. Entfernen Sie eine der Zeilen.</translation>
+    </message>
+</context>
+<context>
     <name>odo::FileActions</name>
     <message>
         <source>&amp;New project…</source>
@@ -11968,6 +12050,13 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
 </context>
 <context>
+    <name>odo::FloorCopy</name>
+    <message>
+        <source>&amp;Copy floor position</source>
+        <translation>Bodenposition &amp;kopieren</translation>
+    </message>
+</context>
+<context>
     <name>odo::FloorMap</name>
     <message>
         <source>Top-down map</source>
@@ -12005,16 +12094,16 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
 <context>
     <name>odo::FloorReadOut</name>
     <message>
-        <source>&amp;Copy floor position</source>
-        <translation>Bodenposition &amp;kopieren</translation>
-    </message>
-    <message>
         <source>x %1 · y %2</source>
         <translation>x %1 · y %2</translation>
     </message>
     <message>
         <source>Not on the floor</source>
         <translation>Nicht auf dem Boden</translation>
+    </message>
+    <message>
+        <source>u %1 · v %2 px</source>
+        <translation>u %1 · v %2 px</translation>
     </message>
 </context>
 <context>
@@ -13396,6 +13485,10 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <source>0 to %1 apart</source>
         <translation>0 bis %1 auseinander</translation>
     </message>
+    <message>
+        <source>x %1 · y %2</source>
+        <translation>x %1 · y %2</translation>
+    </message>
 </context>
 <context>
     <name>odo::MarkActions</name>
@@ -14445,6 +14538,26 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <source>Outline the detected robots in each view</source>
         <translation>Zeichnet in jeder Sicht den Umriss dessen, was für einen Roboter gehalten wurde</translation>
     </message>
+    <message>
+        <source>Zoom &amp;in</source>
+        <translation>Ver&amp;größern</translation>
+    </message>
+    <message>
+        <source>Zoom &amp;out</source>
+        <translation>Ver&amp;kleinern</translation>
+    </message>
+    <message>
+        <source>Zoom to &amp;fit</source>
+        <translation>&amp;Einpassen</translation>
+    </message>
+    <message>
+        <source>&amp;Enlarge, or back</source>
+        <translation>Sicht ma&amp;ximieren oder zurück</translation>
+    </message>
+    <message>
+        <source>Of the view or map under the mouse</source>
+        <translation>Der Sicht oder Karte unter der Maus</translation>
+    </message>
 </context>
 <context>
     <name>odo::ReviewPage</name>
@@ -15134,6 +15247,21 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>%1: click to hide or show</source>
         <translation>%1: klicken zum Aus- oder Einblenden</translation>
+    </message>
+</context>
+<context>
+    <name>odo::SharedField</name>
+    <message>
+        <source>several</source>
+        <translation>mehrere</translation>
+    </message>
+    <message>
+        <source>%1: several</source>
+        <translation>%1: mehrere</translation>
+    </message>
+    <message>
+        <source>The trials differ here. Press to enter one value for all of them.</source>
+        <translation>Die Versuche unterscheiden sich hier. Drücken Sie, um einen Wert für alle einzugeben.</translation>
     </message>
 </context>
 <context>
@@ -16963,6 +17091,17 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <source>The results of %1 are of the whole run.</source>
         <translation>Die Ergebnisse von %1 gelten für die ganze Fahrt.</translation>
     </message>
+    <message>
+        <source>E&amp;dit…</source>
+        <translation>&amp;Bearbeiten…</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n trial(s) changed. Choose Undo to reverse this.</source>
+        <translation>
+            <numerusform>%n Versuch geändert. „Rückgängig“ stellt ihn wieder her.</numerusform>
+            <numerusform>%n Versuche geändert. „Rückgängig“ stellt sie wieder her.</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>odo::TrialChooser</name>
@@ -16977,6 +17116,13 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>Trial</source>
         <translation>Versuch</translation>
+    </message>
+</context>
+<context>
+    <name>odo::TrialColumns</name>
+    <message>
+        <source>&amp;Columns</source>
+        <translation>&amp;Spalten</translation>
     </message>
 </context>
 <context>
@@ -17247,6 +17393,10 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <source>Verdict</source>
         <translation>Urteil</translation>
     </message>
+    <message>
+        <source>Notes</source>
+        <translation>Notizen</translation>
+    </message>
 </context>
 <context>
     <name>odo::TrialTable</name>
@@ -17280,6 +17430,29 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>&amp;Redo: %1</source>
         <translation>&amp;Wiederholen: %1</translation>
+    </message>
+</context>
+<context>
+    <name>odo::VariableTable</name>
+    <message>
+        <source>several</source>
+        <translation>mehrere</translation>
+    </message>
+    <message>
+        <source>Variable</source>
+        <translation>Variable</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>Wert</translation>
+    </message>
+    <message>
+        <source>Variables of your own</source>
+        <translation>Eigene Variablen</translation>
+    </message>
+    <message>
+        <source>What you want to compare runs by: surface, battery, attempt. Text or a number.</source>
+        <translation>Wonach Sie Fahrten vergleichen wollen: Untergrund, Akku, Anlauf. Text oder eine Zahl.</translation>
     </message>
 </context>
 <context>
@@ -23374,6 +23547,13 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>edit trial %1</source>
         <translation>Versuch %1 bearbeiten</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.edit_trials</name>
+    <message>
+        <source>edit %1 trials</source>
+        <translation>%1 Versuche bearbeiten</translation>
     </message>
 </context>
 <context>

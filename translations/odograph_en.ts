@@ -151,6 +151,16 @@
     </message>
 </context>
 <context>
+    <name>odo::EditTrialDialog</name>
+    <message numerus="yes">
+        <source>Edit %n trial(s)</source>
+        <translation>
+            <numerusform>Edit %n trial</numerusform>
+            <numerusform>Edit %n trials</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>odo::HistoryActions</name>
     <message numerus="yes">
         <source>%n trial(s) removed for good.</source>
@@ -389,6 +399,16 @@
         <translation>
             <numerusform>%n other file, listed last, stays: a missing recording, a project, or a file that is neither a video nor an image.</numerusform>
             <numerusform>%n other files, listed last, stay: missing recordings, projects, and files that are neither videos nor images.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>odo::TrialActions</name>
+    <message numerus="yes">
+        <source>%n trial(s) changed. Choose Undo to reverse this.</source>
+        <translation>
+            <numerusform>%n trial changed. Choose Undo to reverse this.</numerusform>
+            <numerusform>%n trials changed. Choose Undo to reverse this.</numerusform>
         </translation>
     </message>
 </context>

@@ -2503,6 +2503,10 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <source>%1 to %2 of %3</source>
         <translation>de %1 a %2 de %3</translation>
     </message>
+    <message>
+        <source>Class</source>
+        <translation>Clase</translation>
+    </message>
 </context>
 <context>
     <name>TrialReport</name>
@@ -11858,6 +11862,84 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     </message>
 </context>
 <context>
+    <name>odo::EditTrialDialog</name>
+    <message>
+        <source>Robots in the trial</source>
+        <translation>Robots del ensayo</translation>
+    </message>
+    <message>
+        <source>Edit %1</source>
+        <translation>Editar %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>Edit %n trial(s)</source>
+        <translation>
+            <numerusform>Editar %n ensayo</numerusform>
+            <numerusform>Editar %n ensayos</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Why it was not changed</source>
+        <translation>Por qué no se cambió</translation>
+    </message>
+    <message>
+        <source>&amp;Change</source>
+        <translation>Ca&amp;mbiar</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>Ninguna</translation>
+    </message>
+    <message>
+        <source>&amp;Name</source>
+        <translation>&amp;Nombre</translation>
+    </message>
+    <message>
+        <source>T&amp;eam</source>
+        <translation>&amp;Equipo</translation>
+    </message>
+    <message>
+        <source>C&amp;lass</source>
+        <translation>C&amp;lase</translation>
+    </message>
+    <message>
+        <source>&amp;Date and time</source>
+        <translation>&amp;Fecha y hora</translation>
+    </message>
+    <message>
+        <source>Tas&amp;k</source>
+        <translation>&amp;Tarea</translation>
+    </message>
+    <message>
+        <source>R&amp;obots</source>
+        <translation>R&amp;obots</translation>
+    </message>
+    <message>
+        <source>separated by commas</source>
+        <translation>separadas por comas</translation>
+    </message>
+    <message>
+        <source>Ta&amp;gs</source>
+        <translation>Eti&amp;quetas</translation>
+    </message>
+    <message>
+        <source>Note&amp;s</source>
+        <translation>Not&amp;as</translation>
+    </message>
+    <message>
+        <source>&amp;Variables</source>
+        <translation>&amp;Variables</translation>
+    </message>
+    <message>
+        <source>&amp;Remove variable</source>
+        <translation>El&amp;iminar variable</translation>
+    </message>
+    <message>
+        <source>The variable %1 is in the table twice. Remove one of the rows.</source>
+        <translation>La variable %1 está dos veces en la tabla. Elimine una de las filas.</translation>
+    </message>
+</context>
+<context>
     <name>odo::FileActions</name>
     <message>
         <source>&amp;New project…</source>
@@ -11968,6 +12050,13 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     </message>
 </context>
 <context>
+    <name>odo::FloorCopy</name>
+    <message>
+        <source>&amp;Copy floor position</source>
+        <translation>&amp;Copiar la posición en el suelo</translation>
+    </message>
+</context>
+<context>
     <name>odo::FloorMap</name>
     <message>
         <source>Top-down map</source>
@@ -12005,16 +12094,16 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
 <context>
     <name>odo::FloorReadOut</name>
     <message>
-        <source>&amp;Copy floor position</source>
-        <translation>&amp;Copiar la posición en el suelo</translation>
-    </message>
-    <message>
         <source>x %1 · y %2</source>
         <translation>x %1 · y %2</translation>
     </message>
     <message>
         <source>Not on the floor</source>
         <translation>No está en el suelo</translation>
+    </message>
+    <message>
+        <source>u %1 · v %2 px</source>
+        <translation>u %1 · v %2 px</translation>
     </message>
 </context>
 <context>
@@ -13396,6 +13485,10 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <source>0 to %1 apart</source>
         <translation>separación de 0 a %1</translation>
     </message>
+    <message>
+        <source>x %1 · y %2</source>
+        <translation>x %1 · y %2</translation>
+    </message>
 </context>
 <context>
     <name>odo::MarkActions</name>
@@ -14445,6 +14538,26 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <source>Outline the detected robots in each view</source>
         <translation>Dibuja en cada vista el contorno de lo que se tomó por un robot</translation>
     </message>
+    <message>
+        <source>Zoom &amp;in</source>
+        <translation>Acerca&amp;r</translation>
+    </message>
+    <message>
+        <source>Zoom &amp;out</source>
+        <translation>A&amp;lejar</translation>
+    </message>
+    <message>
+        <source>Zoom to &amp;fit</source>
+        <translation>A&amp;justar</translation>
+    </message>
+    <message>
+        <source>&amp;Enlarge, or back</source>
+        <translation>Ma&amp;ximizar vista, o volver</translation>
+    </message>
+    <message>
+        <source>Of the view or map under the mouse</source>
+        <translation>De la vista o el mapa bajo el ratón</translation>
+    </message>
 </context>
 <context>
     <name>odo::ReviewPage</name>
@@ -15134,6 +15247,21 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <message>
         <source>%1: click to hide or show</source>
         <translation>%1: haga clic para ocultar o mostrar</translation>
+    </message>
+</context>
+<context>
+    <name>odo::SharedField</name>
+    <message>
+        <source>several</source>
+        <translation>varios</translation>
+    </message>
+    <message>
+        <source>%1: several</source>
+        <translation>%1: varios</translation>
+    </message>
+    <message>
+        <source>The trials differ here. Press to enter one value for all of them.</source>
+        <translation>Los ensayos difieren aquí. Pulse para introducir un valor para todos.</translation>
     </message>
 </context>
 <context>
@@ -16963,6 +17091,17 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <source>The results of %1 are of the whole run.</source>
         <translation>Los resultados de %1 son de todo el recorrido.</translation>
     </message>
+    <message>
+        <source>E&amp;dit…</source>
+        <translation>E&amp;ditar…</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n trial(s) changed. Choose Undo to reverse this.</source>
+        <translation>
+            <numerusform>%n ensayo cambiado. Elija Deshacer para revertirlo.</numerusform>
+            <numerusform>%n ensayos cambiados. Elija Deshacer para revertirlo.</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>odo::TrialChooser</name>
@@ -16977,6 +17116,13 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <message>
         <source>Trial</source>
         <translation>Ensayo</translation>
+    </message>
+</context>
+<context>
+    <name>odo::TrialColumns</name>
+    <message>
+        <source>&amp;Columns</source>
+        <translation>&amp;Columnas</translation>
     </message>
 </context>
 <context>
@@ -17247,6 +17393,10 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <source>Verdict</source>
         <translation>Veredicto</translation>
     </message>
+    <message>
+        <source>Notes</source>
+        <translation>Notas</translation>
+    </message>
 </context>
 <context>
     <name>odo::TrialTable</name>
@@ -17280,6 +17430,29 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <message>
         <source>&amp;Redo: %1</source>
         <translation>&amp;Rehacer: %1</translation>
+    </message>
+</context>
+<context>
+    <name>odo::VariableTable</name>
+    <message>
+        <source>several</source>
+        <translation>varios</translation>
+    </message>
+    <message>
+        <source>Variable</source>
+        <translation>Variable</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>Valor</translation>
+    </message>
+    <message>
+        <source>Variables of your own</source>
+        <translation>Variables propias</translation>
+    </message>
+    <message>
+        <source>What you want to compare runs by: surface, battery, attempt. Text or a number.</source>
+        <translation>Aquello por lo que quiere comparar recorridos: superficie, batería, intento. Texto o un número.</translation>
     </message>
 </context>
 <context>
@@ -23374,6 +23547,13 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <message>
         <source>edit trial %1</source>
         <translation>editar el ensayo %1</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.edit_trials</name>
+    <message>
+        <source>edit %1 trials</source>
+        <translation>editar %1 ensayos</translation>
     </message>
 </context>
 <context>

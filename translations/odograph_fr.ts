@@ -2503,6 +2503,10 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <source>%1 to %2 of %3</source>
         <translation>de %1 à %2 sur %3</translation>
     </message>
+    <message>
+        <source>Class</source>
+        <translation>Classe</translation>
+    </message>
 </context>
 <context>
     <name>TrialReport</name>
@@ -11858,6 +11862,84 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
 </context>
 <context>
+    <name>odo::EditTrialDialog</name>
+    <message>
+        <source>Robots in the trial</source>
+        <translation>Robots de l’essai</translation>
+    </message>
+    <message>
+        <source>Edit %1</source>
+        <translation>Modifier %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>Edit %n trial(s)</source>
+        <translation>
+            <numerusform>Modifier %n essai</numerusform>
+            <numerusform>Modifier %n essais</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Why it was not changed</source>
+        <translation>Pourquoi rien n’a été modifié</translation>
+    </message>
+    <message>
+        <source>&amp;Change</source>
+        <translation>&amp;Modifier</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>Aucune</translation>
+    </message>
+    <message>
+        <source>&amp;Name</source>
+        <translation>&amp;Nom</translation>
+    </message>
+    <message>
+        <source>T&amp;eam</source>
+        <translation>É&amp;quipe</translation>
+    </message>
+    <message>
+        <source>C&amp;lass</source>
+        <translation>C&amp;lasse</translation>
+    </message>
+    <message>
+        <source>&amp;Date and time</source>
+        <translation>&amp;Date et heure</translation>
+    </message>
+    <message>
+        <source>Tas&amp;k</source>
+        <translation>É&amp;preuve</translation>
+    </message>
+    <message>
+        <source>R&amp;obots</source>
+        <translation>R&amp;obots</translation>
+    </message>
+    <message>
+        <source>separated by commas</source>
+        <translation>séparées par des virgules</translation>
+    </message>
+    <message>
+        <source>Ta&amp;gs</source>
+        <translation>É&amp;tiquettes</translation>
+    </message>
+    <message>
+        <source>Note&amp;s</source>
+        <translation>Note&amp;s</translation>
+    </message>
+    <message>
+        <source>&amp;Variables</source>
+        <translation>&amp;Variables</translation>
+    </message>
+    <message>
+        <source>&amp;Remove variable</source>
+        <translation>Suppr&amp;imer la variable</translation>
+    </message>
+    <message>
+        <source>The variable %1 is in the table twice. Remove one of the rows.</source>
+        <translation>La variable %1 figure deux fois dans le tableau. Supprimez l’une des lignes.</translation>
+    </message>
+</context>
+<context>
     <name>odo::FileActions</name>
     <message>
         <source>&amp;New project…</source>
@@ -11968,6 +12050,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
 </context>
 <context>
+    <name>odo::FloorCopy</name>
+    <message>
+        <source>&amp;Copy floor position</source>
+        <translation>&amp;Copier la position au sol</translation>
+    </message>
+</context>
+<context>
     <name>odo::FloorMap</name>
     <message>
         <source>Top-down map</source>
@@ -12005,16 +12094,16 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>odo::FloorReadOut</name>
     <message>
-        <source>&amp;Copy floor position</source>
-        <translation>&amp;Copier la position au sol</translation>
-    </message>
-    <message>
         <source>x %1 · y %2</source>
         <translation>x %1 · y %2</translation>
     </message>
     <message>
         <source>Not on the floor</source>
         <translation>Pas sur le sol</translation>
+    </message>
+    <message>
+        <source>u %1 · v %2 px</source>
+        <translation>u %1 · v %2 px</translation>
     </message>
 </context>
 <context>
@@ -13396,6 +13485,10 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <source>0 to %1 apart</source>
         <translation>écart de 0 à %1</translation>
     </message>
+    <message>
+        <source>x %1 · y %2</source>
+        <translation>x %1 · y %2</translation>
+    </message>
 </context>
 <context>
     <name>odo::MarkActions</name>
@@ -14445,6 +14538,26 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <source>Outline the detected robots in each view</source>
         <translation>Trace dans chaque vue le contour de ce qui a été pris pour un robot</translation>
     </message>
+    <message>
+        <source>Zoom &amp;in</source>
+        <translation>&amp;Zoom avant</translation>
+    </message>
+    <message>
+        <source>Zoom &amp;out</source>
+        <translation>Zoom a&amp;rrière</translation>
+    </message>
+    <message>
+        <source>Zoom to &amp;fit</source>
+        <translation>A&amp;juster</translation>
+    </message>
+    <message>
+        <source>&amp;Enlarge, or back</source>
+        <translation>Agrandir la vue, ou reve&amp;nir</translation>
+    </message>
+    <message>
+        <source>Of the view or map under the mouse</source>
+        <translation>De la vue ou de la carte sous la souris</translation>
+    </message>
 </context>
 <context>
     <name>odo::ReviewPage</name>
@@ -15134,6 +15247,21 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>%1: click to hide or show</source>
         <translation>%1 : cliquer pour masquer ou afficher</translation>
+    </message>
+</context>
+<context>
+    <name>odo::SharedField</name>
+    <message>
+        <source>several</source>
+        <translation>plusieurs</translation>
+    </message>
+    <message>
+        <source>%1: several</source>
+        <translation>%1 : plusieurs</translation>
+    </message>
+    <message>
+        <source>The trials differ here. Press to enter one value for all of them.</source>
+        <translation>Les essais diffèrent ici. Appuyez pour saisir une valeur pour tous.</translation>
     </message>
 </context>
 <context>
@@ -16963,6 +17091,17 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <source>The results of %1 are of the whole run.</source>
         <translation>Les résultats de %1 portent sur tout le parcours.</translation>
     </message>
+    <message>
+        <source>E&amp;dit…</source>
+        <translation>Mo&amp;difier…</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n trial(s) changed. Choose Undo to reverse this.</source>
+        <translation>
+            <numerusform>%n essai modifié. Choisissez Annuler pour revenir en arrière.</numerusform>
+            <numerusform>%n essais modifiés. Choisissez Annuler pour revenir en arrière.</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>odo::TrialChooser</name>
@@ -16977,6 +17116,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>Trial</source>
         <translation>Essai</translation>
+    </message>
+</context>
+<context>
+    <name>odo::TrialColumns</name>
+    <message>
+        <source>&amp;Columns</source>
+        <translation>&amp;Colonnes</translation>
     </message>
 </context>
 <context>
@@ -17247,6 +17393,10 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <source>Verdict</source>
         <translation>Verdict</translation>
     </message>
+    <message>
+        <source>Notes</source>
+        <translation>Notes</translation>
+    </message>
 </context>
 <context>
     <name>odo::TrialTable</name>
@@ -17280,6 +17430,29 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>&amp;Redo: %1</source>
         <translation>&amp;Rétablir&#xa0;: %1</translation>
+    </message>
+</context>
+<context>
+    <name>odo::VariableTable</name>
+    <message>
+        <source>several</source>
+        <translation>plusieurs</translation>
+    </message>
+    <message>
+        <source>Variable</source>
+        <translation>Variable</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>Valeur</translation>
+    </message>
+    <message>
+        <source>Variables of your own</source>
+        <translation>Variables personnelles</translation>
+    </message>
+    <message>
+        <source>What you want to compare runs by: surface, battery, attempt. Text or a number.</source>
+        <translation>Ce selon quoi vous voulez comparer les parcours : surface, batterie, tentative. Du texte ou un nombre.</translation>
     </message>
 </context>
 <context>
@@ -23374,6 +23547,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>edit trial %1</source>
         <translation>modification de l’essai %1</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.edit_trials</name>
+    <message>
+        <source>edit %1 trials</source>
+        <translation>modification de %1 essais</translation>
     </message>
 </context>
 <context>

@@ -2489,6 +2489,10 @@ Much more than expected means that a setting is wrong: the views are not synchro
         <source>%1 to %2 of %3</source>
         <translation>전체 %3 중 %1~%2</translation>
     </message>
+    <message>
+        <source>Class</source>
+        <translation>학급</translation>
+    </message>
 </context>
 <context>
     <name>TrialReport</name>
@@ -11841,6 +11845,83 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>odo::EditTrialDialog</name>
+    <message>
+        <source>Robots in the trial</source>
+        <translation>시행의 로봇</translation>
+    </message>
+    <message>
+        <source>Edit %1</source>
+        <translation>%1 편집</translation>
+    </message>
+    <message numerus="yes">
+        <source>Edit %n trial(s)</source>
+        <translation>
+            <numerusform>시행 %n개 편집</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Why it was not changed</source>
+        <translation>바꾸지 못한 이유</translation>
+    </message>
+    <message>
+        <source>&amp;Change</source>
+        <translation>변경(&amp;C)</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>없음</translation>
+    </message>
+    <message>
+        <source>&amp;Name</source>
+        <translation>이름(&amp;N)</translation>
+    </message>
+    <message>
+        <source>T&amp;eam</source>
+        <translation>팀(&amp;E)</translation>
+    </message>
+    <message>
+        <source>C&amp;lass</source>
+        <translation>학급(&amp;L)</translation>
+    </message>
+    <message>
+        <source>&amp;Date and time</source>
+        <translation>날짜와 시각(&amp;D)</translation>
+    </message>
+    <message>
+        <source>Tas&amp;k</source>
+        <translation>과제(&amp;K)</translation>
+    </message>
+    <message>
+        <source>R&amp;obots</source>
+        <translation>로봇(&amp;O)</translation>
+    </message>
+    <message>
+        <source>separated by commas</source>
+        <translation>쉼표로 구분</translation>
+    </message>
+    <message>
+        <source>Ta&amp;gs</source>
+        <translation>태그(&amp;G)</translation>
+    </message>
+    <message>
+        <source>Note&amp;s</source>
+        <translation>메모(&amp;S)</translation>
+    </message>
+    <message>
+        <source>&amp;Variables</source>
+        <translation>변수(&amp;V)</translation>
+    </message>
+    <message>
+        <source>&amp;Remove variable</source>
+        <translation>변수 제거(&amp;R)</translation>
+    </message>
+    <message>
+        <source>The variable %1 is in the table twice. Remove one of the rows.</source>
+        <translation>변수 %1이(가) 표에 두 번 있습니다. 한 행을 제거하십시오.</translation>
+    </message>
+</context>
+<context>
     <name>odo::FileActions</name>
     <message>
         <source>&amp;New project…</source>
@@ -11951,6 +12032,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>odo::FloorCopy</name>
+    <message>
+        <source>&amp;Copy floor position</source>
+        <translation>바닥 위치 복사(&amp;C)</translation>
+    </message>
+</context>
+<context>
     <name>odo::FloorMap</name>
     <message>
         <source>Top-down map</source>
@@ -11988,16 +12076,16 @@ Much more than expected means that a setting is wrong: the views are not synchro
 <context>
     <name>odo::FloorReadOut</name>
     <message>
-        <source>&amp;Copy floor position</source>
-        <translation>바닥 위치 복사(&amp;C)</translation>
-    </message>
-    <message>
         <source>x %1 · y %2</source>
         <translation>x %1 · y %2</translation>
     </message>
     <message>
         <source>Not on the floor</source>
         <translation>바닥이 아님</translation>
+    </message>
+    <message>
+        <source>u %1 · v %2 px</source>
+        <translation>u %1 · v %2 px</translation>
     </message>
 </context>
 <context>
@@ -13372,6 +13460,10 @@ Much more than expected means that a setting is wrong: the views are not synchro
         <source>0 to %1 apart</source>
         <translation>차이 0 ~ %1</translation>
     </message>
+    <message>
+        <source>x %1 · y %2</source>
+        <translation>x %1 · y %2</translation>
+    </message>
 </context>
 <context>
     <name>odo::MarkActions</name>
@@ -14416,6 +14508,26 @@ Much more than expected means that a setting is wrong: the views are not synchro
         <source>Outline the detected robots in each view</source>
         <translation>각 화면에서 로봇으로 여긴 부분의 윤곽선을 그립니다</translation>
     </message>
+    <message>
+        <source>Zoom &amp;in</source>
+        <translation>확대(&amp;I)</translation>
+    </message>
+    <message>
+        <source>Zoom &amp;out</source>
+        <translation>축소(&amp;O)</translation>
+    </message>
+    <message>
+        <source>Zoom to &amp;fit</source>
+        <translation>맞춤(&amp;F)</translation>
+    </message>
+    <message>
+        <source>&amp;Enlarge, or back</source>
+        <translation>크게 보기 또는 되돌리기(&amp;E)</translation>
+    </message>
+    <message>
+        <source>Of the view or map under the mouse</source>
+        <translation>마우스 아래의 뷰나 지도</translation>
+    </message>
 </context>
 <context>
     <name>odo::ReviewPage</name>
@@ -15105,6 +15217,21 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>%1: click to hide or show</source>
         <translation>%1: 클릭하면 숨기거나 표시합니다</translation>
+    </message>
+</context>
+<context>
+    <name>odo::SharedField</name>
+    <message>
+        <source>several</source>
+        <translation>여러 값</translation>
+    </message>
+    <message>
+        <source>%1: several</source>
+        <translation>%1: 여러 값</translation>
+    </message>
+    <message>
+        <source>The trials differ here. Press to enter one value for all of them.</source>
+        <translation>시행마다 값이 다릅니다. 누르면 모두에 같은 값을 입력합니다.</translation>
     </message>
 </context>
 <context>
@@ -16917,6 +17044,16 @@ Much more than expected means that a setting is wrong: the views are not synchro
         <source>The results of %1 are of the whole run.</source>
         <translation>%1의 결과는 전체 주행에 대한 것입니다.</translation>
     </message>
+    <message>
+        <source>E&amp;dit…</source>
+        <translation>편집(&amp;D)…</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n trial(s) changed. Choose Undo to reverse this.</source>
+        <translation>
+            <numerusform>시행 %n개를 바꾸었습니다. 실행 취소를 선택하면 되돌립니다.</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>odo::TrialChooser</name>
@@ -16931,6 +17068,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>Trial</source>
         <translation>시행</translation>
+    </message>
+</context>
+<context>
+    <name>odo::TrialColumns</name>
+    <message>
+        <source>&amp;Columns</source>
+        <translation>열(&amp;C)</translation>
     </message>
 </context>
 <context>
@@ -17201,6 +17345,10 @@ Much more than expected means that a setting is wrong: the views are not synchro
         <source>Verdict</source>
         <translation>판정</translation>
     </message>
+    <message>
+        <source>Notes</source>
+        <translation>메모</translation>
+    </message>
 </context>
 <context>
     <name>odo::TrialTable</name>
@@ -17234,6 +17382,29 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>&amp;Redo: %1</source>
         <translation>다시 실행(&amp;R): %1</translation>
+    </message>
+</context>
+<context>
+    <name>odo::VariableTable</name>
+    <message>
+        <source>several</source>
+        <translation>여러 값</translation>
+    </message>
+    <message>
+        <source>Variable</source>
+        <translation>변수</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>값</translation>
+    </message>
+    <message>
+        <source>Variables of your own</source>
+        <translation>직접 정한 변수</translation>
+    </message>
+    <message>
+        <source>What you want to compare runs by: surface, battery, attempt. Text or a number.</source>
+        <translation>주행을 비교할 기준: 바닥, 배터리, 시도. 글자나 숫자.</translation>
     </message>
 </context>
 <context>
@@ -23328,6 +23499,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>edit trial %1</source>
         <translation>시행 %1 편집</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.edit_trials</name>
+    <message>
+        <source>edit %1 trials</source>
+        <translation>시행 %1개 편집</translation>
     </message>
 </context>
 <context>

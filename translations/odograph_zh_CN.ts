@@ -2489,6 +2489,10 @@ Much more than expected means that a setting is wrong: the views are not synchro
         <source>%1 to %2 of %3</source>
         <translation>%1 到 %2，共 %3</translation>
     </message>
+    <message>
+        <source>Class</source>
+        <translation>班级</translation>
+    </message>
 </context>
 <context>
     <name>TrialReport</name>
@@ -11841,6 +11845,83 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>odo::EditTrialDialog</name>
+    <message>
+        <source>Robots in the trial</source>
+        <translation>试验中的机器人</translation>
+    </message>
+    <message>
+        <source>Edit %1</source>
+        <translation>编辑 %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>Edit %n trial(s)</source>
+        <translation>
+            <numerusform>编辑 %n 次试验</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Why it was not changed</source>
+        <translation>未能更改的原因</translation>
+    </message>
+    <message>
+        <source>&amp;Change</source>
+        <translation>更改(&amp;C)</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>无</translation>
+    </message>
+    <message>
+        <source>&amp;Name</source>
+        <translation>名称(&amp;N)</translation>
+    </message>
+    <message>
+        <source>T&amp;eam</source>
+        <translation>小组(&amp;E)</translation>
+    </message>
+    <message>
+        <source>C&amp;lass</source>
+        <translation>班级(&amp;L)</translation>
+    </message>
+    <message>
+        <source>&amp;Date and time</source>
+        <translation>日期和时间(&amp;D)</translation>
+    </message>
+    <message>
+        <source>Tas&amp;k</source>
+        <translation>任务(&amp;K)</translation>
+    </message>
+    <message>
+        <source>R&amp;obots</source>
+        <translation>机器人(&amp;O)</translation>
+    </message>
+    <message>
+        <source>separated by commas</source>
+        <translation>以逗号分隔</translation>
+    </message>
+    <message>
+        <source>Ta&amp;gs</source>
+        <translation>标签(&amp;G)</translation>
+    </message>
+    <message>
+        <source>Note&amp;s</source>
+        <translation>备注(&amp;S)</translation>
+    </message>
+    <message>
+        <source>&amp;Variables</source>
+        <translation>变量(&amp;V)</translation>
+    </message>
+    <message>
+        <source>&amp;Remove variable</source>
+        <translation>移除变量(&amp;R)</translation>
+    </message>
+    <message>
+        <source>The variable %1 is in the table twice. Remove one of the rows.</source>
+        <translation>变量 %1 在表中出现了两次。请移除其中一行。</translation>
+    </message>
+</context>
+<context>
     <name>odo::FileActions</name>
     <message>
         <source>&amp;New project…</source>
@@ -11951,6 +12032,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>odo::FloorCopy</name>
+    <message>
+        <source>&amp;Copy floor position</source>
+        <translation>复制地面位置(&amp;C)</translation>
+    </message>
+</context>
+<context>
     <name>odo::FloorMap</name>
     <message>
         <source>Top-down map</source>
@@ -11988,16 +12076,16 @@ Much more than expected means that a setting is wrong: the views are not synchro
 <context>
     <name>odo::FloorReadOut</name>
     <message>
-        <source>&amp;Copy floor position</source>
-        <translation>复制地面位置(&amp;C)</translation>
-    </message>
-    <message>
         <source>x %1 · y %2</source>
         <translation>x %1 · y %2</translation>
     </message>
     <message>
         <source>Not on the floor</source>
         <translation>不在地面上</translation>
+    </message>
+    <message>
+        <source>u %1 · v %2 px</source>
+        <translation>u %1 · v %2 px</translation>
     </message>
 </context>
 <context>
@@ -13372,6 +13460,10 @@ Much more than expected means that a setting is wrong: the views are not synchro
         <source>0 to %1 apart</source>
         <translation>相距 0 至 %1</translation>
     </message>
+    <message>
+        <source>x %1 · y %2</source>
+        <translation>x %1 · y %2</translation>
+    </message>
 </context>
 <context>
     <name>odo::MarkActions</name>
@@ -14416,6 +14508,26 @@ Much more than expected means that a setting is wrong: the views are not synchro
         <source>Outline the detected robots in each view</source>
         <translation>在每个视角中描出被当作机器人的部分的轮廓</translation>
     </message>
+    <message>
+        <source>Zoom &amp;in</source>
+        <translation>放大(&amp;I)</translation>
+    </message>
+    <message>
+        <source>Zoom &amp;out</source>
+        <translation>缩小(&amp;O)</translation>
+    </message>
+    <message>
+        <source>Zoom to &amp;fit</source>
+        <translation>适合窗口(&amp;F)</translation>
+    </message>
+    <message>
+        <source>&amp;Enlarge, or back</source>
+        <translation>最大化视角或还原(&amp;E)</translation>
+    </message>
+    <message>
+        <source>Of the view or map under the mouse</source>
+        <translation>鼠标所在的视角或地图</translation>
+    </message>
 </context>
 <context>
     <name>odo::ReviewPage</name>
@@ -15105,6 +15217,21 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>%1: click to hide or show</source>
         <translation>%1：单击可隐藏或显示</translation>
+    </message>
+</context>
+<context>
+    <name>odo::SharedField</name>
+    <message>
+        <source>several</source>
+        <translation>多个值</translation>
+    </message>
+    <message>
+        <source>%1: several</source>
+        <translation>%1：多个值</translation>
+    </message>
+    <message>
+        <source>The trials differ here. Press to enter one value for all of them.</source>
+        <translation>这些试验在此处不同。按下可为全部试验输入同一个值。</translation>
     </message>
 </context>
 <context>
@@ -16917,6 +17044,16 @@ Much more than expected means that a setting is wrong: the views are not synchro
         <source>The results of %1 are of the whole run.</source>
         <translation>%1 的结果针对整个行程。</translation>
     </message>
+    <message>
+        <source>E&amp;dit…</source>
+        <translation>编辑(&amp;D)…</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n trial(s) changed. Choose Undo to reverse this.</source>
+        <translation>
+            <numerusform>已更改 %n 次试验。选择“撤销”可还原。</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>odo::TrialChooser</name>
@@ -16931,6 +17068,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>Trial</source>
         <translation>试验</translation>
+    </message>
+</context>
+<context>
+    <name>odo::TrialColumns</name>
+    <message>
+        <source>&amp;Columns</source>
+        <translation>列(&amp;C)</translation>
     </message>
 </context>
 <context>
@@ -17201,6 +17345,10 @@ Much more than expected means that a setting is wrong: the views are not synchro
         <source>Verdict</source>
         <translation>判定</translation>
     </message>
+    <message>
+        <source>Notes</source>
+        <translation>备注</translation>
+    </message>
 </context>
 <context>
     <name>odo::TrialTable</name>
@@ -17234,6 +17382,29 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>&amp;Redo: %1</source>
         <translation>重做(&amp;R)：%1</translation>
+    </message>
+</context>
+<context>
+    <name>odo::VariableTable</name>
+    <message>
+        <source>several</source>
+        <translation>多个值</translation>
+    </message>
+    <message>
+        <source>Variable</source>
+        <translation>变量</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>数值</translation>
+    </message>
+    <message>
+        <source>Variables of your own</source>
+        <translation>自定义变量</translation>
+    </message>
+    <message>
+        <source>What you want to compare runs by: surface, battery, attempt. Text or a number.</source>
+        <translation>用来比较各次行程的内容：地面、电池、第几次尝试。文字或数字。</translation>
     </message>
 </context>
 <context>
@@ -23328,6 +23499,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>edit trial %1</source>
         <translation>编辑试验 %1</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.edit_trials</name>
+    <message>
+        <source>edit %1 trials</source>
+        <translation>编辑 %1 次试验</translation>
     </message>
 </context>
 <context>

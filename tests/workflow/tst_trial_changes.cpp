@@ -170,6 +170,32 @@ private Q_SLOTS:
         QCOMPARE(state(example), before);
     }
 
+    void severalAreOneChange()
+    {
+        const Example example;
+        const auto ids = [&] { return std::vector{example.trial().id, example.trial("Trial 3").id}; };
+        const auto done = editTrials(*example.project, ids(),
+                                     {.tags = {{"wet", "final"}}, .variables = {{"surface", "carpet"}}});
+        QVERIFY(done && done->size() == 2 && done->at(1).name == "Trial 3");
+        for (const TrialRecord &trial : *done) {
+            QCOMPARE(trial.tags, (std::vector<std::string>{"final", "wet"}));
+            QCOMPARE(trial.variables.at("surface"), std::string("carpet"));
+        }
+        QCOMPARE(example.newestChange(), std::string("edit 2 trials"));
+        QVERIFY(example.project->undo());
+        QVERIFY(example.trial().tags.empty() && example.trial("Trial 3").variables.empty());
+
+        const QByteArray before = state(example);
+        const auto refused = editTrials(*example.project, ids(), {.className = "9B", .notes = "x"});
+        QCOMPARE(
+            QString::fromStdString(refused.error().message()),
+            QStringLiteral("trial 'Trial 3': without a team it belongs to no class; give it a team too"));
+        QCOMPARE(state(example), before); // the first one neither
+        QVERIFY(editTrials(*example.project, {example.trial().id}, {.tags = {{"wet"}}}));
+        QCOMPARE(example.newestChange(), std::string("change the tags of Trial 1"));
+        QCOMPARE(example.edit({.className = " "}).error().code, ErrorCode::InvalidInput);
+    }
+
     void theBinIsOneChange()
     {
         const Example example;

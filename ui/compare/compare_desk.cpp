@@ -12,6 +12,7 @@
 #include "ui/views/charts/series_colours.h"
 #include "ui/views/image/camera_view.h"
 #include "ui/views/widgets/theme.h"
+#include "ui/views/widgets/zoom_pan.h"
 
 #include <QComboBox>
 #include <QPainter>
@@ -84,6 +85,7 @@ CompareDesk::CompareDesk(Timeline &timeline, QWidget *parent)
         middle().addWidget(image);
         connect(views, &QComboBox::activated, this, &CompareDesk::showViews);
         connect(image, &CameraView::settled, this, &CompareDesk::settled);
+        connect(&image->zoom(), &ZoomPan::doubleClicked, this, [this, image] { toggleEnlarged(image); });
         m_clocks.push_back(clock);
         m_cameraViews.push_back(image);
         m_viewLists.push_back(views);
@@ -94,6 +96,7 @@ CompareDesk::CompareDesk(Timeline &timeline, QWidget *parent)
     resetLayout();
     connect(m_speed, &DistanceChart::runToggled, &m_difference->area(), &ChartView::setGroupShown);
     connect(&m_timeline, &Timeline::currentChanged, this, &CompareDesk::followTime);
+    connect(&m_map->zoom(), &ZoomPan::doubleClicked, this, [this] { toggleEnlarged(m_mapCard); });
     connect(m_map, &CompareMap::gatesMoved, this, &CompareDesk::gatesMoved);
     connect(m_map, &CompareMap::settled, this, &CompareDesk::settled);
 }
@@ -102,6 +105,7 @@ CompareDesk::~CompareDesk() = default;
 
 void CompareDesk::setScene(ComparisonScenePtr scene)
 {
+    endEnlarging(); // another run may have no image
     m_scene = std::move(scene);
     for (std::size_t run = 0; run < pictured; ++run) {
         const TrialScenePtr shown = m_scene ? m_scene->scenes[run] : nullptr;

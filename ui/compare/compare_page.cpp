@@ -19,6 +19,8 @@
 #include <QPushButton>
 #include <QStackedWidget>
 #include <algorithm>
+#include <map>
+#include <string>
 
 namespace odo {
 
@@ -40,6 +42,8 @@ struct ComparePage::Request
     CompareSettings settings;
     bool withList = false;    ///< of all runs, among which the compared ones are looked up
     bool withPartner = false; ///< with the list: for a single run another one is found
+    /// of the compared trials by the names they had: they may have others now
+    std::map<std::string, RecordId> ids = {};
 };
 
 /// What it gave.
@@ -121,6 +125,14 @@ Result<ComparePage::Reading> ComparePage::readRuns(Project &project, Request req
     if (request.withList) {
         const auto trials = ODO_TRY(project.trials().all());
         reading.list = runChoices(trials);
+        for (CompareSettings::Run &run : runs) {
+            const auto id = request.ids.find(run.trial);
+            if (id == request.ids.end())
+                continue;
+            const auto now = std::ranges::find(trials, id->second, &TrialRecord::id);
+            if (now != trials.end())
+                run.trial = now->name;
+        }
         if (request.withPartner && runs.size() == 1) {
             const auto partner = ODO_TRY(partnerOf(project, trials, runs.front().trial));
             if (partner)
@@ -152,9 +164,13 @@ void ComparePage::load()
     }
     if (settings.alignBy == AlignBy::Distance && m_originM && m_chooser->stationM())
         settings.stationM = *m_originM + *m_chooser->stationM();
-    m_reader->read<Reading>([request = Request{std::move(settings), m_isListStale, m_wantsPartner}](
-                                Project &project) { return readRuns(project, request); },
-                            [this](Result<Reading> reading) { take(std::move(reading)); });
+    Request request{std::move(settings), m_isListStale, m_wantsPartner};
+    if (m_scene)
+        for (const ComparedTrial &run : m_scene->trials.runs)
+            request.ids[run.trial.name] = run.trial.id;
+    m_reader->read<Reading>(
+        [request = std::move(request)](Project &project) { return readRuns(project, request); },
+        [this](Result<Reading> reading) { take(std::move(reading)); });
 }
 
 void ComparePage::take(Result<Reading> reading)

@@ -8,6 +8,7 @@
 #include "core/workflow/track/stored_verdicts.h"
 #include "ui/history/internal/mark_actions.h"
 #include "ui/history/internal/teams_panel.h"
+#include "ui/history/internal/trial_columns.h"
 #include "ui/history/internal/trial_list.h"
 #include "ui/models/background_task.h"
 #include "ui/models/shown_names.h"
@@ -54,9 +55,9 @@ HistoryPage::HistoryPage(Project &project, bool readOnly, QWidget *parent)
       m_search(new QLineEdit(this)), m_compare(new QPushButton(tr("&Compare"), this)),
       m_filterBar(new TrialFilterBar(this)), m_marks(new MarkActions(project, *this)),
       m_pseudonyms(new QAction(tr("Teams by &pseudonym"), this)), m_table(new TrialTable(*m_trials, this)),
-      m_teams(new TeamsPanel(project, this)), m_tabs(new QTabWidget(this)),
-      m_detail(new TrialDetail(project, this)), m_checker(new ProjectReader(project.file(), this)),
-      m_readTimer(new QTimer(this))
+      m_columns(new TrialColumns(*m_trials, *m_table)), m_teams(new TeamsPanel(project, this)),
+      m_tabs(new QTabWidget(this)), m_detail(new TrialDetail(project, this)),
+      m_checker(new ProjectReader(project.file(), this)), m_readTimer(new QTimer(this))
 {
     setObjectName(QStringLiteral("page"));
     m_trials->setEditable(!readOnly);
@@ -159,6 +160,7 @@ void HistoryPage::addTrialActions()
                   {report, "reportTrials"}});
     const QList<QAction *> work{measureAgain, exportAll, videos, report};
     m_table->addActions(work);
+    m_listActions << m_columns->menuAction();
     m_listActions << m_marks->star() << m_marks->archive() << m_marks->bin() << m_marks->emptyBin() << work;
 }
 
@@ -220,8 +222,11 @@ void HistoryPage::connectMarks()
 {
     connect(m_trials, &TrialModel::starWanted, m_marks,
             [this](qint64 trial, bool starred) { m_marks->setStarred(trial, starred); });
-    connect(m_trials, &TrialModel::tagsWanted, m_marks,
-            [this](qint64 trial, const QStringList &tags) { m_marks->setTags(trial, tags); });
+    connect(m_trials, &TrialModel::editWanted, m_marks, [this](qint64 trial, const TrialEdit &edit) {
+        m_marks->edit(trial, edit);
+        offerFilters();
+        Q_EMIT trialsChanged({});
+    });
     connect(m_marks, &MarkActions::marked, this, &HistoryPage::reload);
     connect(m_marks, &MarkActions::emptyBinRequested, this, &HistoryPage::emptyBinRequested);
     connect(m_marks, &MarkActions::failed, this, &HistoryPage::failed);
@@ -261,15 +266,22 @@ void HistoryPage::endReading(std::vector<TrialRow> rows)
     m_readTimer->stop();
     m_reading.reset();
     m_read.clear();
-    const QString selected = m_wanted.isEmpty() ? m_table->currentTrial() : std::exchange(m_wanted, {});
+    const std::set<RecordId> selected = selectedIds();
+    const QModelIndex current = m_table->currentIndex();
+    const RecordId currentId = current.isValid() ? m_trials->row(current.row()).trial.id : 0;
+    const QString wanted = std::exchange(m_wanted, {});
     m_trials->setRows(std::move(rows));
+    m_columns->showChosen();
     offerFilters();
     if (m_archivedClasses != m_trials->filter().archivedClasses)
         filter();
     m_table->setColumnHidden(TrialModel::ScoreColumn,
                              std::ranges::none_of(m_trials->allRows(), &TrialRow::isScored));
     m_table->fit();
-    selectTrial(selected);
+    if (wanted.isEmpty())
+        selectAgain(selected, currentId);
+    else
+        selectTrial(wanted);
     showCount();
     showCurrent();
     showTeams();
@@ -338,6 +350,7 @@ void HistoryPage::offerFilters()
     for (const RobotRecord &robot : m_project.robots().all().value_or(std::vector<RobotRecord>()))
         offer.robots << QString::fromStdString(robot.name);
     m_filterBar->setOffer(offer);
+    m_table->setOffer(offer);
 }
 
 void HistoryPage::selectTrial(const QString &name)
@@ -347,6 +360,43 @@ void HistoryPage::selectTrial(const QString &name)
         m_table->setCurrentIndex(m_trials->index(std::max(0, listSection), 0));
     if (m_reading && listSection < 0)
         m_wanted = name;
+}
+
+std::set<RecordId> HistoryPage::selectedIds() const
+{
+    std::set<RecordId> trials;
+    for (const QModelIndex &row : m_table->selectionModel()->selectedRows())
+        trials.insert(m_trials->row(row.row()).trial.id);
+    return trials;
+}
+
+/// By their ids: they may have other names now.
+void HistoryPage::selectAgain(const std::set<RecordId> &trials, RecordId current)
+{
+    selectTrial({});
+    QItemSelection rows;
+    int currentRow = -1;
+    for (int row = 0; row < m_trials->rowCount(); ++row) {
+        const RecordId trial = m_trials->row(row).trial.id;
+        if (trial == current)
+            currentRow = row;
+        if (trials.contains(trial))
+            rows.select(m_trials->index(row, 0), m_trials->index(row, 0));
+    }
+    if (currentRow < 0)
+        return;
+    m_table->setCurrentIndex(m_trials->index(currentRow, 0));
+    m_table->selectionModel()->select(rows, QItemSelectionModel::ClearAndSelect | QItemSelectionModel::Rows);
+}
+
+QStringList HistoryPage::selectedTrials() const
+{
+    return m_table->selectedTrials();
+}
+
+void HistoryPage::addEditAction(QAction *action)
+{
+    m_table->insertAction(m_table->actions().value(0), action);
 }
 
 void HistoryPage::saveNotes()
@@ -364,6 +414,7 @@ void HistoryPage::showSelection()
     for (const QModelIndex &row : rows)
         trials.push_back(m_trials->row(row.row()).trial);
     m_marks->setTrials(std::move(trials));
+    Q_EMIT selectionChanged(m_table->selectedTrials());
 }
 
 void HistoryPage::filter()

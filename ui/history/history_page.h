@@ -26,6 +26,7 @@ class MarkActions;
 class Project;
 class ProjectReader;
 class TeamsPanel;
+class TrialColumns;
 class TrialDetail;
 class TrialFilterBar;
 class TrialModel;
@@ -56,6 +57,10 @@ public:
     /// That only pseudonyms of teams are shown, in every mode, where they have one: a checkable action for a
     /// menu. Remembered.
     QAction *pseudonyms() const { return m_pseudonyms; }
+    /// From top to bottom.
+    QStringList selectedTrials() const;
+    /// A command on the selected trials that is in a menu already: for the list's own.
+    void addEditAction(QAction *action);
     /// What can be done with the list and the trials that are selected in it, for a menu.
     const QList<QAction *> &listActions() const { return m_listActions; }
 
@@ -67,8 +72,9 @@ Q_SIGNALS:
     void reportRequested(const QStringList &trials);
     void reprocessRequested(const QStringList &trials);     ///< to be reanalysed
     void emptyBinRequested(const odo::BinContent &content); ///< confirmed
+    void selectionChanged(const QStringList &trials);
     void notesChanged(const QString &trial);
-    /// Trials were moved to the bin or restored; words: a message, or empty.
+    /// Trials were edited, moved to the bin or restored; words: a message, or empty.
     void trialsChanged(const QString &words);
     /// Teams are shown by another name now.
     void teamNamesChanged();
@@ -87,6 +93,8 @@ private:
     void giveTrialsToTeams();
     void showSettled();
     void connectMarks();
+    std::set<RecordId> selectedIds() const;
+    void selectAgain(const std::set<RecordId> &trials, RecordId current);
     void readMore();
     void endReading(std::vector<TrialRow> rows);
     void checkMore();
@@ -108,6 +116,7 @@ private:
     QAction *m_pseudonyms;
     QList<QAction *> m_listActions;
     TrialTable *m_table;
+    TrialColumns *m_columns;
     Card *m_tableCard = nullptr;
     TeamsPanel *m_teams;
     QTabWidget *m_tabs;

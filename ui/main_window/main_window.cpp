@@ -161,6 +161,11 @@ void MainWindow::connectActions()
         refreshPages();
         m_messages->showDone(words);
     });
+    connect(m_trials, &TrialActions::editRequested, this, [this](const QStringList &trials) {
+        m_pages->saveNotes();
+        m_trials->askEdit(trials);
+    });
+    connect(m_trials, &TrialActions::trialsEdited, this, &MainWindow::refreshPages);
     connect(m_trials, &TrialActions::robotAdded, this, &MainWindow::refreshPages);
     connect(m_trials, &TrialActions::trialImported, this, &MainWindow::showImported);
     connect(m_trials, &TrialActions::lessonChosen, m_many, &HistoryActions::importTrials);
@@ -268,6 +273,7 @@ void MainWindow::closePages()
     m_start->forgetPages();
     m_menus->clear();
     m_trials->setCurrentTrial({});
+    m_trials->setChosenTrials({});
     m_pages.reset();
 }
 
@@ -291,6 +297,7 @@ void MainWindow::connectPages()
         m_modeBar->setCurrent(static_cast<int>(mode));
         m_menus->setShown(mode);
         showDesk(mode);
+        m_trials->setChosenTrials(m_pages->chosenTrials());
     });
     connect(m_pages.get(), &ProjectPages::changed, this, &MainWindow::showState);
     connect(m_pages.get(), &ProjectPages::messageReady, m_messages, &MessageBar::showDone);
@@ -329,6 +336,10 @@ void MainWindow::addPage(Mode mode)
     case Mode::History: {
         HistoryPage *history = &m_pages->history();
         connect(history, &HistoryPage::teamNamesChanged, this, &MainWindow::showTitle);
+        history->addEditAction(m_trials->editAction());
+        connect(history, &HistoryPage::selectionChanged, this,
+                [this] { m_trials->setChosenTrials(m_pages->chosenTrials()); });
+        connect(history, &HistoryPage::trialsChanged, this, &MainWindow::knowTeams);
         connect(history, &HistoryPage::emptyBinRequested, m_many, &HistoryActions::emptyBin);
         connect(history, &HistoryPage::reportRequested, m_reports, &ReportActions::askTrials);
         connect(history, &HistoryPage::exportRequested, m_many, &HistoryActions::exportTrials);
@@ -454,6 +465,7 @@ void MainWindow::showTitle()
     const TrialScenePtr scene = m_pages ? m_pages->scene() : nullptr;
     setWindowTitle(windowTitleOf(m_workspace->project(), scene));
     m_trials->setCurrentTrial(scene ? QString::fromStdString(scene->trial.name) : QString());
+    m_trials->setChosenTrials(m_pages ? m_pages->chosenTrials() : QStringList());
     showState();
 }
 

@@ -346,6 +346,14 @@ void ProjectPages::saveLayouts() const
         m_compare->desk().saveLayout();
 }
 
+QStringList ProjectPages::chosenTrials() const
+{
+    if (m_history && m_mode == Mode::History)
+        return m_history->selectedTrials();
+    const TrialScenePtr shown = scene();
+    return shown ? QStringList(QString::fromStdString(shown->trial.name)) : QStringList();
+}
+
 TrialScenePtr ProjectPages::scene() const
 {
     return m_review ? m_review->scene() : nullptr;

@@ -82,6 +82,8 @@ public:
     void saveLayouts() const;
     /// What is being recorded is complete in the project when this returns.
     void finishRecording();
+    /// What commands on trials mean: those selected in History while it is shown, else the one in Review.
+    QStringList chosenTrials() const;
     /// The trial on screen in Review; null: none.
     TrialScenePtr scene() const;
 

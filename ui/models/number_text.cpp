@@ -316,4 +316,25 @@ std::optional<double> typedNumber(const QString &text, const QLocale &locale)
     return read && std::isfinite(number) ? std::optional(number) : std::nullopt;
 }
 
+QString storedValue(const QString &typed, const QLocale &locale)
+{
+    const QString bare = typed.trimmed();
+    bool isStored = false;
+    QLocale::c().toDouble(bare, &isStored);
+    return isStored || !typedNumber(bare, locale) ? bare : withDecimalSign(bare, QLocale::c());
+}
+
+QString coordinateText(double metres, std::optional<double> sigmaM, const QLocale &locale)
+{
+    const ShownUnit &unit = shownUnits().length;
+    if (sigmaM)
+        return numberText(metres * unit.perSi, *sigmaM * unit.perSi, unit.name, locale).text();
+    constexpr double millimetre = 1e-3;
+    const int decimals =
+        std::max(0, static_cast<int>(std::ceil(-std::log10(millimetre * unit.perSi) - 1e-9)));
+    QLocale plain = locale;
+    plain.setNumberOptions(locale.numberOptions() | QLocale::OmitGroupSeparator);
+    return plain.toString(metres * unit.perSi, 'f', decimals) + u' ' + unit.name;
+}
+
 } // namespace odo

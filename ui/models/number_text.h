@@ -91,6 +91,9 @@ QString timeCode(Nanoseconds time);
 QString secondsText(Nanoseconds time, const QLocale &locale = QLocale());
 /// An error or a height: "1.6 mm"; from 100 mm on without decimals. In the unit that is shown.
 QString lengthText(double metres, const QLocale &locale = QLocale());
+/// A coordinate on the floor: "1204 mm", "1204 ±1.2 mm" with its σ; in the unit that is shown.
+QString coordinateText(double metres, std::optional<double> sigmaM = std::nullopt,
+                       const QLocale &locale = QLocale());
 /// A position or distance, to about a centimetre: "1.23 m"; in the unit that is shown.
 QString distanceText(double metres, const QLocale &locale = QLocale());
 /// "1.83 ±0.02 m/s"; in the unit that is shown.
@@ -109,5 +112,8 @@ QString withDecimalSign(QString text, const QLocale &locale);
 
 /// nullopt: no number, or one that can be read in two ways.
 std::optional<double> typedNumber(const QString &text, const QLocale &locale = QLocale());
+
+/// The value of a variable as it is stored: a number that was typed with a decimal point, all else as it is.
+QString storedValue(const QString &typed, const QLocale &locale = QLocale());
 
 } // namespace odo

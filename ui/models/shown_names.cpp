@@ -161,6 +161,18 @@ QString shownTeam(const std::string &name)
     return shownTeam(name, found == all.ofTeam.end() ? std::string() : found->second);
 }
 
+std::string teamShownBy(const QString &shown)
+{
+    const std::string text = shown.trimmed().toStdString();
+    if (!arePseudonymsShown())
+        return text;
+    Pseudonyms &all = pseudonyms();
+    const std::lock_guard lock(all.mutex);
+    const auto found =
+        std::ranges::find_if(all.ofTeam, [&](const auto &team) { return team.second == text; });
+    return found == all.ofTeam.end() ? text : found->first;
+}
+
 void knowPseudonyms(std::span<const TeamRecord> teams)
 {
     std::map<std::string, std::string> ofTeam;

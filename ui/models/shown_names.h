@@ -67,6 +67,8 @@ QString shownTeam(const TeamRecord &team);
 
 /// A team of the open project, by name alone; one that is not known is shown by its name.
 QString shownTeam(const std::string &name);
+/// The other way: the team of the open project that is shown by this; one that is not known has that name.
+std::string teamShownBy(const QString &shown);
 /// The teams of the open project: messages of core contain only names. Any thread.
 void knowPseudonyms(std::span<const TeamRecord> teams);
 

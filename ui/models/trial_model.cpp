@@ -4,18 +4,17 @@
 #include "core/project/project.h"
 #include "core/project/repositories.h"
 #include "core/workflow/compare/trial_metrics.h"
-#include "ui/models/number_text.h"
-#include "ui/models/results.h"
-#include "ui/models/shown_names.h"
-#include "ui/models/verdict_mark.h"
 
 #include <QCollator>
 #include <QDateTime>
 #include <QLocale>
 #include <QStringList>
 #include <algorithm>
+#include <set>
+#include <tuple>
 #include <unordered_map>
 #include <unordered_set>
+#include <utility>
 
 namespace odo {
 
@@ -67,19 +66,6 @@ namespace {
 
 const std::string shownMetric = "max_speed";
 
-QDateTime localDate(Instant instant)
-{
-    return QDateTime::fromMSecsSinceEpoch(instant.time_since_epoch().count());
-}
-
-QString joined(const std::vector<std::string> &names)
-{
-    QStringList list;
-    for (const std::string &name : names)
-        list += QString::fromStdString(name);
-    return list.join(QStringLiteral(", "));
-}
-
 /// As a text sorts by the numbers in it: "Trial 9" before "Trial 10". QCollator's own way needs a locale that
 /// has one.
 QString withNumbersPadded(const QString &text)
@@ -97,6 +83,18 @@ QString withNumbersPadded(const QString &text)
         i = end;
     }
     return padded;
+}
+
+/// Numbers before texts, and both before those that have none.
+std::tuple<int, double, QString> variableKey(const QString &value)
+{
+    enum Rank { Number, Text, None };
+    bool isNumber = false;
+    const double number = QLocale::c().toDouble(value, &isNumber);
+    return {isNumber          ? Number
+            : value.isEmpty() ? None
+                              : Text,
+            isNumber ? number : 0, withNumbersPadded(value.toLower())};
 }
 
 /// Of each trial whose task is scored that of its best robot, if any has one.
@@ -170,8 +168,15 @@ TrialModel::TrialModel(QObject *parent) : QAbstractTableModel(parent) {}
 
 void TrialModel::setRows(std::vector<TrialRow> rows)
 {
+    std::set<std::string> variables;
+    for (const TrialRow &row : rows)
+        for (const auto &variable : row.trial.variables)
+            variables.insert(variable.first);
     beginResetModel();
     m_rows = std::move(rows);
+    m_variables.clear();
+    for (const std::string &variable : variables)
+        m_variables << QString::fromStdString(variable);
     choose();
     endResetModel();
 }
@@ -197,22 +202,53 @@ void TrialModel::updateRow(TrialRow row)
         std::ranges::find(m_rows, row.trial.id, [](const TrialRow &each) { return each.trial.id; });
     if (known == m_rows.end())
         return;
-    const bool hasOtherTags = known->trial.tags != row.trial.tags;
-    *known = std::move(row);
+    addVariables(row);
+    const TrialRow before = std::exchange(*known, std::move(row));
     const auto shown = std::ranges::find(m_shown, static_cast<std::size_t>(known - m_rows.begin()));
     if (shown == m_shown.end())
         return;
     const int listSection = static_cast<int>(shown - m_shown.begin());
     const QStringList words = m_filter.text.toLower().split(u' ', Qt::SkipEmptyParts);
     if (passes(*known, words)) {
-        // What is being written into a cell is overwritten when that changes.
-        Q_EMIT dataChanged(index(listSection, 0),
-                           index(listSection, hasOtherTags ? TagsColumn : TagsColumn - 1));
+        showChanged(listSection, before);
         return;
     }
     beginRemoveRows({}, listSection, listSection);
     m_shown.erase(shown);
     endRemoveRows();
+}
+
+void TrialModel::addVariables(const TrialRow &row)
+{
+    QStringList added;
+    for (const auto &variable : row.trial.variables)
+        if (const QString name = QString::fromStdString(variable.first); !m_variables.contains(name))
+            added << name;
+    if (added.isEmpty())
+        return;
+    const int first = columnCount();
+    beginInsertColumns({}, first, first + static_cast<int>(added.size()) - 1);
+    m_variables += added;
+    endInsertColumns();
+}
+
+/// What is being written into a cell is overwritten when that changes: cells that can be written into are
+/// named only if they hold something else now.
+void TrialModel::showChanged(int row, const TrialRow &before)
+{
+    const TrialRow &now = this->row(row);
+    for (int first = 0; first < columnCount();) {
+        int end = first;
+        const auto isChanged = [&](int column) {
+            return editedValue(now, column) != editedValue(before, column) || !isEditable(now, column) ||
+                   !isEditable(before, column);
+        };
+        while (end < columnCount() && isChanged(end))
+            ++end;
+        if (end > first)
+            Q_EMIT dataChanged(index(row, first), index(row, end - 1));
+        first = end + 1;
+    }
 }
 
 void TrialModel::updateVerdict(const StoredVerdict &verdict)
@@ -266,7 +302,7 @@ void TrialModel::choose()
 
 void TrialModel::sort(int column, Qt::SortOrder order)
 {
-    if (column < 0 || column >= ColumnCount)
+    if (column < 0 || column >= columnCount())
         return;
     Q_EMIT layoutAboutToBeChanged({}, VerticalSortHint);
     const std::vector<std::size_t> before = m_shown;
@@ -311,6 +347,8 @@ void TrialModel::arrange()
     default:
         break;
     }
+    if (m_sortColumn >= ColumnCount)
+        return sortBy([this](std::size_t i) { return variableKey(display(m_rows[i], m_sortColumn)); });
     QCollator collator; // keys are made once a row, not once a comparison
     std::unordered_map<std::size_t, QCollatorSortKey> keys;
     for (const std::size_t i : m_shown)
@@ -329,149 +367,7 @@ int TrialModel::rowCount(const QModelIndex &parent) const
 
 int TrialModel::columnCount(const QModelIndex &parent) const
 {
-    return parent.isValid() ? 0 : ColumnCount;
-}
-
-QString TrialModel::display(const TrialRow &row, int column) const
-{
-    switch (column) {
-    case NameColumn:
-        return QString::fromStdString(row.trial.name);
-    case TeamColumn:
-        return shownTeam(row.trial);
-    case ClassColumn:
-        return QString::fromStdString(row.trial.className);
-    case TaskColumn:
-        return QString::fromStdString(row.trial.task);
-    case DateColumn:
-        return QLocale().toString(localDate(row.trial.date), QLocale::ShortFormat);
-    case RobotsColumn:
-        return joined(row.trial.robotNames);
-    case DurationColumn:
-        return secondsText(fromSeconds(row.trial.durationS));
-    case TopSpeedColumn:
-        return row.topSpeed ? metricNumber(*row.topSpeed).text() : tr("not tracked");
-    case ScoreColumn:
-        return row.score ? scoreText(*row.score) : row.isScored ? tr("reanalyse") : QString();
-    case TagsColumn:
-        return joined(row.trial.tags);
-    case VerdictColumn:
-        return row.verdict ? verdictBadge(*row.verdict).text : QString();
-    default:
-        return {};
-    }
-}
-
-QVariant TrialModel::data(const QModelIndex &index, int role) const
-{
-    if (!checkIndex(index, CheckIndexOption::IndexIsValid))
-        return {};
-    const TrialRow &row = this->row(index.row());
-    const int column = index.column();
-    switch (role) {
-    case Qt::DisplayRole:
-        return display(row, column);
-    case Qt::EditRole:
-        return column == TagsColumn ? QVariant(display(row, column)) : QVariant();
-    case Qt::CheckStateRole:
-        return column == StarColumn
-                   ? QVariant(static_cast<int>(row.trial.starred ? Qt::Checked : Qt::Unchecked))
-                   : QVariant();
-    case Qt::AccessibleTextRole:
-        return column == StarColumn ? QVariant(row.trial.starred ? tr("starred") : tr("not starred"))
-                                    : QVariant();
-    case Qt::ToolTipRole:
-        if (column == TagsColumn && m_editable)
-            return tr("Tags, separated by commas: double-click or F2 changes them");
-        if (column == VerdictColumn && row.verdict) // a tool tip guesses at rich text
-            return verdictText(*row.verdict).toHtmlEscaped().replace(u'\n', QStringLiteral("<br>"));
-        if (column == ScoreColumn && row.score)
-            return scoreLines(*row.score).join(u'\n').toHtmlEscaped();
-        return column == StarColumn ? tr("Star (Ctrl+D)") : display(row, column).toHtmlEscaped();
-    case Qt::TextAlignmentRole: {
-        const bool number = column == DurationColumn || column == TopSpeedColumn || column == ScoreColumn;
-        return QVariant::fromValue(
-            Qt::Alignment(Qt::AlignVCenter | (number ? Qt::AlignRight : Qt::AlignLeft)));
-    }
-    case BadgeTextRole:
-        return column == VerdictColumn && row.verdict && row.verdict->level() != CheckLevel::Pass
-                   ? QVariant(display(row, column))
-                   : QVariant();
-    case BadgeStateRole:
-        return row.verdict ? QVariant(static_cast<int>(verdictBadge(*row.verdict).state)) : QVariant();
-    case NameRole:
-        return display(row, NameColumn);
-    case IdRole:
-        return QVariant::fromValue(qint64(row.trial.id));
-    default:
-        return {};
-    }
-}
-
-bool TrialModel::setData(const QModelIndex &index, const QVariant &value, int role)
-{
-    if (!m_editable || !checkIndex(index, CheckIndexOption::IndexIsValid))
-        return false;
-    const RecordId id = row(index.row()).trial.id;
-    if (index.column() == StarColumn && role == Qt::CheckStateRole) {
-        Q_EMIT starWanted(id, value.toInt() == Qt::Checked);
-        return true;
-    }
-    if (index.column() != TagsColumn || role != Qt::EditRole)
-        return false;
-    QStringList tags;
-    for (const QString &tag : value.toString().split(u','))
-        if (!tag.trimmed().isEmpty())
-            tags << tag.trimmed();
-    Q_EMIT tagsWanted(id, tags);
-    return true;
-}
-
-Qt::ItemFlags TrialModel::flags(const QModelIndex &index) const
-{
-    Qt::ItemFlags flags = QAbstractTableModel::flags(index);
-    if (m_editable && index.column() == StarColumn)
-        flags |= Qt::ItemIsUserCheckable;
-    if (m_editable && index.column() == TagsColumn)
-        flags |= Qt::ItemIsEditable;
-    return flags;
-}
-
-QVariant TrialModel::headerData(int section, Qt::Orientation orientation, int role) const
-{
-    if (orientation == Qt::Horizontal && section == StarColumn &&
-        (role == Qt::ToolTipRole || role == Qt::AccessibleTextRole))
-        return tr("Star");
-    if (orientation != Qt::Horizontal || role != Qt::DisplayRole)
-        return {};
-    switch (section) {
-    case NameColumn:
-        return tr("Trial");
-    case TeamColumn:
-        return tr("Team");
-    case ClassColumn:
-        return tr("Class");
-    case TaskColumn:
-        return tr("Task");
-    case DateColumn:
-        return tr("Date");
-    case RobotsColumn:
-        return tr("Robots");
-    case DurationColumn:
-        return tr("Time");
-    case TopSpeedColumn:
-        return tr("Top speed");
-    case StarColumn:
-        return QStringLiteral("★"); // the word is wider than the stars
-    case ScoreColumn:
-        return tr("Score");
-    case VerdictColumn:
-        return tr("Verdict");
-    case TagsColumn:
-        return tr("Tags");
-    default:
-        return {};
-    }
+    return parent.isValid() ? 0 : ColumnCount + static_cast<int>(m_variables.size());
 }
 
 } // namespace odo

@@ -5,6 +5,7 @@
 #include "core/base/error.h"
 #include "core/project/records.h"
 #include "core/project/verdict_repository.h"
+#include "core/workflow/trials/trial_changes.h"
 
 #include <QAbstractTableModel>
 #include <QString>
@@ -29,6 +30,9 @@ struct TrialFilter
     ListSection listSection = ListSection::Active;
     std::optional<Instant> from, to; ///< from included, to excluded
 };
+
+/// Tags as a person writes them, separated by commas.
+std::vector<std::string> tagsOf(const QString &written);
 
 /// The search text of a trial, in lower case: names, pseudonym, date, notes, tags.
 QString searchTextOf(const TrialRecord &trial);
@@ -87,8 +91,9 @@ public:
         ScoreColumn,
         VerdictColumn,
         StarColumn, ///< checkable
-        TagsColumn, ///< editable, separated by commas
-        ColumnCount
+        TagsColumn, ///< separated by commas
+        NotesColumn,
+        ColumnCount ///< the first of variables(), a column each
     };
     enum Roles {
         NameRole = Qt::UserRole, ///< QString, of the row's trial
@@ -110,7 +115,10 @@ public:
     const TrialFilter &filter() const { return m_filter; }
     /// Teams are shown by another name now (shownTeam).
     void updateTeams();
-    /// Whether stars and tags can be changed in place.
+    /// People's own variables of all trials, in alphabetical order; those that came since behind them.
+    const QStringList &variables() const { return m_variables; }
+    /// Whether stars, names, teams, classes, tasks, dates, tags, notes of one line and variables can be
+    /// changed in place.
     void setEditable(bool editable) { m_editable = editable; }
 
     const TrialRow &row(int index) const { return m_rows.at(m_shown.at(static_cast<std::size_t>(index))); }
@@ -130,15 +138,23 @@ public:
 Q_SIGNALS:
     /// A person changed a cell; the row follows by updateRow, once it is stored.
     void starWanted(qint64 trial, bool starred);
-    void tagsWanted(qint64 trial, const QStringList &tags);
+    void editWanted(qint64 trial, const odo::TrialEdit &edit);
 
 private:
     QString display(const TrialRow &row, int column) const;
+    QVariant editedValue(const TrialRow &row, int column) const;
+    bool isEditable(const TrialRow &row, int column) const;
+    TrialEdit editOf(int column, const QVariant &value) const;
+    QString toolTip(const TrialRow &row, int column) const;
+    /// Those of a row that are not known yet.
+    void addVariables(const TrialRow &row);
+    void showChanged(int row, const TrialRow &before);
     bool passes(const TrialRow &row, const QStringList &words) const;
     void choose();  ///< fills m_shown by the filter, sorted
     void arrange(); ///< sorts m_shown
 
     std::vector<TrialRow> m_rows;
+    QStringList m_variables;
     std::vector<std::size_t> m_shown; ///< indices into m_rows
     TrialFilter m_filter;
     int m_sortColumn = DateColumn;

@@ -4,7 +4,9 @@
 #include "ui/views/charts/chart_span.h"
 #include "ui/views/charts/profile_chart.h"
 #include "ui/views/image/camera_view.h"
+#include "ui/views/image/floor_read_out.h"
 #include "ui/views/map/floor_map.h"
+#include "ui/views/widgets/zoom_pan.h"
 
 #include <QAction>
 #include <QSettings>
@@ -47,12 +49,42 @@ ReviewDesk::ReviewDesk(Timeline &timeline, QWidget *parent)
     m_outlines->setCheckable(true);
     m_outlines->setChecked(QSettings().value(outlinesKey, true).toBool());
     connect(m_outlines, &QAction::toggled, this, &ReviewDesk::showOutlines);
+    makeZoomActions();
+    addPane(m_map, m_map->zoom());
     resetLayout();
+}
+
+void ReviewDesk::makeZoomActions()
+{
+    const auto add = [this](const char *name, const QString &text, Qt::Key key, const auto &work) {
+        auto *action = new QAction(text, this);
+        action->setObjectName(QString::fromLatin1(name));
+        action->setShortcut(QKeySequence(key));
+        connect(action, &QAction::triggered, this, work);
+        m_zoomActions << action;
+    };
+    add("viewZoomIn", tr("Zoom &in"), Qt::Key_Plus, [this] { m_zoom->zoomIn(); });
+    add("viewZoomOut", tr("Zoom &out"), Qt::Key_Minus, [this] { m_zoom->zoomOut(); });
+    add("viewFit", tr("Zoom to &fit"), Qt::Key_0, [this] { m_zoom->fit(); });
+    add("viewEnlarge", tr("&Enlarge, or back"), Qt::Key_E, [this] { toggleEnlarged(m_pane); });
+    for (QAction *action : m_zoomActions)
+        action->setToolTip(tr("Of the view or map under the mouse"));
+}
+
+void ReviewDesk::addPane(QWidget *pane, ZoomPan &zoom)
+{
+    const auto use = [this, pane, &zoom] {
+        m_pane = pane;
+        m_zoom = &zoom;
+    };
+    use();
+    connect(&zoom, &ZoomPan::used, this, use);
+    connect(&zoom, &ZoomPan::doubleClicked, this, [this, pane] { toggleEnlarged(pane); });
 }
 
 QList<QAction *> ReviewDesk::viewActions() const
 {
-    return m_span->actions() << m_map->disagreementAction() << m_outlines;
+    return m_span->actions() << m_map->disagreementAction() << m_outlines << m_zoomActions;
 }
 
 void ReviewDesk::showOutlines(bool shown)
@@ -85,6 +117,7 @@ void ReviewDesk::setViewCount(std::size_t count)
     while (m_views.size() > count) {
         delete m_views.back();
         m_views.pop_back();
+        m_readOuts.pop_back();
     }
     while (m_views.size() < count) {
         auto *view = new CameraView(m_timeline);
@@ -98,6 +131,8 @@ void ReviewDesk::setViewCount(std::size_t count)
                     Q_EMIT pointedAt(number, pixel, global);
                 });
         m_views.push_back(view);
+        m_readOuts.push_back(new FloorReadOut(*view));
+        addPane(view, view->zoom());
     }
 }
 
@@ -105,9 +140,20 @@ void ReviewDesk::setScene(const TrialScenePtr &scene)
 {
     const std::size_t viewCount = scene ? scene->views.size() : 0;
     const bool changed = viewCount != m_views.size();
+    if (changed)
+        endEnlarging(); // what is enlarged may go
     setViewCount(viewCount);
-    for (std::size_t view = 0; view < viewCount; ++view)
+    if (!m_zoom) {
+        m_pane = m_map;
+        m_zoom = &m_map->zoom();
+    }
+    for (std::size_t view = 0; view < viewCount; ++view) {
+        const SceneView &shown = scene->views[view];
         m_views[view]->setScene(scene, view);
+        m_readOuts[view]->setReading(shown.floorView && shown.registration
+                                         ? pixelOnFloor(*shown.registration, *shown.floorView)
+                                         : PixelOnFloor());
+    }
     m_map->setScene(scene);
     m_speed->setScene(scene);
     m_acceleration->setScene(scene);

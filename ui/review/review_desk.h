@@ -6,6 +6,7 @@
 #include "ui/views/widgets/dock_desk.h"
 
 #include <QList>
+#include <QPointer>
 #include <optional>
 #include <vector>
 
@@ -16,8 +17,10 @@ namespace odo {
 class CameraView;
 class ChartSpan;
 class FloorMap;
+class FloorReadOut;
 class ProfileChart;
 class Timeline;
+class ZoomPan;
 struct FitOverlay;
 
 /// The part of Review that a person can arrange: the views and the map side by side, two charts in docks.
@@ -31,7 +34,7 @@ public:
     void setScene(const TrialScenePtr &scene);
     bool isSettled() const;
     /// What charts, map and views show: more, less, all, against time or distance; the views' disagreement;
-    /// the robots' silhouettes.
+    /// the robots' silhouettes; how closely a view or the map is looked at.
     QList<QAction *> viewActions() const;
     /// What the charts show, from above.
     QList<Quantity> quantities() const;
@@ -49,14 +52,21 @@ Q_SIGNALS:
 private:
     void setViewCount(std::size_t count);
     void showOutlines(bool shown);
+    void makeZoomActions();
+    /// What zooms by keys while the mouse is over it, or was last.
+    void addPane(QWidget *pane, ZoomPan &zoom);
 
     Timeline &m_timeline;
     std::vector<CameraView *> m_views;
+    std::vector<FloorReadOut *> m_readOuts; ///< one a view
     FloorMap *m_map;
     ChartSpan *m_span;
     ProfileChart *m_speed, *m_acceleration;
     bool m_isPointing = false;
     QAction *m_outlines; ///< kept in the settings
+    QList<QAction *> m_zoomActions;
+    QPointer<QWidget> m_pane; ///< that the keys mean
+    QPointer<ZoomPan> m_zoom; ///< its own
 };
 
 } // namespace odo

@@ -40,7 +40,7 @@ namespace odo {
 struct ReviewPage::Request
 {
     std::string chosen; ///< shown, wherever it is; empty: none
-    std::string shown;  ///< shown again, unless it is in the bin now
+    RecordId shown = 0; ///< shown again, unless it is in the bin now
     bool withList = false;
 };
 
@@ -141,7 +141,10 @@ void ReviewPage::refresh()
 Result<ReviewPage::Reading> ReviewPage::readTrial(Project &project, const Request &request)
 {
     Reading reading{std::nullopt, nullptr};
-    std::string name = request.chosen.empty() ? request.shown : request.chosen;
+    std::string name = request.chosen;
+    if (name.empty() && request.shown != 0) // it may have another name now
+        if (const auto shown = project.trials().get(request.shown))
+            name = shown->name;
     if (request.withList) {
         std::vector<TrialName> trials = ODO_TRY(project.trials().names());
         reading.list.emplace();
@@ -170,8 +173,7 @@ Result<ReviewPage::Reading> ReviewPage::readTrial(Project &project, const Reques
 
 void ReviewPage::load()
 {
-    const Request request{m_chosen.toStdString(), m_scene ? m_scene->trial.name : std::string(),
-                          m_isListStale};
+    const Request request{m_chosen.toStdString(), m_scene ? m_scene->trial.id : 0, m_isListStale};
     m_reader->read<Reading>([request](Project &project) { return readTrial(project, request); },
                             [this](Result<Reading> reading) { take(std::move(reading)); });
 }

@@ -9,10 +9,11 @@
 #include "ui/models/shown_message.h"
 #include "ui/models/timeline.h"
 #include "ui/testbed/check/expected_accuracy.h"
-#include "ui/testbed/internal/floor_read_out.h"
+#include "ui/testbed/internal/floor_copy.h"
 #include "ui/testbed/internal/known_cameras.h"
 #include "ui/testbed/internal/testbed_tools.h"
 #include "ui/views/image/camera_view.h"
+#include "ui/views/image/floor_read_out.h"
 #include "ui/views/widgets/card.h"
 #include "ui/views/widgets/command_keys.h"
 #include "ui/views/widgets/empty_state.h"
@@ -102,6 +103,7 @@ TestbedPage::TestbedPage(Project &project, QWidget *parent)
     auto *layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->addWidget(m_stack);
+    new FloorCopy(*m_view, *m_readOut);
     connect(m_view, &CameraView::settled, this, &TestbedPage::settled);
     connect(m_accuracy, &AccuracyMaker::ready, this, &TestbedPage::showAccuracy);
     connect(m_showAccuracy, &QCheckBox::toggled, this, &TestbedPage::showLayout);
@@ -262,7 +264,7 @@ void TestbedPage::showCamera()
     if (!current.isValid()) {
         m_view->setScene(nullptr, 0);
         m_view->setTitle(tr("Image"));
-        m_readOut->setReading(std::nullopt);
+        m_readOut->setReading({});
         m_facts->setFacts({});
         return;
     }
@@ -275,7 +277,10 @@ void TestbedPage::showCamera()
     m_view->setScene(scene.value_or(nullptr), 0);
     const auto reading =
         camera.registration ? floorReadingOf(m_project, *camera.registration) : tl::unexpected(Error());
-    m_readOut->setReading(reading ? std::optional(*reading) : std::nullopt);
+    PixelOnFloor onFloor;
+    if (reading)
+        onFloor = [read = *reading](const QPointF &pixel) { return read.at({pixel.x(), pixel.y()}); };
+    m_readOut->setReading(std::move(onFloor));
     m_view->setBadge(cameraBadge(camera.registration)); // as it is now
     if (scene && *scene)
         m_timeline->setFrameTimes((*scene)->frameTimes());

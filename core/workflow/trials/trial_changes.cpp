@@ -20,11 +20,11 @@ namespace {
 
 std::ptrdiff_t changesIn(const TrialEdit &edit)
 {
-    return std::ranges::count(std::initializer_list<bool>{edit.name.has_value(), edit.team || edit.className,
-                                                          edit.date.has_value(), edit.task.has_value(),
-                                                          edit.robots.has_value(), edit.notes.has_value(),
-                                                          !edit.variables.empty(), edit.range.has_value()},
-                              true);
+    return std::ranges::count(
+        std::initializer_list<bool>{edit.name.has_value(), edit.team || edit.className, edit.date.has_value(),
+                                    edit.task.has_value(), edit.robots.has_value(), edit.notes.has_value(),
+                                    edit.tags.has_value(), !edit.variables.empty(), edit.range.has_value()},
+        true);
 }
 
 Message wordsOf(const std::string &trial, const TrialEdit &edit)
@@ -41,6 +41,8 @@ Message wordsOf(const std::string &trial, const TrialEdit &edit)
             return rangeChange(trial, *edit.range);
         if (edit.notes)
             return ODO_TEXT("ui.write_notes", "write notes of %1")(name);
+        if (edit.tags)
+            return ODO_TEXT("ui.change_tags", "change the tags of %1")(name);
     }
     return editTrialWords(trial);
 }
@@ -71,8 +73,8 @@ Result<TeamRecord> wantedTeam(Project &project, const TrialRecord &trial, const 
         return team;
     }
     const std::string className = normalName(*edit.className);
+    ODO_TRY(checkName(RecordKind::Class, className));
     if (team.className.empty()) {
-        ODO_TRY(checkName(RecordKind::Class, className));
         team.className = className;
         ODO_TRY(project.teams().set(team));
     } else if (team.className != className) {
@@ -125,6 +127,8 @@ Result<void> apply(Project &project, const TrialRecord &trial, const TrialEdit &
         const auto robots = ODO_TRY(robotsNamed(project, *edit.robots));
         ODO_TRY(trials.setRobots(trial.id, robots));
     }
+    if (edit.tags)
+        ODO_TRY(trials.setTags(trial.id, *edit.tags));
     if (!edit.variables.empty())
         ODO_TRY(trials.setVariables(trial.id, changedVariables(trial.variables, edit.variables)));
     if (edit.range) {
@@ -152,6 +156,21 @@ Result<TrialRecord> editTrial(Project &project, RecordId id, const TrialEdit &ed
         ODO_TRY(apply(project, trial, edit));
         return project.trials().get(trial.id);
     });
+}
+
+Result<std::vector<TrialRecord>> editTrials(Project &project, const std::vector<RecordId> &trials,
+                                            const TrialEdit &edit)
+{
+    std::vector<TrialRecord> edited;
+    const auto editAll = [&]() -> Result<void> {
+        for (const RecordId trial : trials)
+            edited.push_back(ODO_TRY(editTrial(project, trial, edit)));
+        return {};
+    };
+    ODO_TRY(trials.size() == 1
+                ? editAll()
+                : project.change(ODO_TEXT("workflow.edit_trials", "edit %1 trials")(trials.size()), editAll));
+    return edited;
 }
 
 namespace {

@@ -26,6 +26,7 @@ struct TrialEdit
     std::optional<std::string> task = {}; ///< empty: none
     std::optional<std::vector<std::string>> robots = {};
     std::optional<std::string> notes = {};
+    std::optional<std::vector<std::string>> tags = {};
     std::map<std::string, std::string> variables = {}; ///< empty: the trial loses it
     std::optional<RangeChoice> range = {};
 };
@@ -41,6 +42,11 @@ Message editTrialWords(const std::string &trial);
 /// team that belongs to another class than the trial, unless that class is given, or than the class that is
 /// given, and for a class without a team; those of RangeJob.
 Result<TrialRecord> editTrial(Project &project, RecordId trial, const TrialEdit &edit);
+
+/// The same edit of several trials, as one change: all of them, or none. Gives them as they are then, in
+/// order. Errors as editTrial, of the first trial that has one.
+Result<std::vector<TrialRecord>> editTrials(Project &project, const std::vector<RecordId> &trials,
+                                            const TrialEdit &edit);
 
 /// Moves trials to the bin, or restores them from it, as one change. On the project's thread.
 Result<void> setInBin(Project &project, const std::vector<TrialRecord> &trials, bool isInBin);

@@ -20,6 +20,7 @@
 #include <QApplication>
 #include <QComboBox>
 #include <QLineEdit>
+#include <QMenu>
 #include <QPlainTextEdit>
 #include <QPushButton>
 #include <QSignalSpy>
@@ -55,6 +56,9 @@ private Q_SLOTS:
     void marksTakeEffectAndAreTakenBack();
     void aTrialGoesWhileItIsBeingWrittenAbout();
     void tagsAreWrittenInPlace();
+    void cellsAreEditedInPlace();
+    void chosenColumnsAreShown();
+    void theSelectionFollowsNewNames();
     void theBinIsEmptiedForGood();
     void verdictsAreComputedShownAndFiltered();
     void showsHowTeamsStand();
@@ -245,6 +249,99 @@ void TestHistoryPage::tagsAreWrittenInPlace()
     model->setData(model->index(0, TrialModel::TagsColumn), QString(300, u'x'));
     QCOMPARE(failed.count(), 1);
     QCOMPARE(project->trials().find("Trial 1")->tags.size(), std::size_t(1));
+}
+
+void TestHistoryPage::cellsAreEditedInPlace()
+{
+    const auto project = copy(QStringLiteral("cells.odo"));
+    HistoryPage page(*project);
+    page.refresh();
+    page.selectTrial(QStringLiteral("Trial 2"));
+    auto *table = page.findChild<QTableView *>(QStringLiteral("trials"));
+    QSignalSpy opened(&page, &HistoryPage::trialChosen), changed(&page, &HistoryPage::trialsChanged),
+        failed(&page, &HistoryPage::failed);
+    const auto writeByF2 = [table](int column, const QString &text) {
+        table->setCurrentIndex(table->currentIndex().siblingAtColumn(column));
+        QTest::keyClick(table, Qt::Key_F2);
+        auto *editor = table->viewport()->findChild<QLineEdit *>();
+        QVERIFY(editor);
+        editor->setText(text);
+        QTest::keyClick(editor, Qt::Key_Return);
+        QTRY_VERIFY(!table->viewport()->findChild<QLineEdit *>());
+    };
+    writeByF2(TrialModel::NameColumn, QStringLiteral("Final"));
+    QVERIFY(project->trials().find("Final"));
+    QCOMPARE(table->currentIndex().data(TrialModel::NameRole).toString(), QStringLiteral("Final"));
+    QCOMPARE(changed.count(), 1);
+    writeByF2(TrialModel::TeamColumn, QStringLiteral("Falcon"));
+    QCOMPARE(project->trials().find("Final")->teamName, std::string("Falcon"));
+    const std::string task = project->trials().find("Final")->task;
+    writeByF2(TrialModel::TaskColumn, QStringLiteral("Slalom")); // there is no such task
+    QCOMPARE(failed.count(), 1);
+    QCOMPARE(project->trials().find("Final")->task, task);
+    QVERIFY(project->undo());
+    QCOMPARE(project->trials().find("Final")->teamName, std::string("Heron"));
+
+    // A double click opens the trial, as it does on every cell that is not written often.
+    page.resize(1200, 600);
+    page.show();
+    const auto doubleClick = [table](int column) {
+        const QPoint at = table->visualRect(table->currentIndex().siblingAtColumn(column)).center();
+        QTest::mouseClick(table->viewport(), Qt::LeftButton, {}, at);
+        QTest::mouseDClick(table->viewport(), Qt::LeftButton, {}, at);
+    };
+    doubleClick(TrialModel::NameColumn);
+    QCOMPARE(opened.count(), 1);
+    QVERIFY(!table->viewport()->findChild<QLineEdit *>());
+    doubleClick(TrialModel::TagsColumn);
+    QCOMPARE(opened.count(), 1);
+    QVERIFY(table->viewport()->findChild<QLineEdit *>());
+}
+
+void TestHistoryPage::chosenColumnsAreShown()
+{
+    const auto project = copy(QStringLiteral("columns.odo"));
+    QVERIFY(project->trials().setVariables(project->trials().find("Trial 1")->id, {{"surface", "wood"}}));
+    const auto choose = [](const HistoryPage &page, const char *column) {
+        for (QMenu *menu : page.findChildren<QMenu *>()) {
+            Q_EMIT menu->aboutToShow();
+            for (QAction *action : menu->actions())
+                if (action->text() == QLatin1String(column))
+                    action->trigger();
+        }
+    };
+    const auto isHidden = [](const HistoryPage &page, int column) {
+        return page.findChild<QTableView *>(QStringLiteral("trials"))->isColumnHidden(column);
+    };
+    {
+        HistoryPage page(*project);
+        page.refresh();
+        QVERIFY(isHidden(page, TrialModel::NotesColumn) && isHidden(page, TrialModel::ColumnCount));
+        choose(page, "surface");
+        QVERIFY(isHidden(page, TrialModel::NotesColumn) && !isHidden(page, TrialModel::ColumnCount));
+    }
+    HistoryPage page(*project); // it is remembered
+    page.refresh();
+    QVERIFY(isHidden(page, TrialModel::NotesColumn) && !isHidden(page, TrialModel::ColumnCount));
+    choose(page, "surface");
+    QVERIFY(isHidden(page, TrialModel::ColumnCount));
+}
+
+void TestHistoryPage::theSelectionFollowsNewNames()
+{
+    const auto project = copy(QStringLiteral("renamed.odo"));
+    HistoryPage page(*project);
+    page.refresh();
+    page.selectTrial(QStringLiteral("Trial 3"));
+    auto *table = page.findChild<QTableView *>(QStringLiteral("trials"));
+    table->selectionModel()->select(table->model()->index(0, 0),
+                                    QItemSelectionModel::Select | QItemSelectionModel::Rows);
+    QCOMPARE(page.selectedTrials(), (QStringList{QStringLiteral("Trial 1"), QStringLiteral("Trial 3")}));
+    QSignalSpy selected(&page, &HistoryPage::selectionChanged);
+    QVERIFY(project->trials().setName(project->trials().find("Trial 3")->id, "Z"));
+    page.refresh();
+    QCOMPARE(page.selectedTrials(), (QStringList{QStringLiteral("Trial 1"), QStringLiteral("Z")}));
+    QCOMPARE(selected.back().front().toStringList(), page.selectedTrials());
 }
 
 void TestHistoryPage::theBinIsEmptiedForGood()

@@ -4,21 +4,27 @@
 #include "core/project/repositories.h"
 #include "tests/support/registered_test.h"
 #include "tests/ui/support/driven_window.h"
+#include "tests/ui/support/found_widgets.h"
+#include "tests/ui/support/person.h"
 #include "tests/ui/support/project_content.h"
 #include "tests/ui/support/stored_example.h"
 #include "ui/history/history_page.h"
 #include "ui/main_window/internal/window_bars.h"
 #include "ui/main_window/main_window.h"
 #include "ui/main_window/workspace.h"
+#include "ui/review/review_page.h"
 
 #include <QApplication>
+#include <QLineEdit>
 #include <QMenu>
 #include <QMenuBar>
 #include <QPlainTextEdit>
+#include <QTableView>
 #include <QTemporaryDir>
 #include <QTest>
 
 using namespace odo;
+using namespace odo::test;
 
 class TestUndo : public QObject
 {
@@ -71,6 +77,47 @@ private Q_SLOTS:
         const auto changes = project().changes().value();
         QCOMPARE(changes.size(), std::size_t(3));
         QVERIFY(changes.front().kind == ChangeEntry::Kind::Redone);
+    }
+
+    /// Edited in the window, Review shows the trial under its new name, and again under the old one.
+    void aTrialIsRenamedAndBackAgain()
+    {
+        QVERIFY(m_window->showTrial("Trial 1"));
+        QTRY_VERIFY(m_window->windowTitle().contains(QLatin1String("Trial 1")));
+        const auto rename = [](QDialog &dialog) {
+            named<QLineEdit>(dialog, "Name")->setText(QStringLiteral("Final"));
+            press(dialog);
+        };
+        Person person({rename});
+        actionOf(*m_window, "Edit…")->trigger();
+        QVERIFY(person.isDone());
+        QCOMPARE(message(), QStringLiteral("1 trial(s) changed. Choose Undo to reverse this."));
+        QTRY_COMPARE(m_window->findChild<ReviewPage *>()->trial(), QStringLiteral("Final"));
+        QTRY_VERIFY(m_window->windowTitle().contains(QLatin1String("Final")));
+        undo()->trigger();
+        QTRY_COMPARE(m_window->findChild<ReviewPage *>()->trial(), QStringLiteral("Trial 1"));
+        QTRY_VERIFY(m_window->windowTitle().contains(QLatin1String("Trial 1")));
+    }
+
+    /// In History it edits what is selected there.
+    void selectedTrialsAreEdited()
+    {
+        m_window->showMode(MainWindow::Mode::History);
+        auto *page = m_window->findChild<HistoryPage *>();
+        auto *table = page->findChild<QTableView *>(QStringLiteral("trials"));
+        table->selectAll();
+        const auto tag = [](QDialog &dialog) {
+            named<QLineEdit>(dialog, "Tags")->setText(QStringLiteral("league"));
+            press(dialog);
+        };
+        Person person({tag});
+        actionOf(*m_window, "Edit…")->trigger();
+        QVERIFY(person.isDone());
+        for (const char *trial : {"Trial 1", "Trial 2", "Trial 3"})
+            QCOMPARE(project().trials().find(trial)->tags, std::vector<std::string>{"league"});
+        QCOMPARE(page->selectedTrials().size(), qsizetype(3));
+        undo()->trigger();
+        QVERIFY(project().trials().find("Trial 3")->tags.empty());
     }
 
 private:

@@ -42,6 +42,14 @@ TrialRow trialRow(const char *name, std::int64_t minute, std::optional<double> t
     return row;
 }
 
+/// Whether a dataChanged named this cell.
+bool isTold(const QSignalSpy &changed, const QModelIndex &cell)
+{
+    return std::ranges::any_of(changed, [&](const QList<QVariant> &one) {
+        return QItemSelectionRange(one.value(0).toModelIndex(), one.value(1).toModelIndex()).contains(cell);
+    });
+}
+
 QString shownNames(const TrialModel &model)
 {
     QString names;
@@ -304,23 +312,83 @@ private Q_SLOTS:
                           tags = model.index(1, TrialModel::TagsColumn);
         QVERIFY(!model.setData(star, Qt::Checked, Qt::CheckStateRole)); // the project may be read only
         model.setEditable(true);
-        QSignalSpy starred(&model, &TrialModel::starWanted), tagged(&model, &TrialModel::tagsWanted);
+        QSignalSpy starred(&model, &TrialModel::starWanted);
+        std::vector<TrialEdit> edits;
+        connect(&model, &TrialModel::editWanted, this, [&edits](qint64 trial, const TrialEdit &edit) {
+            QCOMPARE(trial, qint64(2));
+            edits.push_back(edit);
+        });
         QVERIFY(model.setData(star, Qt::Checked, Qt::CheckStateRole));
         QCOMPARE(starred.value(0), QVariantList({qint64(2), true}));
         QVERIFY(model.setData(tags, QStringLiteral(" wet , , final ")));
-        QCOMPARE(tagged.value(0).value(1).toStringList(),
-                 (QStringList{QStringLiteral("wet"), QStringLiteral("final")}));
+        QCOMPARE(edits.back().tags.value(), (std::vector<std::string>{"wet", "final"}));
         TrialRow b = trialRow("b", 2, {});
         b.trial.starred = true;
         QSignalSpy changed(&model, &TrialModel::dataChanged);
         model.updateRow(b);
-        const QItemSelectionRange told(changed.value(0).value(0).toModelIndex(),
-                                       changed.value(0).value(1).toModelIndex());
-        QVERIFY(told.contains(star) && !told.contains(tags)); // which may be being written
+        QVERIFY(isTold(changed, star) && !isTold(changed, tags)); // which may be being written
+        QVERIFY(!isTold(changed, model.index(1, TrialModel::NameColumn)));
         QCOMPARE(star.data(Qt::CheckStateRole).toInt(), int(Qt::Checked));
         b.trial.binned = b.trial.date;
         model.updateRow(b); // the filter does not let it through any more
         QCOMPARE(shownNames(model), QStringLiteral("a"));
+    }
+    void whatIsWrittenIntoACellBecomesAnEdit()
+    {
+        TrialModel model;
+        QAbstractItemModelTester tester(&model, strict);
+        TrialRow row = trialRow("a", 1, {});
+        row.trial.variables = {{"battery", "7.4"}, {"surface", "carpet"}};
+        model.setRows({row});
+        model.setEditable(true);
+        std::vector<TrialEdit> edits;
+        connect(&model, &TrialModel::editWanted, this,
+                [&edits](qint64, const TrialEdit &edit) { edits.push_back(edit); });
+        const auto write = [&model](int column, const QVariant &value) {
+            return model.setData(model.index(0, column), value);
+        };
+        QVERIFY(write(TrialModel::NameColumn, QStringLiteral(" Final ")));
+        QCOMPARE(edits.back().name.value(), std::string("Final"));
+        QVERIFY(write(TrialModel::TeamColumn, QStringLiteral("Heron")));
+        QCOMPARE(edits.back().team.value(), std::string("Heron"));
+        QVERIFY(write(TrialModel::ClassColumn, QStringLiteral("9C")));
+        QCOMPARE(edits.back().className.value(), std::string("9C"));
+        QVERIFY(write(TrialModel::TaskColumn, QStringLiteral("Slalom")));
+        QCOMPARE(edits.back().task.value(), std::string("Slalom"));
+        QVERIFY(write(TrialModel::DateColumn, QDateTime::fromMSecsSinceEpoch(120'000)));
+        QVERIFY(edits.back().date.value() == Instant(std::chrono::minutes(2)));
+        QVERIFY(write(TrialModel::NotesColumn, QStringLiteral("slipped")));
+        QCOMPARE(edits.back().notes.value(), std::string("slipped"));
+        QCOMPARE(model.variables(), (QStringList{QStringLiteral("battery"), QStringLiteral("surface")}));
+        QVERIFY(write(TrialModel::ColumnCount, QStringLiteral("7,2")));
+        QCOMPARE(edits.back().variables, (std::map<std::string, std::string>{{"battery", "7.2"}}));
+        QVERIFY(write(TrialModel::ColumnCount + 1, QString()));
+        QCOMPARE(edits.back().variables, (std::map<std::string, std::string>{{"surface", ""}}));
+        // What stays as it is, and what cannot be written in a cell, is no edit.
+        const std::size_t count = edits.size();
+        QVERIFY(!write(TrialModel::NameColumn, QStringLiteral("a")));
+        QVERIFY(!write(TrialModel::DateColumn, QDateTime::fromMSecsSinceEpoch(60'000)));
+        QVERIFY(!write(TrialModel::RobotsColumn, QStringLiteral("Blue 1")));
+        row.trial.notes = "two\nlines";
+        row.trial.variables["attempt"] = "3"; // a column more
+        model.updateRow(row);
+        QCOMPARE(model.columnCount(), int(TrialModel::ColumnCount) + 3);
+        QCOMPARE(model.index(0, TrialModel::ColumnCount + 2).data().toString(), QStringLiteral("3"));
+        QVERIFY(!write(TrialModel::NotesColumn, QStringLiteral("one line")));
+        QCOMPARE(edits.size(), count);
+    }
+    void variablesSortAsNumbers()
+    {
+        TrialModel model;
+        std::vector<TrialRow> rows;
+        for (const char *value : {"10", "7.15", "carpet", "7.4", ""}) {
+            rows.push_back(trialRow(value, std::ssize(rows) + 1, {}));
+            if (*value)
+                rows.back().trial.variables["v"] = value;
+        }
+        model.setRows(std::move(rows));
+        model.sort(TrialModel::ColumnCount);
+        QCOMPARE(shownNames(model), QStringLiteral("7.157.410carpet"));
     }
     void teamsAreShownByPseudonym()
     {
@@ -334,7 +402,13 @@ private Q_SLOTS:
         model.updateTeams();
         QCOMPARE(model.index(0, TrialModel::TeamColumn).data().toString(), QStringLiteral("Falcon"));
         QCOMPARE(model.index(1, TrialModel::TeamColumn).data().toString(), QStringLiteral("Team Four"));
+        const TeamRecord team{.name = "Falcon", .pseudonym = "Team Four"};
+        knowPseudonyms({&team, 1});
+        QCOMPARE(teamShownBy(QStringLiteral(" Team Four ")), std::string("Falcon"));
+        QCOMPARE(teamShownBy(QStringLiteral("Owl")), std::string("Owl"));
         showPseudonyms(false);
+        QCOMPARE(teamShownBy(QStringLiteral("Team Four")), std::string("Team Four"));
+        knowPseudonyms({});
     }
     void scoresAreSortedAndExplained()
     {

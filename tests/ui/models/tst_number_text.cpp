@@ -14,6 +14,27 @@ class TestNumberText : public QObject
 {
     Q_OBJECT
 private Q_SLOTS:
+    void variablesAreStoredWithAPoint()
+    {
+        const QLocale german(QLocale::German), english(QLocale::English, QLocale::UnitedStates);
+        for (const QLocale &locale : {german, english}) {
+            QCOMPARE(storedValue(QStringLiteral(" 7,4 "), locale), QStringLiteral("7.4"));
+            QCOMPARE(storedValue(QStringLiteral("7.4"), locale), QStringLiteral("7.4"));
+            QCOMPARE(storedValue(QStringLiteral("1.5e-3"), locale), QStringLiteral("1.5e-3"));
+            QCOMPARE(storedValue(QStringLiteral("carpet, wet"), locale), QStringLiteral("carpet, wet"));
+            QCOMPARE(storedValue(QStringLiteral("1,234"), locale),
+                     QStringLiteral("1,234")); // one or a thousand
+        }
+    }
+    void coordinatesAreToAMillimetre()
+    {
+        const QLocale english(QLocale::English, QLocale::UnitedStates);
+        QCOMPARE(coordinateText(1.2043, std::nullopt, english), QStringLiteral("1204 mm"));
+        QCOMPARE(coordinateText(1.2043, 0.0012, english), QStringLiteral("1204.3 ±1.2 mm"));
+        setShownUnitSystem(UnitSystem::Inches);
+        QCOMPARE(coordinateText(-0.0254, std::nullopt, english), QStringLiteral("-1.00 in"));
+        setShownUnitSystem(UnitSystem::Millimetres);
+    }
     void roundsToTheUncertainty_data()
     {
         QTest::addColumn<double>("value");

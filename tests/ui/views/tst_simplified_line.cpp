@@ -52,6 +52,31 @@ class TestSimplifiedLine : public QObject
 {
     Q_OBJECT
 private Q_SLOTS:
+    void whatIsBeyondTheEdgesIsLeftOut()
+    {
+        QList<QPolygonF> pieces;
+        const auto take = [&pieces](const QPolygonF &piece) { pieces << piece; };
+        const QPolygonF points{{-50, 50}, {-10, 50},  {10, 50},  {90, 50}, {150, 50},
+                               {200, 50}, {200, -50}, {50, -50}, {50, 20}};
+        SeenLine line(0.2, QRectF(0, 0, 100, 100), take);
+        for (const QPointF &point : points)
+            line.add(point);
+        line.end();
+        QCOMPARE(pieces, (QList<QPolygonF>{{{-10, 50}, {150, 50}}, {{50, -50}, {50, 20}}}));
+        pieces.clear();
+        line.add({20, 20}); // another line does not go on from the one before
+        line.add({30, 20});
+        line.cut();
+        line.add({30, 40});
+        line.end();
+        QCOMPARE(pieces, (QList<QPolygonF>{{{20, 20}, {30, 20}}, {{30, 20}, {30, 40}}}));
+        pieces.clear();
+        SeenLine all(0.2, {}, take);
+        for (const QPointF &point : points)
+            all.add(point);
+        all.end();
+        QCOMPARE(pieces, QList<QPolygonF>{simplified(points, 0.2)});
+    }
     void shortLinesStay()
     {
         for (const QPolygonF &line :

@@ -7,6 +7,7 @@
 #include "ui/views/map/map_painting.h"
 #include "ui/views/map/trial_map.h"
 #include "ui/views/widgets/theme.h"
+#include "ui/views/widgets/zoom_pan.h"
 
 #include <QKeyEvent>
 #include <QLineF>
@@ -25,10 +26,13 @@ constexpr double fineM = 0.01, coarseM = 0.1;
 
 } // namespace
 
-CompareMap::CompareMap(Timeline &timeline, QWidget *parent) : MapCanvas(parent), m_timeline(timeline)
+CompareMap::CompareMap(Timeline &timeline, QWidget *parent)
+    : MapCanvas(parent), m_timeline(timeline), m_zoom(new ZoomPan(*this))
 {
     setFocusPolicy(Qt::StrongFocus);
     setMouseTracking(true);
+    m_zoom->setDragFilter([this](const QPointF &position) { return !gateAt(position); });
+    connect(m_zoom, &ZoomPan::changed, this, &CompareMap::forgetStill);
     connect(&m_timeline, &Timeline::currentChanged, this, qOverload<>(&QWidget::update));
     connect(&m_maker, &FloorImageMaker::ready, this, [this](const FloorImage &image) {
         m_floor = image;
@@ -45,18 +49,20 @@ void CompareMap::setScene(ComparisonScenePtr scene)
     m_chosen.reset();
     if (m_scene)
         m_bounds = m_scene->floorBounds();
+    showFloor();
     forgetStill();
     if (sameFloor)
         return;
     m_floor = {};
     m_maker.make(m_scene ? m_scene->scenes.front() : nullptr, m_bounds,
-                 plan().scalePx() * devicePixelRatioF());
+                 fittedPlan().scalePx() * devicePixelRatioF());
 }
 
 void CompareMap::resizeEvent(QResizeEvent *event)
 {
     MapCanvas::resizeEvent(event);
-    m_maker.setScale(plan().scalePx() * devicePixelRatioF());
+    showFloor();
+    m_maker.setScale(fittedPlan().scalePx() * devicePixelRatioF());
 }
 
 void CompareMap::setGates(std::vector<PathGate> gates)
@@ -65,9 +71,19 @@ void CompareMap::setGates(std::vector<PathGate> gates)
     update();
 }
 
-MapPlan CompareMap::plan() const
+void CompareMap::showFloor()
+{
+    m_zoom->setFrame(QRectF(rect()), fittedPlan().mostZoom());
+}
+
+MapPlan CompareMap::fittedPlan() const
 {
     return {m_bounds, QSizeF(size())};
+}
+
+MapPlan CompareMap::plan() const
+{
+    return {m_bounds, QSizeF(size()), m_zoom->state().scale(), m_zoom->state().shift()};
 }
 
 void CompareMap::paintStill(QPainter &painter) const

@@ -10,6 +10,7 @@
 namespace odo {
 
 class Timeline;
+class ZoomPan;
 
 /// The floor from above with the paths of all runs, the robots at the shared time, and the gates of the
 /// sectors, which can be dragged along the common path. With the focus: Up and Down choose a gate, Left and
@@ -23,6 +24,7 @@ public:
     void setScene(ComparisonScenePtr scene);
     void setGates(std::vector<PathGate> gates);
     const std::vector<PathGate> &gates() const { return m_gates; }
+    ZoomPan &zoom() const { return *m_zoom; }
     bool isSettled() const { return !m_maker.isRunning(); }
     QPointF fromWorld(const Eigen::Vector2d &point) const { return plan().fromWorld(point); }
     /// The middle of a gate.
@@ -46,7 +48,9 @@ protected:
     void mouseReleaseEvent(QMouseEvent *event) override;
 
 private:
+    MapPlan fittedPlan() const;
     MapPlan plan() const;
+    void showFloor();
     const ReferencePath &path() const { return m_scene->compared.comparison.path; }
     void paintStill(QPainter &painter) const override;
     void paintRobots(QPainter &painter) const;
@@ -58,6 +62,7 @@ private:
     bool wants(const QKeyEvent &event) const;
 
     Timeline &m_timeline;
+    ZoomPan *m_zoom;
     FloorImageMaker m_maker;
     ComparisonScenePtr m_scene;
     Eigen::AlignedBox2d m_bounds{Eigen::Vector2d(0, 0),

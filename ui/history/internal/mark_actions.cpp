@@ -153,19 +153,9 @@ void MarkActions::setStarred(RecordId trial, bool starred)
         Q_EMIT failed(done.error());
 }
 
-void MarkActions::setTags(RecordId trial, const QStringList &tags)
+void MarkActions::edit(RecordId trial, const TrialEdit &edit)
 {
-    const Result<TrialRecord> record = m_project.trials().get(trial);
-    if (!record) {
-        Q_EMIT failed(record.error());
-        return;
-    }
-    std::vector<std::string> names;
-    for (const QString &tag : tags)
-        names.push_back(tag.toStdString());
-    const Result<void> done =
-        m_project.change(ODO_TEXT("ui.change_tags", "change the tags of %1")(Named::trial(record->name)),
-                         [&] { return m_project.trials().setTags(trial, names); });
+    const Result<TrialRecord> done = editTrial(m_project, trial, edit);
     if (done)
         Q_EMIT marked({qint64(trial)});
     else

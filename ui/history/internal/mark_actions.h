@@ -6,7 +6,6 @@
 
 #include <QList>
 #include <QObject>
-#include <QStringList>
 #include <vector>
 
 class QAction;
@@ -15,10 +14,11 @@ class QWidget;
 namespace odo {
 
 struct BinContent;
+struct TrialEdit;
 class Project;
 
-/// What a person does with trials in History: star, archive, put into the bin and out of it, ask to empty the
-/// bin. Owns the actions; all but emptying the bin can be undone. On the project's thread.
+/// What a person does with trials in History: star, edit in place, archive, put into the bin and out of it,
+/// ask to empty the bin. Owns the actions; all but emptying the bin can be undone. On the project's thread.
 class MarkActions : public QObject
 {
     Q_OBJECT
@@ -38,7 +38,8 @@ public:
     void setBinShown(bool shown);
 
     void setStarred(RecordId trial, bool starred);
-    void setTags(RecordId trial, const QStringList &tags);
+    /// A change that was made in the list.
+    void edit(RecordId trial, const TrialEdit &edit);
 
 Q_SIGNALS:
     /// These trials are stored otherwise now.

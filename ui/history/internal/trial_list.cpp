@@ -5,6 +5,7 @@
 #include "core/project/repositories.h"
 #include "core/workflow/compare/trial_metrics.h"
 #include "core/workflow/trials/trial_changes.h"
+#include "ui/history/internal/trial_columns.h"
 #include "ui/models/number_text.h"
 #include "ui/models/results.h"
 #include "ui/models/shown_names.h"
@@ -162,7 +163,8 @@ TrialFilter TrialFilterBar::filter() const
     return filter;
 }
 
-TrialTable::TrialTable(TrialModel &model, QWidget *parent) : QTableView(parent)
+TrialTable::TrialTable(TrialModel &model, QWidget *parent)
+    : QTableView(parent), m_cells(new TrialCellDelegate(this))
 {
     setObjectName(QStringLiteral("trials"));
     setModel(&model);
@@ -174,6 +176,7 @@ TrialTable::TrialTable(TrialModel &model, QWidget *parent) : QTableView(parent)
     setSortingEnabled(true);
     sortByColumn(TrialModel::DateColumn, Qt::DescendingOrder);
     setContextMenuPolicy(Qt::ActionsContextMenu);
+    setItemDelegate(m_cells);
     setItemDelegateForColumn(TrialModel::VerdictColumn,
                              new BadgeDelegate(TrialModel::BadgeTextRole, TrialModel::BadgeStateRole, this));
     horizontalHeader()->setResizeContentsPrecision(0); // of what is on screen, not of thousands
@@ -181,9 +184,28 @@ TrialTable::TrialTable(TrialModel &model, QWidget *parent) : QTableView(parent)
     horizontalHeader()->setSectionResizeMode(TrialModel::StarColumn, QHeaderView::Fixed);
     horizontalHeader()->resizeSection(TrialModel::StarColumn, 2 * fontMetrics().height());
     connect(this, &QTableView::doubleClicked, this, [this](const QModelIndex &index) {
-        if (!(index.flags() & (Qt::ItemIsEditable | Qt::ItemIsUserCheckable)))
+        if (!isEditedByDoubleClick(index) && !(index.flags() & Qt::ItemIsUserCheckable))
             Q_EMIT opened(currentTrial());
     });
+}
+
+/// What is written often. A double click on the others opens the trial.
+bool TrialTable::isEditedByDoubleClick(const QModelIndex &index)
+{
+    return index.column() >= TrialModel::TagsColumn && index.flags().testFlag(Qt::ItemIsEditable);
+}
+
+bool TrialTable::edit(const QModelIndex &index, EditTrigger trigger, QEvent *event)
+{
+    return (trigger != DoubleClicked || isEditedByDoubleClick(index)) &&
+           QTableView::edit(index, trigger, event);
+}
+
+void TrialTable::setOffer(const FilterOffer &offer)
+{
+    m_cells->setOffer({{TrialModel::TeamColumn, offer.teamsShown},
+                       {TrialModel::ClassColumn, offer.classes},
+                       {TrialModel::TaskColumn, offer.tasks}});
 }
 
 QString TrialTable::currentTrial() const
@@ -220,9 +242,13 @@ void TrialTable::rowsAboutToBeRemoved(const QModelIndex &parent, int first, int 
 
 void TrialTable::fit()
 {
-    fitColumns(*this, TrialModel::TaskColumn,
-               {TrialModel::NameColumn, TrialModel::TeamColumn, TrialModel::ClassColumn,
-                TrialModel::TaskColumn, TrialModel::RobotsColumn, TrialModel::TagsColumn});
+    QList<int> shrinkable{TrialModel::NameColumn, TrialModel::TeamColumn,   TrialModel::ClassColumn,
+                          TrialModel::TaskColumn, TrialModel::RobotsColumn, TrialModel::TagsColumn,
+                          TrialModel::NotesColumn};
+    for (int column = TrialModel::ColumnCount; column < model()->columnCount(); ++column)
+        shrinkable << column;
+    shrinkable.removeIf([this](int column) { return isColumnHidden(column); });
+    fitColumns(*this, TrialModel::TaskColumn, shrinkable);
 }
 
 void TrialTable::resizeEvent(QResizeEvent *event)
@@ -262,6 +288,8 @@ QList<Fact> factsOf(const TrialRow &row, const std::vector<AnalysisRecord> &anal
     add(TrialDetail::tr("Views"), trial.viewCount > 0 || analyses.empty()
                                       ? QLocale().toString(trial.viewCount)
                                       : TrialDetail::tr("none: the track was imported"));
+    for (const auto &[name, value] : trial.variables)
+        add(QString::fromStdString(name), QString::fromStdString(value));
     for (const AnalysisRecord &analysis : analyses) {
         if (analyses.size() > 1)
             add(TrialDetail::tr("Robot"), QString::fromStdString(analysis.robotName));

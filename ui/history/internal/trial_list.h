@@ -89,10 +89,12 @@ private:
     QHBoxLayout *m_lower;
 };
 
+class TrialCellDelegate;
 class TrialModel;
 
 /// The list of trials in History: rows that are sorted by their headings, chosen one by one or many, and
-/// opened by a double click or Enter. Its columns are fitted to its width, whatever that becomes. GUI thread.
+/// opened by a double click or Enter. F2 edits the current cell, a double click tags, notes and variables.
+/// Its columns are fitted to its width, whatever that becomes. GUI thread.
 class TrialTable : public QTableView
 {
     Q_OBJECT
@@ -101,7 +103,10 @@ public:
     explicit TrialTable(TrialModel &model, QWidget *parent = nullptr);
     /// Empty: none.
     QString currentTrial() const;
+    using QTableView::edit;
     QStringList selectedTrials() const; ///< from top to bottom
+    /// What is offered where a cell is edited.
+    void setOffer(const FilterOffer &offer);
     /// Stores what is being written into a cell, which ends with it. A row that goes does so itself.
     void storeEdited();
     /// To be called after the rows have changed.
@@ -111,9 +116,14 @@ Q_SIGNALS:
     void opened(const QString &trial);
 
 protected:
+    bool edit(const QModelIndex &index, EditTrigger trigger, QEvent *event) override;
     void rowsAboutToBeRemoved(const QModelIndex &parent, int first, int last) override;
     void resizeEvent(QResizeEvent *event) override;
     void keyPressEvent(QKeyEvent *event) override;
+
+private:
+    static bool isEditedByDoubleClick(const QModelIndex &index);
+    TrialCellDelegate *m_cells;
 };
 
 class Card;

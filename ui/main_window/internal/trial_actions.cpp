@@ -13,6 +13,7 @@
 #include "core/workflow/track/track_warnings.h"
 #include "core/workflow/trial_sources.h"
 #include "core/workflow/turned_recordings.h"
+#include "ui/main_window/internal/edit_trial_dialog.h"
 #include "ui/main_window/internal/import_lesson_dialog.h"
 #include "ui/main_window/internal/import_tracks_dialog.h"
 #include "ui/main_window/internal/job_words.h"
@@ -82,6 +83,7 @@ TrialActions::TrialActions(Workspace &workspace, QWidget &window)
     : QObject(&window), m_workspace(workspace), m_window(window),
       m_import(new QAction(themeIcon(QStringLiteral("import")), tr("&Import trial from videos…"), this)),
       m_importTracks(new QAction(themeIcon(QStringLiteral("import")), tr("Import finished tra&cks…"), this)),
+      m_edit(new QAction(tr("E&dit…"), this)),
       m_track(new QAction(themeIcon(QStringLiteral("track")), tr("&Track…"), this)),
       m_synchronise(new QAction(tr("S&ynchronise…"), this)),
       m_export(new QAction(themeIcon(QStringLiteral("export")), tr("&Export…"), this)),
@@ -90,6 +92,7 @@ TrialActions::TrialActions(Workspace &workspace, QWidget &window)
 {
     nameCommands({{m_import, "import"},
                   {m_importTracks, "importTracks"},
+                  {m_edit, "editTrials"},
                   {m_track, "track"},
                   {m_synchronise, "synchronise"},
                   {m_export, "export"},
@@ -100,6 +103,8 @@ TrialActions::TrialActions(Workspace &workspace, QWidget &window)
     connect(m_import, &QAction::triggered, this, [this] { askImport(); });
     m_importTracks->setShortcut(QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_I));
     connect(m_importTracks, &QAction::triggered, this, [this] { askImportTracks(); });
+    m_edit->setShortcut(QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_E));
+    connect(m_edit, &QAction::triggered, this, [this] { Q_EMIT editRequested(m_chosen); });
     connect(m_track, &QAction::triggered, this, [this] { askTrack(m_trial); });
     connect(m_synchronise, &QAction::triggered, this, [this] { askSynchronise(m_trial); });
     m_export->setShortcut(QKeySequence(Qt::CTRL | Qt::Key_E));
@@ -115,12 +120,19 @@ TrialActions::TrialActions(Workspace &workspace, QWidget &window)
 
 void TrialActions::fillMenu(QMenu &menu)
 {
-    menu.addActions({m_import, m_importTracks, m_addRobot, m_track, m_synchronise, m_export, m_video});
+    menu.addActions(
+        {m_import, m_importTracks, m_addRobot, m_edit, m_track, m_synchronise, m_export, m_video});
 }
 
 void TrialActions::setCurrentTrial(const QString &name)
 {
     m_trial = name;
+    updateActions();
+}
+
+void TrialActions::setChosenTrials(const QStringList &names)
+{
+    m_chosen = names;
     updateActions();
 }
 
@@ -134,6 +146,7 @@ void TrialActions::updateActions()
     m_video->setEnabled(!m_trial.isEmpty() && !m_workspace.isBusy());
     m_track->setEnabled(writable && !m_workspace.isBusy() && !m_trial.isEmpty());
     m_synchronise->setEnabled(m_track->isEnabled());
+    m_edit->setEnabled(writable && !m_workspace.isBusy() && !m_chosen.isEmpty());
 }
 
 void TrialActions::showFailure(const Result<void> &result)
@@ -273,6 +286,25 @@ void TrialActions::askTrack(const QString &trial)
     const auto imported = importedTracksOf(project, *record);
     settings.again = imported && !imported->empty(); // there is no video to track in
     startTracking(trial, std::move(settings));
+}
+
+void TrialActions::askEdit(const QStringList &trials)
+{
+    std::vector<TrialRecord> records;
+    for (const QString &trial : trials) {
+        Result<TrialRecord> record = m_workspace.project()->trials().find(trial.toStdString());
+        if (!record) {
+            Q_EMIT failed(record.error());
+            return;
+        }
+        records.push_back(std::move(*record));
+    }
+    const int count = static_cast<int>(records.size());
+    EditTrialDialog dialog(*m_workspace.project(), std::move(records), &m_window);
+    if (dialog.exec() != QDialog::Accepted)
+        return;
+    Q_EMIT trialsEdited();
+    Q_EMIT done(tr("%n trial(s) changed. Choose Undo to reverse this.", "", count));
 }
 
 void TrialActions::askSynchronise(const QString &trial)

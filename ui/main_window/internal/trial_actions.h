@@ -22,8 +22,8 @@ namespace odo {
 
 class Workspace;
 
-/// What can be done with trials: import, track, export, and add the robots they need. Owns the actions, asks,
-/// and starts the jobs.
+/// What can be done with trials: import, edit, track, export, and add the robots they need. Owns the actions,
+/// asks, and starts the jobs.
 class TrialActions : public QObject
 {
     Q_OBJECT
@@ -32,6 +32,10 @@ public:
     void fillMenu(QMenu &menu);
     /// The trial that Track, Synchronise, Export and Export video mean; empty: none.
     void setCurrentTrial(const QString &name);
+    /// The trials that Edit means.
+    void setChosenTrials(const QStringList &names);
+    /// For lists of trials, too.
+    QAction *editAction() const { return m_edit; }
     /// videos: dropped ones; those of several runs are offered as a lesson.
     void askImport(const QStringList &videos = {});
     /// Of tracks that another program measured.
@@ -39,6 +43,8 @@ public:
     void askTrack(const QString &trial);
     /// How its views are to be synchronised.
     void askSynchronise(const QString &trial);
+    /// Edits them, as they are stored now.
+    void askEdit(const QStringList &trials);
     /// Asks for a new robot; false: none was added.
     bool askRobot();
     /// Stores a manual override of a sample and reanalyses the trial.
@@ -51,6 +57,8 @@ Q_SIGNALS:
     void failed(const odo::Error &error);
     void done(const QString &words);
     void robotAdded();
+    void editRequested(const QStringList &trials); ///< to be edited, once all is stored
+    void trialsEdited();
     void trialImported(const QString &name);
     void lessonChosen(const std::vector<odo::ImportSettings> &trials); ///< to be imported
     void trialTracked(const QString &name);
@@ -72,8 +80,9 @@ private:
     Workspace &m_workspace;
     QWidget &m_window;
     QString m_trial;
+    QStringList m_chosen;
     BackgroundTask m_clipSearch; ///< which of the dropped clips belong together
-    QAction *m_import, *m_importTracks, *m_track, *m_synchronise, *m_export, *m_video, *m_addRobot;
+    QAction *m_import, *m_importTracks, *m_edit, *m_track, *m_synchronise, *m_export, *m_video, *m_addRobot;
 };
 
 } // namespace odo

@@ -355,6 +355,7 @@ QList<Fact> trialFacts(const TrialScene &scene)
     const TrialRecord &trial = scene.trial;
     addVerdict(scene.verdict, facts);
     add(TrialFactsWords::tr("Team"), shownTeam(trial));
+    add(TrialFactsWords::tr("Class"), QString::fromStdString(trial.className));
     addTask(scene, facts);
     if (trial.range)
         add(TrialFactsWords::tr("Range"),
@@ -365,6 +366,8 @@ QList<Fact> trialFacts(const TrialScene &scene)
         facts.append(
             {TrialFactsWords::tr("Robot"), robotText(scene.robots[robot]), {}, explainHeight(scene, robot)});
     add(TrialFactsWords::tr("Date"), shortDate(trial.date));
+    for (const auto &[name, value] : trial.variables)
+        add(QString::fromStdString(name), QString::fromStdString(value));
     if (scene.layout)
         add(TrialFactsWords::tr("Testbed"),
             TrialFactsWords::tr("markers “%1”").arg(QString::fromStdString(scene.layout->name)));

@@ -63,4 +63,41 @@ QPolygonF simplified(const QPolygonF &line, double tolerance)
     return simplifier.take();
 }
 
+SeenLine::SeenLine(double tolerance, const QRectF &seen, Take take)
+    : m_piece(tolerance), m_seen(seen), m_take(std::move(take))
+{
+}
+
+/// It may be: not if all of it is beyond one edge.
+bool SeenLine::isSeen(const QPointF &from, const QPointF &to) const
+{
+    return m_seen.isEmpty() ||
+           (std::max(from.x(), to.x()) >= m_seen.left() && std::min(from.x(), to.x()) <= m_seen.right() &&
+            std::max(from.y(), to.y()) >= m_seen.top() && std::min(from.y(), to.y()) <= m_seen.bottom());
+}
+
+void SeenLine::add(const QPointF &point)
+{
+    const std::optional<QPointF> from = std::exchange(m_last, point);
+    if (!from)
+        return;
+    if (!isSeen(*from, point))
+        return cut();
+    if (m_piece.isEmpty())
+        m_piece.add(*from);
+    m_piece.add(point);
+}
+
+void SeenLine::cut()
+{
+    if (!m_piece.isEmpty())
+        m_take(m_piece.take());
+}
+
+void SeenLine::end()
+{
+    cut();
+    m_last.reset();
+}
+
 } // namespace odo

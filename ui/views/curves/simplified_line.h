@@ -3,6 +3,9 @@
 
 #include <QPointF>
 #include <QPolygonF>
+#include <QRectF>
+#include <functional>
+#include <optional>
 
 namespace odo {
 
@@ -40,6 +43,30 @@ private:
     QPolygonF m_kept; ///< without the last point, unless it is the only one
     QPointF m_last;
     bool m_isLine = false; ///< more than one point was added
+};
+
+/// As LineSimplifier, in pieces: what is beyond the edges of what is seen is left out, so that a close look
+/// at a long line costs no more than all of it.
+class SeenLine
+{
+public:
+    using Take = std::function<void(const QPolygonF &piece)>;
+    /// seen: with room for the line's width; an empty one is all. take: gets each piece of two points or
+    /// more.
+    SeenLine(double tolerance, const QRectF &seen, Take take);
+    void add(const QPointF &point);
+    /// Ends a piece; the next one goes on from its last point.
+    void cut();
+    /// Ends the line; the next point begins another one.
+    void end();
+
+private:
+    bool isSeen(const QPointF &from, const QPointF &to) const;
+
+    LineSimplifier m_piece;
+    const QRectF m_seen;
+    const Take m_take;
+    std::optional<QPointF> m_last;
 };
 
 /// A whole line through fewer of its points.

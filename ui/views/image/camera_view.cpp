@@ -5,16 +5,21 @@
 #include "ui/models/number_text.h"
 #include "ui/models/timeline.h"
 #include "ui/models/trial_scene.h"
+#include "ui/views/charts/chart_overlay.h"
 #include "ui/views/image/frame_fetcher.h"
 #include "ui/views/image/image_overlay.h"
 #include "ui/views/widgets/theme.h"
+#include "ui/views/widgets/zoom_pan.h"
 
 #include <QContextMenuEvent>
+#include <QLineF>
+#include <QList>
 #include <QMouseEvent>
 #include <QPainter>
 #include <QPixmap>
 #include <QStringList>
 #include <QWidget>
+#include <cmath>
 #include <utility>
 
 namespace odo {
@@ -36,6 +41,7 @@ public:
     void setReadOut(const QString &text);
     bool isSettled() const;
     QPointF fromImagePixels(const QPointF &pixel) const;
+    ZoomPan &zoom() const { return *m_zoom; }
 
     QSize sizeHint() const override { return {480, 270}; }
     QSize minimumSizeHint() const override { return {160, 90}; }
@@ -63,13 +69,17 @@ private:
     void showFailure(qint64 frame, const QString &message);
     QSize imageSizePx() const;
     QRectF imageRect() const;
+    QSize wantedSize() const;
+    void frameImage();
+    void showZoomed();
+    void paintImage(QPainter &painter) const;
     bool pointAt(const QPoint &position, const QPoint &global);
     void renderFloorLayer();
     void paintRobots(QPainter &painter, qint64 frame) const;
     void paintMessage(QPainter &painter, const QString &message) const;
-    void paintReadOut(QPainter &painter) const;
 
     Timeline &m_timeline;
+    ZoomPan *m_zoom;
     FrameFetcher m_fetcher;
     TrialScenePtr m_scene;
     ImageOverlay m_overlay;
@@ -83,11 +93,37 @@ private:
     QPixmap m_floorLayer; ///< grid, axes and trails; null: to be rendered
 };
 
-ImageArea::ImageArea(Timeline &timeline, QWidget *parent) : QWidget(parent), m_timeline(timeline)
+namespace {
+
+/// Logical pixels for one of the recording: at most; from when they are seen one by one; and with lines
+/// between them.
+constexpr double mostPerPx = 48, singlePixelsFrom = 3, gridFrom = 12;
+
+void paintPixelGrid(QPainter &painter, const QRectF &whole, const QRectF &seen, double perPx)
+{
+    painter.setRenderHint(QPainter::Antialiasing, false);
+    painter.setPen(QPen(QColor(128, 128, 128, 110), 0)); // to be seen on dark and on light pixels
+    QList<QLineF> lines;
+    for (double x = whole.left() + std::ceil((seen.left() - whole.left()) / perPx) * perPx; x <= seen.right();
+         x += perPx)
+        lines << QLineF(x, seen.top(), x, seen.bottom());
+    for (double y = whole.top() + std::ceil((seen.top() - whole.top()) / perPx) * perPx; y <= seen.bottom();
+         y += perPx)
+        lines << QLineF(seen.left(), y, seen.right(), y);
+    painter.drawLines(lines);
+}
+
+} // namespace
+
+ImageArea::ImageArea(Timeline &timeline, QWidget *parent)
+    : QWidget(parent), m_timeline(timeline), m_zoom(new ZoomPan(*this))
 {
     setAttribute(Qt::WA_OpaquePaintEvent);
     setMouseTracking(true);
+    setFocusPolicy(Qt::TabFocus); // its keys are those of who looks closely
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
+    m_zoom->setDragFilter([this](const QPointF &) { return !m_isPointing; });
+    connect(m_zoom, &ZoomPan::changed, this, &ImageArea::showZoomed);
     connect(&m_timeline, &Timeline::currentChanged, this, &ImageArea::ask);
     connect(&m_fetcher, &FrameFetcher::frameReady, this, &ImageArea::showImage);
     connect(&m_fetcher, &FrameFetcher::failed, this, &ImageArea::showFailure);
@@ -112,7 +148,9 @@ void ImageArea::setScene(TrialScenePtr scene, std::size_t view)
         m_image = {};
         m_shownFrame = -1;
         m_failure.clear();
+        m_zoom->fit();
     }
+    frameImage();
     ask();
     update();
 }
@@ -152,7 +190,7 @@ void ImageArea::ask()
     if (!frame)
         return;
     if (isVisible())
-        m_fetcher.request(*frame, (imageRect().size() * devicePixelRatioF()).toSize());
+        m_fetcher.request(*frame, wantedSize());
     if (!m_failure.isEmpty())
         update();
 }
@@ -190,7 +228,36 @@ QSize ImageArea::imageSizePx() const
 
 QRectF ImageArea::imageRect() const
 {
-    return fittedRect(imageSizePx(), QSizeF(size()), devicePixelRatioF());
+    return m_zoom->state().toShown(fittedRect(imageSizePx(), QSizeF(size()), devicePixelRatioF()));
+}
+
+/// In device pixels. Enlarged, it is the recording's own size, or as often halved as that is still at least
+/// as fine as what is shown: so zooming seldom needs another image.
+QSize ImageArea::wantedSize() const
+{
+    const QSize shown = (imageRect().size() * devicePixelRatioF()).toSize();
+    if (m_zoom->state().isFitted())
+        return shown;
+    QSize size = imageSizePx();
+    while (size.width() / 2 >= shown.width())
+        size = QSize(size.width() / 2, size.height() / 2);
+    return size;
+}
+
+/// After another image or another size of the widget.
+void ImageArea::frameImage()
+{
+    const QSize px = imageSizePx();
+    const QRectF fitted = fittedRect(px, QSizeF(size()), devicePixelRatioF());
+    m_zoom->setFrame(fitted,
+                     px.isEmpty() || fitted.isEmpty() ? 1.0 : mostPerPx * px.width() / fitted.width());
+}
+
+void ImageArea::showZoomed()
+{
+    m_floorLayer = {};
+    ask();
+    update();
 }
 
 void ImageArea::setPointing(bool pointing)
@@ -256,7 +323,7 @@ void ImageArea::renderFloorLayer()
     QPainter painter(&m_floorLayer);
     painter.setFont(font());
     painter.setRenderHint(QPainter::Antialiasing);
-    painter.setClipRect(imageRect());
+    painter.setClipRect(imageRect().intersected(QRectF(rect())));
     paintFloor(
         painter, *m_scene, m_view, [this](const QPointF &pixel) { return fromImagePixels(pixel); }, m_style);
 }
@@ -265,7 +332,7 @@ void ImageArea::paintRobots(QPainter &painter, qint64 frame) const
 {
     painter.save();
     painter.setRenderHint(QPainter::Antialiasing);
-    painter.setClipRect(imageRect());
+    painter.setClipRect(imageRect().intersected(QRectF(rect())));
     const ImageMap toWidget = [this](const QPointF &pixel) { return fromImagePixels(pixel); };
     for (std::size_t robot = 0; robot < m_scene->robots.size(); ++robot)
         paintRobot(painter, *m_scene, m_view, robot, frame, toWidget, m_style);
@@ -282,20 +349,25 @@ void ImageArea::paintMessage(QPainter &painter, const QString &message) const
     painter.drawText(position, Qt::AlignCenter | Qt::TextWordWrap, message);
 }
 
-void ImageArea::paintReadOut(QPainter &painter) const
+/// Only the part that is seen.
+void ImageArea::paintImage(QPainter &painter) const
 {
-    constexpr qreal margin = 6;
-    const QRectF image = imageRect().intersected(QRectF(rect()));
-    const QString text = fontMetrics().elidedText(m_readOut, Qt::ElideRight, int(image.width() - 4 * margin));
-    QRectF box(QPointF(), QSizeF(fontMetrics().horizontalAdvance(text), fontMetrics().height()));
-    box.adjust(-margin, -margin / 2, margin, margin / 2);
-    box.moveBottomLeft(image.bottomLeft() + QPointF(margin, -margin));
-    painter.setRenderHint(QPainter::Antialiasing);
-    painter.setPen(Qt::NoPen);
-    painter.setBrush(QColor(0, 0, 0, 180)); // readable on any floor, in both themes
-    painter.drawRoundedRect(box, margin / 2, margin / 2);
-    painter.setPen(Qt::white);
-    painter.drawText(box, Qt::AlignCenter, text);
+    const QRectF whole = imageRect();
+    if (m_zoom->state().isFitted()) {
+        painter.setRenderHint(QPainter::SmoothPixmapTransform);
+        painter.drawImage(whole, m_image);
+        return;
+    }
+    const QRectF seen = whole.intersected(QRectF(rect()));
+    const double perPx = whole.width() / imageSizePx().width(); // logical pixels
+    const double across = m_image.width() / whole.width(), down = m_image.height() / whole.height();
+    const QRectF part((seen.left() - whole.left()) * across, (seen.top() - whole.top()) * down,
+                      seen.width() * across, seen.height() * down);
+    const bool areSinglePixels = perPx >= singlePixelsFrom && m_image.width() == imageSizePx().width();
+    painter.setRenderHint(QPainter::SmoothPixmapTransform, !areSinglePixels);
+    painter.drawImage(seen, m_image, part);
+    if (perPx >= gridFrom && areSinglePixels)
+        paintPixelGrid(painter, whole, seen, perPx);
 }
 
 void ImageArea::paintEvent(QPaintEvent *)
@@ -306,10 +378,8 @@ void ImageArea::paintEvent(QPaintEvent *)
         paintMessage(painter, tr("No view"));
         return;
     }
-    if (!m_image.isNull()) {
-        painter.setRenderHint(QPainter::SmoothPixmapTransform);
-        painter.drawImage(imageRect(), m_image);
-    }
+    if (!m_image.isNull())
+        paintImage(painter);
     const auto wanted = wantedFrame();
     if (m_floorLayer.isNull())
         renderFloorLayer();
@@ -324,12 +394,14 @@ void ImageArea::paintEvent(QPaintEvent *)
     if (wanted && frame >= 0)
         paintRobots(painter, frame);
     if (!m_readOut.isEmpty())
-        paintReadOut(painter);
+        drawReadOut(painter, imageRect().intersected(QRectF(rect())), m_readOut);
+    drawChartFocus(painter, *this);
 }
 
 void ImageArea::resizeEvent(QResizeEvent *)
 {
     m_floorLayer = {};
+    frameImage();
     ask();
 }
 
@@ -431,6 +503,10 @@ QPointF CameraView::fromImagePixels(const QPointF &pixel) const
 QWidget *CameraView::imageArea() const
 {
     return m_area;
+}
+ZoomPan &CameraView::zoom() const
+{
+    return m_area->zoom();
 }
 
 } // namespace odo

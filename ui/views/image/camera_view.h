@@ -11,12 +11,14 @@ namespace odo {
 
 class ImageArea;
 class Timeline;
+class ZoomPan;
 
 /// What a view is called: "Camera A", or its longer name.
 QString viewTitle(const SceneView &view);
 
 /// One view of a trial: its image at the shared time, and on it the robots' outlines, their trails, the
-/// world's axes and the floor grid, all through the registered camera.
+/// world's axes and the floor grid, all through the registered camera. Can be looked at closely (ZoomPan), to
+/// single pixels.
 class CameraView : public Card
 {
     Q_OBJECT
@@ -42,6 +44,8 @@ public:
     /// The position of a point of the recording's image in the image area, in its widget coordinates.
     QPointF fromImagePixels(const QPointF &pixel) const;
     QWidget *imageArea() const;
+    /// How closely it is looked at.
+    ZoomPan &zoom() const;
 
 Q_SIGNALS:
     void settled();

@@ -2,6 +2,7 @@
 #include "ui/views/image/frame_fetcher.h"
 
 #include "core/base/shortage.h"
+#include "core/video/frame.h"
 #include "core/video/image.h"
 #include "core/video/video_reader.h"
 #include "core/workflow/job.h"
@@ -125,6 +126,7 @@ struct FrameFetcher::Worker
     QSize cachedSize;
     FrameImageCache cache;
     qint64 lastFrame = -1;
+    std::optional<Frame> decoded; ///< lastFrame, for when it is wanted at another size
 
     Result<std::thread> thread; // last: starts when the rest is there
 };
@@ -156,6 +158,7 @@ bool FrameFetcher::Worker::prepare(const Request &request)
         reader.reset();
         cache.clear();
         lastFrame = -1;
+        decoded.reset();
         auto opened = VideoReader::open(request.file, ended, request.known);
         if (!opened) {
             deliver(request, {}, errorLine(opened.error()));
@@ -172,9 +175,11 @@ bool FrameFetcher::Worker::prepare(const Request &request)
 
 Result<QImage> FrameFetcher::Worker::image(qint64 frame)
 {
-    const auto decoded = reader->frameAt(frame);
-    if (!decoded)
-        return tl::make_unexpected(decoded.error());
+    if (!decoded || frame != lastFrame) {
+        decoded.reset();
+        decoded = ODO_TRY(reader->frameAt(frame));
+        lastFrame = frame;
+    }
     return toImage(toScreen(*decoded, cachedSize.width(), cachedSize.height()));
 }
 
@@ -198,7 +203,6 @@ void FrameFetcher::Worker::serve(const Request &request)
         }
     }
     const auto wanted = image(request.frame);
-    lastFrame = request.frame;
     if (!wanted) {
         deliver(request, {}, errorLine(wanted.error()));
         return;

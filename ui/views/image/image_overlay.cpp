@@ -199,20 +199,20 @@ void paintPath(QPainter &painter, const std::vector<std::optional<Eigen::Vector2
                double heightM, const FloorView &view, const ImageMap &map, const QColor &colour)
 {
     constexpr double tolerancePx = 0.2; // less cannot be seen, and strokes cost by the point
+    constexpr double widestPx = 8;
     QPainterPath path;
-    QPolygonF run;
-    const auto endRun = [&] {
-        path.addPolygon(simplified(run, tolerancePx));
-        run.clear();
-    };
+    const QRectF shown = painter.hasClipping()
+                             ? painter.clipBoundingRect().adjusted(-widestPx, -widestPx, widestPx, widestPx)
+                             : QRectF();
+    SeenLine line(tolerancePx, shown, [&path](const QPolygonF &part) { path.addPolygon(part); });
     for (const auto &position : positions) {
         const auto at = position ? seen(view, *position, heightM, map) : std::nullopt;
         if (at)
-            run << *at;
+            line.add(*at);
         else
-            endRun();
+            line.end();
     }
-    endRun();
+    line.end();
     strokeWithRim(painter, path, colour, 1.8);
 }
 
@@ -357,6 +357,22 @@ void drawTag(QPainter &painter, const QPointF &leftMiddle, const QString &fullTe
     painter.setBrush(QColor(20, 24, 28, 190));
     painter.drawRoundedRect(box, 3, 3);
     painter.setPen(colour);
+    painter.drawText(box, Qt::AlignCenter, text);
+}
+
+void drawReadOut(QPainter &painter, const QRectF &frame, const QString &fullText)
+{
+    constexpr qreal margin = 6;
+    const QFontMetricsF metrics(painter.font());
+    const QString text = metrics.elidedText(fullText, Qt::ElideRight, frame.width() - 4 * margin);
+    QRectF box(QPointF(), QSizeF(metrics.horizontalAdvance(text), metrics.height()));
+    box.adjust(-margin, -margin / 2, margin, margin / 2);
+    box.moveBottomLeft(frame.bottomLeft() + QPointF(margin, -margin));
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(QColor(0, 0, 0, 180)); // readable on any floor, in both themes
+    painter.drawRoundedRect(box, margin / 2, margin / 2);
+    painter.setPen(Qt::white);
     painter.drawText(box, Qt::AlignCenter, text);
 }
 

@@ -84,6 +84,9 @@ void drawHaloText(QPainter &painter, const QPointF &baseline, const QString &tex
 void drawTag(QPainter &painter, const QPointF &leftMiddle, const QString &text, const QColor &colour,
              const QRectF &frame);
 
+/// One line of what is under the mouse, in a dark box at the lower left of a frame; a long one is cut off.
+void drawReadOut(QPainter &painter, const QRectF &frame, const QString &text);
+
 /// The position of an image of a size in pixels in a widget, as large as fits, on whole device pixels, so
 /// that it is not resampled once more. All of the widget for an empty size.
 QRectF fittedRect(const QSize &imagePx, const QSizeF &widget, double devicePixelRatio);

@@ -7,12 +7,14 @@
 #include "ui/models/timeline.h"
 #include "ui/views/charts/chart_image.h"
 #include "ui/views/charts/chart_overlay.h"
+#include "ui/views/image/image_overlay.h"
 #include "ui/views/map/floor_image.h"
 #include "ui/views/map/map_painting.h"
 #include "ui/views/map/trial_map.h"
 #include "ui/views/widgets/fact_list.h"
 #include "ui/views/widgets/labels.h"
 #include "ui/views/widgets/theme.h"
+#include "ui/views/widgets/zoom_pan.h"
 
 #include <QAction>
 #include <QComboBox>
@@ -47,6 +49,7 @@ public:
     void setDisagreements(std::vector<ViewDisagreement> disagreements);
     bool isSettled() const { return !m_maker.isRunning(); }
     QPointF fromWorld(const Eigen::Vector2d &point) const;
+    ZoomPan &zoom() const { return *m_zoom; }
 
     QSize sizeHint() const override { return {340, 300}; }
     QSize minimumSizeHint() const override { return {160, 140}; }
@@ -59,16 +62,22 @@ protected:
     void paintEvent(QPaintEvent *event) override;
     void resizeEvent(QResizeEvent *event) override;
     void mousePressEvent(QMouseEvent *event) override;
+    void mouseMoveEvent(QMouseEvent *event) override;
+    void leaveEvent(QEvent *event) override;
 
 private:
     /// When a robot was nearest to a position; nullopt where none came near.
     std::optional<Nanoseconds> timeNear(const QPointF &position) const;
+    MapPlan fittedPlan() const;
     MapPlan plan() const;
+    void showFloor();
+    void setHovered(const std::optional<QPointF> &position);
     void paintStill(QPainter &painter) const override;
     void paintDisagreements(QPainter &painter) const;
     void paintLegend(QPainter &painter) const;
 
     Timeline &m_timeline;
+    ZoomPan *m_zoom;
     FloorImageMaker m_maker;
     TrialScenePtr m_scene;
     std::vector<UncertainInterval> m_stretches; ///< of the scene
@@ -77,13 +86,18 @@ private:
     FloorImage m_floor;
     MapColouring m_colouring = MapColouring::Speed;
     std::vector<ViewDisagreement> m_disagreements;
-    double m_topDisagreementM = 0; ///< end of its colour scale
+    double m_topDisagreementM = 0;    ///< end of its colour scale
+    std::optional<QPointF> m_hovered; ///< where the mouse is
 };
 
 MapArea::MapArea(Timeline &timeline, QWidget *parent)
-    : MapCanvas(parent), m_timeline(timeline), m_bounds(Eigen::Vector2d(0, 0), Eigen::Vector2d(1, 1))
+    : MapCanvas(parent), m_timeline(timeline), m_zoom(new ZoomPan(*this)),
+      m_bounds(Eigen::Vector2d(0, 0), Eigen::Vector2d(1, 1))
 {
     setFocusPolicy(Qt::StrongFocus);
+    setMouseTracking(true);
+    m_zoom->setDragFilter([this](const QPointF &position) { return !timeNear(position); });
+    connect(m_zoom, &ZoomPan::changed, this, &MapArea::forgetStill);
     connect(&m_timeline, &Timeline::currentChanged, this, qOverload<>(&QWidget::update));
     connect(&m_maker, &FloorImageMaker::ready, this, [this](const FloorImage &image) {
         m_floor = image;
@@ -102,19 +116,32 @@ void MapArea::setScene(TrialScenePtr scene)
         m_bounds = m_scene->floorBounds();
         m_topSpeedMps = topSpeedMps(*m_scene);
     }
-    m_maker.make(m_scene, m_bounds, plan().scalePx() * devicePixelRatioF());
+    showFloor();
+    m_maker.make(m_scene, m_bounds, fittedPlan().scalePx() * devicePixelRatioF());
     update();
 }
 
 void MapArea::resizeEvent(QResizeEvent *event)
 {
     MapCanvas::resizeEvent(event);
-    m_maker.setScale(plan().scalePx() * devicePixelRatioF());
+    showFloor();
+    m_maker.setScale(fittedPlan().scalePx() * devicePixelRatioF());
+}
+
+/// After its bounds or the widget's size have changed.
+void MapArea::showFloor()
+{
+    m_zoom->setFrame(QRectF(rect()), fittedPlan().mostZoom());
+}
+
+MapPlan MapArea::fittedPlan() const
+{
+    return {m_bounds, QSizeF(size())};
 }
 
 MapPlan MapArea::plan() const
 {
-    return {m_bounds, QSizeF(size())};
+    return {m_bounds, QSizeF(size()), m_zoom->state().scale(), m_zoom->state().shift()};
 }
 
 QPointF MapArea::fromWorld(const Eigen::Vector2d &point) const
@@ -205,6 +232,11 @@ void MapArea::paintEvent(QPaintEvent *)
     drawStill(painter);
     painter.setRenderHint(QPainter::Antialiasing);
     drawTrialRobots(painter, plan(), *m_scene, m_timeline.currentTime(), palette());
+    if (m_hovered && !ChartImage::isPaintedBy(painter, *this)) {
+        const Eigen::Vector2d point = plan().toWorld(*m_hovered);
+        drawReadOut(painter, QRectF(rect()).adjusted(0, 0, 0, -MapPlan::footHeight),
+                    tr("x %1 · y %2").arg(coordinateText(point.x()), coordinateText(point.y())));
+    }
     drawChartFocus(painter, *this);
 }
 
@@ -236,6 +268,24 @@ void MapArea::mousePressEvent(QMouseEvent *event)
         m_timeline.pause();
         m_timeline.setCurrentTime(*time);
     }
+}
+
+void MapArea::setHovered(const std::optional<QPointF> &position)
+{
+    m_hovered = position;
+    update();
+}
+
+void MapArea::mouseMoveEvent(QMouseEvent *event)
+{
+    setHovered(event->position());
+    MapCanvas::mouseMoveEvent(event);
+}
+
+void MapArea::leaveEvent(QEvent *event)
+{
+    setHovered(std::nullopt);
+    MapCanvas::leaveEvent(event);
 }
 
 bool MapArea::event(QEvent *event)
@@ -349,6 +399,10 @@ QPointF FloorMap::fromWorld(const Eigen::Vector2d &pointInWorld) const
 QWidget *FloorMap::mapArea() const
 {
     return m_area;
+}
+ZoomPan &FloorMap::zoom() const
+{
+    return m_area->zoom();
 }
 
 } // namespace odo

@@ -16,6 +16,7 @@ namespace odo {
 
 class MapArea;
 class Timeline;
+class ZoomPan;
 
 /// The virtual top-down map: X to the right, Y up. The floor as the cameras see it (muted), a grid, the
 /// markers, each robot's trail coloured by its speed or by how far the views disagree, its present position
@@ -37,6 +38,8 @@ public:
     /// Where a point of the floor (metres) lies in the map area, in its widget coordinates.
     QPointF fromWorld(const Eigen::Vector2d &pointInWorld) const;
     QWidget *mapArea() const;
+    /// How closely it is looked at.
+    ZoomPan &zoom() const;
 
 Q_SIGNALS:
     void settled();

@@ -75,14 +75,28 @@ double MapPlan::scalePx() const
 {
     const double wide = std::max(10.0, size.width() - 2 * sideMargin);
     const double high = std::max(10.0, size.height() - topMargin - footHeight - sideMargin);
-    return std::min(wide / std::max(1e-6, bounds.sizes().x()), high / std::max(1e-6, bounds.sizes().y()));
+    return zoom *
+           std::min(wide / std::max(1e-6, bounds.sizes().x()), high / std::max(1e-6, bounds.sizes().y()));
+}
+
+double MapPlan::mostZoom() const
+{
+    constexpr double mostPxPerM = 4000;
+    return std::max(1.0, zoom * mostPxPerM / scalePx());
+}
+
+QRectF MapPlan::seen() const
+{
+    constexpr double widestPx = 16;
+    return QRectF(QPointF(0, 0), size).adjusted(-widestPx, -widestPx, widestPx, widestPx);
 }
 
 QPointF MapPlan::fromWorld(const Eigen::Vector2d &point) const
 {
     const Eigen::Vector2d apart = (point - bounds.center()) * scalePx();
-    return {size.width() / 2.0 + apart.x(),
-            topMargin + (size.height() - topMargin - footHeight - sideMargin) / 2.0 - apart.y()};
+    const QPointF middle(size.width() / 2.0,
+                         topMargin + (size.height() - topMargin - footHeight - sideMargin) / 2.0);
+    return zoom * middle + shift + QPointF(apart.x(), -apart.y());
 }
 
 Eigen::Vector2d MapPlan::toWorld(const QPointF &position) const
@@ -95,7 +109,7 @@ void drawMapGrid(QPainter &painter, const MapPlan &plan, const QPalette &palette
 {
     const ThemeColours colours = ThemeColours::of(palette);
     const ShownUnit &unit = shownUnits().distance;
-    const AxisTicks ticks = niceTicks(0, unit.perSi * plan.bounds.sizes().maxCoeff(), 7);
+    const AxisTicks ticks = niceTicks(0, unit.perSi * plan.bounds.sizes().maxCoeff() / plan.zoom, 7);
     const double step = ticks.step / unit.perSi;
     painter.setRenderHint(QPainter::Antialiasing, false);
     QColor line = overImage ? colours.muted : colours.mapGrid;

@@ -27,7 +27,13 @@ struct MapPlan
 
     Eigen::AlignedBox2d bounds{Eigen::Vector2d(0, 0), Eigen::Vector2d(1, 1)}; ///< that must be seen, metres
     QSizeF size;                                                              ///< of the widget
+    double zoom = 1; ///< so many times larger than where all of it is seen
+    QPointF shift{}; ///< as ZoomState
 
+    /// Where it is shown as large as it can be: a millimetre is four pixels.
+    double mostZoom() const;
+    /// What is seen of it, with room for the width of lines.
+    QRectF seen() const;
     double scalePx() const; ///< logical pixels a metre
     QPointF fromWorld(const Eigen::Vector2d &point) const;
     Eigen::Vector2d toWorld(const QPointF &position) const;

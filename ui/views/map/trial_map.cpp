@@ -36,7 +36,7 @@ class TrailPaintingWords
 constexpr double tolerancePx = 0.2; // less cannot be seen, and strokes cost by the point
 
 /// Between two points next to one another: as the metrics bridge it.
-void addCubic(const Profile &profile, const ProfilePiece &piece, const MapPlan &plan, LineSimplifier &run)
+void addCubic(const Profile &profile, const ProfilePiece &piece, const MapPlan &plan, SeenLine &line)
 {
     const auto instantOf = [&profile](std::size_t i) {
         return RunInstant{toSeconds(profile.samples[i].time), &profile.points[i]};
@@ -47,7 +47,7 @@ void addCubic(const Profile &profile, const ProfilePiece &piece, const MapPlan &
     const CubicPath cubic(from, to);
     for (int i = 1; i < CubicPath::parts; ++i) {
         const double part = double(i) / CubicPath::parts;
-        run.add(plan.fromWorld({cubic.x.value(part), cubic.y.value(part)}));
+        line.add(plan.fromWorld({cubic.x.value(part), cubic.y.value(part)}));
     }
 }
 
@@ -56,16 +56,17 @@ QPainterPath pathOf(const Profile &profile, const std::vector<ProfilePiece> &pie
                     bool bridged)
 {
     QPainterPath pathLine;
-    LineSimplifier run(tolerancePx);
+    SeenLine line(tolerancePx, plan.seen(),
+                  [&pathLine](const QPolygonF &part) { pathLine.addPolygon(part); });
     for (const ProfilePiece &piece : pieces) {
         if (piece.isBridged != bridged)
             continue;
-        run.add(plan.fromWorld(profile.points[piece.first].position));
+        line.add(plan.fromWorld(profile.points[piece.first].position));
         if (piece.last == piece.first + 1)
-            addCubic(profile, piece, plan, run);
+            addCubic(profile, piece, plan, line);
         for (std::size_t i = piece.first + 1; i <= piece.last; ++i)
-            run.add(plan.fromWorld(profile.points[i].position));
-        pathLine.addPolygon(run.take());
+            line.add(plan.fromWorld(profile.points[i].position));
+        line.end();
     }
     return pathLine;
 }
@@ -73,25 +74,21 @@ QPainterPath pathOf(const Profile &profile, const std::vector<ProfilePiece> &pie
 /// A piece of a track, coloured by speed.
 void drawColoured(QPainter &painter, const MapPlan &plan, std::span<const ProfilePoint> points, double topMps)
 {
-    LineSimplifier stretch(tolerancePx); // of one colour
     int stretchColour = 0;
-    const auto draw = [&] {
+    SeenLine stretch(tolerancePx, plan.seen(), [&](const QPolygonF &part) { // of one colour
         painter.setPen(QPen(scaleColour(double(stretchColour) / colourSteps), 3, Qt::SolidLine, Qt::RoundCap,
                             Qt::RoundJoin));
-        painter.drawPolyline(stretch.take());
-    };
+        painter.drawPolyline(part);
+    });
     for (const ProfilePoint &point : points) {
         const int colour =
             static_cast<int>(std::lround(topMps > 0 ? colourSteps * point.speedMps / topMps : 0));
-        if (!stretch.isEmpty() && colour != stretchColour) {
-            const QPointF joint = stretch.last();
-            draw();
-            stretch.add(joint);
-        }
+        if (colour != stretchColour)
+            stretch.cut();
         stretchColour = colour;
         stretch.add(plan.fromWorld(point.position));
     }
-    draw();
+    stretch.end();
 }
 
 } // namespace
@@ -135,7 +132,8 @@ void drawMapUncertainIntervals(QPainter &painter, const MapPlan &plan, const Tri
     for (const UncertainInterval &one : uncertainIntervals(scene)) {
         const Profile &profile = scene.robots[one.robot].analysis->profile;
         painter.setPen(QPen(haze, width, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
-        LineSimplifier pathLine(tolerancePx);
+        SeenLine pathLine(tolerancePx, plan.seen(),
+                          [&painter](const QPolygonF &part) { painter.drawPolyline(part); });
         for (auto i = std::ranges::lower_bound(profile.samples, one.span.begin, {}, &Sample::time) -
                       profile.samples.begin();
              i < std::ssize(profile.points) && profile.samples[std::size_t(i)].time <= one.span.end; ++i)
@@ -143,7 +141,7 @@ void drawMapUncertainIntervals(QPainter &painter, const MapPlan &plan, const Tri
                 painter.drawPoint(plan.fromWorld(profile.points[std::size_t(i)].position));
             else if (profile.points[std::size_t(i)].valid)
                 pathLine.add(plan.fromWorld(profile.points[std::size_t(i)].position));
-        painter.drawPolyline(pathLine.take());
+        pathLine.end();
     }
 }
 

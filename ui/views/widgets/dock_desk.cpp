@@ -8,6 +8,7 @@
 #include <QSettings>
 #include <QSplitter>
 #include <QWidget>
+#include <utility>
 
 namespace odo {
 
@@ -100,8 +101,36 @@ void DockDesk::saveLayout() const
     if (!m_restored) // never shown: nothing was arranged
         return;
     QSettings settings;
-    settings.setValue(layoutKey(m_mode), saveState(layoutVersion));
-    settings.setValue(imagesKey(m_mode), m_images->saveState());
+    settings.setValue(layoutKey(m_mode), m_isEnlarged ? m_layoutBefore : saveState(layoutVersion));
+    settings.setValue(imagesKey(m_mode), m_isEnlarged ? m_imagesBefore : m_images->saveState());
+}
+
+void DockDesk::toggleEnlarged(QWidget *pane)
+{
+    if (m_isEnlarged)
+        return endEnlarging();
+    m_layoutBefore = saveState(layoutVersion);
+    m_imagesBefore = m_images->saveState();
+    m_isEnlarged = true;
+    for (int i = 0; i < m_images->count(); ++i)
+        if (QWidget *other = m_images->widget(i); other != pane && other->isVisibleTo(m_images)) {
+            other->hide();
+            m_hidden << other;
+        }
+    for (const Dock &dock : m_docks)
+        if (!dock.widget->isFloating())
+            dock.widget->hide();
+}
+
+void DockDesk::endEnlarging()
+{
+    if (!std::exchange(m_isEnlarged, false))
+        return;
+    for (const QPointer<QWidget> &other : std::exchange(m_hidden, {}))
+        if (other)
+            other->show();
+    restoreState(m_layoutBefore, layoutVersion);
+    m_images->restoreState(m_imagesBefore);
 }
 
 void DockDesk::restoreLayout()
@@ -115,6 +144,7 @@ void DockDesk::restoreLayout()
 
 void DockDesk::resetLayout()
 {
+    endEnlarging();
     QDockWidget *above = nullptr;
     QList<QDockWidget *> docks;
     QList<int> heights;
@@ -134,6 +164,7 @@ void DockDesk::resetLayout()
 
 void DockDesk::equaliseViews()
 {
+    endEnlarging();
     QList<int> widths(m_images->count(), imageWidth);
     if (!widths.isEmpty())
         widths.last() = mapWidth;

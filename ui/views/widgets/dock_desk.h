@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <QByteArray>
 #include <QList>
 #include <QMainWindow>
+#include <QPointer>
 #include <vector>
 
 class QAction;
@@ -25,10 +27,15 @@ public:
     QList<QAction *> dockActions() const;
     void resetLayout();
     void saveLayout() const;
+    /// One of those in the middle takes the whole desk; called again, all is as before. Later calls for
+    /// another one only give that back.
+    void toggleEnlarged(QWidget *pane);
 
 protected:
     /// What is side by side in the middle.
     QSplitter &middle() const { return *m_images; }
+    /// All is as before one was enlarged.
+    void endEnlarging();
     /// Widths as they are at first: all images alike, the map, which is the last, a little narrower.
     void equaliseViews();
     /// Below those before it. name: for the arrangement that is kept; percent: of the desk's height, at
@@ -50,6 +57,9 @@ private:
     QSplitter *m_images;
     std::vector<Dock> m_docks;
     bool m_restored = false;
+    bool m_isEnlarged = false;                 ///< one pane is alone in the middle
+    QList<QPointer<QWidget>> m_hidden;         ///< for that
+    QByteArray m_layoutBefore, m_imagesBefore; ///< what comes back after it
 };
 
 } // namespace odo

@@ -6,6 +6,7 @@
 #include "ui/models/shown_message.h"
 
 #include <QCoreApplication>
+#include <QDateTimeEdit>
 #include <QDir>
 #include <QDragEnterEvent>
 #include <QEvent>
@@ -137,6 +138,18 @@ void NumberBox::focusInEvent(QFocusEvent *event)
 {
     rememberBefore();
     QDoubleSpinBox::focusInEvent(event);
+}
+
+QDateTimeEdit *makeMomentField(QWidget *parent)
+{
+    auto *field = new QDateTimeEdit(parent);
+    QString format = QLocale().dateTimeFormat(QLocale::ShortFormat);
+    if (!format.contains(QLatin1String("yyyy"))) // Qt would take 26 for 1926
+        format.replace(QLatin1String("yy"), QLatin1String("yyyy"));
+    field->setDisplayFormat(format);
+    field->setCalendarPopup(true);
+    field->setMinimumDate(QDate(1970, 1, 1));
+    return field;
 }
 
 namespace {

@@ -16,6 +16,7 @@
 #include <string>
 #include <vector>
 
+class QDateTimeEdit;
 class QLineEdit;
 class QMimeData;
 class QWidget;
@@ -77,6 +78,9 @@ private:
 
     double m_before = 0; ///< what is typed now
 };
+
+/// A field for a date with its time, as the person's country writes it, the year in four digits.
+QDateTimeEdit *makeMomentField(QWidget *parent = nullptr);
 
 /// A format that a file can be saved in.
 struct OutputFormat
