@@ -13,24 +13,6 @@ class TestTermProgress : public QObject
 {
     Q_OBJECT
 private Q_SLOTS:
-    /// Table G.2 of JCGM 100:2008, which gives two decimals.
-    void studentsT_data()
-    {
-        QTest::addColumn<int>("degrees");
-        QTest::addColumn<double>("t");
-        const std::vector<std::pair<int, double>> table{{1, 12.71}, {2, 4.30},   {3, 3.18},  {4, 2.78},
-                                                        {5, 2.57},  {8, 2.31},   {12, 2.18}, {20, 2.09},
-                                                        {40, 2.02}, {100, 1.984}};
-        for (const auto &[degrees, t] : table)
-            QTest::addRow("%d", degrees) << degrees << t;
-    }
-    void studentsT()
-    {
-        QFETCH(const int, degrees);
-        QFETCH(const double, t);
-        QVERIFY(std::abs(studentT95(degrees) - t) < 0.0081); // half a digit of the table, and 0.003
-    }
-
     /// By hand: days 0 1 2 3, values 1 2 2 3. Mean 1.5 and 2; slope Σ(−1.5·−1 − 0.5·0 + 0.5·0 + 1.5·1)/5 =
     /// 0.6; left over −0.1, 0.3, −0.3, 0.1, squares 0.2; spread √(0.2/2); σ of the slope √(0.1/5).
     void lineByHand()
