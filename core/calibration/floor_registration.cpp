@@ -94,6 +94,7 @@ struct Fit
 {
     PlanePose pose;
     double sigmaPx = 0;
+    double studentFactor = 1;               ///< that it contains
     std::optional<FloorLens> estimatedLens; ///< where none was calibrated
 };
 
@@ -114,12 +115,14 @@ Result<Fit> fitMarkers(const TriedMarkers &tried)
                                    Join::Colon)));
     if (tried.focal == FocalLength::Known) {
         const double freedom = 2.0 * double(tried.pairs.size()) - 6;
-        return Fit{*pose, markSigmaPx(freedom * pose->sigmaPx * pose->sigmaPx, freedom), {}};
+        const double squaresPx2 = freedom * pose->sigmaPx * pose->sigmaPx;
+        return Fit{*pose, markSigmaPx(squaresPx2, freedom), markStudentFactor(squaresPx2, freedom),
+                   std::nullopt};
     }
     auto lens = fitFloorLens(tried.pairs, *pose);
     if (!lens)
         return refuseFloor(pointsUndetermined(), causesOr(tried, spreadMarkers()));
-    return Fit{lens->pose, lens->pose.sigmaPx, std::move(lens)};
+    return Fit{lens->pose, lens->pose.sigmaPx, lens->studentFactor, std::move(lens)};
 }
 
 /// A fit that no usual mistake explains better.
@@ -202,9 +205,11 @@ double carelessness(const std::vector<MarkerError> &markers, double layoutM)
     return sum;
 }
 
-/// Refuses a fit by its residuals and its σ.
-Result<void> checkFit(const FloorRegistration &registration, const TriedMarkers &tried, double layoutM)
+/// Refuses a fit by its residuals and its σ. studentFactor: of the stated σ; it says nothing of the layout.
+Result<void> checkFit(const FloorRegistration &registration, const TriedMarkers &tried, double layoutM,
+                      double studentFactor)
 {
+    const double sigmaM = registration.floorSigmaM / studentFactor;
     const auto &pairs = tried.pairs;
     if (registration.rmsPx > worstMisfit * extentPx(pairs)) {
         const auto worst = std::ranges::max_element(registration.markers, {}, &MarkerError::errorPx);
@@ -216,13 +221,13 @@ Result<void> checkFit(const FloorRegistration &registration, const TriedMarkers 
                    Join::Colon),
             causesOr(tried, checkAll()));
     }
-    if (registration.floorSigmaM > worstSigma * layoutM && registration.rmsPx > leastSigmaPx)
+    if (sigmaM > worstSigma * layoutM && registration.rmsPx > leastSigmaPx)
         return refuseFloor(fitOnlyTo(registration.rmsPx), causesOr(tried, checkAll()));
-    if (registration.floorSigmaM > worstSigma * layoutM)
+    if (sigmaM > worstSigma * layoutM)
         return refuseFloor(
             ODO_TEXT("calibration.markers_nearly_on_line",
                      "the markers are so close to one line (%1 the most) that the floor uncertainty is ±%2")(
-                flattestOf(pairs), millimetres(registration.floorSigmaM)),
+                flattestOf(pairs), millimetres(sigmaM)),
             spreadMarkers());
     const double most = pairs.size() == 4 ? worstSumOfFour : worstSumOfFive;
     if (pairs.size() <= 5 && carelessness(registration.markers, layoutM) > most)
@@ -262,7 +267,7 @@ Result<FloorRegistration> registerFloor(const MarkerLayout &layout, const std::v
     registration.poseCovariance = view.poseCovariance();
     registration.residualPattern = residuals.pattern;
     ODO_TRY(measureMarkers(pairs, view, registration));
-    ODO_TRY(checkFit(registration, tried, layoutM));
+    ODO_TRY(checkFit(registration, tried, layoutM, fit.studentFactor));
     registration.verdict =
         registrationWords({registration, view, layout, tried, fit.pose, fit.estimatedLens, residuals});
     return registration;
@@ -290,20 +295,21 @@ double rareChiSquared(double freedom)
     return freedom * std::pow(1 - spread + z * std::sqrt(spread), 3);
 }
 
-/// By how much a σ from so few residuals must grow for 1.96 of it to hold 95 %.
-double studentFactor(double freedom)
+} // namespace
+
+double markStudentFactor(double squaresPx2, double freedom, double believedPx)
 {
     constexpr double least = 2, most = 1e6; // of one residual it would be seven
+    if (freedom < 1 || squaresPx2 <= rareChiSquared(freedom) * believedPx * believedPx)
+        return 1;
     return studentT95(static_cast<int>(std::clamp(freedom, least, most))) / coverage95;
 }
-
-} // namespace
 
 double markSigmaPx(double squaresPx2, double freedom, double believedPx)
 {
     freedom = std::max(0.0, freedom);
-    if (freedom >= 1 && squaresPx2 > rareChiSquared(freedom) * believedPx * believedPx)
-        return studentFactor(freedom) * std::sqrt(squaresPx2 / freedom);
+    if (const double factor = markStudentFactor(squaresPx2, freedom, believedPx); factor > 1)
+        return factor * std::sqrt(squaresPx2 / freedom);
     return std::sqrt((priorFreedom * believedPx * believedPx + squaresPx2) / (priorFreedom + freedom));
 }
 

@@ -102,4 +102,7 @@ inline constexpr double usualMarkSigmaPx = 0.3;
 /// the program finds them better, but the layout was measured too. Any thread. believedPx: another belief.
 double markSigmaPx(double squaresPx2, double freedom, double believedPx = usualMarkSigmaPx);
 
+/// Student's factor in it; 1 where the belief holds.
+double markStudentFactor(double squaresPx2, double freedom, double believedPx = usualMarkSigmaPx);
+
 } // namespace odo

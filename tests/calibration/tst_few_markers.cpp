@@ -120,7 +120,7 @@ private Q_SLOTS:
         QFETCH(int, markers);
         QFETCH(double, wrongM);
         const Outcome outcome = drawn(std::size_t(markers), {0.3, 0.0005, wrongM});
-        QCOMPARE(outcome.misnamed, 0);
+        QVERIFY(outcome.misnamed <= (wrongM < 0.05 ? 1 : 0)); // what errs by little may lend it to another
         if (markers >= 6 && wrongM >= 0.05)
             QVERIFY(outcome.named >= 0.6 * outcome.registered);
         // five cannot name it, but most that are off by a hand's width are refused

@@ -325,7 +325,9 @@ std::optional<FloorLens> fitFloorLens(std::span<const PointPair> pairs, const Pl
         if (!answer)
             return std::nullopt;
         const double rmsPx = answer->lens.pose.rmsPx;
-        const double nextPx = markSigmaPx(rmsPx * rmsPx * double(pairs.size()), answer->freedom, believedPx);
+        const double squaresPx2 = rmsPx * rmsPx * double(pairs.size());
+        const double nextPx = markSigmaPx(squaresPx2, answer->freedom, believedPx);
+        answer->lens.studentFactor = markStudentFactor(squaresPx2, answer->freedom, believedPx);
         if (std::abs(nextPx - sigmaPx) < settled * sigmaPx)
             break;
         sigmaPx = nextPx;

@@ -15,6 +15,7 @@ struct FloorLens
     /// RMS distance of each marker from where the fit without it puts it (to first order; Allen's PRESS,
     /// 1974).
     double heldOutPx = 0;
+    double studentFactor = 1; ///< in sigmaPx (markStudentFactor)
 };
 
 /// Maximum a posteriori of pose and lens. What is known of a lens before any marker is seen is its prior:
