@@ -12461,7 +12461,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <translation>Teams unter &amp;Pseudonym</translation>
     </message>
     <message>
-        <source>Tria&amp;ls</source>
+        <source>Tr&amp;ials</source>
         <translation>Ver&amp;suche</translation>
     </message>
     <message>
@@ -13475,8 +13475,8 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <translation>Ein anderes Programm hat „%1“ überschrieben, während es offen war: Was vorher darin war, ist verloren. Gezeigt wird, was jetzt darin ist.</translation>
     </message>
     <message>
-        <source>&amp;Class</source>
-        <translation>&amp;Klasse</translation>
+        <source>C&amp;lass</source>
+        <translation>K&amp;lasse</translation>
     </message>
 </context>
 <context>

@@ -12461,7 +12461,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <translation>Equipos por se&amp;udónimo</translation>
     </message>
     <message>
-        <source>Tria&amp;ls</source>
+        <source>Tr&amp;ials</source>
         <translation>Ensay&amp;os</translation>
     </message>
     <message>
@@ -13475,8 +13475,8 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <translation>Otro programa ha sobrescrito «%1» mientras estaba abierto: lo que contenía antes se ha perdido. Se muestra lo que contiene ahora.</translation>
     </message>
     <message>
-        <source>&amp;Class</source>
-        <translation>&amp;Clase</translation>
+        <source>C&amp;lass</source>
+        <translation>C&amp;lase</translation>
     </message>
 </context>
 <context>

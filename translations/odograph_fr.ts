@@ -12461,7 +12461,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <translation>Équipes par &amp;pseudonyme</translation>
     </message>
     <message>
-        <source>Tria&amp;ls</source>
+        <source>Tr&amp;ials</source>
         <translation>Essai&amp;s</translation>
     </message>
     <message>
@@ -13475,8 +13475,8 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <translation>Un autre programme a écrasé « %1 » pendant qu’il était ouvert : son contenu précédent est perdu. Son contenu actuel est affiché.</translation>
     </message>
     <message>
-        <source>&amp;Class</source>
-        <translation>&amp;Classe</translation>
+        <source>C&amp;lass</source>
+        <translation>C&amp;lasse</translation>
     </message>
 </context>
 <context>

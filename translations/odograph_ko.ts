@@ -12439,8 +12439,8 @@ Much more than expected means that a setting is wrong: the views are not synchro
         <translation>팀을 가명으로(&amp;P)</translation>
     </message>
     <message>
-        <source>Tria&amp;ls</source>
-        <translation>시행(&amp;L)</translation>
+        <source>Tr&amp;ials</source>
+        <translation>시행(&amp;I)</translation>
     </message>
     <message>
         <source>Tea&amp;ms</source>
@@ -13450,8 +13450,8 @@ Much more than expected means that a setting is wrong: the views are not synchro
         <translation>열려 있는 동안 다른 프로그램이 “%1”을(를) 덮어써서 이전 내용이 사라졌습니다. 지금 들어 있는 내용을 보여 줍니다.</translation>
     </message>
     <message>
-        <source>&amp;Class</source>
-        <translation>학급(&amp;C)</translation>
+        <source>C&amp;lass</source>
+        <translation>학급(&amp;L)</translation>
     </message>
 </context>
 <context>

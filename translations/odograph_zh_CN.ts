@@ -12439,8 +12439,8 @@ Much more than expected means that a setting is wrong: the views are not synchro
         <translation>小组显示化名(&amp;P)</translation>
     </message>
     <message>
-        <source>Tria&amp;ls</source>
-        <translation>试验(&amp;L)</translation>
+        <source>Tr&amp;ials</source>
+        <translation>试验(&amp;I)</translation>
     </message>
     <message>
         <source>Tea&amp;ms</source>
@@ -13450,8 +13450,8 @@ Much more than expected means that a setting is wrong: the views are not synchro
         <translation>“%1”打开期间被另一个程序覆盖：之前的内容已丢失。现在显示的是其当前内容。</translation>
     </message>
     <message>
-        <source>&amp;Class</source>
-        <translation>班级(&amp;C)</translation>
+        <source>C&amp;lass</source>
+        <translation>班级(&amp;L)</translation>
     </message>
 </context>
 <context>

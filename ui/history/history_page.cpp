@@ -66,7 +66,7 @@ HistoryPage::HistoryPage(Project &project, bool readOnly, QWidget *parent)
     auto *splitter = new QSplitter(this);
     splitter->setHandleWidth(8);
     splitter->setChildrenCollapsible(false);
-    m_tabs->addTab(makeTable(), tr("Tria&ls"));
+    m_tabs->addTab(makeTable(), tr("Tr&ials"));
     m_tabs->addTab(m_teams, tr("Tea&ms"));
     m_tabs->setDocumentMode(true);
     m_tabs->setAccessibleName(tr("Trials or teams"));

@@ -115,7 +115,7 @@ void MainWindow::makeMenus()
     preferences->setShortcut(QKeySequence(Qt::CTRL | Qt::Key_Comma));
     preferences->setMenuRole(QAction::PreferencesRole);
     nameCommands({{preferences, "preferences"}});
-    QMenu *ofClass = menuBar()->addMenu(tr("&Class"));
+    QMenu *ofClass = menuBar()->addMenu(tr("C&lass"));
     m_class->fillMenu(*ofClass);
     ofClass->addAction(m_many->roster());
     ofClass->addSeparator();
