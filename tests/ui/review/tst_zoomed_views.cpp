@@ -158,6 +158,36 @@ private Q_SLOTS:
         QVERIFY(elsewhere.x() - after.x() > 60); // 16 times as large as it fits
     }
 
+    void theLoupeShowsTheRobot()
+    {
+        ShownDesk shown(m_scene);
+        CameraView &view = shown.view();
+        QTRY_VERIFY(view.isSettled());
+        QAction *loupe = shown.desk.findChild<QAction *>(QStringLiteral("loupe"));
+        const double side = 0.45 * std::min(view.imageArea()->width(), view.imageArea()->height());
+        const QPointF middle(view.imageArea()->width() - 8 - side / 2, 8 + side / 2);
+        view.setOutlinesShown(false);
+        const QColor red(0xd7, 0x23, 0x28);
+        const auto redPixels = [&] {
+            const QImage image = shot(view.imageArea());
+            int count = 0;
+            for (int y = 0; y < side; ++y)
+                for (int x = 0; x < side; ++x)
+                    count += apart(image.pixelColor(QPointF(middle.x() - side / 2 + x, 8 + y).toPoint()),
+                                   red) < 90;
+            return count;
+        };
+        QVERIFY(redPixels() < 100);
+        loupe->trigger();
+        QTRY_VERIFY(view.isSettled());
+        QVERIFY(redPixels() > side * side / 8); // the robot is some twenty pixels long
+        shown.timeline.setCurrentFrame(10);     // it follows
+        QTRY_VERIFY(view.isSettled());
+        QVERIFY(redPixels() > side * side / 8);
+        loupe->trigger();
+        QVERIFY(redPixels() < 2000);
+    }
+
     void theReadOutNamesPixelAndFloor()
     {
         ShownDesk shown(m_scene);
