@@ -8,7 +8,7 @@
 #include "ui/views/charts/chart_overlay.h"
 #include "ui/views/image/frame_fetcher.h"
 #include "ui/views/image/image_overlay.h"
-#include "ui/views/image/loupe.h"
+#include "ui/views/image/internal/loupe.h"
 #include "ui/views/widgets/theme.h"
 #include "ui/views/widgets/zoom_pan.h"
 

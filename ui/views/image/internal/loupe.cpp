@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/views/image/loupe.h"
+#include "ui/views/image/internal/loupe.h"
 
 #include <QPainter>
 #include <algorithm>
