@@ -14558,6 +14558,14 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <source>Of the view or map under the mouse</source>
         <translation>Der Sicht oder Karte unter der Maus</translation>
     </message>
+    <message>
+        <source>Lo&amp;upe on the robot</source>
+        <translation>L&amp;upe am Roboter</translation>
+    </message>
+    <message>
+        <source>Show the surroundings of the robot eight times as large as recorded</source>
+        <translation>Die Umgebung des Roboters achtmal so groß wie aufgenommen zeigen</translation>
+    </message>
 </context>
 <context>
     <name>odo::ReviewPage</name>

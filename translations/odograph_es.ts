@@ -14558,6 +14558,14 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <source>Of the view or map under the mouse</source>
         <translation>De la vista o el mapa bajo el ratón</translation>
     </message>
+    <message>
+        <source>Lo&amp;upe on the robot</source>
+        <translation>L&amp;upa sobre el robot</translation>
+    </message>
+    <message>
+        <source>Show the surroundings of the robot eight times as large as recorded</source>
+        <translation>Mostrar el entorno del robot ocho veces más grande que en la grabación</translation>
+    </message>
 </context>
 <context>
     <name>odo::ReviewPage</name>

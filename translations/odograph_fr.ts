@@ -14558,6 +14558,14 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <source>Of the view or map under the mouse</source>
         <translation>De la vue ou de la carte sous la souris</translation>
     </message>
+    <message>
+        <source>Lo&amp;upe on the robot</source>
+        <translation>Lo&amp;upe sur le robot</translation>
+    </message>
+    <message>
+        <source>Show the surroundings of the robot eight times as large as recorded</source>
+        <translation>Montrer les alentours du robot huit fois plus grands que filmés</translation>
+    </message>
 </context>
 <context>
     <name>odo::ReviewPage</name>

@@ -14528,6 +14528,14 @@ Much more than expected means that a setting is wrong: the views are not synchro
         <source>Of the view or map under the mouse</source>
         <translation>마우스 아래의 뷰나 지도</translation>
     </message>
+    <message>
+        <source>Lo&amp;upe on the robot</source>
+        <translation>로봇 돋보기(&amp;U)</translation>
+    </message>
+    <message>
+        <source>Show the surroundings of the robot eight times as large as recorded</source>
+        <translation>로봇 주변을 녹화 화면의 여덟 배로 보여 줍니다</translation>
+    </message>
 </context>
 <context>
     <name>odo::ReviewPage</name>

@@ -14528,6 +14528,14 @@ Much more than expected means that a setting is wrong: the views are not synchro
         <source>Of the view or map under the mouse</source>
         <translation>鼠标所在的视角或地图</translation>
     </message>
+    <message>
+        <source>Lo&amp;upe on the robot</source>
+        <translation>机器人放大镜(&amp;U)</translation>
+    </message>
+    <message>
+        <source>Show the surroundings of the robot eight times as large as recorded</source>
+        <translation>以录制画面八倍的大小显示机器人周围</translation>
+    </message>
 </context>
 <context>
     <name>odo::ReviewPage</name>

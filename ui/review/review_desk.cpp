@@ -33,7 +33,8 @@ ReviewDesk::ReviewDesk(Timeline &timeline, QWidget *parent)
       m_span(new ChartSpan(timeline, this)),
       m_speed(new ProfileChart(timeline, *m_span, quantitiesFrom(Quantity::Speed))),
       m_acceleration(new ProfileChart(timeline, *m_span, quantitiesFrom(Quantity::Acceleration))),
-      m_outlines(new QAction(tr("&Silhouettes of the robots"), this))
+      m_outlines(new QAction(tr("&Silhouettes of the robots"), this)),
+      m_loupe(new QAction(tr("Lo&upe on the robot"), this))
 {
     middle().addWidget(m_map);
     addDock(m_speed, QStringLiteral("speedDock"), m_speed->title(), 31);
@@ -49,6 +50,11 @@ ReviewDesk::ReviewDesk(Timeline &timeline, QWidget *parent)
     m_outlines->setCheckable(true);
     m_outlines->setChecked(QSettings().value(outlinesKey, true).toBool());
     connect(m_outlines, &QAction::toggled, this, &ReviewDesk::showOutlines);
+    m_loupe->setObjectName(QStringLiteral("loupe"));
+    m_loupe->setToolTip(tr("Show the surroundings of the robot eight times as large as recorded"));
+    m_loupe->setShortcut(QKeySequence(Qt::SHIFT | Qt::Key_L));
+    m_loupe->setCheckable(true);
+    connect(m_loupe, &QAction::toggled, this, &ReviewDesk::showLoupe);
     makeZoomActions();
     addPane(m_map, m_map->zoom());
     resetLayout();
@@ -84,7 +90,7 @@ void ReviewDesk::addPane(QWidget *pane, ZoomPan &zoom)
 
 QList<QAction *> ReviewDesk::viewActions() const
 {
-    return m_span->actions() << m_map->disagreementAction() << m_outlines << m_zoomActions;
+    return m_span->actions() << m_map->disagreementAction() << m_outlines << m_loupe << m_zoomActions;
 }
 
 void ReviewDesk::showOutlines(bool shown)
@@ -92,6 +98,12 @@ void ReviewDesk::showOutlines(bool shown)
     QSettings().setValue(outlinesKey, shown);
     for (CameraView *view : m_views)
         view->setOutlinesShown(shown);
+}
+
+void ReviewDesk::showLoupe(bool shown)
+{
+    for (CameraView *view : m_views)
+        view->setLoupeShown(shown);
 }
 
 void ReviewDesk::setPointing(bool pointing)
@@ -123,6 +135,7 @@ void ReviewDesk::setViewCount(std::size_t count)
         auto *view = new CameraView(m_timeline);
         view->setMinimumWidth(180);
         view->setOutlinesShown(m_outlines->isChecked());
+        view->setLoupeShown(m_loupe->isChecked());
         middle().insertWidget(static_cast<int>(m_views.size()), view);
         view->setPointing(m_isPointing);
         connect(view, &CameraView::settled, this, &ReviewDesk::settled);

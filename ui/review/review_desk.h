@@ -53,6 +53,7 @@ private:
     void setViewCount(std::size_t count);
     void showOutlines(bool shown);
     void makeZoomActions();
+    void showLoupe(bool shown);
     /// What zooms by keys while the mouse is over it, or was last.
     void addPane(QWidget *pane, ZoomPan &zoom);
 
@@ -64,6 +65,7 @@ private:
     ProfileChart *m_speed, *m_acceleration;
     bool m_isPointing = false;
     QAction *m_outlines; ///< kept in the settings
+    QAction *m_loupe;
     QList<QAction *> m_zoomActions;
     QPointer<QWidget> m_pane; ///< that the keys mean
     QPointer<ZoomPan> m_zoom; ///< its own

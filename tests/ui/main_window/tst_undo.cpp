@@ -82,8 +82,8 @@ private Q_SLOTS:
     /// Edited in the window, Review shows the trial under its new name, and again under the old one.
     void aTrialIsRenamedAndBackAgain()
     {
-        QVERIFY(m_window->showTrial("Trial 1"));
-        QTRY_VERIFY(m_window->windowTitle().contains(QLatin1String("Trial 1")));
+        QVERIFY(m_window->showTrial("Trial 2"));
+        QTRY_VERIFY(m_window->windowTitle().contains(QLatin1String("Trial 2")));
         const auto rename = [](QDialog &dialog) {
             named<QLineEdit>(dialog, "Name")->setText(QStringLiteral("Final"));
             press(dialog);
@@ -95,8 +95,8 @@ private Q_SLOTS:
         QTRY_COMPARE(m_window->findChild<ReviewPage *>()->trial(), QStringLiteral("Final"));
         QTRY_VERIFY(m_window->windowTitle().contains(QLatin1String("Final")));
         undo()->trigger();
-        QTRY_COMPARE(m_window->findChild<ReviewPage *>()->trial(), QStringLiteral("Trial 1"));
-        QTRY_VERIFY(m_window->windowTitle().contains(QLatin1String("Trial 1")));
+        QTRY_COMPARE(m_window->findChild<ReviewPage *>()->trial(), QStringLiteral("Trial 2"));
+        QTRY_VERIFY(m_window->windowTitle().contains(QLatin1String("Trial 2")));
     }
 
     /// In History it edits what is selected there.

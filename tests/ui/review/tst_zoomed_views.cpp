@@ -118,25 +118,34 @@ private Q_SLOTS:
     /// Each pixel of the recording is a square of one colour, with a line around it when that is large.
     void singlePixelsAreSeen()
     {
-        ShownDesk shown(m_scene);
+        auto bare = std::make_shared<TrialScene>(*m_scene); // with nothing painted over it
+        bare->layout.reset();
+        bare->robots.clear();
+        ShownDesk shown(bare);
         CameraView &view = shown.view();
         QTRY_VERIFY(view.isSettled());
         const Observation &seen = *m_scene->observationAt(0, 0, 40);
-        const QPointF centre(seen.ellipse.centrePx.x(), seen.ellipse.centrePx.y());
-        roll(*view.imageArea(), view.fromImagePixels(centre), 12'000);
+        const QPointF edge(std::round(seen.ellipse.centrePx.x()) - 10, std::round(seen.ellipse.centrePx.y()));
+        roll(*view.imageArea(), view.fromImagePixels(edge), 12'000);
         QVERIFY(view.zoom().state().isClosest());
         QTRY_VERIFY(view.isSettled());
-        const QPointF pixel(std::round(centre.x()) + 1, std::round(centre.y()));
-        const QPointF middle = view.fromImagePixels(pixel);
-        QCOMPARE(view.fromImagePixels(pixel + QPointF(1, 0)).x() - middle.x(), 48.0);
-        view.setOutlinesShown(false);
+        QCOMPARE(view.fromImagePixels(edge + QPointF(1, 0)).x() - view.fromImagePixels(edge).x(), 48.0);
         const QImage image = shot(view.imageArea());
-        const QColor inside = image.pixelColor((middle + QPointF(-12, 12)).toPoint());
-        QVERIFY(apart(inside, QColor(0xd7, 0x23, 0x28)) < 90); // the box itself
-        for (const QPointF &corner : {QPointF(-20, -20), QPointF(20, -20), QPointF(20, 20), QPointF(-20, 20)})
-            QCOMPARE(image.pixelColor((middle + corner).toPoint()), inside);
-        const QColor line = image.pixelColor((middle + QPointF(24, 12)).toPoint());
-        QVERIFY(line != inside || image.pixelColor((middle + QPointF(23, 12)).toPoint()) != inside);
+        int reds = 0, squares = 0;
+        for (int across = -4; across <= 4; ++across) { // over the left edge of the red box
+            const QPointF middle = view.fromImagePixels(edge + QPointF(across, 0));
+            if (!QRectF(image.rect()).adjusted(24, 24, -24, -24).contains(middle))
+                continue;
+            ++squares;
+            const QColor inside = image.pixelColor((middle + QPointF(-12, 12)).toPoint());
+            reds += apart(inside, QColor(0xd7, 0x23, 0x28)) < 90 ? 1 : 0;
+            for (const QPointF &corner :
+                 {QPointF(-20, -20), QPointF(20, -20), QPointF(20, 20), QPointF(-20, 20)})
+                QCOMPARE(image.pixelColor((middle + corner).toPoint()), inside);
+            const QColor line = image.pixelColor((middle + QPointF(24, 12)).toPoint());
+            QVERIFY(line != inside || image.pixelColor((middle + QPointF(23, 12)).toPoint()) != inside);
+        }
+        QVERIFY(reds > 0 && reds < squares);
     }
 
     /// What is painted over the image is where the image is, however closely it is looked at.
@@ -156,6 +165,36 @@ private Q_SLOTS:
         QVERIFY(hasColourNear(shot(view.imageArea()), after, QColor(0x56, 0xb4, 0xe9), 2, 60));
         const QPointF elsewhere = view.fromImagePixels({pixel.x() + 10, pixel.y()});
         QVERIFY(elsewhere.x() - after.x() > 60); // 16 times as large as it fits
+    }
+
+    void theLoupeShowsTheRobot()
+    {
+        ShownDesk shown(m_scene);
+        CameraView &view = shown.view();
+        QTRY_VERIFY(view.isSettled());
+        QAction *loupe = shown.desk.findChild<QAction *>(QStringLiteral("loupe"));
+        const double side = 0.45 * std::min(view.imageArea()->width(), view.imageArea()->height());
+        const QPointF middle(view.imageArea()->width() - 8 - side / 2, 8 + side / 2);
+        view.setOutlinesShown(false);
+        const QColor red(0xd7, 0x23, 0x28);
+        const auto redPixels = [&] {
+            const QImage image = shot(view.imageArea());
+            int count = 0;
+            for (int y = 0; y < side; ++y)
+                for (int x = 0; x < side; ++x)
+                    count += apart(image.pixelColor(QPointF(middle.x() - side / 2 + x, 8 + y).toPoint()),
+                                   red) < 90;
+            return count;
+        };
+        QVERIFY(redPixels() < 100);
+        loupe->trigger();
+        QTRY_VERIFY(view.isSettled());
+        QVERIFY(redPixels() > side * side / 8); // the robot is some twenty pixels long
+        shown.timeline.setCurrentFrame(10);     // it follows
+        QTRY_VERIFY(view.isSettled());
+        QVERIFY(redPixels() > side * side / 8);
+        loupe->trigger();
+        QVERIFY(redPixels() < 2000);
     }
 
     void theReadOutNamesPixelAndFloor()

@@ -8,6 +8,7 @@
 #include "ui/views/charts/chart_overlay.h"
 #include "ui/views/image/frame_fetcher.h"
 #include "ui/views/image/image_overlay.h"
+#include "ui/views/image/internal/loupe.h"
 #include "ui/views/widgets/theme.h"
 #include "ui/views/widgets/zoom_pan.h"
 
@@ -37,6 +38,7 @@ public:
     void setOverlay(ImageOverlay overlay);
     void setRobotColour(const QColor &colour);
     void setOutlinesShown(bool shown);
+    void setLoupeShown(bool shown);
     void setPointing(bool pointing);
     void setReadOut(const QString &text);
     bool isSettled() const;
@@ -76,6 +78,7 @@ private:
     bool pointAt(const QPoint &position, const QPoint &global);
     void renderFloorLayer();
     void paintRobots(QPainter &painter, qint64 frame) const;
+    void paintLoupe(QPainter &painter, qint64 frame) const;
     void paintMessage(QPainter &painter, const QString &message) const;
 
     Timeline &m_timeline;
@@ -89,6 +92,7 @@ private:
     qint64 m_shownFrame = -1; ///< that m_image is of
     bool m_isOutside = false; ///< of the recording, when a frame was asked for last
     bool m_isPointing = false;
+    bool m_hasLoupe = false; ///< about the robot
     QString m_failure, m_readOut;
     QPixmap m_floorLayer; ///< grid, axes and trails; null: to be rendered
 };
@@ -174,6 +178,13 @@ void ImageArea::setOutlinesShown(bool shown)
     update();
 }
 
+void ImageArea::setLoupeShown(bool shown)
+{
+    m_hasLoupe = shown;
+    ask();
+    update();
+}
+
 std::optional<qint64> ImageArea::wantedFrame() const
 {
     if (!sceneView())
@@ -236,6 +247,8 @@ QRectF ImageArea::imageRect() const
 QSize ImageArea::wantedSize() const
 {
     const QSize shown = (imageRect().size() * devicePixelRatioF()).toSize();
+    if (m_hasLoupe)
+        return imageSizePx();
     if (m_zoom->state().isFitted())
         return shown;
     QSize size = imageSizePx();
@@ -341,6 +354,21 @@ void ImageArea::paintRobots(QPainter &painter, qint64 frame) const
     painter.restore();
 }
 
+/// About the first robot that this view detected.
+void ImageArea::paintLoupe(QPainter &painter, qint64 frame) const
+{
+    const QRectF seen = imageRect().intersected(QRectF(rect()));
+    for (std::size_t robot = 0; robot < m_scene->robots.size(); ++robot) {
+        const Observation *observation = m_scene->observationAt(m_view, robot, frame);
+        if (!observation || !observation->found)
+            continue;
+        const Eigen::Vector2d &centre = observation->ellipse.centrePx;
+        return drawLoupe(
+            painter, seen, m_image, imageSizePx(), {centre.x(), centre.y()},
+            [&](const ImageMap &map) { paintRobot(painter, *m_scene, m_view, robot, frame, map, m_style); });
+    }
+}
+
 void ImageArea::paintMessage(QPainter &painter, const QString &message) const
 {
     const QRect position = rect().adjusted(16, 16, -16, -16);
@@ -393,6 +421,8 @@ void ImageArea::paintEvent(QPaintEvent *)
     const qint64 frame = m_image.isNull() ? wanted.value_or(-1) : m_shownFrame;
     if (wanted && frame >= 0)
         paintRobots(painter, frame);
+    if (m_hasLoupe && wanted && frame >= 0)
+        paintLoupe(painter, frame);
     if (!m_readOut.isEmpty())
         drawReadOut(painter, imageRect().intersected(QRectF(rect())), m_readOut);
     drawChartFocus(painter, *this);
@@ -480,6 +510,11 @@ void CameraView::setRobotColour(const QColor &colour)
 void CameraView::setOutlinesShown(bool shown)
 {
     m_area->setOutlinesShown(shown);
+}
+
+void CameraView::setLoupeShown(bool shown)
+{
+    m_area->setLoupeShown(shown);
 }
 
 void CameraView::setPointing(bool pointing)

@@ -34,6 +34,8 @@ public:
     void setRobotColour(const QColor &colour);
     /// Whether to draw the outlines of the detected robots; on by default.
     void setOutlinesShown(bool shown);
+    /// Whether a corner shows the surroundings of the robot, as drawLoupe.
+    void setLoupeShown(bool shown);
     /// While it waits for a position in the image, a click gives it; a right click always does.
     void setPointing(bool pointing);
     /// One line at the lower edge of the image, of what is under the mouse; empty: none.
