@@ -74,11 +74,13 @@ class TestCorrections : public QObject
     std::string figures() const
     {
         std::string words;
-        for (const auto &one : m_project->trials().all().value()) {
+        const std::vector<TrialRecord> all = m_project->trials().all().value();
+        for (const TrialRecord &one : all) {
             if (one.binned)
                 continue;
             words += one.name + ' ' + one.teamName + ' ' + one.notes + ' ' + std::to_string(one.syncOffsetS);
-            for (const auto &analysis : m_project->analyses().current(one.id).value())
+            const std::vector<AnalysisRecord> current = m_project->analyses().current(one.id).value();
+            for (const AnalysisRecord &analysis : current)
                 for (const Metric &metric : analysis.profile.metrics)
                     words += ' ' + metric.name + '=' + std::to_string(metric.value) + "+-" +
                              std::to_string(metric.sigma.value_or(0));
