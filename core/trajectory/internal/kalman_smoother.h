@@ -16,7 +16,7 @@ struct TrackNode
     bool measured = false;
     Eigen::Vector2d position = Eigen::Vector2d::Zero();
     Eigen::Matrix2d covariance = Eigen::Matrix2d::Zero(); ///< m², positive definite where measured
-    double travelM = 0; ///< length of the way up to here and restDriftMps, which change the slow part of the noise
+    double travelM = 0;    ///< way up to here, and restDriftMps: what changes the slow part of the noise
     bool struck = false;   ///< the velocity changed abruptly since the node before: a blow
     double liveliness = 1; ///< factor on the jerk's density since the node before: rest, drive, impact
 };
@@ -24,8 +24,8 @@ struct TrackNode
 /// By how much a collision changes the velocity and a motor, or a collision, the acceleration.
 constexpr double blowSpeedSigmaMps = 1.5, blowAccelSigmaMps2 = 10;
 
-/// While a robot stands, its errors change as if it crept at this speed, in metres per second: the coding of a
-/// video keeps an edge for a while, the light flickers.
+/// While a robot stands, its errors change as if it crept at this speed, in metres per second: the coding of
+/// a video keeps an edge for a while, the light flickers.
 constexpr double restDriftMps = 0.05;
 
 /// How the errors of the measurements are correlated. A part of them changes as the robot moves and
