@@ -25,9 +25,12 @@ struct LocatedPoint
     std::optional<ReadPosition> position;
 };
 
+/// σ of one coordinate of a pixel that a person reads, in pixels: what the registration's own residuals say
+/// of a marker's (markSigmaPx), at least usualMarkSigmaPx: nobody reads a point better than a marker.
+double readSigmaPx(const FloorRegistration &registration);
+
 /// Reads floor positions from pixels of a registered camera, with their whole σ: of the pose, of the lens,
-/// and of the reading itself. That of a pixel's coordinate is what the registration's own residuals say of a
-/// marker's (markSigmaPx), at least usualMarkSigmaPx: nobody reads a point better than a marker.
+/// and of the reading itself (readSigmaPx).
 ///
 /// A lens estimated from the floor has its covariance. One that was assumed by an older version gets one as
 /// wide as ordinary lenses differ (assumedLensSpread), as far as the registration's markers still leave it

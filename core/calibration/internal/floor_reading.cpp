@@ -20,13 +20,6 @@ using Eigen::VectorXd;
 
 constexpr std::size_t leastCoefficients = 4; // of a standard lens, k1 among them
 
-double pixelSigmaOf(const FloorRegistration &registration)
-{
-    const auto markers = double(registration.markers.size());
-    const double squares = registration.rmsPx * registration.rmsPx * markers;
-    return std::max(usualMarkSigmaPx, markSigmaPx(squares, 2 * markers - 6));
-}
-
 /// What the markers' pixels leave of a covariance of the lens, their pose free.
 MatrixXd conditioned(const MatrixXd &before, const MarkerDerivatives &markers, double sigmaPx)
 {
@@ -62,9 +55,16 @@ CameraModel withSpread(const FloorRegistration &registration, const CameraModel 
 
 } // namespace
 
+double readSigmaPx(const FloorRegistration &registration)
+{
+    const auto markers = double(registration.markers.size());
+    const double squares = registration.rmsPx * registration.rmsPx * markers;
+    return std::max(usualMarkSigmaPx, markSigmaPx(squares, 2 * markers - 6));
+}
+
 FloorReading::FloorReading(const FloorRegistration &registration, const CameraModel &camera,
                            const std::vector<MarkerPixel> &pixels, bool areIntrinsicsAssumed)
-    : m_pixelSigmaPx(pixelSigmaOf(registration)),
+    : m_pixelSigmaPx(readSigmaPx(registration)),
       m_view(floorViewOf(
           registration,
           areIntrinsicsAssumed ? withSpread(registration, camera, pixels, m_pixelSigmaPx) : camera, pixels))

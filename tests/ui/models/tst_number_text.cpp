@@ -30,7 +30,7 @@ private Q_SLOTS:
     {
         const QLocale english(QLocale::English, QLocale::UnitedStates);
         QCOMPARE(coordinateText(1.2043, std::nullopt, english), QStringLiteral("1204 mm"));
-        QCOMPARE(coordinateText(1.2043, 0.0012, english), QStringLiteral("1204.3 ±1.2 mm"));
+        QCOMPARE(coordinateText(1.2043, 0.0012, english), QStringLiteral("1204.3 ±1.2\u00a0mm"));
         setShownUnitSystem(UnitSystem::Inches);
         QCOMPARE(coordinateText(-0.0254, std::nullopt, english), QStringLiteral("-1.00 in"));
         setShownUnitSystem(UnitSystem::Millimetres);

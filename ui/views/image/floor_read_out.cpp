@@ -6,7 +6,6 @@
 
 #include <QLocale>
 #include <QStringList>
-#include <algorithm>
 #include <utility>
 
 namespace odo {
@@ -25,10 +24,7 @@ QString pixelText(const QPointF &pixel)
 
 PixelOnFloor pixelOnFloor(const FloorRegistration &registration, const FloorView &view)
 {
-    const auto markers = double(registration.markers.size());
-    const double sigmaPx = std::max(
-        usualMarkSigmaPx, markSigmaPx(registration.rmsPx * registration.rmsPx * markers, 2 * markers - 6));
-    return [view, sigmaPx](const QPointF &pixel) -> std::optional<ReadPosition> {
+    return [view, sigmaPx = readSigmaPx(registration)](const QPointF &pixel) -> std::optional<ReadPosition> {
         const auto position =
             view.locate({pixel.x(), pixel.y()}, sigmaPx * sigmaPx * Eigen::Matrix2d::Identity(), 0);
         if (!position)
