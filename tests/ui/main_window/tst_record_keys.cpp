@@ -5,7 +5,6 @@
 #include "tests/support/registered_test.h"
 #include "tests/ui/support/driven_window.h"
 #include "ui/main_window/main_window.h"
-#include "ui/record/internal/camera_choice.h"
 #include "ui/record/internal/run_card.h"
 #include "ui/record/record_page.h"
 
@@ -36,13 +35,13 @@ private Q_SLOTS:
 void TestRecordKeys::f9RecordsAndStopsWithTheFocusInTheTeamsCard()
 {
     test::beginWithoutSettings();
-    rememberCameras({{"A", "sim:A"}}); // whatever else this machine has
     QTemporaryDir folder;
     const std::filesystem::path file = folder.filePath(QStringLiteral("lesson.odo")).toStdString();
     {
         const auto project = Project::create(file, "Lesson");
         CameraRecord camera;
         camera.name = "A";
+        camera.deviceUri = "sim:A";
         QVERIFY((*project)->cameras().add(camera));
         for (const char *team : {"Falcon", "Otter"})
             QVERIFY((*project)->teams().add({0, team, "9A"}));

@@ -10,7 +10,6 @@
 #include "tests/ui/support/driven_window.h"
 #include "ui/main_window/main_window.h"
 #include "ui/models/shown_message.h"
-#include "ui/record/internal/camera_choice.h"
 #include "ui/record/record_page.h"
 
 #include <QApplication>
@@ -93,7 +92,6 @@ private:
 void TestRecordSoak::init()
 {
     test::beginWithoutSettings();
-    rememberCameras({{"A", "sim:A"}, {"B", "sim:B"}}); // whatever else this machine has
     m_folder = std::make_unique<QTemporaryDir>();
     const std::filesystem::path file = m_folder->filePath(QStringLiteral("lesson.odo")).toStdString();
     {

@@ -8,7 +8,6 @@
 #include "tests/ui/support/driven_window.h"
 #include "ui/main_window/main_window.h"
 #include "ui/main_window/program_ends.h"
-#include "ui/record/internal/camera_choice.h"
 #include "ui/record/record_page.h"
 
 #include <QApplication>
@@ -43,7 +42,6 @@ private:
 void TestStopRequests::init()
 {
     test::beginWithoutSettings();
-    rememberCameras({{"A", "sim:A"}, {"B", "sim:B"}});
     m_folder = std::make_unique<QTemporaryDir>();
     m_file = m_folder->filePath(QStringLiteral("lesson.odo")).toStdString();
     {

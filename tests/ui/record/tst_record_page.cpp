@@ -443,6 +443,7 @@ void TestRecordPage::anUnregisteredCameraLeadsToTestbed()
 {
     m_project =
         std::move(*Project::create(m_folder->filePath(QStringLiteral("bare.odo")).toStdString(), "Bare"));
+    QVERIFY(m_project->cameras().add({0, "A", "sim:A"}));
     show();
     QTRY_VERIFY_WITH_TIMEOUT(warning().startsWith(QStringLiteral("Camera A is not registered to the floor")),
                              startMs);
