@@ -18294,6 +18294,13 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
 </context>
 <context>
+    <name>project.format_20</name>
+    <message>
+        <source>which observations are in force</source>
+        <translation>welche Beobachtungen gelten</translation>
+    </message>
+</context>
+<context>
     <name>project.format_3</name>
     <message>
         <source>clock rates of the cameras</source>

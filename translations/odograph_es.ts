@@ -18294,6 +18294,13 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     </message>
 </context>
 <context>
+    <name>project.format_20</name>
+    <message>
+        <source>which observations are in force</source>
+        <translation>qué observaciones están vigentes</translation>
+    </message>
+</context>
+<context>
     <name>project.format_3</name>
     <message>
         <source>clock rates of the cameras</source>

@@ -18294,6 +18294,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
 </context>
 <context>
+    <name>project.format_20</name>
+    <message>
+        <source>which observations are in force</source>
+        <translation>quelles observations sont en vigueur</translation>
+    </message>
+</context>
+<context>
     <name>project.format_3</name>
     <message>
         <source>clock rates of the cameras</source>

@@ -18246,6 +18246,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>project.format_20</name>
+    <message>
+        <source>which observations are in force</source>
+        <translation>적용 중인 관측</translation>
+    </message>
+</context>
+<context>
     <name>project.format_3</name>
     <message>
         <source>clock rates of the cameras</source>

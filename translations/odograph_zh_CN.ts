@@ -18246,6 +18246,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>project.format_20</name>
+    <message>
+        <source>which observations are in force</source>
+        <translation>哪些观测有效</translation>
+    </message>
+</context>
+<context>
     <name>project.format_3</name>
     <message>
         <source>clock rates of the cameras</source>

@@ -23,6 +23,7 @@
 #include <QDockWidget>
 #include <QDoubleSpinBox>
 #include <QLabel>
+#include <QMenu>
 #include <QPlainTextEdit>
 #include <QPushButton>
 #include <QSettings>
@@ -423,6 +424,22 @@ private Q_SLOTS:
             {{"", "Left", 0, 1, {Difference{2.5, 0.01}, std::nullopt}, {std::nullopt, std::nullopt}}}, 1);
         QCOMPARE(text(0, DifferenceModel::NameColumn), QStringLiteral("begin to Left"));
         QCOMPARE(text(0, DifferenceModel::DifferenceColumn), QStringLiteral("–"));
+    }
+
+    /// A menu that is open while the list of runs gets shorter offers none that is gone.
+    void fewerChoicesEmptyTheOpenMenu()
+    {
+        RunChooser chooser;
+        const auto named = [](const char *trial) {
+            return RunChoice{{trial, {}}, QString::fromLatin1(trial)};
+        };
+        chooser.setChoices({named("a"), named("b"), named("c"), named("d")});
+        auto *menu = chooser.findChild<QMenu *>();
+        QVERIFY(menu);
+        Q_EMIT menu->aboutToShow();
+        QVERIFY(menu->actions().size() >= 2);
+        chooser.setChoices({named("a")});
+        QVERIFY(menu->isEmpty());
     }
 };
 

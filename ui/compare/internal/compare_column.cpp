@@ -365,6 +365,8 @@ RunChooser::RunChooser(QWidget *parent)
 void RunChooser::setChoices(QList<RunChoice> choices)
 {
     const std::vector<CompareSettings::Run> before = runs();
+    m_menu->close(); // its entries number the choices of before
+    m_menu->clear();
     m_choices = std::move(choices);
     QStringList words;
     words.reserve(m_choices.size());
