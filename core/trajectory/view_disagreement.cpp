@@ -349,8 +349,8 @@ double typicalChange(const std::vector<WhitenedDisagreement> &series)
     return upperMedian(std::move(squared));
 }
 
-/// As TrackNode's travel, of each sighting's time, from the first view that saw the robot there: metres, over
-/// five sightings each, so that pixel noise is no way.
+/// Length of the way up to each sighting's time, from the first view that saw the robot there: metres, over
+/// five sightings each, so that pixel noise is no way. Times without a sighting continue from the last.
 std::vector<double> travelOf(const std::vector<std::vector<Sighting>> &views)
 {
     const std::size_t times = views.empty() ? 0 : views.front().size();
@@ -358,15 +358,12 @@ std::vector<double> travelOf(const std::vector<std::vector<Sighting>> &views)
     const auto step = [&](std::size_t i) {
         const std::size_t before = i > stepReach ? i - stepReach : 0,
                           behind = std::min(times - 1, i + stepReach);
-        const auto &times = views.front();
-        const double driftM = restDriftMps * toSeconds(times[i].time - times[i - 1].time);
         for (const auto &view : views) {
             if (view[before].seen && view[behind].seen && behind > before)
                 return (view[behind].position.pointInWorld - view[before].position.pointInWorld).norm() /
-                           static_cast<double>(behind - before) +
-                       driftM;
+                       static_cast<double>(behind - before);
         }
-        return driftM;
+        return 0.0;
     };
     for (std::size_t i = 1; i < times; ++i)
         travel[i] = travel[i - 1] + step(i);
