@@ -18,6 +18,7 @@
 #include "core/workflow/track/stored_verdicts.h"
 #include "core/workflow/track/track_warnings.h"
 #include "core/workflow/track/view_tracking.h"
+#include "core/workflow/trials/trial_changes.h"
 
 #include <algorithm>
 #include <array>
@@ -279,12 +280,10 @@ Result<void> ImportTracksJob::analyse(std::size_t robot)
 
 Result<void> ImportTracksJob::commit(Project &project)
 {
-    return project.change(
-        importChange(m_settings.trial), [&] { return project.trials().setBinned(m_trial.id, false); },
-        [&]() -> Result<void> {
-            ODO_TRY(store(project));
-            return project.trials().setBinned(m_trial.id, true);
-        });
+    return addTrial(project, importChange(m_settings.trial), [&]() -> Result<RecordId> {
+        ODO_TRY(store(project));
+        return m_trial.id;
+    });
 }
 
 Result<void> ImportTracksJob::store(Project &project)

@@ -22,6 +22,7 @@
 #include "core/workflow/track/settled_views.h"
 #include "core/workflow/track/track_warnings.h"
 #include "core/workflow/trial_sources.h"
+#include "core/workflow/trials/trial_changes.h"
 #include "core/workflow/turned_recordings.h"
 
 #include <algorithm>
@@ -223,7 +224,7 @@ Result<void> ImportTrialJob::copyVideo(std::size_t view, const JobControl &contr
 
 Result<void> ImportTrialJob::commit(Project &project)
 {
-    const auto store = [&]() -> Result<void> {
+    auto committed = addTrial(project, importChange(m_settings.trial, m_sources), [&]() -> Result<RecordId> {
         for (RecordingRecord &recording : m_recordings) {
             const auto camera = ODO_TRY(findOrAddCamera(project, recording.cameraName));
             recording.camera = camera.id;
@@ -237,11 +238,8 @@ Result<void> ImportTrialJob::commit(Project &project)
                 m_trial.robots.push_back(robot.id);
         }
         m_trial = ODO_TRY(project.trials().add(m_trial, m_recordings));
-        return project.trials().setBinned(m_trial.id, true);
-    };
-    auto committed = project.change(
-        importChange(m_settings.trial, m_sources),
-        [&] { return project.trials().setBinned(m_trial.id, false); }, store);
+        return m_trial.id;
+    });
     if (!committed)
         return committed;
     for (ClaimedFile &file : m_files)

@@ -173,6 +173,17 @@ Result<std::vector<TrialRecord>> editTrials(Project &project, const std::vector<
     return edited;
 }
 
+Result<void> addTrial(Project &project, const Message &words, const std::function<Result<RecordId>()> &add)
+{
+    RecordId trial = 0;
+    return project.change(
+        words, [&] { return project.trials().setBinned(trial, false); },
+        [&]() -> Result<void> {
+            trial = ODO_TRY(add());
+            return project.trials().setBinned(trial, true);
+        });
+}
+
 namespace {
 
 Message binWords(const std::vector<TrialRecord> &trials, bool isInBin)

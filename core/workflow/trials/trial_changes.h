@@ -5,6 +5,7 @@
 #include "core/project/records.h"
 #include "core/workflow/trials/trial_range.h"
 
+#include <functional>
 #include <map>
 #include <optional>
 #include <string>
@@ -47,6 +48,11 @@ Result<TrialRecord> editTrial(Project &project, RecordId trial, const TrialEdit 
 /// order. Errors as editTrial, of the first trial that has one.
 Result<std::vector<TrialRecord>> editTrials(Project &project, const std::vector<RecordId> &trials,
                                             const TrialEdit &edit);
+
+/// Adds a trial as one change, and undoing it moves the trial to the bin: what was measured stays. add:
+/// stores the trial with all that belongs to it, and gives its id. On the project's thread. Errors: those of
+/// add.
+Result<void> addTrial(Project &project, const Message &words, const std::function<Result<RecordId>()> &add);
 
 /// Moves trials to the bin, or restores them from it, as one change. On the project's thread.
 Result<void> setInBin(Project &project, const std::vector<TrialRecord> &trials, bool isInBin);

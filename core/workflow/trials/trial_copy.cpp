@@ -5,6 +5,7 @@
 #include "core/project/project.h"
 #include "core/project/project_words.h"
 #include "core/project/repositories.h"
+#include "core/workflow/trials/trial_changes.h"
 
 #include <algorithm>
 #include <map>
@@ -99,16 +100,14 @@ Result<TrialRecord> copyTrial(Project &project, const std::string &trial, const 
                     ODO_TEXT("workflow.copied_while_recorded", "its recording has not ended"),
                     endRecordingFirst());
     const std::string free = name.empty() ? ODO_TRY(freeName(project, original.name)) : name;
-    Result<TrialRecord> copy = TrialRecord();
-    TrialRepository &trials = project.trials();
-    ODO_TRY(project.change(
-        ODO_TEXT("workflow.copy_trial", "copy trial %1 to %2")(Named::trial(original.name),
-                                                               Named::trial(free)),
-        [&] { return trials.setBinned(copy->id, false); },
-        [&]() -> Result<void> {
-            copy = ODO_TRY(addCopy(project, original, free));
-            return trials.setBinned(copy->id, true);
-        }));
+    TrialRecord copy;
+    ODO_TRY(addTrial(project,
+                     ODO_TEXT("workflow.copy_trial", "copy trial %1 to %2")(Named::trial(original.name),
+                                                                            Named::trial(free)),
+                     [&]() -> Result<RecordId> {
+                         copy = ODO_TRY(addCopy(project, original, free));
+                         return copy.id;
+                     }));
     return copy;
 }
 
