@@ -57,11 +57,11 @@ Result<std::string> usualMetric(Project &project, const std::string &task)
 
 } // namespace
 
-Result<StandingsReading> readStandings(Project &project, StandingsChoice choice)
+Result<StandingsReading> readStandings(Project &project, std::vector<TrialRecord> trials,
+                                       StandingsChoice choice)
 {
     const auto classes = ODO_TRY(project.classes().all());
     ODO_TRY(checkClass(classes, choice.className));
-    auto trials = ODO_TRY(project.trials().all());
     if (choice.className.empty())
         std::erase_if(trials, [&classes](const TrialRecord &trial) {
             const auto own = std::ranges::find(classes, trial.className, &ClassRecord::name);

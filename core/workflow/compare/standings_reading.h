@@ -17,10 +17,11 @@ struct StandingsReading
     int trials = 0;      ///< of the class in the task, those without a metric too
 };
 
-/// Reads them. What is not chosen: the task that most trials have, and of metrics the score where the task is
-/// scored, else the most informative one there is. Of all classes, without those that are archived. On the
-/// project's thread. Errors: NotFound, with the classes there are, for a class or a task that is not there;
-/// those of the repositories.
-Result<StandingsReading> readStandings(Project &project, StandingsChoice choice);
+/// Reads them. trials: all of the project. What is not chosen: the task that most trials have, and of metrics
+/// the score where the task is scored, else the most informative one there is. Of all classes, without those
+/// that are archived. On the project's thread. Errors: NotFound, with the classes there are, for a class or a
+/// task that is not there; those of the repositories.
+Result<StandingsReading> readStandings(Project &project, std::vector<TrialRecord> trials,
+                                       StandingsChoice choice);
 
 } // namespace odo

@@ -22,7 +22,9 @@ namespace odo {
 
 Result<ClassContentPtr> readClassContent(Project &project, const ClassReportSettings &settings)
 {
-    auto reading = ODO_TRY(readStandings(project, {settings.className, settings.task, settings.metric}));
+    auto trials = ODO_TRY(project.trials().all());
+    auto reading = ODO_TRY(
+        readStandings(project, std::move(trials), {settings.className, settings.task, settings.metric}));
     auto content = std::make_shared<ClassContent>();
     content->settings = settings;
     ClassReportSettings &chosen = content->settings;

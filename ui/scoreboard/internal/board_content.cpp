@@ -60,18 +60,18 @@ bool BoardReader::hasChanged()
 Result<BoardContent> BoardReader::read()
 {
     const auto state = ODO_TRY(m_project.state()); // before what is read: what changes meanwhile shows later
-    const auto trials = ODO_TRY(m_project.trials().all());
+    auto trials = ODO_TRY(m_project.trials().all());
     StandingsChoice choice = m_choice;
     if (choice.task.empty())
         choice.task = taskOfNewestTrial(trials, choice.className);
     BoardContent content;
-    auto reading = ODO_TRY(readStandings(m_project, std::move(choice)));
-    content.reading = std::move(reading);
     const TrialRecord *unfinished = newestUnfinished(trials);
     m_hasUnfinished = unfinished != nullptr;
     m_isRecording = unfinished && RecordingLock::isHeld(m_project.mediaFolder());
     if (m_isRecording)
         content.running = {unfinished->teamName, unfinished->teamPseudonym, unfinished->date};
+    auto reading = ODO_TRY(readStandings(m_project, std::move(trials), std::move(choice)));
+    content.reading = std::move(reading);
     ODO_TRY(addBestRun(content));
     m_byOthers = state.byOthers;
     m_last = content;
