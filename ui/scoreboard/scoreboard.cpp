@@ -21,11 +21,6 @@ namespace {
 /// How often others' changes are asked for: a change is on the page within a second, with time to spare.
 constexpr std::chrono::milliseconds followInterval{200};
 
-Instant now()
-{
-    return std::chrono::time_point_cast<Instant::duration>(std::chrono::system_clock::now());
-}
-
 /// The address by which others reach this computer; the loopback where there is no network.
 QHostAddress reachableAddress(const QHostAddress &listening)
 {
@@ -54,7 +49,7 @@ struct Scoreboard::Parts
     WebReply reply(const WebRequest &request) const;
     QByteArray message(const BoardLanguage &language) const
     {
-        return QJsonDocument(boardState(content, language, now())).toJson(QJsonDocument::Compact);
+        return QJsonDocument(boardState(content, language, instantNow())).toJson(QJsonDocument::Compact);
     }
     /// Whether anything else is shown now.
     bool take(BoardContent newest);
