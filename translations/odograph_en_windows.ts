@@ -86,6 +86,27 @@
     </message>
 </context>
 <context>
+    <name>school.connect_first</name>
+    <message>
+        <source>connect it with odograph school connect P.odo postgresql://user@host/database</source>
+        <translation>connect it first</translation>
+    </message>
+</context>
+<context>
+    <name>school.connect_with_media</name>
+    <message>
+        <source>connect it again with --media FOLDER</source>
+        <translation>connect it again with a media folder</translation>
+    </message>
+</context>
+<context>
+    <name>school.run_init</name>
+    <message>
+        <source>have its administrator run odograph school init</source>
+        <translation>have its administrator make the hub</translation>
+    </message>
+</context>
+<context>
     <name>synchronisation.clap_twice</name>
     <message>
         <source>clap twice near the middle of the floor while both cameras record, or give --sync SECONDS</source>

@@ -40,6 +40,7 @@ std::span<const NamedCommand> allCommands()
          true},
         {"table", "write the metrics of all trials to a table for spreadsheets", runTable, false},
         {"export", "write a trial's samples, a page to take along, or its annotated video", runExport, false},
+        {"school", "exchange trials, tasks and class lists with the school's hub", runSchool, false},
         {"scoreboard", "show the standings of a task as a web page that follows the project", runScoreboard,
          false},
         {"snapshot", "save an image of the window", runSnapshot, true},

@@ -41,6 +41,7 @@ Result<void> runReport(const QStringList &arguments, const CancelToken &cancel);
 Result<void> runCertificate(const QStringList &arguments, const CancelToken &cancel);
 Result<void> runTable(const QStringList &arguments, const CancelToken &cancel);
 Result<void> runExport(const QStringList &arguments, const CancelToken &cancel);
+Result<void> runSchool(const QStringList &arguments, const CancelToken &cancel);
 Result<void> runScoreboard(const QStringList &arguments, const CancelToken &cancel);
 Result<void> runSnapshot(const QStringList &arguments, const CancelToken &cancel);
 Result<void> runTarget(const QStringList &arguments, const CancelToken &cancel);

@@ -5,8 +5,10 @@
 #include "app/commands/trial_commands.h"
 #include "app/workbench.h"
 #include "core/exchange/trial_json.h"
+#include "core/project/class_repository.h"
 #include "core/project/names.h"
 #include "core/project/repositories.h"
+#include "core/project/school_repository.h"
 #include "core/workflow/demo.h"
 #include "core/workflow/known_truth.h"
 #include "core/workflow/media_upkeep.h"
@@ -373,6 +375,10 @@ Result<void> runShow(const QStringList &arguments, const CancelToken &cancel)
     QStringList lines(QStringLiteral("Trial %1, team %2")
                           .arg(QString::fromStdString(trial.name), QString::fromStdString(trial.teamName)));
     lines << stepSentences(recordings);
+    const auto identity = ODO_TRY(project.classes().school().known(SchoolKind::Trial, trial.id));
+    const bool isElsewhere = recordings.empty() && identity && !identity->views.empty();
+    if (isElsewhere)
+        lines << QStringLiteral("Its recordings are at %1").arg(QString::fromStdString(identity->owner));
     if (trial.range)
         lines << english(rangeSentence(trial));
     if (analyses.empty())
@@ -417,18 +423,20 @@ Result<void> runShow(const QStringList &arguments, const CancelToken &cancel)
         for (Message &warning : analysisWarnings(analysis, trial.name))
             warnings.push_back(std::move(warning));
     }
-    call.answer({{QStringLiteral("trial"), QString::fromStdString(trial.name)},
-                 {QStringLiteral("team"), QString::fromStdString(trial.teamName)},
-                 {QStringLiteral("task"), QString::fromStdString(trial.task)},
-                 {QStringLiteral("notes"), QString::fromStdString(trial.notes)},
-                 {QStringLiteral("variables"), variablesJson(trial)},
-                 {QStringLiteral("views"), views},
-                 {QStringLiteral("sync"), syncJson(trial)},
-                 {QStringLiteral("range"), rangeJson(trial)},
-                 {QStringLiteral("verdict"), verdictJson(verdict)},
-                 {QStringLiteral("robots"), robots},
-                 {QStringLiteral("warnings"), sentencesJson(warnings)}},
-                lines.join(u'\n'));
+    QJsonObject answer{{QStringLiteral("trial"), QString::fromStdString(trial.name)},
+                       {QStringLiteral("team"), QString::fromStdString(trial.teamName)},
+                       {QStringLiteral("task"), QString::fromStdString(trial.task)},
+                       {QStringLiteral("notes"), QString::fromStdString(trial.notes)},
+                       {QStringLiteral("variables"), variablesJson(trial)},
+                       {QStringLiteral("views"), views},
+                       {QStringLiteral("sync"), syncJson(trial)},
+                       {QStringLiteral("range"), rangeJson(trial)},
+                       {QStringLiteral("verdict"), verdictJson(verdict)},
+                       {QStringLiteral("robots"), robots},
+                       {QStringLiteral("warnings"), sentencesJson(warnings)}};
+    if (isElsewhere)
+        answer.insert(QStringLiteral("recordings_at"), QString::fromStdString(identity->owner));
+    call.answer(answer, lines.join(u'\n'));
     for (const Message &warning : warnings)
         CommandCall::warn(warning);
     return {};

@@ -298,9 +298,9 @@ private Q_SLOTS:
         change("UPDATE camera SET name='B'");
         QCOMPARE(camerasOf(m_file), std::string("B"));
         change("PRAGMA default_cache_size=0; PRAGMA wal_checkpoint; UPDATE camera SET name='C'; PRAGMA "
-               "user_version=20");
+               "user_version=21");
         QCOMPARE(camerasOf(m_file), std::string("C"));
-        change("UPDATE camera SET name='D'; PRAGMA user_version=20");
+        change("UPDATE camera SET name='D'; PRAGMA user_version=21");
         QCOMPARE(camerasOf(m_file, Access::ReadOnly), std::string("D"));
         editAndBeKilled(m_file, [](Project &project) { add(project, "E"); });
         QCOMPARE(camerasOf(m_file), std::string("DE"));

@@ -42,7 +42,7 @@ private Q_SLOTS:
         const QByteArray bytes = content(m_file);
         QVERIFY(bytes.startsWith("SQLite format 3"));
         QCOMPARE(bytes.mid(68, 4), QByteArray("Odog"));
-        QCOMPARE(bytes.mid(60, 4), QByteArray("\0\0\0\24", 4));
+        QCOMPARE(bytes.mid(60, 4), QByteArray("\0\0\0\25", 4));
     }
 
     void ofTwoThatWriteOneWaitsForTheOther()
@@ -183,11 +183,11 @@ private Q_SLOTS:
         const QByteArray whole = content(m_file);
         QByteArray foreign = whole, newer = whole;
         foreign.replace(68, 4, "\0\0\0\0", 4);
-        newer.replace(60, 4, "\0\0\0\x15", 4);
+        newer.replace(60, 4, "\0\0\0\x16", 4);
         expectRefusal(foreign, ErrorCode::InvalidInput,
                       QStringLiteral("it is a database of another program"));
         expectRefusal(newer, ErrorCode::NewerFormat,
-                      QStringLiteral("it was written by a newer Odograph (format 21"));
+                      QStringLiteral("it was written by a newer Odograph (format 22"));
         for (int part : {1, 2, 3})
             expectRefusal(whole.left(whole.size() * part / 4), ErrorCode::InvalidInput,
                           QStringLiteral("incomplete: it has"));

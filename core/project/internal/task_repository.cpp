@@ -344,7 +344,9 @@ Result<void> TaskRepository::moveAll(RecordId from, RecordId to)
                          QStringLiteral("UPDATE %1 SET task_id=? WHERE task_id=?").arg(QLatin1String(table)));
         ODO_TRY(update.bind(to).bind(from).run());
     }
-    return {};
+    Statement identity(m_connection,
+                       QStringLiteral("UPDATE school_document SET row_id=? WHERE kind='task' AND row_id=?"));
+    return identity.bind(to).bind(from).run();
 }
 
 Result<TaskRecord> TaskRepository::change(const TaskRecord &task)

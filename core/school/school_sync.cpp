@@ -1,0 +1,338 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/school/school_sync.h"
+
+#include "core/project/class_repository.h"
+#include "core/project/project.h"
+#include "core/project/repositories.h"
+#include "core/school/internal/school_hub.h"
+#include "core/school/internal/school_media.h"
+
+#include <QThread>
+#include <algorithm>
+#include <utility>
+
+namespace odo {
+
+namespace {
+
+constexpr std::chrono::seconds longestAbsence{30};
+constexpr int documentsAtOnce = 20;
+
+Result<SchoolLink> linkOf(const SchoolRepository &school)
+{
+    auto link = ODO_TRY(school.link());
+    if (!link)
+        return notConnectedToSchool();
+    return std::move(*link);
+}
+
+/// A connection that is made again while the server is away, for a while.
+class HubSession
+{
+public:
+    HubSession(HubAddress address, const JobControl &control)
+        : m_address(std::move(address)), m_control(control)
+    {
+    }
+
+    Result<void> open()
+    {
+        m_hub = ODO_TRY(SchoolHub::connect(m_address));
+        const auto version = ODO_TRY(m_hub->schemaVersion());
+        ODO_TRY(m_hub->checkSchema(version));
+        m_version = version;
+        m_role = ODO_TRY(m_hub->role());
+        return {};
+    }
+
+    /// Work that may be done twice: it is, where the connection was lost.
+    template <class Work>
+    auto patiently(const Work &work) -> decltype(work(std::declval<SchoolHub &>()))
+    {
+        const auto end = std::chrono::steady_clock::now() + longestAbsence;
+        for (;;) {
+            auto outcome = m_hub ? work(*m_hub) : decltype(work(*m_hub))(tl::unexpected(m_lost));
+            if (outcome || outcome.error().code != ErrorCode::Unavailable)
+                return outcome;
+            m_lost = outcome.error();
+            m_hub.reset();
+            if (m_control.isCancelled())
+                return cancelled(m_address.subject());
+            if (std::chrono::steady_clock::now() > end)
+                return outcome;
+            QThread::msleep(200);
+            if (auto opened = open(); !opened && opened.error().code != ErrorCode::Unavailable)
+                return tl::unexpected(opened.error());
+            else if (!opened)
+                m_hub.reset();
+        }
+    }
+
+    const std::string &role() const { return m_role; }
+    int version() const { return m_version; }
+
+private:
+    const HubAddress m_address;
+    const JobControl &m_control;
+    std::unique_ptr<SchoolHub> m_hub;
+    std::string m_role;
+    int m_version = 0;
+    Error m_lost;
+};
+
+Result<void> checkMedia(const SchoolLink &link, WithRecordings recordings)
+{
+    if (recordings == WithRecordings::No || !link.media.empty())
+        return {};
+    return fail(ErrorCode::NotFound, ODO_TEXT("school.media", "media folder of the school"),
+                ODO_TEXT("school.no_media", "the project is connected without one"),
+                ODO_TEXT("school.connect_with_media", "connect it again with --media FOLDER"));
+}
+
+/// Of the trials from elsewhere that have none here.
+Result<void> pullAllRecordings(Project &project, HubSession &hub, const std::filesystem::path &folder,
+                               const JobControl &control, SchoolReport &report)
+{
+    const SchoolRepository school = project.classes().school();
+    const auto trials = ODO_TRY(project.trials().all());
+    for (const TrialRecord &trial : trials) {
+        const auto identity = ODO_TRY(school.known(SchoolKind::Trial, trial.id));
+        if (trial.viewCount > 0 || !identity || identity->views.empty())
+            continue;
+        const auto recordings =
+            ODO_TRY(hub.patiently([&](SchoolHub &server) { return server.recordingsOf(identity->uuid); }));
+        if (!recordings.isEmpty())
+            ODO_TRY(pullRecordings(project, trial.id, recordings, identity->owner, folder, control, report));
+    }
+    return {};
+}
+
+SchoolConflict conflictOf(const SchoolDocument &ours, const SchoolDocument &theirs, const std::string &uuid,
+                          bool isOursInForce)
+{
+    return {ours.kind, uuid, ours.name, readableDocument(ours), readableDocument(theirs), isOursInForce};
+}
+
+/// Sends what is pending.
+class Publisher
+{
+public:
+    Publisher(Project &project, const SchoolLink &link, HubSession &hub, SchoolReport &report)
+        : m_project(project), m_school(project.classes().school()), m_link(link), m_hub(hub), m_report(report)
+    {
+    }
+
+    Result<void> send(const OutboxEntry &entry)
+    {
+        if (!entry.removed.empty())
+            return sendRemoval(entry);
+        auto identity = ODO_TRY(m_school.identity(entry.kind, entry.row));
+        const auto document = ODO_TRY(makeSchoolDocument(m_project, entry.kind, entry.row));
+        if (identity.sha256 == document.sha256)
+            return m_school.takeOut(entry);
+        const auto outcome = ODO_TRY(m_hub.patiently([&](SchoolHub &hub) {
+            return hub.publish(document, identity.uuid, m_link.bench, identity.revision, false);
+        }));
+        using Kind = PublishOutcome::Kind;
+        if (outcome.kind == Kind::Conflict || outcome.kind == Kind::Refused) {
+            SchoolDocument theirs = document;
+            theirs.body = outcome.other;
+            m_report.conflicts.push_back(
+                conflictOf(document, theirs, outcome.uuid, outcome.kind == Kind::Conflict));
+        }
+        m_report.sent += outcome.kind == Kind::Refused ? 0 : 1;
+        identity.uuid = outcome.uuid;
+        identity.owner = outcome.owner;
+        identity.revision = outcome.kind == Kind::Refused ? 0 : outcome.revision;
+        identity.sha256 = outcome.kind == Kind::Refused ? std::string() : document.sha256;
+        return m_project.inTransaction([&]() -> Result<void> {
+            ODO_TRY(m_school.setIdentity(identity));
+            if (outcome.kind == Kind::Refused) // what the hub has instead comes with the next pull
+                ODO_TRY(m_school.setPulled(std::min(m_link.pulled, outcome.revision - 1)));
+            return m_school.takeOut(entry);
+        });
+    }
+
+private:
+    Result<void> sendRemoval(const OutboxEntry &entry)
+    {
+        SchoolDocument document;
+        document.kind = entry.kind;
+        document.name = "-";
+        document.sha256 = std::string(64, '0');
+        ODO_TRY(m_hub.patiently(
+            [&](SchoolHub &hub) { return hub.publish(document, entry.removed, m_link.bench, 0, true); }));
+        ++m_report.sent;
+        return m_school.takeOut(entry);
+    }
+
+    Project &m_project;
+    SchoolRepository m_school;
+    const SchoolLink &m_link;
+    HubSession &m_hub;
+    SchoolReport &m_report;
+};
+
+/// Writes what the hub has into the project.
+class Puller
+{
+public:
+    Puller(Project &project, SchoolReport &report)
+        : m_project(project), m_school(project.classes().school()), m_report(report)
+    {
+    }
+
+    Result<void> take(const HubDocument &hub)
+    {
+        const auto known = ODO_TRY(m_school.find(hub.uuid));
+        if (known && known->revision >= hub.revision)
+            return {};
+        const SchoolKind kind = hub.document.kind;
+        RecordId row = known ? known->row : 0;
+        if (row == 0 && kind != SchoolKind::Trial)
+            row = ODO_TRY(m_school.rowNamed(kind, hub.document.name));
+        if (hub.isRemoved)
+            return remove(hub, row);
+        if (row != 0 && ODO_TRY(m_school.isPending(kind, row)))
+            return keepOurs(hub, row);
+        return store(hub, row);
+    }
+
+private:
+    Result<void> store(const HubDocument &hub, RecordId row)
+    {
+        const auto stored = m_project.inTransaction([&]() -> Result<void> {
+            const auto id = ODO_TRY(storeSchoolDocument(m_project, hub.document, row, hub.owner));
+            ODO_TRY(m_school.setIdentity({hub.document.kind, id, hub.uuid, hub.revision, hub.document.sha256,
+                                          hub.owner, viewsOf(hub.document)}));
+            return m_school.takeOut(hub.document.kind, id);
+        });
+        if (!stored && stored.error().code != ErrorCode::InvalidInput)
+            return stored;
+        if (!stored)
+            m_report.warnings.push_back(wholeMessage(stored.error()));
+        else
+            ++m_report.received;
+        return {};
+    }
+
+    /// A trial goes into the bin; class lists and tasks stay with those who use them.
+    Result<void> remove(const HubDocument &hub, RecordId row)
+    {
+        if (hub.document.kind != SchoolKind::Trial || row == 0)
+            return {};
+        ++m_report.received;
+        return m_project.inTransaction([&]() -> Result<void> {
+            ODO_TRY(m_project.trials().setBinned(row, true));
+            return m_school.takeOut(hub.document.kind, row);
+        });
+    }
+
+    /// What was changed here and is not published yet stays: publishing it makes it the later one.
+    Result<void> keepOurs(const HubDocument &hub, RecordId row)
+    {
+        const auto ours = ODO_TRY(makeSchoolDocument(m_project, hub.document.kind, row));
+        auto identity = ODO_TRY(m_school.identity(hub.document.kind, row));
+        if (ours.body == hub.document.body) {
+            identity = {hub.document.kind, row,       hub.uuid,      hub.revision,
+                        ours.sha256,       hub.owner, identity.views};
+            return m_project.inTransaction([&]() -> Result<void> {
+                ODO_TRY(m_school.setIdentity(identity));
+                return m_school.takeOut(hub.document.kind, row);
+            });
+        }
+        m_report.conflicts.push_back(conflictOf(ours, hub.document, hub.uuid, true));
+        return {};
+    }
+
+    Project &m_project;
+    SchoolRepository m_school;
+    SchoolReport &m_report;
+};
+
+} // namespace
+
+tl::unexpected<Error> notConnectedToSchool()
+{
+    return fail(ErrorCode::NotFound, ODO_TEXT("school.subject", "school hub"),
+                ODO_TEXT("school.not_connected", "the project is not connected to one"),
+                ODO_TEXT("school.connect_first",
+                         "connect it with odograph school connect P.odo postgresql://user@host/database"));
+}
+
+Result<int> initialiseHub(const HubAddress &address)
+{
+    ODO_TRY(SchoolHub::makeDatabase(address));
+    const auto hub = ODO_TRY(SchoolHub::connect(address));
+    return hub->upgrade();
+}
+
+Result<SchoolLink> connectToSchool(Project &project, const HubAddress &address, const std::string &media)
+{
+    const JobControl control;
+    HubSession hub(address, control);
+    ODO_TRY(hub.open());
+    SchoolRepository school = project.classes().school();
+    ODO_TRY(school.connect({address.url(), {}, hub.role(), hub.version(), media}));
+    return linkOf(school);
+}
+
+Result<SchoolReport> publishToSchool(Project &project, WithRecordings recordings, const JobControl &control)
+{
+    SchoolRepository school = project.classes().school();
+    const SchoolLink link = ODO_TRY(linkOf(school));
+    ODO_TRY(checkMedia(link, recordings));
+    const HubAddress address = ODO_TRY(HubAddress::parse(link.url));
+    HubSession hub(address, control);
+    ODO_TRY(hub.open());
+    SchoolReport report;
+    Publisher publisher(project, link, hub, report);
+    const auto entries = ODO_TRY(school.outbox());
+    double done = 0;
+    for (const OutboxEntry &entry : entries) {
+        if (control.isCancelled())
+            return cancelled(address.subject());
+        control.report(done++ / double(entries.size()), ODO_TEXT("school.publishing", "publishing"));
+        ODO_TRY(publisher.send(entry));
+    }
+    if (recordings == WithRecordings::Yes)
+        ODO_TRY(publishRecordings(project, link.media, control, report));
+    ODO_TRY(school.setContact(hub.role(), hub.version(), instantNow()));
+    report.pending = ODO_TRY(school.pending());
+    return report;
+}
+
+Result<SchoolReport> pullFromSchool(Project &project, WithRecordings recordings, const JobControl &control)
+{
+    SchoolRepository school = project.classes().school();
+    const SchoolLink link = ODO_TRY(linkOf(school));
+    ODO_TRY(checkMedia(link, recordings));
+    const HubAddress address = ODO_TRY(HubAddress::parse(link.url));
+    HubSession hub(address, control);
+    ODO_TRY(hub.open());
+    SchoolReport report;
+    Puller puller(project, report);
+    std::int64_t revision = link.pulled;
+    for (;;) {
+        const auto documents = ODO_TRY(hub.patiently(
+            [&](SchoolHub &server) { return server.since(revision, link.bench, documentsAtOnce); }));
+        for (const HubDocument &document : documents) {
+            if (control.isCancelled())
+                return cancelled(address.subject());
+            control.report(0, ODO_TEXT("school.receiving", "receiving %1")(
+                                  schoolDocumentSubject(document.document.kind, document.document.name)));
+            ODO_TRY(puller.take(document));
+            revision = document.revision;
+        }
+        ODO_TRY(school.setPulled(revision));
+        if (documents.empty())
+            break;
+    }
+    if (recordings == WithRecordings::Yes)
+        ODO_TRY(pullAllRecordings(project, hub, link.media, control, report));
+    ODO_TRY(school.setContact(hub.role(), hub.version(), instantNow()));
+    report.pending = ODO_TRY(school.pending());
+    return report;
+}
+
+} // namespace odo
