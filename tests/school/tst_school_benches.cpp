@@ -21,6 +21,13 @@
 #include <random>
 
 using namespace odo;
+
+/// What a failure says; nothing of a success.
+template <class Value>
+static std::string whyNot(const Result<Value> &outcome)
+{
+    return outcome ? std::string() : outcome.error().message();
+}
 using odo::test::PostgresServer;
 
 namespace {
@@ -46,7 +53,8 @@ Result<void> makeTrials(Project &project, int bench)
 {
     RecordSource source(std::uint32_t(100 + bench));
     return project.inTransaction([&]() -> Result<void> {
-        const auto robot = ODO_TRY(project.robots().add({0, "red", {}, RobotRecord::Height::Automatic}));
+        const auto robot =
+            ODO_TRY(project.robots().add({0, "red", {}, RobotRecord::Height::Automatic, {}, {}, {}}));
         for (int i = 0; i < trialsOfABench; ++i) {
             TrialRecord trial;
             trial.name = "run " + std::to_string(i + 1);
@@ -74,7 +82,7 @@ private Q_SLOTS:
         if (!problem.isEmpty())
             QSKIP(qPrintable(QStringLiteral("ODOGRAPH-SKIPPED: ") + problem));
         const auto made = initialiseHub(addressOf(QStringLiteral("postgres")));
-        QVERIFY2(made, made.error().message().c_str());
+        QVERIFY2(made, whyNot(made).c_str());
         for (int i = 0; i < benchCount(); ++i) {
             const QString login = QStringLiteral("bench%1").arg(i);
             m_server.sql(QStringLiteral("CREATE ROLE %1 LOGIN IN ROLE bench").arg(login));
@@ -83,9 +91,9 @@ private Q_SLOTS:
             const auto project = Project::create(bench.project.toStdString(), login.toStdString());
             QVERIFY(project);
             const auto filled = makeTrials(**project, i);
-            QVERIFY2(filled, filled.error().message().c_str());
+            QVERIFY2(filled, whyNot(filled).c_str());
             const auto connected = connectToSchool(**project, addressOf(login), {});
-            QVERIFY2(connected, connected.error().message().c_str());
+            QVERIFY2(connected, whyNot(connected).c_str());
             m_benches.push_back(std::move(bench));
         }
     }

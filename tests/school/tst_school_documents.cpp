@@ -13,6 +13,13 @@
 
 using namespace odo;
 
+/// What a failure says; nothing of a success.
+template <class Value>
+static std::string whyNot(const Result<Value> &outcome)
+{
+    return outcome ? std::string() : outcome.error().message();
+}
+
 class TestSchoolDocuments : public QObject
 {
     Q_OBJECT
@@ -139,9 +146,9 @@ private Q_SLOTS:
     void aTrialArrivesWhole()
     {
         const auto document = makeSchoolDocument(*m_ours, SchoolKind::Trial, m_filled.trial);
-        QVERIFY2(document, document.error().message().c_str());
+        QVERIFY2(document, whyNot(document).c_str());
         const auto row = storeSchoolDocument(*m_theirs, *document, 0, "bench1");
-        QVERIFY2(row, row.error().message().c_str());
+        QVERIFY2(row, whyNot(row).c_str());
         const auto ours = m_ours->trials().get(m_filled.trial), theirs = m_theirs->trials().get(*row);
         QCOMPARE(theirs->name, ours->name);
         QCOMPARE(theirs->teamName, ours->teamName);
@@ -195,7 +202,7 @@ private Q_SLOTS:
             const auto document = makeSchoolDocument(*m_ours, kind, row);
             QVERIFY(document);
             const auto stored = storeSchoolDocument(*m_theirs, *document, 0, "teacher");
-            QVERIFY2(stored, stored.error().message().c_str());
+            QVERIFY2(stored, whyNot(stored).c_str());
             const RecordId there = *m_theirs->classes().school().rowNamed(kind, document->name);
             QCOMPARE(makeSchoolDocument(*m_theirs, kind, there)->body, document->body);
         }

@@ -43,9 +43,8 @@ private Q_SLOTS:
     void initTestCase()
     {
         const QString problem = m_server.start();
-        if (!problem.isEmpty()) {
+        if (!problem.isEmpty())
             QSKIP(qPrintable(QStringLiteral("ODOGRAPH-SKIPPED: ") + problem));
-        }
         const ProgramRun made = call({"school", "init", url("postgres")});
         QVERIFY2(made.exitStatus == 0, made.err.constData());
         m_server.sql(
@@ -227,8 +226,8 @@ private Q_SLOTS:
         const QString bench = newProject("bench.odo"), teacher = newProject("teacher.odo"),
                       other = newProject("other.odo");
         QVERIFY(odo::test::writeNoiseClip(clip.toStdString(), 1));
-        const ProgramRun imported =
-            call({"import", bench, "--trial", "Run 1", "--video", QStringLiteral("A=") + clip, "--sync", "none"});
+        const ProgramRun imported = call(
+            {"import", bench, "--trial", "Run 1", "--video", QStringLiteral("A=") + clip, "--sync", "none"});
         QVERIFY2(imported.exitStatus == 0, imported.err.constData());
         QCOMPARE(call({"school", "connect", bench, url("bench1")}).exitStatus, 0);
         const ProgramRun without = call({"school", "publish", bench, "--recordings"});
@@ -255,7 +254,8 @@ private Q_SLOTS:
         const QJsonObject whole = json({"show", teacher, "Run 1", "--json"});
         const QJsonObject view =
             whole.value(QStringLiteral("views")).toObject().value(QStringLiteral("A")).toObject();
-        QCOMPARE(view.value(QStringLiteral("sha256")).toString().toLatin1(), odo::test::fileHash(clip).toHex());
+        QCOMPARE(view.value(QStringLiteral("sha256")).toString().toLatin1(),
+                 odo::test::fileHash(clip).toHex());
         QVERIFY(!whole.contains(QStringLiteral("recordings_at")));
         const ProgramRun checked = call({"check", teacher});
         QVERIFY2(checked.exitStatus == 0, checked.out.constData());
@@ -283,7 +283,8 @@ private Q_SLOTS:
         const ProgramRun pulled = call({"school", "pull", teacher, "--recordings", "--json"});
         QCOMPARE(pulled.exitStatus, 0);
         QVERIFY2(pulled.err.contains("bench 'bench1' has it as"), pulled.err.constData());
-        QVERIFY(json({"show", teacher, "Run 1", "--json"}).value(QStringLiteral("views")).toObject().isEmpty());
+        QVERIFY(
+            json({"show", teacher, "Run 1", "--json"}).value(QStringLiteral("views")).toObject().isEmpty());
     }
 
     void aViewerReadsResultsWithoutNames()
@@ -505,7 +506,7 @@ private:
     }
 
     /// With one trial, an imported track.
-    QString benchProject(const char *name, const QString &trial) const
+    QString benchProject(const char *name, const Word &trial) const
     {
         const QString project = newProject(name), track = m_folder->filePath(QStringLiteral("track.csv"));
         QFile file(track);
