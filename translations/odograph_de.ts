@@ -18301,6 +18301,13 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
 </context>
 <context>
+    <name>project.format_21</name>
+    <message>
+        <source>the school&apos;s hub, and what is to be sent to it</source>
+        <translation>der Hub der Schule und was ihm zu senden ist</translation>
+    </message>
+</context>
+<context>
     <name>project.format_3</name>
     <message>
         <source>clock rates of the cameras</source>
@@ -19554,6 +19561,76 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
 </context>
 <context>
+    <name>project.school_ask_owner</name>
+    <message>
+        <source>nothing of it was taken over; ask for it to be published again</source>
+        <translation>nichts davon wurde übernommen; lassen Sie es erneut veröffentlichen</translation>
+    </message>
+</context>
+<context>
+    <name>project.school_document</name>
+    <message>
+        <source>document of the hub</source>
+        <translation>Dokument des Hubs</translation>
+    </message>
+</context>
+<context>
+    <name>project.school_field_wrong</name>
+    <message>
+        <source>what the hub has of it is damaged: field &apos;%1&apos;</source>
+        <translation>was der Hub davon hat, ist beschädigt: Feld „%1“</translation>
+    </message>
+</context>
+<context>
+    <name>project.school_names_taken</name>
+    <message>
+        <source>every name for it is taken here</source>
+        <translation>jeder Name dafür ist hier vergeben</translation>
+    </message>
+</context>
+<context>
+    <name>project.school_not_readable</name>
+    <message>
+        <source>what the hub has of it cannot be read</source>
+        <translation>was der Hub davon hat, ist nicht lesbar</translation>
+    </message>
+</context>
+<context>
+    <name>project.school_publish_again</name>
+    <message>
+        <source>publish again</source>
+        <translation>veröffentlichen Sie erneut</translation>
+    </message>
+</context>
+<context>
+    <name>project.school_recordings</name>
+    <message>
+        <source>recordings of a trial from the hub</source>
+        <translation>Aufnahmen eines Versuchs vom Hub</translation>
+    </message>
+</context>
+<context>
+    <name>project.school_recordings_wrong</name>
+    <message>
+        <source>their description is damaged: field &apos;%1&apos;</source>
+        <translation>ihre Beschreibung ist beschädigt: Feld „%1“</translation>
+    </message>
+</context>
+<context>
+    <name>project.school_rename_yours</name>
+    <message>
+        <source>rename the trials of that name in this project</source>
+        <translation>benennen Sie die Versuche dieses Namens in diesem Projekt um</translation>
+    </message>
+</context>
+<context>
+    <name>project.school_row_gone</name>
+    <message>
+        <source>it is no longer in the project</source>
+        <translation>es ist nicht mehr im Projekt</translation>
+    </message>
+</context>
+<context>
     <name>project.series_differ</name>
     <message>
         <source>its series differ in length</source>
@@ -19894,6 +19971,258 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>its zone &apos;%1&apos; ends within a point</source>
         <translation>die Zone &apos;%1&apos; endet mitten in einem Punkt</translation>
+    </message>
+</context>
+<context>
+    <name>school.address</name>
+    <message>
+        <source>address of the school hub</source>
+        <translation>Adresse des Schul-Hubs</translation>
+    </message>
+</context>
+<context>
+    <name>school.address_characters</name>
+    <message>
+        <source>it holds a quotation mark, a backslash, a semicolon or a control character</source>
+        <translation>sie enthält ein Anführungszeichen, einen umgekehrten Schrägstrich, ein Semikolon oder ein Steuerzeichen</translation>
+    </message>
+</context>
+<context>
+    <name>school.address_form</name>
+    <message>
+        <source>give it as postgresql://user@host/database</source>
+        <translation>geben Sie sie als postgresql://user@host/database an</translation>
+    </message>
+</context>
+<context>
+    <name>school.ask_administrator</name>
+    <message>
+        <source>ask the hub&apos;s administrator for the role that may</source>
+        <translation>bitten Sie den Administrator des Hubs um die passende Rolle</translation>
+    </message>
+</context>
+<context>
+    <name>school.check_connection</name>
+    <message>
+        <source>check the address, the login in ~/.pgpass, and the network; what is recorded meanwhile is sent later</source>
+        <translation>prüfen Sie die Adresse, die Anmeldung in ~/.pgpass und das Netzwerk; was inzwischen aufgezeichnet wird, wird später gesendet</translation>
+    </message>
+</context>
+<context>
+    <name>school.connect_first</name>
+    <message>
+        <source>connect it with odograph school connect P.odo postgresql://user@host/database</source>
+        <translation>verbinden Sie es zuerst</translation>
+    </message>
+</context>
+<context>
+    <name>school.connect_with_media</name>
+    <message>
+        <source>connect it again with --media FOLDER</source>
+        <translation>verbinden Sie es erneut mit einem Medienordner</translation>
+    </message>
+</context>
+<context>
+    <name>school.grant_role</name>
+    <message>
+        <source>have the hub&apos;s administrator grant it one: GRANT bench TO login</source>
+        <translation>lassen Sie ihr vom Administrator des Hubs eine geben: GRANT bench TO login</translation>
+    </message>
+</context>
+<context>
+    <name>school.hub_subject</name>
+    <message>
+        <source>school hub &apos;%1&apos;</source>
+        <translation>Schul-Hub „%1“</translation>
+    </message>
+</context>
+<context>
+    <name>school.install_driver</name>
+    <message>
+        <source>install the package libqt6sql6-psql</source>
+        <translation>installieren Sie das Paket libqt6sql6-psql</translation>
+    </message>
+</context>
+<context>
+    <name>school.media</name>
+    <message>
+        <source>media folder of the school</source>
+        <translation>Medienordner der Schule</translation>
+    </message>
+</context>
+<context>
+    <name>school.newer_hub</name>
+    <message>
+        <source>its schema has version %1, and this Odograph knows up to %2</source>
+        <translation>sein Schema hat Version %1, dieses Odograph kennt bis %2</translation>
+    </message>
+</context>
+<context>
+    <name>school.no_database</name>
+    <message>
+        <source>it names no database</source>
+        <translation>sie nennt keine Datenbank</translation>
+    </message>
+</context>
+<context>
+    <name>school.no_driver</name>
+    <message>
+        <source>this computer has no driver for PostgreSQL</source>
+        <translation>dieser Rechner hat keinen Treiber für PostgreSQL</translation>
+    </message>
+</context>
+<context>
+    <name>school.no_hub</name>
+    <message>
+        <source>the database has no hub</source>
+        <translation>die Datenbank hat keinen Hub</translation>
+    </message>
+</context>
+<context>
+    <name>school.no_media</name>
+    <message>
+        <source>the project is connected without one</source>
+        <translation>das Projekt ist ohne einen verbunden</translation>
+    </message>
+</context>
+<context>
+    <name>school.no_role</name>
+    <message>
+        <source>the login has none of the roles teacher, bench and viewer</source>
+        <translation>die Anmeldung hat keine der Rollen teacher, bench und viewer</translation>
+    </message>
+</context>
+<context>
+    <name>school.no_url</name>
+    <message>
+        <source>it is no address of a PostgreSQL database</source>
+        <translation>sie ist keine Adresse einer PostgreSQL-Datenbank</translation>
+    </message>
+</context>
+<context>
+    <name>school.not_allowed</name>
+    <message>
+        <source>the login may not do that (%1)</source>
+        <translation>die Anmeldung darf das nicht (%1)</translation>
+    </message>
+</context>
+<context>
+    <name>school.not_connected</name>
+    <message>
+        <source>the project is not connected to one</source>
+        <translation>das Projekt ist mit keinem verbunden</translation>
+    </message>
+</context>
+<context>
+    <name>school.option_unknown</name>
+    <message>
+        <source>its option &apos;%1&apos; is not known</source>
+        <translation>ihre Option „%1“ ist unbekannt</translation>
+    </message>
+</context>
+<context>
+    <name>school.options_known</name>
+    <message>
+        <source>use sslmode, sslrootcert, host or port</source>
+        <translation>verwenden Sie sslmode, sslrootcert, host oder port</translation>
+    </message>
+</context>
+<context>
+    <name>school.password_elsewhere</name>
+    <message>
+        <source>leave it out, and put the password into ~/.pgpass or PGPASSWORD</source>
+        <translation>lassen Sie es weg und legen Sie das Passwort in ~/.pgpass oder PGPASSWORD ab</translation>
+    </message>
+</context>
+<context>
+    <name>school.password_in_url</name>
+    <message>
+        <source>it holds a password, which others could read</source>
+        <translation>sie enthält ein Passwort, das andere lesen könnten</translation>
+    </message>
+</context>
+<context>
+    <name>school.publish_later</name>
+    <message>
+        <source>try again later; what was not sent yet is kept</source>
+        <translation>versuchen Sie es später erneut; was noch nicht gesendet ist, bleibt erhalten</translation>
+    </message>
+</context>
+<context>
+    <name>school.publishing</name>
+    <message>
+        <source>publishing</source>
+        <translation>veröffentlicht</translation>
+    </message>
+</context>
+<context>
+    <name>school.receiving</name>
+    <message>
+        <source>receiving %1</source>
+        <translation>empfängt %1</translation>
+    </message>
+</context>
+<context>
+    <name>school.recording_changed</name>
+    <message>
+        <source>the recording &apos;%1&apos; is missing or has changed, and was left out</source>
+        <translation>die Aufnahme „%1“ fehlt oder wurde geändert und wurde ausgelassen</translation>
+    </message>
+</context>
+<context>
+    <name>school.recording_elsewhere</name>
+    <message>
+        <source>trial &apos;%1&apos;, view &apos;%2&apos;: its recording is not in the media folder; bench &apos;%3&apos; has it as &apos;%4&apos;</source>
+        <translation>Versuch „%1“, Sicht „%2“: Die Aufnahme ist nicht im Medienordner; Messplatz „%3“ hat sie als „%4“</translation>
+    </message>
+</context>
+<context>
+    <name>school.report_to_administrator</name>
+    <message>
+        <source>show this to the hub&apos;s administrator</source>
+        <translation>zeigen Sie dies dem Administrator des Hubs</translation>
+    </message>
+</context>
+<context>
+    <name>school.run_init</name>
+    <message>
+        <source>have its administrator run odograph school init</source>
+        <translation>lassen Sie ihn vom Administrator einrichten</translation>
+    </message>
+</context>
+<context>
+    <name>school.sslmode_choices</name>
+    <message>
+        <source>use disable, allow, prefer, require, verify-ca or verify-full</source>
+        <translation>verwenden Sie disable, allow, prefer, require, verify-ca oder verify-full</translation>
+    </message>
+</context>
+<context>
+    <name>school.sslmode_unknown</name>
+    <message>
+        <source>sslmode &apos;%1&apos; is not known</source>
+        <translation>sslmode „%1“ ist unbekannt</translation>
+    </message>
+</context>
+<context>
+    <name>school.subject</name>
+    <message>
+        <source>school hub</source>
+        <translation>Schul-Hub</translation>
+    </message>
+</context>
+<context>
+    <name>school.update_program</name>
+    <message>
+        <source>update Odograph</source>
+        <translation>aktualisieren Sie Odograph</translation>
+    </message>
+</context>
+<context>
+    <name>school.went_away</name>
+    <message>
+        <source>the connection was lost (%1)</source>
+        <translation>die Verbindung ging verloren (%1)</translation>
     </message>
 </context>
 <context>

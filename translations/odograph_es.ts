@@ -18301,6 +18301,13 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     </message>
 </context>
 <context>
+    <name>project.format_21</name>
+    <message>
+        <source>the school&apos;s hub, and what is to be sent to it</source>
+        <translation>el servidor de la escuela y lo que hay que enviarle</translation>
+    </message>
+</context>
+<context>
     <name>project.format_3</name>
     <message>
         <source>clock rates of the cameras</source>
@@ -19554,6 +19561,76 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     </message>
 </context>
 <context>
+    <name>project.school_ask_owner</name>
+    <message>
+        <source>nothing of it was taken over; ask for it to be published again</source>
+        <translation>no se ha tomado nada; pida que se publique de nuevo</translation>
+    </message>
+</context>
+<context>
+    <name>project.school_document</name>
+    <message>
+        <source>document of the hub</source>
+        <translation>documento del servidor</translation>
+    </message>
+</context>
+<context>
+    <name>project.school_field_wrong</name>
+    <message>
+        <source>what the hub has of it is damaged: field &apos;%1&apos;</source>
+        <translation>lo que el servidor tiene de ello está dañado: campo «%1»</translation>
+    </message>
+</context>
+<context>
+    <name>project.school_names_taken</name>
+    <message>
+        <source>every name for it is taken here</source>
+        <translation>todos los nombres posibles ya están en uso aquí</translation>
+    </message>
+</context>
+<context>
+    <name>project.school_not_readable</name>
+    <message>
+        <source>what the hub has of it cannot be read</source>
+        <translation>lo que el servidor tiene de ello no se puede leer</translation>
+    </message>
+</context>
+<context>
+    <name>project.school_publish_again</name>
+    <message>
+        <source>publish again</source>
+        <translation>publique de nuevo</translation>
+    </message>
+</context>
+<context>
+    <name>project.school_recordings</name>
+    <message>
+        <source>recordings of a trial from the hub</source>
+        <translation>grabaciones de un ensayo del servidor</translation>
+    </message>
+</context>
+<context>
+    <name>project.school_recordings_wrong</name>
+    <message>
+        <source>their description is damaged: field &apos;%1&apos;</source>
+        <translation>su descripción está dañada: campo «%1»</translation>
+    </message>
+</context>
+<context>
+    <name>project.school_rename_yours</name>
+    <message>
+        <source>rename the trials of that name in this project</source>
+        <translation>cambie el nombre de los ensayos de ese nombre en este proyecto</translation>
+    </message>
+</context>
+<context>
+    <name>project.school_row_gone</name>
+    <message>
+        <source>it is no longer in the project</source>
+        <translation>ya no está en el proyecto</translation>
+    </message>
+</context>
+<context>
     <name>project.series_differ</name>
     <message>
         <source>its series differ in length</source>
@@ -19894,6 +19971,258 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <message>
         <source>its zone &apos;%1&apos; ends within a point</source>
         <translation>su zona &apos;%1&apos; termina en medio de un punto</translation>
+    </message>
+</context>
+<context>
+    <name>school.address</name>
+    <message>
+        <source>address of the school hub</source>
+        <translation>dirección del servidor de la escuela</translation>
+    </message>
+</context>
+<context>
+    <name>school.address_characters</name>
+    <message>
+        <source>it holds a quotation mark, a backslash, a semicolon or a control character</source>
+        <translation>contiene una comilla, una barra inversa, un punto y coma o un carácter de control</translation>
+    </message>
+</context>
+<context>
+    <name>school.address_form</name>
+    <message>
+        <source>give it as postgresql://user@host/database</source>
+        <translation>indíquela como postgresql://user@host/database</translation>
+    </message>
+</context>
+<context>
+    <name>school.ask_administrator</name>
+    <message>
+        <source>ask the hub&apos;s administrator for the role that may</source>
+        <translation>pida al administrador del servidor el rol que pueda</translation>
+    </message>
+</context>
+<context>
+    <name>school.check_connection</name>
+    <message>
+        <source>check the address, the login in ~/.pgpass, and the network; what is recorded meanwhile is sent later</source>
+        <translation>compruebe la dirección, el usuario en ~/.pgpass y la red; lo que se grabe mientras tanto se enviará más tarde</translation>
+    </message>
+</context>
+<context>
+    <name>school.connect_first</name>
+    <message>
+        <source>connect it with odograph school connect P.odo postgresql://user@host/database</source>
+        <translation>conéctelo primero</translation>
+    </message>
+</context>
+<context>
+    <name>school.connect_with_media</name>
+    <message>
+        <source>connect it again with --media FOLDER</source>
+        <translation>conéctelo de nuevo con una carpeta de medios</translation>
+    </message>
+</context>
+<context>
+    <name>school.grant_role</name>
+    <message>
+        <source>have the hub&apos;s administrator grant it one: GRANT bench TO login</source>
+        <translation>pida al administrador del servidor que le dé uno: GRANT bench TO login</translation>
+    </message>
+</context>
+<context>
+    <name>school.hub_subject</name>
+    <message>
+        <source>school hub &apos;%1&apos;</source>
+        <translation>servidor de la escuela «%1»</translation>
+    </message>
+</context>
+<context>
+    <name>school.install_driver</name>
+    <message>
+        <source>install the package libqt6sql6-psql</source>
+        <translation>instale el paquete libqt6sql6-psql</translation>
+    </message>
+</context>
+<context>
+    <name>school.media</name>
+    <message>
+        <source>media folder of the school</source>
+        <translation>carpeta de medios de la escuela</translation>
+    </message>
+</context>
+<context>
+    <name>school.newer_hub</name>
+    <message>
+        <source>its schema has version %1, and this Odograph knows up to %2</source>
+        <translation>su esquema tiene la versión %1 y este Odograph conoce hasta la %2</translation>
+    </message>
+</context>
+<context>
+    <name>school.no_database</name>
+    <message>
+        <source>it names no database</source>
+        <translation>no nombra ninguna base de datos</translation>
+    </message>
+</context>
+<context>
+    <name>school.no_driver</name>
+    <message>
+        <source>this computer has no driver for PostgreSQL</source>
+        <translation>este ordenador no tiene controlador para PostgreSQL</translation>
+    </message>
+</context>
+<context>
+    <name>school.no_hub</name>
+    <message>
+        <source>the database has no hub</source>
+        <translation>la base de datos no está preparada</translation>
+    </message>
+</context>
+<context>
+    <name>school.no_media</name>
+    <message>
+        <source>the project is connected without one</source>
+        <translation>el proyecto está conectado sin una</translation>
+    </message>
+</context>
+<context>
+    <name>school.no_role</name>
+    <message>
+        <source>the login has none of the roles teacher, bench and viewer</source>
+        <translation>el usuario no tiene ninguno de los roles teacher, bench y viewer</translation>
+    </message>
+</context>
+<context>
+    <name>school.no_url</name>
+    <message>
+        <source>it is no address of a PostgreSQL database</source>
+        <translation>no es la dirección de una base de datos PostgreSQL</translation>
+    </message>
+</context>
+<context>
+    <name>school.not_allowed</name>
+    <message>
+        <source>the login may not do that (%1)</source>
+        <translation>este usuario no puede hacerlo (%1)</translation>
+    </message>
+</context>
+<context>
+    <name>school.not_connected</name>
+    <message>
+        <source>the project is not connected to one</source>
+        <translation>el proyecto no está conectado a ninguno</translation>
+    </message>
+</context>
+<context>
+    <name>school.option_unknown</name>
+    <message>
+        <source>its option &apos;%1&apos; is not known</source>
+        <translation>su opción «%1» no se conoce</translation>
+    </message>
+</context>
+<context>
+    <name>school.options_known</name>
+    <message>
+        <source>use sslmode, sslrootcert, host or port</source>
+        <translation>use sslmode, sslrootcert, host o port</translation>
+    </message>
+</context>
+<context>
+    <name>school.password_elsewhere</name>
+    <message>
+        <source>leave it out, and put the password into ~/.pgpass or PGPASSWORD</source>
+        <translation>omítala y guarde la contraseña en ~/.pgpass o PGPASSWORD</translation>
+    </message>
+</context>
+<context>
+    <name>school.password_in_url</name>
+    <message>
+        <source>it holds a password, which others could read</source>
+        <translation>contiene una contraseña que otros podrían leer</translation>
+    </message>
+</context>
+<context>
+    <name>school.publish_later</name>
+    <message>
+        <source>try again later; what was not sent yet is kept</source>
+        <translation>inténtelo más tarde; lo que aún no se ha enviado se conserva</translation>
+    </message>
+</context>
+<context>
+    <name>school.publishing</name>
+    <message>
+        <source>publishing</source>
+        <translation>publicando</translation>
+    </message>
+</context>
+<context>
+    <name>school.receiving</name>
+    <message>
+        <source>receiving %1</source>
+        <translation>recibiendo %1</translation>
+    </message>
+</context>
+<context>
+    <name>school.recording_changed</name>
+    <message>
+        <source>the recording &apos;%1&apos; is missing or has changed, and was left out</source>
+        <translation>la grabación «%1» falta o ha cambiado y se ha omitido</translation>
+    </message>
+</context>
+<context>
+    <name>school.recording_elsewhere</name>
+    <message>
+        <source>trial &apos;%1&apos;, view &apos;%2&apos;: its recording is not in the media folder; bench &apos;%3&apos; has it as &apos;%4&apos;</source>
+        <translation>ensayo «%1», vista «%2»: su grabación no está en la carpeta de medios; el puesto «%3» la tiene como «%4»</translation>
+    </message>
+</context>
+<context>
+    <name>school.report_to_administrator</name>
+    <message>
+        <source>show this to the hub&apos;s administrator</source>
+        <translation>muestre esto al administrador del servidor</translation>
+    </message>
+</context>
+<context>
+    <name>school.run_init</name>
+    <message>
+        <source>have its administrator run odograph school init</source>
+        <translation>pida al administrador que la prepare</translation>
+    </message>
+</context>
+<context>
+    <name>school.sslmode_choices</name>
+    <message>
+        <source>use disable, allow, prefer, require, verify-ca or verify-full</source>
+        <translation>use disable, allow, prefer, require, verify-ca o verify-full</translation>
+    </message>
+</context>
+<context>
+    <name>school.sslmode_unknown</name>
+    <message>
+        <source>sslmode &apos;%1&apos; is not known</source>
+        <translation>sslmode «%1» no se conoce</translation>
+    </message>
+</context>
+<context>
+    <name>school.subject</name>
+    <message>
+        <source>school hub</source>
+        <translation>servidor de la escuela</translation>
+    </message>
+</context>
+<context>
+    <name>school.update_program</name>
+    <message>
+        <source>update Odograph</source>
+        <translation>actualice Odograph</translation>
+    </message>
+</context>
+<context>
+    <name>school.went_away</name>
+    <message>
+        <source>the connection was lost (%1)</source>
+        <translation>se perdió la conexión (%1)</translation>
     </message>
 </context>
 <context>

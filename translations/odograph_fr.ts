@@ -18301,6 +18301,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
 </context>
 <context>
+    <name>project.format_21</name>
+    <message>
+        <source>the school&apos;s hub, and what is to be sent to it</source>
+        <translation>le serveur de l’école et ce qui doit lui être envoyé</translation>
+    </message>
+</context>
+<context>
     <name>project.format_3</name>
     <message>
         <source>clock rates of the cameras</source>
@@ -19554,6 +19561,76 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
 </context>
 <context>
+    <name>project.school_ask_owner</name>
+    <message>
+        <source>nothing of it was taken over; ask for it to be published again</source>
+        <translation>rien n’en a été repris ; demandez qu’il soit publié de nouveau</translation>
+    </message>
+</context>
+<context>
+    <name>project.school_document</name>
+    <message>
+        <source>document of the hub</source>
+        <translation>document du serveur</translation>
+    </message>
+</context>
+<context>
+    <name>project.school_field_wrong</name>
+    <message>
+        <source>what the hub has of it is damaged: field &apos;%1&apos;</source>
+        <translation>ce que le serveur en a est endommagé : champ « %1 »</translation>
+    </message>
+</context>
+<context>
+    <name>project.school_names_taken</name>
+    <message>
+        <source>every name for it is taken here</source>
+        <translation>tous les noms possibles sont déjà pris ici</translation>
+    </message>
+</context>
+<context>
+    <name>project.school_not_readable</name>
+    <message>
+        <source>what the hub has of it cannot be read</source>
+        <translation>ce que le serveur en a est illisible</translation>
+    </message>
+</context>
+<context>
+    <name>project.school_publish_again</name>
+    <message>
+        <source>publish again</source>
+        <translation>publiez de nouveau</translation>
+    </message>
+</context>
+<context>
+    <name>project.school_recordings</name>
+    <message>
+        <source>recordings of a trial from the hub</source>
+        <translation>enregistrements d’un essai du serveur</translation>
+    </message>
+</context>
+<context>
+    <name>project.school_recordings_wrong</name>
+    <message>
+        <source>their description is damaged: field &apos;%1&apos;</source>
+        <translation>leur description est endommagée : champ « %1 »</translation>
+    </message>
+</context>
+<context>
+    <name>project.school_rename_yours</name>
+    <message>
+        <source>rename the trials of that name in this project</source>
+        <translation>renommez les essais de ce nom dans ce projet</translation>
+    </message>
+</context>
+<context>
+    <name>project.school_row_gone</name>
+    <message>
+        <source>it is no longer in the project</source>
+        <translation>il n’est plus dans le projet</translation>
+    </message>
+</context>
+<context>
     <name>project.series_differ</name>
     <message>
         <source>its series differ in length</source>
@@ -19894,6 +19971,258 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>its zone &apos;%1&apos; ends within a point</source>
         <translation>sa zone &apos;%1&apos; s’arrête au milieu d’un point</translation>
+    </message>
+</context>
+<context>
+    <name>school.address</name>
+    <message>
+        <source>address of the school hub</source>
+        <translation>adresse du serveur de l’école</translation>
+    </message>
+</context>
+<context>
+    <name>school.address_characters</name>
+    <message>
+        <source>it holds a quotation mark, a backslash, a semicolon or a control character</source>
+        <translation>elle contient un guillemet, une barre oblique inverse, un point-virgule ou un caractère de commande</translation>
+    </message>
+</context>
+<context>
+    <name>school.address_form</name>
+    <message>
+        <source>give it as postgresql://user@host/database</source>
+        <translation>indiquez-la sous la forme postgresql://user@host/database</translation>
+    </message>
+</context>
+<context>
+    <name>school.ask_administrator</name>
+    <message>
+        <source>ask the hub&apos;s administrator for the role that may</source>
+        <translation>demandez le rôle nécessaire à l’administrateur du serveur</translation>
+    </message>
+</context>
+<context>
+    <name>school.check_connection</name>
+    <message>
+        <source>check the address, the login in ~/.pgpass, and the network; what is recorded meanwhile is sent later</source>
+        <translation>vérifiez l’adresse, l’identifiant dans ~/.pgpass et le réseau ; ce qui est enregistré entre-temps sera envoyé plus tard</translation>
+    </message>
+</context>
+<context>
+    <name>school.connect_first</name>
+    <message>
+        <source>connect it with odograph school connect P.odo postgresql://user@host/database</source>
+        <translation>connectez-le d’abord</translation>
+    </message>
+</context>
+<context>
+    <name>school.connect_with_media</name>
+    <message>
+        <source>connect it again with --media FOLDER</source>
+        <translation>connectez-le de nouveau avec un dossier des médias</translation>
+    </message>
+</context>
+<context>
+    <name>school.grant_role</name>
+    <message>
+        <source>have the hub&apos;s administrator grant it one: GRANT bench TO login</source>
+        <translation>demandez à l’administrateur du serveur de lui en donner un : GRANT bench TO login</translation>
+    </message>
+</context>
+<context>
+    <name>school.hub_subject</name>
+    <message>
+        <source>school hub &apos;%1&apos;</source>
+        <translation>serveur de l’école « %1 »</translation>
+    </message>
+</context>
+<context>
+    <name>school.install_driver</name>
+    <message>
+        <source>install the package libqt6sql6-psql</source>
+        <translation>installez le paquet libqt6sql6-psql</translation>
+    </message>
+</context>
+<context>
+    <name>school.media</name>
+    <message>
+        <source>media folder of the school</source>
+        <translation>dossier des médias de l’école</translation>
+    </message>
+</context>
+<context>
+    <name>school.newer_hub</name>
+    <message>
+        <source>its schema has version %1, and this Odograph knows up to %2</source>
+        <translation>son schéma a la version %1, et cet Odograph connaît jusqu’à %2</translation>
+    </message>
+</context>
+<context>
+    <name>school.no_database</name>
+    <message>
+        <source>it names no database</source>
+        <translation>elle ne nomme aucune base de données</translation>
+    </message>
+</context>
+<context>
+    <name>school.no_driver</name>
+    <message>
+        <source>this computer has no driver for PostgreSQL</source>
+        <translation>cet ordinateur n’a pas de pilote pour PostgreSQL</translation>
+    </message>
+</context>
+<context>
+    <name>school.no_hub</name>
+    <message>
+        <source>the database has no hub</source>
+        <translation>la base de données n’est pas préparée</translation>
+    </message>
+</context>
+<context>
+    <name>school.no_media</name>
+    <message>
+        <source>the project is connected without one</source>
+        <translation>le projet est connecté sans dossier</translation>
+    </message>
+</context>
+<context>
+    <name>school.no_role</name>
+    <message>
+        <source>the login has none of the roles teacher, bench and viewer</source>
+        <translation>l’identifiant n’a aucun des rôles teacher, bench et viewer</translation>
+    </message>
+</context>
+<context>
+    <name>school.no_url</name>
+    <message>
+        <source>it is no address of a PostgreSQL database</source>
+        <translation>ce n’est pas l’adresse d’une base de données PostgreSQL</translation>
+    </message>
+</context>
+<context>
+    <name>school.not_allowed</name>
+    <message>
+        <source>the login may not do that (%1)</source>
+        <translation>cet identifiant n’en a pas le droit (%1)</translation>
+    </message>
+</context>
+<context>
+    <name>school.not_connected</name>
+    <message>
+        <source>the project is not connected to one</source>
+        <translation>le projet n’est connecté à aucun</translation>
+    </message>
+</context>
+<context>
+    <name>school.option_unknown</name>
+    <message>
+        <source>its option &apos;%1&apos; is not known</source>
+        <translation>son option « %1 » est inconnue</translation>
+    </message>
+</context>
+<context>
+    <name>school.options_known</name>
+    <message>
+        <source>use sslmode, sslrootcert, host or port</source>
+        <translation>utilisez sslmode, sslrootcert, host ou port</translation>
+    </message>
+</context>
+<context>
+    <name>school.password_elsewhere</name>
+    <message>
+        <source>leave it out, and put the password into ~/.pgpass or PGPASSWORD</source>
+        <translation>retirez-le et mettez le mot de passe dans ~/.pgpass ou PGPASSWORD</translation>
+    </message>
+</context>
+<context>
+    <name>school.password_in_url</name>
+    <message>
+        <source>it holds a password, which others could read</source>
+        <translation>elle contient un mot de passe que d’autres pourraient lire</translation>
+    </message>
+</context>
+<context>
+    <name>school.publish_later</name>
+    <message>
+        <source>try again later; what was not sent yet is kept</source>
+        <translation>réessayez plus tard ; ce qui n’est pas encore envoyé est conservé</translation>
+    </message>
+</context>
+<context>
+    <name>school.publishing</name>
+    <message>
+        <source>publishing</source>
+        <translation>publication</translation>
+    </message>
+</context>
+<context>
+    <name>school.receiving</name>
+    <message>
+        <source>receiving %1</source>
+        <translation>réception de %1</translation>
+    </message>
+</context>
+<context>
+    <name>school.recording_changed</name>
+    <message>
+        <source>the recording &apos;%1&apos; is missing or has changed, and was left out</source>
+        <translation>l’enregistrement « %1 » manque ou a changé et a été laissé de côté</translation>
+    </message>
+</context>
+<context>
+    <name>school.recording_elsewhere</name>
+    <message>
+        <source>trial &apos;%1&apos;, view &apos;%2&apos;: its recording is not in the media folder; bench &apos;%3&apos; has it as &apos;%4&apos;</source>
+        <translation>essai « %1 », vue « %2 » : son enregistrement n’est pas dans le dossier des médias ; le poste « %3 » l’a sous « %4 »</translation>
+    </message>
+</context>
+<context>
+    <name>school.report_to_administrator</name>
+    <message>
+        <source>show this to the hub&apos;s administrator</source>
+        <translation>montrez ceci à l’administrateur du serveur</translation>
+    </message>
+</context>
+<context>
+    <name>school.run_init</name>
+    <message>
+        <source>have its administrator run odograph school init</source>
+        <translation>demandez à l’administrateur de la préparer</translation>
+    </message>
+</context>
+<context>
+    <name>school.sslmode_choices</name>
+    <message>
+        <source>use disable, allow, prefer, require, verify-ca or verify-full</source>
+        <translation>utilisez disable, allow, prefer, require, verify-ca ou verify-full</translation>
+    </message>
+</context>
+<context>
+    <name>school.sslmode_unknown</name>
+    <message>
+        <source>sslmode &apos;%1&apos; is not known</source>
+        <translation>sslmode « %1 » est inconnu</translation>
+    </message>
+</context>
+<context>
+    <name>school.subject</name>
+    <message>
+        <source>school hub</source>
+        <translation>serveur de l’école</translation>
+    </message>
+</context>
+<context>
+    <name>school.update_program</name>
+    <message>
+        <source>update Odograph</source>
+        <translation>mettez Odograph à jour</translation>
+    </message>
+</context>
+<context>
+    <name>school.went_away</name>
+    <message>
+        <source>the connection was lost (%1)</source>
+        <translation>la connexion a été perdue (%1)</translation>
     </message>
 </context>
 <context>

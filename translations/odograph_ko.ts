@@ -18253,6 +18253,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>project.format_21</name>
+    <message>
+        <source>the school&apos;s hub, and what is to be sent to it</source>
+        <translation>학교 허브와 허브로 보낼 내용</translation>
+    </message>
+</context>
+<context>
     <name>project.format_3</name>
     <message>
         <source>clock rates of the cameras</source>
@@ -19506,6 +19513,76 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>project.school_ask_owner</name>
+    <message>
+        <source>nothing of it was taken over; ask for it to be published again</source>
+        <translation>아무것도 가져오지 않았습니다. 다시 게시해 달라고 하세요</translation>
+    </message>
+</context>
+<context>
+    <name>project.school_document</name>
+    <message>
+        <source>document of the hub</source>
+        <translation>허브의 문서</translation>
+    </message>
+</context>
+<context>
+    <name>project.school_field_wrong</name>
+    <message>
+        <source>what the hub has of it is damaged: field &apos;%1&apos;</source>
+        <translation>허브에 있는 내용이 손상되었습니다: 필드 &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>project.school_names_taken</name>
+    <message>
+        <source>every name for it is taken here</source>
+        <translation>쓸 수 있는 이름이 모두 사용 중입니다</translation>
+    </message>
+</context>
+<context>
+    <name>project.school_not_readable</name>
+    <message>
+        <source>what the hub has of it cannot be read</source>
+        <translation>허브에 있는 내용을 읽을 수 없습니다</translation>
+    </message>
+</context>
+<context>
+    <name>project.school_publish_again</name>
+    <message>
+        <source>publish again</source>
+        <translation>다시 게시하세요</translation>
+    </message>
+</context>
+<context>
+    <name>project.school_recordings</name>
+    <message>
+        <source>recordings of a trial from the hub</source>
+        <translation>허브에서 온 시행의 녹화</translation>
+    </message>
+</context>
+<context>
+    <name>project.school_recordings_wrong</name>
+    <message>
+        <source>their description is damaged: field &apos;%1&apos;</source>
+        <translation>설명이 손상되었습니다: 필드 &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>project.school_rename_yours</name>
+    <message>
+        <source>rename the trials of that name in this project</source>
+        <translation>이 프로젝트에서 그 이름의 시행 이름을 바꾸세요</translation>
+    </message>
+</context>
+<context>
+    <name>project.school_row_gone</name>
+    <message>
+        <source>it is no longer in the project</source>
+        <translation>프로젝트에 더 이상 없습니다</translation>
+    </message>
+</context>
+<context>
     <name>project.series_differ</name>
     <message>
         <source>its series differ in length</source>
@@ -19846,6 +19923,258 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>its zone &apos;%1&apos; ends within a point</source>
         <translation>구역 &apos;%1&apos;이(가) 점의 중간에서 끝납니다</translation>
+    </message>
+</context>
+<context>
+    <name>school.address</name>
+    <message>
+        <source>address of the school hub</source>
+        <translation>학교 허브의 주소</translation>
+    </message>
+</context>
+<context>
+    <name>school.address_characters</name>
+    <message>
+        <source>it holds a quotation mark, a backslash, a semicolon or a control character</source>
+        <translation>따옴표, 역슬래시, 세미콜론 또는 제어 문자가 들어 있습니다</translation>
+    </message>
+</context>
+<context>
+    <name>school.address_form</name>
+    <message>
+        <source>give it as postgresql://user@host/database</source>
+        <translation>postgresql://user@host/database 형식으로 입력하세요</translation>
+    </message>
+</context>
+<context>
+    <name>school.ask_administrator</name>
+    <message>
+        <source>ask the hub&apos;s administrator for the role that may</source>
+        <translation>허브 관리자에게 필요한 역할을 요청하세요</translation>
+    </message>
+</context>
+<context>
+    <name>school.check_connection</name>
+    <message>
+        <source>check the address, the login in ~/.pgpass, and the network; what is recorded meanwhile is sent later</source>
+        <translation>주소, ~/.pgpass의 로그인, 네트워크를 확인하세요. 그동안 기록한 내용은 나중에 보냅니다</translation>
+    </message>
+</context>
+<context>
+    <name>school.connect_first</name>
+    <message>
+        <source>connect it with odograph school connect P.odo postgresql://user@host/database</source>
+        <translation>먼저 연결하세요</translation>
+    </message>
+</context>
+<context>
+    <name>school.connect_with_media</name>
+    <message>
+        <source>connect it again with --media FOLDER</source>
+        <translation>미디어 폴더를 지정해 다시 연결하세요</translation>
+    </message>
+</context>
+<context>
+    <name>school.grant_role</name>
+    <message>
+        <source>have the hub&apos;s administrator grant it one: GRANT bench TO login</source>
+        <translation>허브 관리자에게 역할을 달라고 하세요: GRANT bench TO login</translation>
+    </message>
+</context>
+<context>
+    <name>school.hub_subject</name>
+    <message>
+        <source>school hub &apos;%1&apos;</source>
+        <translation>학교 허브 &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>school.install_driver</name>
+    <message>
+        <source>install the package libqt6sql6-psql</source>
+        <translation>libqt6sql6-psql 패키지를 설치하세요</translation>
+    </message>
+</context>
+<context>
+    <name>school.media</name>
+    <message>
+        <source>media folder of the school</source>
+        <translation>학교의 미디어 폴더</translation>
+    </message>
+</context>
+<context>
+    <name>school.newer_hub</name>
+    <message>
+        <source>its schema has version %1, and this Odograph knows up to %2</source>
+        <translation>스키마 버전이 %1이고 이 Odograph는 %2까지 압니다</translation>
+    </message>
+</context>
+<context>
+    <name>school.no_database</name>
+    <message>
+        <source>it names no database</source>
+        <translation>데이터베이스 이름이 없습니다</translation>
+    </message>
+</context>
+<context>
+    <name>school.no_driver</name>
+    <message>
+        <source>this computer has no driver for PostgreSQL</source>
+        <translation>이 컴퓨터에 PostgreSQL 드라이버가 없습니다</translation>
+    </message>
+</context>
+<context>
+    <name>school.no_hub</name>
+    <message>
+        <source>the database has no hub</source>
+        <translation>데이터베이스에 허브가 없습니다</translation>
+    </message>
+</context>
+<context>
+    <name>school.no_media</name>
+    <message>
+        <source>the project is connected without one</source>
+        <translation>프로젝트가 폴더 없이 연결되어 있습니다</translation>
+    </message>
+</context>
+<context>
+    <name>school.no_role</name>
+    <message>
+        <source>the login has none of the roles teacher, bench and viewer</source>
+        <translation>이 로그인에 teacher, bench, viewer 역할이 없습니다</translation>
+    </message>
+</context>
+<context>
+    <name>school.no_url</name>
+    <message>
+        <source>it is no address of a PostgreSQL database</source>
+        <translation>PostgreSQL 데이터베이스의 주소가 아닙니다</translation>
+    </message>
+</context>
+<context>
+    <name>school.not_allowed</name>
+    <message>
+        <source>the login may not do that (%1)</source>
+        <translation>이 로그인에는 그 권한이 없습니다 (%1)</translation>
+    </message>
+</context>
+<context>
+    <name>school.not_connected</name>
+    <message>
+        <source>the project is not connected to one</source>
+        <translation>프로젝트가 연결되어 있지 않습니다</translation>
+    </message>
+</context>
+<context>
+    <name>school.option_unknown</name>
+    <message>
+        <source>its option &apos;%1&apos; is not known</source>
+        <translation>옵션 &apos;%1&apos;을(를) 알 수 없습니다</translation>
+    </message>
+</context>
+<context>
+    <name>school.options_known</name>
+    <message>
+        <source>use sslmode, sslrootcert, host or port</source>
+        <translation>sslmode, sslrootcert, host, port를 쓰세요</translation>
+    </message>
+</context>
+<context>
+    <name>school.password_elsewhere</name>
+    <message>
+        <source>leave it out, and put the password into ~/.pgpass or PGPASSWORD</source>
+        <translation>빼고, 비밀번호는 ~/.pgpass 또는 PGPASSWORD에 넣으세요</translation>
+    </message>
+</context>
+<context>
+    <name>school.password_in_url</name>
+    <message>
+        <source>it holds a password, which others could read</source>
+        <translation>다른 사람이 읽을 수 있는 비밀번호가 들어 있습니다</translation>
+    </message>
+</context>
+<context>
+    <name>school.publish_later</name>
+    <message>
+        <source>try again later; what was not sent yet is kept</source>
+        <translation>나중에 다시 시도하세요. 아직 보내지 않은 내용은 보관됩니다</translation>
+    </message>
+</context>
+<context>
+    <name>school.publishing</name>
+    <message>
+        <source>publishing</source>
+        <translation>게시하는 중</translation>
+    </message>
+</context>
+<context>
+    <name>school.receiving</name>
+    <message>
+        <source>receiving %1</source>
+        <translation>%1 받는 중</translation>
+    </message>
+</context>
+<context>
+    <name>school.recording_changed</name>
+    <message>
+        <source>the recording &apos;%1&apos; is missing or has changed, and was left out</source>
+        <translation>녹화 &apos;%1&apos;이(가) 없거나 바뀌어서 제외했습니다</translation>
+    </message>
+</context>
+<context>
+    <name>school.recording_elsewhere</name>
+    <message>
+        <source>trial &apos;%1&apos;, view &apos;%2&apos;: its recording is not in the media folder; bench &apos;%3&apos; has it as &apos;%4&apos;</source>
+        <translation>시행 &apos;%1&apos;, 뷰 &apos;%2&apos;: 녹화가 미디어 폴더에 없습니다. 측정대 &apos;%3&apos;에 &apos;%4&apos;(으)로 있습니다</translation>
+    </message>
+</context>
+<context>
+    <name>school.report_to_administrator</name>
+    <message>
+        <source>show this to the hub&apos;s administrator</source>
+        <translation>허브 관리자에게 보여 주세요</translation>
+    </message>
+</context>
+<context>
+    <name>school.run_init</name>
+    <message>
+        <source>have its administrator run odograph school init</source>
+        <translation>관리자에게 허브를 만들어 달라고 하세요</translation>
+    </message>
+</context>
+<context>
+    <name>school.sslmode_choices</name>
+    <message>
+        <source>use disable, allow, prefer, require, verify-ca or verify-full</source>
+        <translation>disable, allow, prefer, require, verify-ca, verify-full 중에서 쓰세요</translation>
+    </message>
+</context>
+<context>
+    <name>school.sslmode_unknown</name>
+    <message>
+        <source>sslmode &apos;%1&apos; is not known</source>
+        <translation>sslmode &apos;%1&apos;을(를) 알 수 없습니다</translation>
+    </message>
+</context>
+<context>
+    <name>school.subject</name>
+    <message>
+        <source>school hub</source>
+        <translation>학교 허브</translation>
+    </message>
+</context>
+<context>
+    <name>school.update_program</name>
+    <message>
+        <source>update Odograph</source>
+        <translation>Odograph를 업데이트하세요</translation>
+    </message>
+</context>
+<context>
+    <name>school.went_away</name>
+    <message>
+        <source>the connection was lost (%1)</source>
+        <translation>연결이 끊어졌습니다 (%1)</translation>
     </message>
 </context>
 <context>

@@ -18253,6 +18253,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>project.format_21</name>
+    <message>
+        <source>the school&apos;s hub, and what is to be sent to it</source>
+        <translation>学校中心库以及要发送给它的内容</translation>
+    </message>
+</context>
+<context>
     <name>project.format_3</name>
     <message>
         <source>clock rates of the cameras</source>
@@ -19506,6 +19513,76 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>project.school_ask_owner</name>
+    <message>
+        <source>nothing of it was taken over; ask for it to be published again</source>
+        <translation>未采用其中任何内容；请让对方重新发布</translation>
+    </message>
+</context>
+<context>
+    <name>project.school_document</name>
+    <message>
+        <source>document of the hub</source>
+        <translation>中心库的文档</translation>
+    </message>
+</context>
+<context>
+    <name>project.school_field_wrong</name>
+    <message>
+        <source>what the hub has of it is damaged: field &apos;%1&apos;</source>
+        <translation>中心库中的内容已损坏：字段“%1”</translation>
+    </message>
+</context>
+<context>
+    <name>project.school_names_taken</name>
+    <message>
+        <source>every name for it is taken here</source>
+        <translation>可用的名称都已被占用</translation>
+    </message>
+</context>
+<context>
+    <name>project.school_not_readable</name>
+    <message>
+        <source>what the hub has of it cannot be read</source>
+        <translation>中心库中的内容无法读取</translation>
+    </message>
+</context>
+<context>
+    <name>project.school_publish_again</name>
+    <message>
+        <source>publish again</source>
+        <translation>请重新发布</translation>
+    </message>
+</context>
+<context>
+    <name>project.school_recordings</name>
+    <message>
+        <source>recordings of a trial from the hub</source>
+        <translation>来自中心库的试验录像</translation>
+    </message>
+</context>
+<context>
+    <name>project.school_recordings_wrong</name>
+    <message>
+        <source>their description is damaged: field &apos;%1&apos;</source>
+        <translation>其描述已损坏：字段“%1”</translation>
+    </message>
+</context>
+<context>
+    <name>project.school_rename_yours</name>
+    <message>
+        <source>rename the trials of that name in this project</source>
+        <translation>请重命名本项目中同名的试验</translation>
+    </message>
+</context>
+<context>
+    <name>project.school_row_gone</name>
+    <message>
+        <source>it is no longer in the project</source>
+        <translation>它已不在项目中</translation>
+    </message>
+</context>
+<context>
     <name>project.series_differ</name>
     <message>
         <source>its series differ in length</source>
@@ -19846,6 +19923,258 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>its zone &apos;%1&apos; ends within a point</source>
         <translation>其区域“%1”在一个点的中途结束</translation>
+    </message>
+</context>
+<context>
+    <name>school.address</name>
+    <message>
+        <source>address of the school hub</source>
+        <translation>学校中心库的地址</translation>
+    </message>
+</context>
+<context>
+    <name>school.address_characters</name>
+    <message>
+        <source>it holds a quotation mark, a backslash, a semicolon or a control character</source>
+        <translation>其中含有引号、反斜杠、分号或控制字符</translation>
+    </message>
+</context>
+<context>
+    <name>school.address_form</name>
+    <message>
+        <source>give it as postgresql://user@host/database</source>
+        <translation>请写成 postgresql://user@host/database</translation>
+    </message>
+</context>
+<context>
+    <name>school.ask_administrator</name>
+    <message>
+        <source>ask the hub&apos;s administrator for the role that may</source>
+        <translation>请向中心库管理员申请相应的角色</translation>
+    </message>
+</context>
+<context>
+    <name>school.check_connection</name>
+    <message>
+        <source>check the address, the login in ~/.pgpass, and the network; what is recorded meanwhile is sent later</source>
+        <translation>请检查地址、~/.pgpass 中的登录信息和网络；期间记录的内容会稍后发送</translation>
+    </message>
+</context>
+<context>
+    <name>school.connect_first</name>
+    <message>
+        <source>connect it with odograph school connect P.odo postgresql://user@host/database</source>
+        <translation>请先连接</translation>
+    </message>
+</context>
+<context>
+    <name>school.connect_with_media</name>
+    <message>
+        <source>connect it again with --media FOLDER</source>
+        <translation>请指定媒体文件夹后重新连接</translation>
+    </message>
+</context>
+<context>
+    <name>school.grant_role</name>
+    <message>
+        <source>have the hub&apos;s administrator grant it one: GRANT bench TO login</source>
+        <translation>请让中心库管理员授予角色：GRANT bench TO login</translation>
+    </message>
+</context>
+<context>
+    <name>school.hub_subject</name>
+    <message>
+        <source>school hub &apos;%1&apos;</source>
+        <translation>学校中心库“%1”</translation>
+    </message>
+</context>
+<context>
+    <name>school.install_driver</name>
+    <message>
+        <source>install the package libqt6sql6-psql</source>
+        <translation>请安装软件包 libqt6sql6-psql</translation>
+    </message>
+</context>
+<context>
+    <name>school.media</name>
+    <message>
+        <source>media folder of the school</source>
+        <translation>学校的媒体文件夹</translation>
+    </message>
+</context>
+<context>
+    <name>school.newer_hub</name>
+    <message>
+        <source>its schema has version %1, and this Odograph knows up to %2</source>
+        <translation>其架构版本为 %1，而此 Odograph 只支持到 %2</translation>
+    </message>
+</context>
+<context>
+    <name>school.no_database</name>
+    <message>
+        <source>it names no database</source>
+        <translation>其中没有数据库名称</translation>
+    </message>
+</context>
+<context>
+    <name>school.no_driver</name>
+    <message>
+        <source>this computer has no driver for PostgreSQL</source>
+        <translation>本机没有 PostgreSQL 驱动</translation>
+    </message>
+</context>
+<context>
+    <name>school.no_hub</name>
+    <message>
+        <source>the database has no hub</source>
+        <translation>该数据库中没有中心库</translation>
+    </message>
+</context>
+<context>
+    <name>school.no_media</name>
+    <message>
+        <source>the project is connected without one</source>
+        <translation>项目连接时没有指定它</translation>
+    </message>
+</context>
+<context>
+    <name>school.no_role</name>
+    <message>
+        <source>the login has none of the roles teacher, bench and viewer</source>
+        <translation>该登录没有 teacher、bench、viewer 中的任何角色</translation>
+    </message>
+</context>
+<context>
+    <name>school.no_url</name>
+    <message>
+        <source>it is no address of a PostgreSQL database</source>
+        <translation>这不是 PostgreSQL 数据库的地址</translation>
+    </message>
+</context>
+<context>
+    <name>school.not_allowed</name>
+    <message>
+        <source>the login may not do that (%1)</source>
+        <translation>该登录无权这样做（%1）</translation>
+    </message>
+</context>
+<context>
+    <name>school.not_connected</name>
+    <message>
+        <source>the project is not connected to one</source>
+        <translation>项目未连接到任何中心库</translation>
+    </message>
+</context>
+<context>
+    <name>school.option_unknown</name>
+    <message>
+        <source>its option &apos;%1&apos; is not known</source>
+        <translation>其选项“%1”未知</translation>
+    </message>
+</context>
+<context>
+    <name>school.options_known</name>
+    <message>
+        <source>use sslmode, sslrootcert, host or port</source>
+        <translation>请使用 sslmode、sslrootcert、host 或 port</translation>
+    </message>
+</context>
+<context>
+    <name>school.password_elsewhere</name>
+    <message>
+        <source>leave it out, and put the password into ~/.pgpass or PGPASSWORD</source>
+        <translation>请去掉密码，并把它放入 ~/.pgpass 或 PGPASSWORD</translation>
+    </message>
+</context>
+<context>
+    <name>school.password_in_url</name>
+    <message>
+        <source>it holds a password, which others could read</source>
+        <translation>其中含有他人可能读到的密码</translation>
+    </message>
+</context>
+<context>
+    <name>school.publish_later</name>
+    <message>
+        <source>try again later; what was not sent yet is kept</source>
+        <translation>请稍后再试；尚未发送的内容会保留</translation>
+    </message>
+</context>
+<context>
+    <name>school.publishing</name>
+    <message>
+        <source>publishing</source>
+        <translation>正在发布</translation>
+    </message>
+</context>
+<context>
+    <name>school.receiving</name>
+    <message>
+        <source>receiving %1</source>
+        <translation>正在接收%1</translation>
+    </message>
+</context>
+<context>
+    <name>school.recording_changed</name>
+    <message>
+        <source>the recording &apos;%1&apos; is missing or has changed, and was left out</source>
+        <translation>录像“%1”缺失或已更改，已略过</translation>
+    </message>
+</context>
+<context>
+    <name>school.recording_elsewhere</name>
+    <message>
+        <source>trial &apos;%1&apos;, view &apos;%2&apos;: its recording is not in the media folder; bench &apos;%3&apos; has it as &apos;%4&apos;</source>
+        <translation>试验“%1”，视图“%2”：录像不在媒体文件夹中；工作台“%3”将其存为“%4”</translation>
+    </message>
+</context>
+<context>
+    <name>school.report_to_administrator</name>
+    <message>
+        <source>show this to the hub&apos;s administrator</source>
+        <translation>请把此信息告知中心库管理员</translation>
+    </message>
+</context>
+<context>
+    <name>school.run_init</name>
+    <message>
+        <source>have its administrator run odograph school init</source>
+        <translation>请让管理员建立中心库</translation>
+    </message>
+</context>
+<context>
+    <name>school.sslmode_choices</name>
+    <message>
+        <source>use disable, allow, prefer, require, verify-ca or verify-full</source>
+        <translation>请使用 disable、allow、prefer、require、verify-ca 或 verify-full</translation>
+    </message>
+</context>
+<context>
+    <name>school.sslmode_unknown</name>
+    <message>
+        <source>sslmode &apos;%1&apos; is not known</source>
+        <translation>sslmode“%1”未知</translation>
+    </message>
+</context>
+<context>
+    <name>school.subject</name>
+    <message>
+        <source>school hub</source>
+        <translation>学校中心库</translation>
+    </message>
+</context>
+<context>
+    <name>school.update_program</name>
+    <message>
+        <source>update Odograph</source>
+        <translation>请更新 Odograph</translation>
+    </message>
+</context>
+<context>
+    <name>school.went_away</name>
+    <message>
+        <source>the connection was lost (%1)</source>
+        <translation>连接已断开（%1）</translation>
     </message>
 </context>
 <context>

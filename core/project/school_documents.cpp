@@ -32,8 +32,7 @@ Result<QCborMap> teamDocument(Project &project, RecordId row)
     const auto found = std::ranges::find(teams, row, &TeamRecord::id);
     if (found == teams.end())
         return fail(ErrorCode::NotFound, teamSubject(std::to_string(row)),
-                    ODO_TEXT("project.school_row_gone", "it is no longer in the project"),
-                    publishAgain());
+                    ODO_TEXT("project.school_row_gone", "it is no longer in the project"), publishAgain());
     QCborArray robots;
     for (const RecordId id : found->robots)
         robots.append(robotDocument(ODO_TRY(project.robots().get(id))));

@@ -176,7 +176,7 @@ Result<bool> SchoolRepository::isPending(SchoolKind kind, RecordId row) const
     return select.bind(schoolKindWord(kind)).bind(row).firstRow();
 }
 
-Result<void> SchoolRepository::takeOut(const OutboxEntry &entry)
+Result<void> SchoolRepository::settle(const OutboxEntry &entry)
 {
     return transact(m_connection, [&]() -> Result<void> {
         Statement remove(m_connection, QStringLiteral("DELETE FROM school_outbox WHERE kind=? AND row_id=? "
@@ -186,7 +186,7 @@ Result<void> SchoolRepository::takeOut(const OutboxEntry &entry)
     });
 }
 
-Result<void> SchoolRepository::takeOut(SchoolKind kind, RecordId row)
+Result<void> SchoolRepository::settle(SchoolKind kind, RecordId row)
 {
     return transact(m_connection, [&]() -> Result<void> {
         Statement remove(

@@ -75,10 +75,10 @@ public:
     Result<std::vector<OutboxEntry>> outbox() const;
     Result<std::int64_t> pending() const;
     Result<bool> isPending(SchoolKind kind, RecordId row) const;
-    /// Unless the row was changed since the entry was read.
-    Result<void> takeOut(const OutboxEntry &entry);
-    /// Whatever change of a row is noted: it came from the hub.
-    Result<void> takeOut(SchoolKind kind, RecordId row);
+    /// It is sent: removes it, unless the row was changed since the entry was read.
+    Result<void> settle(const OutboxEntry &entry);
+    /// Removes whatever change of a row is noted: it came from the hub.
+    Result<void> settle(SchoolKind kind, RecordId row);
 
     Result<std::optional<SchoolIdentity>> known(SchoolKind kind, RecordId row) const;
     /// Makes it where the row has none.

@@ -129,7 +129,7 @@ public:
         auto identity = ODO_TRY(m_school.identity(entry.kind, entry.row));
         const auto document = ODO_TRY(makeSchoolDocument(m_project, entry.kind, entry.row));
         if (identity.sha256 == document.sha256)
-            return m_school.takeOut(entry);
+            return m_school.settle(entry);
         const auto outcome = ODO_TRY(m_hub.patiently([&](SchoolHub &hub) {
             return hub.publish(document, identity.uuid, m_link.bench, identity.revision, false);
         }));
@@ -149,7 +149,7 @@ public:
             ODO_TRY(m_school.setIdentity(identity));
             if (outcome.kind == Kind::Refused) // what the hub has instead comes with the next pull
                 ODO_TRY(m_school.setPulled(std::min(m_link.pulled, outcome.revision - 1)));
-            return m_school.takeOut(entry);
+            return m_school.settle(entry);
         });
     }
 
@@ -163,7 +163,7 @@ private:
         ODO_TRY(m_hub.patiently(
             [&](SchoolHub &hub) { return hub.publish(document, entry.removed, m_link.bench, 0, true); }));
         ++m_report.sent;
-        return m_school.takeOut(entry);
+        return m_school.settle(entry);
     }
 
     Project &m_project;
@@ -205,7 +205,7 @@ private:
             const auto id = ODO_TRY(storeSchoolDocument(m_project, hub.document, row, hub.owner));
             ODO_TRY(m_school.setIdentity({hub.document.kind, id, hub.uuid, hub.revision, hub.document.sha256,
                                           hub.owner, viewsOf(hub.document)}));
-            return m_school.takeOut(hub.document.kind, id);
+            return m_school.settle(hub.document.kind, id);
         });
         if (!stored && stored.error().code != ErrorCode::InvalidInput)
             return stored;
@@ -224,7 +224,7 @@ private:
         ++m_report.received;
         return m_project.inTransaction([&]() -> Result<void> {
             ODO_TRY(m_project.trials().setBinned(row, true));
-            return m_school.takeOut(hub.document.kind, row);
+            return m_school.settle(hub.document.kind, row);
         });
     }
 
@@ -238,7 +238,7 @@ private:
                         ours.sha256,       hub.owner, identity.views};
             return m_project.inTransaction([&]() -> Result<void> {
                 ODO_TRY(m_school.setIdentity(identity));
-                return m_school.takeOut(hub.document.kind, row);
+                return m_school.settle(hub.document.kind, row);
             });
         }
         m_report.conflicts.push_back(conflictOf(ours, hub.document, hub.uuid, true));

@@ -127,7 +127,7 @@ private Q_SLOTS:
         QVERIFY(entries && !entries->empty());
         QVERIFY(m_ours->trials().setNotes(m_filled.trial, "meanwhile"));
         for (const OutboxEntry &entry : *entries)
-            QVERIFY(school.takeOut(entry));
+            QVERIFY(school.settle(entry));
         QCOMPARE(words(*m_ours), QStringList{QStringLiteral("trial")});
     }
 
@@ -309,7 +309,7 @@ private:
         SchoolRepository school = project.classes().school();
         const auto entries = *school.outbox();
         for (const OutboxEntry &entry : entries)
-            QVERIFY(school.takeOut(entry));
+            QVERIFY(school.settle(entry));
         QCOMPARE(school.pending().value(), 0);
     }
 

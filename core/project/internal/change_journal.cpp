@@ -21,14 +21,14 @@ namespace odo {
 
 namespace {
 
-/// The journal's own table is never undone, verdicts and what the school's hub is to have follow from the rest,
-/// and raw measurements stay.
+/// The journal's own table is never undone, verdicts and what the school's hub is to have follow from the
+/// rest, and raw measurements stay.
 bool isUndone(const char *table)
 {
-    return std::ranges::none_of(
-        std::array{"change_entry", "verdict", "verdict_check", "observation_series", "observation_chunk",
-                   "school_link", "school_document", "school_outbox"},
-        [table](const char *other) { return std::strcmp(table, other) == 0; });
+    return std::ranges::none_of(std::array{"change_entry", "verdict", "verdict_check", "observation_series",
+                                           "observation_chunk", "school_link", "school_document",
+                                           "school_outbox"},
+                                [table](const char *other) { return std::strcmp(table, other) == 0; });
 }
 
 struct SessionEnd
