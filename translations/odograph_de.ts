@@ -1006,6 +1006,33 @@
     </message>
 </context>
 <context>
+    <name>GuidanceWords</name>
+    <message>
+        <source>searched</source>
+        <translation>durchsucht</translation>
+    </message>
+    <message>
+        <source>ignored</source>
+        <translation>ignoriert</translation>
+    </message>
+    <message>
+        <source>%1 marked here</source>
+        <translation>%1 hier markiert</translation>
+    </message>
+    <message>
+        <source>%1 set by hand</source>
+        <translation>%1 von Hand gesetzt</translation>
+    </message>
+    <message>
+        <source>no robot visible, by hand</source>
+        <translation>kein Roboter sichtbar, von Hand</translation>
+    </message>
+    <message>
+        <source>%1 not visible, by hand</source>
+        <translation>%1 nicht sichtbar, von Hand</translation>
+    </message>
+</context>
+<context>
     <name>HealthWatch</name>
     <message>
         <source>The project is read-only</source>
@@ -12358,6 +12385,69 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
 </context>
 <context>
+    <name>odo::GuidanceTool</name>
+    <message>
+        <source>&amp;Ignore an area</source>
+        <translation>Bereich &amp;ignorieren</translation>
+    </message>
+    <message>
+        <source>Draw an area of a view to ignore, such as a mirror or a screen: click its corners, then press Enter</source>
+        <translation>Einen Bereich einer Sicht zeichnen, der ignoriert wird, etwa einen Spiegel oder Bildschirm: seine Ecken anklicken, dann Eingabe drücken</translation>
+    </message>
+    <message>
+        <source>Search only an &amp;area</source>
+        <translation>Nur einen Bereich d&amp;urchsuchen</translation>
+    </message>
+    <message>
+        <source>Draw the area of a view in which robots are searched: click its corners, then press Enter</source>
+        <translation>Den Bereich einer Sicht zeichnen, in dem Roboter gesucht werden: seine Ecken anklicken, dann Eingabe drücken</translation>
+    </message>
+    <message>
+        <source>&amp;Remove all areas</source>
+        <translation>Alle Bereiche ent&amp;fernen</translation>
+    </message>
+    <message>
+        <source>Remove all areas of this trial</source>
+        <translation>Alle Bereiche dieses Versuchs entfernen</translation>
+    </message>
+    <message>
+        <source>Remove this ignored area</source>
+        <translation>Diesen ignorierten Bereich entfernen</translation>
+    </message>
+    <message>
+        <source>Remove this search area</source>
+        <translation>Diesen Suchbereich entfernen</translation>
+    </message>
+    <message>
+        <source>Set %1 here by hand…</source>
+        <translation>%1 hier von Hand setzen…</translation>
+    </message>
+    <message>
+        <source>%1 is not visible here in the selected time</source>
+        <translation>%1 ist hier in der ausgewählten Zeit nicht sichtbar</translation>
+    </message>
+    <message>
+        <source>%1 is not visible in any view in the selected time</source>
+        <translation>%1 ist in der ausgewählten Zeit in keiner Sicht sichtbar</translation>
+    </message>
+    <message>
+        <source>Remove the point set by hand</source>
+        <translation>Den von Hand gesetzten Punkt entfernen</translation>
+    </message>
+    <message>
+        <source>It is visible after all</source>
+        <translation>Er ist doch sichtbar</translation>
+    </message>
+    <message>
+        <source>Set a point by hand</source>
+        <translation>Einen Punkt von Hand setzen</translation>
+    </message>
+    <message>
+        <source>Uncertainty σ of this point, pixels:</source>
+        <translation>Unsicherheit σ dieses Punkts, Pixel:</translation>
+    </message>
+</context>
+<context>
     <name>odo::HelpActions</name>
     <message>
         <source>&amp;Help on this page</source>
@@ -14527,6 +14617,10 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <source>Result</source>
         <translation>Ergebnis</translation>
     </message>
+    <message>
+        <source>The areas have changed since this trial was tracked. Track it again to use them.</source>
+        <translation>Die Bereiche haben sich geändert, seit dieser Versuch verfolgt wurde. Verfolgen Sie ihn erneut, um sie zu verwenden.</translation>
+    </message>
 </context>
 <context>
     <name>odo::ReviewDesk</name>
@@ -15403,6 +15497,29 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>Spikes with time and reason</source>
         <translation>Ausreißer mit Zeit und Grund</translation>
+    </message>
+    <message>
+        <source>Select all with this &amp;reason</source>
+        <translation>Alle mit diesem &amp;Grund auswählen</translation>
+    </message>
+    <message>
+        <source>Select all in the selected ra&amp;nge</source>
+        <translation>Alle im ausgewählten &amp;Bereich auswählen</translation>
+    </message>
+    <message>
+        <source>Select all spikes of this robot that have the reason of the selected one</source>
+        <translation>Alle Ausreißer dieses Roboters auswählen, die den Grund des ausgewählten haben</translation>
+    </message>
+    <message>
+        <source>Select all spikes of this robot within the selection on the time line</source>
+        <translation>Alle Ausreißer dieses Roboters innerhalb der Auswahl auf der Zeitleiste auswählen</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n selected</source>
+        <translation>
+            <numerusform>%n ausgewählt</numerusform>
+            <numerusform>%n ausgewählt</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -17110,6 +17227,20 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
             <numerusform>%n Versuche geändert. „Rückgängig“ stellt sie wieder her.</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>%n samples of %1 are not used. Choose Undo to use them.</source>
+        <translation>
+            <numerusform>%n Messpunkt von %1 wird nicht verwendet. „Rückgängig“ verwendet ihn wieder.</numerusform>
+            <numerusform>%n Messpunkte von %1 werden nicht verwendet. „Rückgängig“ verwendet sie wieder.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n samples of %1 are used. Choose Undo to reverse this.</source>
+        <translation>
+            <numerusform>%n Messpunkt von %1 wird verwendet. „Rückgängig“ nimmt das zurück.</numerusform>
+            <numerusform>%n Messpunkte von %1 werden verwendet. „Rückgängig“ nimmt das zurück.</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>odo::TrialChooser</name>
@@ -17755,6 +17886,27 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
 </context>
 <context>
+    <name>project.area_few_corners</name>
+    <message>
+        <source>an area needs at least %1 corners</source>
+        <translation>ein Bereich braucht mindestens %1 Ecken</translation>
+    </message>
+</context>
+<context>
+    <name>project.area_many_corners</name>
+    <message>
+        <source>an area has at most %1 corners</source>
+        <translation>ein Bereich hat höchstens %1 Ecken</translation>
+    </message>
+</context>
+<context>
+    <name>project.area_off_frame</name>
+    <message>
+        <source>a position is not in the frame</source>
+        <translation>eine Position liegt nicht im Bild</translation>
+    </message>
+</context>
+<context>
     <name>project.being_recorded</name>
     <message>
         <source>it is being recorded</source>
@@ -17920,6 +18072,13 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>checking the database</source>
         <translation>die Datenbank wird geprüft</translation>
+    </message>
+</context>
+<context>
+    <name>project.choose_from_list</name>
+    <message>
+        <source>choose one from the list</source>
+        <translation>eines aus der Liste wählen</translation>
     </message>
 </context>
 <context>
@@ -18303,8 +18462,8 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
 <context>
     <name>project.format_21</name>
     <message>
-        <source>the school&apos;s hub, and what is to be sent to it</source>
-        <translation>der Hub der Schule und was ihm zu senden ist</translation>
+        <source>guidance of the tracker, and the school&apos;s hub</source>
+        <translation>Vorgaben für die Verfolgung und der Hub der Schule</translation>
     </message>
 </context>
 <context>
@@ -18364,6 +18523,13 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
 </context>
 <context>
+    <name>project.frames_in_wrong_order</name>
+    <message>
+        <source>it ends before it starts</source>
+        <translation>das Ende liegt vor dem Anfang</translation>
+    </message>
+</context>
+<context>
     <name>project.give_a_height</name>
     <message>
         <source>enter a height, or have it estimated</source>
@@ -18392,10 +18558,31 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
 </context>
 <context>
+    <name>project.give_fewer_corners</name>
+    <message>
+        <source>give fewer corners, or two areas</source>
+        <translation>geben Sie weniger Ecken an oder zwei Bereiche</translation>
+    </message>
+</context>
+<context>
     <name>project.give_file_a_name</name>
     <message>
         <source>give the file a name</source>
         <translation>geben Sie der Datei einen Namen</translation>
+    </message>
+</context>
+<context>
+    <name>project.give_frame_pixels</name>
+    <message>
+        <source>give positions in pixels of the frame</source>
+        <translation>geben Sie Positionen in Pixeln des Bildes an</translation>
+    </message>
+</context>
+<context>
+    <name>project.give_frames_in_order</name>
+    <message>
+        <source>give the start before the end</source>
+        <translation>geben Sie den Anfang vor dem Ende an</translation>
     </message>
 </context>
 <context>
@@ -18406,6 +18593,13 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
 </context>
 <context>
+    <name>project.give_more_corners</name>
+    <message>
+        <source>give more corners</source>
+        <translation>geben Sie mehr Ecken an</translation>
+    </message>
+</context>
+<context>
     <name>project.give_robot_size</name>
     <message>
         <source>give length and width in millimetres, like 260x190</source>
@@ -18413,10 +18607,38 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
 </context>
 <context>
+    <name>project.give_sigma_px</name>
+    <message>
+        <source>give σ in pixels</source>
+        <translation>geben Sie σ in Pixeln an</translation>
+    </message>
+</context>
+<context>
     <name>project.give_whole_truth</name>
     <message>
         <source>give position, velocity and acceleration for each time</source>
         <translation>geben Sie zu jeder Zeit Ort, Geschwindigkeit und Beschleunigung an</translation>
+    </message>
+</context>
+<context>
+    <name>project.guidance</name>
+    <message>
+        <source>guidance of the tracker</source>
+        <translation>Vorgaben für die Verfolgung</translation>
+    </message>
+</context>
+<context>
+    <name>project.guidance_is_gone</name>
+    <message>
+        <source>it was removed meanwhile</source>
+        <translation>es wurde inzwischen entfernt</translation>
+    </message>
+</context>
+<context>
+    <name>project.guidance_too_many</name>
+    <message>
+        <source>the view already has %1 of them</source>
+        <translation>die Sicht hat schon %1 davon</translation>
     </message>
 </context>
 <context>
@@ -18501,6 +18723,13 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>it holds a line break or another control character</source>
         <translation>darin ist ein Zeilenumbruch oder ein anderes Steuerzeichen</translation>
+    </message>
+</context>
+<context>
+    <name>project.ignored_area</name>
+    <message>
+        <source>ignored area</source>
+        <translation>ignorierter Bereich</translation>
     </message>
 </context>
 <context>
@@ -19029,6 +19258,13 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
 </context>
 <context>
+    <name>project.not_visible_span</name>
+    <message>
+        <source>time in which a robot is not visible</source>
+        <translation>Zeit, in der ein Roboter nicht sichtbar ist</translation>
+    </message>
+</context>
+<context>
     <name>project.nothing_to_redo</name>
     <message>
         <source>nothing has been undone</source>
@@ -19187,6 +19423,20 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>path of a calibration image</source>
         <translation>Pfad eines Kalibrierbilds</translation>
+    </message>
+</context>
+<context>
+    <name>project.point_by_hand</name>
+    <message>
+        <source>point set by hand</source>
+        <translation>von Hand gesetzter Punkt</translation>
+    </message>
+</context>
+<context>
+    <name>project.point_without_sigma</name>
+    <message>
+        <source>it needs one position and a σ above 0 px</source>
+        <translation>nötig sind eine Position und ein σ über 0 px</translation>
     </message>
 </context>
 <context>
@@ -19463,6 +19713,13 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
 </context>
 <context>
+    <name>project.remove_guidance</name>
+    <message>
+        <source>remove some first</source>
+        <translation>entfernen Sie zuerst einige</translation>
+    </message>
+</context>
+<context>
     <name>project.remove_variables</name>
     <message>
         <source>remove some of its variables</source>
@@ -19628,6 +19885,13 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>it is no longer in the project</source>
         <translation>es ist nicht mehr im Projekt</translation>
+    </message>
+</context>
+<context>
+    <name>project.search_area</name>
+    <message>
+        <source>search area</source>
+        <translation>Suchbereich</translation>
     </message>
 </context>
 <context>
@@ -23418,6 +23682,13 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
 </context>
 <context>
+    <name>workflow.change_guidance</name>
+    <message>
+        <source>change the guidance of %1</source>
+        <translation>die Vorgaben für %1 ändern</translation>
+    </message>
+</context>
+<context>
     <name>workflow.changed_in_file</name>
     <message>
         <source>they were changed in the file</source>
@@ -23597,6 +23868,13 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>choose one of them</source>
         <translation>wählen Sie einen davon</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.choose_other_group</name>
+    <message>
+        <source>choose other times or another reason</source>
+        <translation>wählen Sie andere Zeiten oder einen anderen Grund</translation>
     </message>
 </context>
 <context>
@@ -23786,6 +24064,20 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>copying the project</source>
         <translation>Projekt wird kopiert</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.corner_off_frame</name>
+    <message>
+        <source>a corner is outside the frame</source>
+        <translation>eine Ecke liegt außerhalb des Bildes</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.correct_by_hand</name>
+    <message>
+        <source>correct %1 by hand</source>
+        <translation>%1 von Hand korrigieren</translation>
     </message>
 </context>
 <context>
@@ -24024,13 +24316,6 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>folder &apos;%1&apos;</source>
         <translation>Ordner &apos;%1&apos;</translation>
-    </message>
-</context>
-<context>
-    <name>workflow.found_by_colour</name>
-    <message>
-        <source>it is detected by its colour</source>
-        <translation>er wird an seiner Farbe gefunden</translation>
     </message>
 </context>
 <context>
@@ -24335,6 +24620,13 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
 </context>
 <context>
+    <name>workflow.guidance_of_view</name>
+    <message>
+        <source>guidance in view &apos;%1&apos;</source>
+        <translation>Vorgaben in Sicht „%1“</translation>
+    </message>
+</context>
+<context>
     <name>workflow.hardly_possible</name>
     <message>
         <source>a robot hardly moves at %1 with %2; check units and scale</source>
@@ -24507,6 +24799,13 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>remove the override of frame %1 of %2</source>
         <translation>Bild %1 von %2 dem Programm überlassen</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.leave_frames</name>
+    <message>
+        <source>remove the overrides of %1 samples of %2</source>
+        <translation>die Vorgaben für %1 Messpunkte von %2 entfernen</translation>
     </message>
 </context>
 <context>
@@ -24752,6 +25051,13 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>mark frame %1 of %2 as a spike</source>
         <translation>Bild %1 von %2 als Ausreißer markieren</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.mark_spikes</name>
+    <message>
+        <source>mark %1 samples of %2 as spikes</source>
+        <translation>%1 Messpunkte von %2 als Ausreißer markieren</translation>
     </message>
 </context>
 <context>
@@ -25039,6 +25345,13 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>the analysis has no sample</source>
         <translation>die Auswertung hat keinen Messpunkt</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.no_sample_in_group</name>
+    <message>
+        <source>no sample from %1 to %2 is to be changed</source>
+        <translation>von %1 bis %2 ist kein Messpunkt zu ändern</translation>
     </message>
 </context>
 <context>
@@ -25417,13 +25730,6 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>the views agree</source>
         <translation>die Sichten stimmen überein</translation>
-    </message>
-</context>
-<context>
-    <name>workflow.pick_or_take_colour</name>
-    <message>
-        <source>pick its colour again, or remove its colour</source>
-        <translation>nehmen Sie seine Farbe neu auf, oder nehmen Sie sie ihm</translation>
     </message>
 </context>
 <context>
@@ -26460,6 +26766,13 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>use frame %1 of %2</source>
         <translation>Bild %1 von %2 verwenden</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.use_frames</name>
+    <message>
+        <source>use %1 samples of %2</source>
+        <translation>%1 Messpunkte von %2 verwenden</translation>
     </message>
 </context>
 <context>

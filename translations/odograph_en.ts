@@ -266,6 +266,16 @@
     </message>
 </context>
 <context>
+    <name>odo::SpikeList</name>
+    <message numerus="yes">
+        <source>%n selected</source>
+        <translation>
+            <numerusform>%n selected</numerusform>
+            <numerusform>%n selected</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>odo::StandingsModel</name>
     <message numerus="yes">
         <source>%1, %n doubtful</source>
@@ -409,6 +419,20 @@
         <translation>
             <numerusform>%n trial changed. Choose Undo to reverse this.</numerusform>
             <numerusform>%n trials changed. Choose Undo to reverse this.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n samples of %1 are not used. Choose Undo to use them.</source>
+        <translation>
+            <numerusform>%n sample of %1 is not used. Choose Undo to use it.</numerusform>
+            <numerusform>%n samples of %1 are not used. Choose Undo to use them.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n samples of %1 are used. Choose Undo to reverse this.</source>
+        <translation>
+            <numerusform>%n sample of %1 is used. Choose Undo to reverse this.</numerusform>
+            <numerusform>%n samples of %1 are used. Choose Undo to reverse this.</numerusform>
         </translation>
     </message>
 </context>

@@ -1006,6 +1006,33 @@
     </message>
 </context>
 <context>
+    <name>GuidanceWords</name>
+    <message>
+        <source>searched</source>
+        <translation>buscada</translation>
+    </message>
+    <message>
+        <source>ignored</source>
+        <translation>ignorada</translation>
+    </message>
+    <message>
+        <source>%1 marked here</source>
+        <translation>%1 marcado aquí</translation>
+    </message>
+    <message>
+        <source>%1 set by hand</source>
+        <translation>%1 puesto a mano</translation>
+    </message>
+    <message>
+        <source>no robot visible, by hand</source>
+        <translation>ningún robot visible, a mano</translation>
+    </message>
+    <message>
+        <source>%1 not visible, by hand</source>
+        <translation>%1 no visible, a mano</translation>
+    </message>
+</context>
+<context>
     <name>HealthWatch</name>
     <message>
         <source>The project is read-only</source>
@@ -12358,6 +12385,69 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     </message>
 </context>
 <context>
+    <name>odo::GuidanceTool</name>
+    <message>
+        <source>&amp;Ignore an area</source>
+        <translation>&amp;Ignorar una zona</translation>
+    </message>
+    <message>
+        <source>Draw an area of a view to ignore, such as a mirror or a screen: click its corners, then press Enter</source>
+        <translation>Dibujar una zona de una vista que se ignora, como un espejo o una pantalla: haga clic en sus esquinas y pulse Intro</translation>
+    </message>
+    <message>
+        <source>Search only an &amp;area</source>
+        <translation>Buscar solo en un&amp;a zona</translation>
+    </message>
+    <message>
+        <source>Draw the area of a view in which robots are searched: click its corners, then press Enter</source>
+        <translation>Dibujar la zona de una vista en la que se buscan robots: haga clic en sus esquinas y pulse Intro</translation>
+    </message>
+    <message>
+        <source>&amp;Remove all areas</source>
+        <translation>&amp;Quitar todas las zonas</translation>
+    </message>
+    <message>
+        <source>Remove all areas of this trial</source>
+        <translation>Quitar todas las zonas de este ensayo</translation>
+    </message>
+    <message>
+        <source>Remove this ignored area</source>
+        <translation>Quitar esta zona ignorada</translation>
+    </message>
+    <message>
+        <source>Remove this search area</source>
+        <translation>Quitar esta zona de búsqueda</translation>
+    </message>
+    <message>
+        <source>Set %1 here by hand…</source>
+        <translation>Poner %1 aquí a mano…</translation>
+    </message>
+    <message>
+        <source>%1 is not visible here in the selected time</source>
+        <translation>%1 no es visible aquí en el tiempo seleccionado</translation>
+    </message>
+    <message>
+        <source>%1 is not visible in any view in the selected time</source>
+        <translation>%1 no es visible en ninguna vista en el tiempo seleccionado</translation>
+    </message>
+    <message>
+        <source>Remove the point set by hand</source>
+        <translation>Quitar el punto puesto a mano</translation>
+    </message>
+    <message>
+        <source>It is visible after all</source>
+        <translation>Sí es visible</translation>
+    </message>
+    <message>
+        <source>Set a point by hand</source>
+        <translation>Poner un punto a mano</translation>
+    </message>
+    <message>
+        <source>Uncertainty σ of this point, pixels:</source>
+        <translation>Incertidumbre σ de este punto, píxeles:</translation>
+    </message>
+</context>
+<context>
     <name>odo::HelpActions</name>
     <message>
         <source>&amp;Help on this page</source>
@@ -14527,6 +14617,10 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <source>Result</source>
         <translation>Resultado</translation>
     </message>
+    <message>
+        <source>The areas have changed since this trial was tracked. Track it again to use them.</source>
+        <translation>Las zonas han cambiado desde que se siguió este ensayo. Vuelva a seguirlo para usarlas.</translation>
+    </message>
 </context>
 <context>
     <name>odo::ReviewDesk</name>
@@ -15403,6 +15497,29 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <message>
         <source>Spikes with time and reason</source>
         <translation>Valores atípicos con tiempo y motivo</translation>
+    </message>
+    <message>
+        <source>Select all with this &amp;reason</source>
+        <translation>Seleccionar todos con este &amp;motivo</translation>
+    </message>
+    <message>
+        <source>Select all in the selected ra&amp;nge</source>
+        <translation>Seleccionar todos en el tra&amp;mo seleccionado</translation>
+    </message>
+    <message>
+        <source>Select all spikes of this robot that have the reason of the selected one</source>
+        <translation>Seleccionar todos los atípicos de este robot que tienen el motivo del seleccionado</translation>
+    </message>
+    <message>
+        <source>Select all spikes of this robot within the selection on the time line</source>
+        <translation>Seleccionar todos los atípicos de este robot dentro de la selección de la línea de tiempo</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n selected</source>
+        <translation>
+            <numerusform>%n seleccionado</numerusform>
+            <numerusform>%n seleccionados</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -17110,6 +17227,20 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
             <numerusform>%n ensayos cambiados. Elija Deshacer para revertirlo.</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>%n samples of %1 are not used. Choose Undo to use them.</source>
+        <translation>
+            <numerusform>%n muestra de %1 no se usa. Elija Deshacer para usarla.</numerusform>
+            <numerusform>%n muestras de %1 no se usan. Elija Deshacer para usarlas.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n samples of %1 are used. Choose Undo to reverse this.</source>
+        <translation>
+            <numerusform>%n muestra de %1 se usa. Elija Deshacer para revertirlo.</numerusform>
+            <numerusform>%n muestras de %1 se usan. Elija Deshacer para revertirlo.</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>odo::TrialChooser</name>
@@ -17755,6 +17886,27 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     </message>
 </context>
 <context>
+    <name>project.area_few_corners</name>
+    <message>
+        <source>an area needs at least %1 corners</source>
+        <translation>una zona necesita al menos %1 esquinas</translation>
+    </message>
+</context>
+<context>
+    <name>project.area_many_corners</name>
+    <message>
+        <source>an area has at most %1 corners</source>
+        <translation>una zona tiene como máximo %1 esquinas</translation>
+    </message>
+</context>
+<context>
+    <name>project.area_off_frame</name>
+    <message>
+        <source>a position is not in the frame</source>
+        <translation>una posición no está en el fotograma</translation>
+    </message>
+</context>
+<context>
     <name>project.being_recorded</name>
     <message>
         <source>it is being recorded</source>
@@ -17920,6 +18072,13 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <message>
         <source>checking the database</source>
         <translation>comprobando la base de datos</translation>
+    </message>
+</context>
+<context>
+    <name>project.choose_from_list</name>
+    <message>
+        <source>choose one from the list</source>
+        <translation>elija uno de la lista</translation>
     </message>
 </context>
 <context>
@@ -18303,8 +18462,8 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
 <context>
     <name>project.format_21</name>
     <message>
-        <source>the school&apos;s hub, and what is to be sent to it</source>
-        <translation>el servidor de la escuela y lo que hay que enviarle</translation>
+        <source>guidance of the tracker, and the school&apos;s hub</source>
+        <translation>indicaciones para el seguimiento y el nodo de la escuela</translation>
     </message>
 </context>
 <context>
@@ -18364,6 +18523,13 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     </message>
 </context>
 <context>
+    <name>project.frames_in_wrong_order</name>
+    <message>
+        <source>it ends before it starts</source>
+        <translation>termina antes de empezar</translation>
+    </message>
+</context>
+<context>
     <name>project.give_a_height</name>
     <message>
         <source>enter a height, or have it estimated</source>
@@ -18392,10 +18558,31 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     </message>
 </context>
 <context>
+    <name>project.give_fewer_corners</name>
+    <message>
+        <source>give fewer corners, or two areas</source>
+        <translation>indique menos esquinas o dos zonas</translation>
+    </message>
+</context>
+<context>
     <name>project.give_file_a_name</name>
     <message>
         <source>give the file a name</source>
         <translation>dé un nombre al archivo</translation>
+    </message>
+</context>
+<context>
+    <name>project.give_frame_pixels</name>
+    <message>
+        <source>give positions in pixels of the frame</source>
+        <translation>indique posiciones en píxeles del fotograma</translation>
+    </message>
+</context>
+<context>
+    <name>project.give_frames_in_order</name>
+    <message>
+        <source>give the start before the end</source>
+        <translation>indique el inicio antes del final</translation>
     </message>
 </context>
 <context>
@@ -18406,6 +18593,13 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     </message>
 </context>
 <context>
+    <name>project.give_more_corners</name>
+    <message>
+        <source>give more corners</source>
+        <translation>indique más esquinas</translation>
+    </message>
+</context>
+<context>
     <name>project.give_robot_size</name>
     <message>
         <source>give length and width in millimetres, like 260x190</source>
@@ -18413,10 +18607,38 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     </message>
 </context>
 <context>
+    <name>project.give_sigma_px</name>
+    <message>
+        <source>give σ in pixels</source>
+        <translation>indique σ en píxeles</translation>
+    </message>
+</context>
+<context>
     <name>project.give_whole_truth</name>
     <message>
         <source>give position, velocity and acceleration for each time</source>
         <translation>dé posición, velocidad y aceleración para cada tiempo</translation>
+    </message>
+</context>
+<context>
+    <name>project.guidance</name>
+    <message>
+        <source>guidance of the tracker</source>
+        <translation>indicaciones para el seguimiento</translation>
+    </message>
+</context>
+<context>
+    <name>project.guidance_is_gone</name>
+    <message>
+        <source>it was removed meanwhile</source>
+        <translation>se ha quitado entretanto</translation>
+    </message>
+</context>
+<context>
+    <name>project.guidance_too_many</name>
+    <message>
+        <source>the view already has %1 of them</source>
+        <translation>la vista ya tiene %1</translation>
     </message>
 </context>
 <context>
@@ -18501,6 +18723,13 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <message>
         <source>it holds a line break or another control character</source>
         <translation>contiene un salto de línea u otro carácter de control</translation>
+    </message>
+</context>
+<context>
+    <name>project.ignored_area</name>
+    <message>
+        <source>ignored area</source>
+        <translation>zona ignorada</translation>
     </message>
 </context>
 <context>
@@ -19029,6 +19258,13 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     </message>
 </context>
 <context>
+    <name>project.not_visible_span</name>
+    <message>
+        <source>time in which a robot is not visible</source>
+        <translation>tiempo en que un robot no es visible</translation>
+    </message>
+</context>
+<context>
     <name>project.nothing_to_redo</name>
     <message>
         <source>nothing has been undone</source>
@@ -19187,6 +19423,20 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <message>
         <source>path of a calibration image</source>
         <translation>ruta de una imagen de calibración</translation>
+    </message>
+</context>
+<context>
+    <name>project.point_by_hand</name>
+    <message>
+        <source>point set by hand</source>
+        <translation>punto puesto a mano</translation>
+    </message>
+</context>
+<context>
+    <name>project.point_without_sigma</name>
+    <message>
+        <source>it needs one position and a σ above 0 px</source>
+        <translation>necesita una posición y un σ mayor que 0 px</translation>
     </message>
 </context>
 <context>
@@ -19463,6 +19713,13 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     </message>
 </context>
 <context>
+    <name>project.remove_guidance</name>
+    <message>
+        <source>remove some first</source>
+        <translation>quite primero algunos</translation>
+    </message>
+</context>
+<context>
     <name>project.remove_variables</name>
     <message>
         <source>remove some of its variables</source>
@@ -19628,6 +19885,13 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <message>
         <source>it is no longer in the project</source>
         <translation>ya no está en el proyecto</translation>
+    </message>
+</context>
+<context>
+    <name>project.search_area</name>
+    <message>
+        <source>search area</source>
+        <translation>zona de búsqueda</translation>
     </message>
 </context>
 <context>
@@ -23418,6 +23682,13 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     </message>
 </context>
 <context>
+    <name>workflow.change_guidance</name>
+    <message>
+        <source>change the guidance of %1</source>
+        <translation>cambiar las indicaciones de %1</translation>
+    </message>
+</context>
+<context>
     <name>workflow.changed_in_file</name>
     <message>
         <source>they were changed in the file</source>
@@ -23597,6 +23868,13 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <message>
         <source>choose one of them</source>
         <translation>elija uno de ellos</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.choose_other_group</name>
+    <message>
+        <source>choose other times or another reason</source>
+        <translation>elija otros tiempos u otro motivo</translation>
     </message>
 </context>
 <context>
@@ -23786,6 +24064,20 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <message>
         <source>copying the project</source>
         <translation>copiando el proyecto</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.corner_off_frame</name>
+    <message>
+        <source>a corner is outside the frame</source>
+        <translation>una esquina está fuera del fotograma</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.correct_by_hand</name>
+    <message>
+        <source>correct %1 by hand</source>
+        <translation>corregir %1 a mano</translation>
     </message>
 </context>
 <context>
@@ -24024,13 +24316,6 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <message>
         <source>folder &apos;%1&apos;</source>
         <translation>carpeta &apos;%1&apos;</translation>
-    </message>
-</context>
-<context>
-    <name>workflow.found_by_colour</name>
-    <message>
-        <source>it is detected by its colour</source>
-        <translation>se encuentra por su color</translation>
     </message>
 </context>
 <context>
@@ -24335,6 +24620,13 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     </message>
 </context>
 <context>
+    <name>workflow.guidance_of_view</name>
+    <message>
+        <source>guidance in view &apos;%1&apos;</source>
+        <translation>indicaciones en la vista «%1»</translation>
+    </message>
+</context>
+<context>
     <name>workflow.hardly_possible</name>
     <message>
         <source>a robot hardly moves at %1 with %2; check units and scale</source>
@@ -24507,6 +24799,13 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <message>
         <source>remove the override of frame %1 of %2</source>
         <translation>dejar el fotograma %1 de %2 al programa</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.leave_frames</name>
+    <message>
+        <source>remove the overrides of %1 samples of %2</source>
+        <translation>quitar las decisiones sobre %1 muestras de %2</translation>
     </message>
 </context>
 <context>
@@ -24752,6 +25051,13 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <message>
         <source>mark frame %1 of %2 as a spike</source>
         <translation>marcar el fotograma %1 de %2 como atípico</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.mark_spikes</name>
+    <message>
+        <source>mark %1 samples of %2 as spikes</source>
+        <translation>marcar %1 muestras de %2 como atípicas</translation>
     </message>
 </context>
 <context>
@@ -25039,6 +25345,13 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <message>
         <source>the analysis has no sample</source>
         <translation>el análisis no tiene ninguna muestra</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.no_sample_in_group</name>
+    <message>
+        <source>no sample from %1 to %2 is to be changed</source>
+        <translation>de %1 a %2 no hay ninguna muestra que cambiar</translation>
     </message>
 </context>
 <context>
@@ -25417,13 +25730,6 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <message>
         <source>the views agree</source>
         <translation>las vistas concuerdan</translation>
-    </message>
-</context>
-<context>
-    <name>workflow.pick_or_take_colour</name>
-    <message>
-        <source>pick its colour again, or remove its colour</source>
-        <translation>vuelva a tomar su color, o quítele el color</translation>
     </message>
 </context>
 <context>
@@ -26460,6 +26766,13 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <message>
         <source>use frame %1 of %2</source>
         <translation>usar el fotograma %1 de %2</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.use_frames</name>
+    <message>
+        <source>use %1 samples of %2</source>
+        <translation>usar %1 muestras de %2</translation>
     </message>
 </context>
 <context>

@@ -1006,6 +1006,33 @@
     </message>
 </context>
 <context>
+    <name>GuidanceWords</name>
+    <message>
+        <source>searched</source>
+        <translation>explorée</translation>
+    </message>
+    <message>
+        <source>ignored</source>
+        <translation>ignorée</translation>
+    </message>
+    <message>
+        <source>%1 marked here</source>
+        <translation>%1 marqué ici</translation>
+    </message>
+    <message>
+        <source>%1 set by hand</source>
+        <translation>%1 placé à la main</translation>
+    </message>
+    <message>
+        <source>no robot visible, by hand</source>
+        <translation>aucun robot visible, à la main</translation>
+    </message>
+    <message>
+        <source>%1 not visible, by hand</source>
+        <translation>%1 non visible, à la main</translation>
+    </message>
+</context>
+<context>
     <name>HealthWatch</name>
     <message>
         <source>The project is read-only</source>
@@ -12358,6 +12385,69 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
 </context>
 <context>
+    <name>odo::GuidanceTool</name>
+    <message>
+        <source>&amp;Ignore an area</source>
+        <translation>&amp;Ignorer une zone</translation>
+    </message>
+    <message>
+        <source>Draw an area of a view to ignore, such as a mirror or a screen: click its corners, then press Enter</source>
+        <translation>Dessiner une zone d’une vue à ignorer, comme un miroir ou un écran : cliquez sur ses coins, puis appuyez sur Entrée</translation>
+    </message>
+    <message>
+        <source>Search only an &amp;area</source>
+        <translation>N’explorer qu’une &amp;zone</translation>
+    </message>
+    <message>
+        <source>Draw the area of a view in which robots are searched: click its corners, then press Enter</source>
+        <translation>Dessiner la zone d’une vue où les robots sont cherchés : cliquez sur ses coins, puis appuyez sur Entrée</translation>
+    </message>
+    <message>
+        <source>&amp;Remove all areas</source>
+        <translation>&amp;Retirer toutes les zones</translation>
+    </message>
+    <message>
+        <source>Remove all areas of this trial</source>
+        <translation>Retirer toutes les zones de cet essai</translation>
+    </message>
+    <message>
+        <source>Remove this ignored area</source>
+        <translation>Retirer cette zone ignorée</translation>
+    </message>
+    <message>
+        <source>Remove this search area</source>
+        <translation>Retirer cette zone de recherche</translation>
+    </message>
+    <message>
+        <source>Set %1 here by hand…</source>
+        <translation>Placer %1 ici à la main…</translation>
+    </message>
+    <message>
+        <source>%1 is not visible here in the selected time</source>
+        <translation>%1 n’est pas visible ici pendant le temps sélectionné</translation>
+    </message>
+    <message>
+        <source>%1 is not visible in any view in the selected time</source>
+        <translation>%1 n’est visible dans aucune vue pendant le temps sélectionné</translation>
+    </message>
+    <message>
+        <source>Remove the point set by hand</source>
+        <translation>Retirer le point placé à la main</translation>
+    </message>
+    <message>
+        <source>It is visible after all</source>
+        <translation>Il est visible en fait</translation>
+    </message>
+    <message>
+        <source>Set a point by hand</source>
+        <translation>Placer un point à la main</translation>
+    </message>
+    <message>
+        <source>Uncertainty σ of this point, pixels:</source>
+        <translation>Incertitude σ de ce point, pixels :</translation>
+    </message>
+</context>
+<context>
     <name>odo::HelpActions</name>
     <message>
         <source>&amp;Help on this page</source>
@@ -14527,6 +14617,10 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <source>Result</source>
         <translation>Résultat</translation>
     </message>
+    <message>
+        <source>The areas have changed since this trial was tracked. Track it again to use them.</source>
+        <translation>Les zones ont changé depuis le suivi de cet essai. Suivez-le à nouveau pour les utiliser.</translation>
+    </message>
 </context>
 <context>
     <name>odo::ReviewDesk</name>
@@ -15403,6 +15497,29 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>Spikes with time and reason</source>
         <translation>Pics aberrants, avec l’instant et la raison</translation>
+    </message>
+    <message>
+        <source>Select all with this &amp;reason</source>
+        <translation>Sélectionner tous ceux de cette &amp;raison</translation>
+    </message>
+    <message>
+        <source>Select all in the selected ra&amp;nge</source>
+        <translation>Sélectionner tous ceux de la &amp;plage sélectionnée</translation>
+    </message>
+    <message>
+        <source>Select all spikes of this robot that have the reason of the selected one</source>
+        <translation>Sélectionner tous les pics de ce robot qui ont la raison de celui sélectionné</translation>
+    </message>
+    <message>
+        <source>Select all spikes of this robot within the selection on the time line</source>
+        <translation>Sélectionner tous les pics de ce robot dans la sélection de la ligne de temps</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n selected</source>
+        <translation>
+            <numerusform>%n sélectionné</numerusform>
+            <numerusform>%n sélectionnés</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -17110,6 +17227,20 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
             <numerusform>%n essais modifiés. Choisissez Annuler pour revenir en arrière.</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>%n samples of %1 are not used. Choose Undo to use them.</source>
+        <translation>
+            <numerusform>%n échantillon de %1 n’est pas utilisé. Choisissez Annuler pour l’utiliser.</numerusform>
+            <numerusform>%n échantillons de %1 ne sont pas utilisés. Choisissez Annuler pour les utiliser.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n samples of %1 are used. Choose Undo to reverse this.</source>
+        <translation>
+            <numerusform>%n échantillon de %1 est utilisé. Choisissez Annuler pour revenir en arrière.</numerusform>
+            <numerusform>%n échantillons de %1 sont utilisés. Choisissez Annuler pour revenir en arrière.</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>odo::TrialChooser</name>
@@ -17755,6 +17886,27 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
 </context>
 <context>
+    <name>project.area_few_corners</name>
+    <message>
+        <source>an area needs at least %1 corners</source>
+        <translation>une zone a besoin d’au moins %1 coins</translation>
+    </message>
+</context>
+<context>
+    <name>project.area_many_corners</name>
+    <message>
+        <source>an area has at most %1 corners</source>
+        <translation>une zone a au plus %1 coins</translation>
+    </message>
+</context>
+<context>
+    <name>project.area_off_frame</name>
+    <message>
+        <source>a position is not in the frame</source>
+        <translation>une position n’est pas dans l’image</translation>
+    </message>
+</context>
+<context>
     <name>project.being_recorded</name>
     <message>
         <source>it is being recorded</source>
@@ -17920,6 +18072,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>checking the database</source>
         <translation>vérification de la base de données</translation>
+    </message>
+</context>
+<context>
+    <name>project.choose_from_list</name>
+    <message>
+        <source>choose one from the list</source>
+        <translation>choisissez-en un dans la liste</translation>
     </message>
 </context>
 <context>
@@ -18303,8 +18462,8 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>project.format_21</name>
     <message>
-        <source>the school&apos;s hub, and what is to be sent to it</source>
-        <translation>le serveur de l’école et ce qui doit lui être envoyé</translation>
+        <source>guidance of the tracker, and the school&apos;s hub</source>
+        <translation>indications pour le suivi et le serveur de l’école</translation>
     </message>
 </context>
 <context>
@@ -18364,6 +18523,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
 </context>
 <context>
+    <name>project.frames_in_wrong_order</name>
+    <message>
+        <source>it ends before it starts</source>
+        <translation>la fin précède le début</translation>
+    </message>
+</context>
+<context>
     <name>project.give_a_height</name>
     <message>
         <source>enter a height, or have it estimated</source>
@@ -18392,10 +18558,31 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
 </context>
 <context>
+    <name>project.give_fewer_corners</name>
+    <message>
+        <source>give fewer corners, or two areas</source>
+        <translation>donnez moins de coins, ou deux zones</translation>
+    </message>
+</context>
+<context>
     <name>project.give_file_a_name</name>
     <message>
         <source>give the file a name</source>
         <translation>donnez un nom au fichier</translation>
+    </message>
+</context>
+<context>
+    <name>project.give_frame_pixels</name>
+    <message>
+        <source>give positions in pixels of the frame</source>
+        <translation>donnez des positions en pixels de l’image</translation>
+    </message>
+</context>
+<context>
+    <name>project.give_frames_in_order</name>
+    <message>
+        <source>give the start before the end</source>
+        <translation>donnez le début avant la fin</translation>
     </message>
 </context>
 <context>
@@ -18406,6 +18593,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
 </context>
 <context>
+    <name>project.give_more_corners</name>
+    <message>
+        <source>give more corners</source>
+        <translation>donnez plus de coins</translation>
+    </message>
+</context>
+<context>
     <name>project.give_robot_size</name>
     <message>
         <source>give length and width in millimetres, like 260x190</source>
@@ -18413,10 +18607,38 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
 </context>
 <context>
+    <name>project.give_sigma_px</name>
+    <message>
+        <source>give σ in pixels</source>
+        <translation>donnez σ en pixels</translation>
+    </message>
+</context>
+<context>
     <name>project.give_whole_truth</name>
     <message>
         <source>give position, velocity and acceleration for each time</source>
         <translation>donnez position, vitesse et accélération pour chaque temps</translation>
+    </message>
+</context>
+<context>
+    <name>project.guidance</name>
+    <message>
+        <source>guidance of the tracker</source>
+        <translation>indications pour le suivi</translation>
+    </message>
+</context>
+<context>
+    <name>project.guidance_is_gone</name>
+    <message>
+        <source>it was removed meanwhile</source>
+        <translation>il a été retiré entre-temps</translation>
+    </message>
+</context>
+<context>
+    <name>project.guidance_too_many</name>
+    <message>
+        <source>the view already has %1 of them</source>
+        <translation>la vue en a déjà %1</translation>
     </message>
 </context>
 <context>
@@ -18501,6 +18723,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>it holds a line break or another control character</source>
         <translation>il contient un saut de ligne ou un autre caractère de contrôle</translation>
+    </message>
+</context>
+<context>
+    <name>project.ignored_area</name>
+    <message>
+        <source>ignored area</source>
+        <translation>zone ignorée</translation>
     </message>
 </context>
 <context>
@@ -19029,6 +19258,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
 </context>
 <context>
+    <name>project.not_visible_span</name>
+    <message>
+        <source>time in which a robot is not visible</source>
+        <translation>temps où un robot n’est pas visible</translation>
+    </message>
+</context>
+<context>
     <name>project.nothing_to_redo</name>
     <message>
         <source>nothing has been undone</source>
@@ -19187,6 +19423,20 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>path of a calibration image</source>
         <translation>chemin d’une photo d’étalonnage</translation>
+    </message>
+</context>
+<context>
+    <name>project.point_by_hand</name>
+    <message>
+        <source>point set by hand</source>
+        <translation>point placé à la main</translation>
+    </message>
+</context>
+<context>
+    <name>project.point_without_sigma</name>
+    <message>
+        <source>it needs one position and a σ above 0 px</source>
+        <translation>il faut une position et un σ supérieur à 0 px</translation>
     </message>
 </context>
 <context>
@@ -19463,6 +19713,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
 </context>
 <context>
+    <name>project.remove_guidance</name>
+    <message>
+        <source>remove some first</source>
+        <translation>retirez-en d’abord</translation>
+    </message>
+</context>
+<context>
     <name>project.remove_variables</name>
     <message>
         <source>remove some of its variables</source>
@@ -19628,6 +19885,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>it is no longer in the project</source>
         <translation>il n’est plus dans le projet</translation>
+    </message>
+</context>
+<context>
+    <name>project.search_area</name>
+    <message>
+        <source>search area</source>
+        <translation>zone de recherche</translation>
     </message>
 </context>
 <context>
@@ -23418,6 +23682,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
 </context>
 <context>
+    <name>workflow.change_guidance</name>
+    <message>
+        <source>change the guidance of %1</source>
+        <translation>modification des indications de %1</translation>
+    </message>
+</context>
+<context>
     <name>workflow.changed_in_file</name>
     <message>
         <source>they were changed in the file</source>
@@ -23597,6 +23868,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>choose one of them</source>
         <translation>choisissez-en un</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.choose_other_group</name>
+    <message>
+        <source>choose other times or another reason</source>
+        <translation>choisissez d’autres temps ou une autre raison</translation>
     </message>
 </context>
 <context>
@@ -23786,6 +24064,20 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>copying the project</source>
         <translation>copie du projet</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.corner_off_frame</name>
+    <message>
+        <source>a corner is outside the frame</source>
+        <translation>un coin est hors de l’image</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.correct_by_hand</name>
+    <message>
+        <source>correct %1 by hand</source>
+        <translation>correction de %1 à la main</translation>
     </message>
 </context>
 <context>
@@ -24024,13 +24316,6 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>folder &apos;%1&apos;</source>
         <translation>dossier &apos;%1&apos;</translation>
-    </message>
-</context>
-<context>
-    <name>workflow.found_by_colour</name>
-    <message>
-        <source>it is detected by its colour</source>
-        <translation>il est trouvé par sa couleur</translation>
     </message>
 </context>
 <context>
@@ -24335,6 +24620,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
 </context>
 <context>
+    <name>workflow.guidance_of_view</name>
+    <message>
+        <source>guidance in view &apos;%1&apos;</source>
+        <translation>indications dans la vue « %1 »</translation>
+    </message>
+</context>
+<context>
     <name>workflow.hardly_possible</name>
     <message>
         <source>a robot hardly moves at %1 with %2; check units and scale</source>
@@ -24507,6 +24799,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>remove the override of frame %1 of %2</source>
         <translation>image %1 de %2 laissée au programme</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.leave_frames</name>
+    <message>
+        <source>remove the overrides of %1 samples of %2</source>
+        <translation>retrait des corrections manuelles de %1 échantillons de %2</translation>
     </message>
 </context>
 <context>
@@ -24752,6 +25051,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>mark frame %1 of %2 as a spike</source>
         <translation>signalement de l’image %1 de %2 comme pic</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.mark_spikes</name>
+    <message>
+        <source>mark %1 samples of %2 as spikes</source>
+        <translation>signalement de %1 échantillons de %2 comme pics</translation>
     </message>
 </context>
 <context>
@@ -25039,6 +25345,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>the analysis has no sample</source>
         <translation>l’analyse n’a aucun échantillon</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.no_sample_in_group</name>
+    <message>
+        <source>no sample from %1 to %2 is to be changed</source>
+        <translation>aucun échantillon de %1 à %2 n’est à changer</translation>
     </message>
 </context>
 <context>
@@ -25417,13 +25730,6 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>the views agree</source>
         <translation>les vues concordent</translation>
-    </message>
-</context>
-<context>
-    <name>workflow.pick_or_take_colour</name>
-    <message>
-        <source>pick its colour again, or remove its colour</source>
-        <translation>reprenez sa couleur, ou retirez-la-lui</translation>
     </message>
 </context>
 <context>
@@ -26460,6 +26766,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>use frame %1 of %2</source>
         <translation>utilisation de l’image %1 de %2</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.use_frames</name>
+    <message>
+        <source>use %1 samples of %2</source>
+        <translation>utilisation de %1 échantillons de %2</translation>
     </message>
 </context>
 <context>

@@ -1001,6 +1001,33 @@
     </message>
 </context>
 <context>
+    <name>GuidanceWords</name>
+    <message>
+        <source>searched</source>
+        <translation>탐색 영역</translation>
+    </message>
+    <message>
+        <source>ignored</source>
+        <translation>무시됨</translation>
+    </message>
+    <message>
+        <source>%1 marked here</source>
+        <translation>%1 여기에 표시됨</translation>
+    </message>
+    <message>
+        <source>%1 set by hand</source>
+        <translation>%1 수동 지정</translation>
+    </message>
+    <message>
+        <source>no robot visible, by hand</source>
+        <translation>보이는 로봇 없음 (수동)</translation>
+    </message>
+    <message>
+        <source>%1 not visible, by hand</source>
+        <translation>%1 보이지 않음 (수동)</translation>
+    </message>
+</context>
+<context>
     <name>HealthWatch</name>
     <message>
         <source>The project is read-only</source>
@@ -12340,6 +12367,69 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>odo::GuidanceTool</name>
+    <message>
+        <source>&amp;Ignore an area</source>
+        <translation>영역 무시(&amp;I)</translation>
+    </message>
+    <message>
+        <source>Draw an area of a view to ignore, such as a mirror or a screen: click its corners, then press Enter</source>
+        <translation>거울이나 화면처럼 무시할 뷰의 영역을 그립니다: 모서리를 클릭한 다음 Enter를 누르세요</translation>
+    </message>
+    <message>
+        <source>Search only an &amp;area</source>
+        <translation>한 영역만 탐색(&amp;A)</translation>
+    </message>
+    <message>
+        <source>Draw the area of a view in which robots are searched: click its corners, then press Enter</source>
+        <translation>로봇을 찾을 뷰의 영역을 그립니다: 모서리를 클릭한 다음 Enter를 누르세요</translation>
+    </message>
+    <message>
+        <source>&amp;Remove all areas</source>
+        <translation>모든 영역 제거(&amp;R)</translation>
+    </message>
+    <message>
+        <source>Remove all areas of this trial</source>
+        <translation>이 시행의 모든 영역을 제거합니다</translation>
+    </message>
+    <message>
+        <source>Remove this ignored area</source>
+        <translation>이 무시 영역 제거</translation>
+    </message>
+    <message>
+        <source>Remove this search area</source>
+        <translation>이 탐색 영역 제거</translation>
+    </message>
+    <message>
+        <source>Set %1 here by hand…</source>
+        <translation>%1의 위치를 여기로 수동 지정…</translation>
+    </message>
+    <message>
+        <source>%1 is not visible here in the selected time</source>
+        <translation>선택한 시간 동안 %1이(가) 여기서 보이지 않음</translation>
+    </message>
+    <message>
+        <source>%1 is not visible in any view in the selected time</source>
+        <translation>선택한 시간 동안 %1이(가) 어느 뷰에서도 보이지 않음</translation>
+    </message>
+    <message>
+        <source>Remove the point set by hand</source>
+        <translation>수동으로 지정한 점 제거</translation>
+    </message>
+    <message>
+        <source>It is visible after all</source>
+        <translation>실제로는 보임</translation>
+    </message>
+    <message>
+        <source>Set a point by hand</source>
+        <translation>점 수동 지정</translation>
+    </message>
+    <message>
+        <source>Uncertainty σ of this point, pixels:</source>
+        <translation>이 점의 불확도 σ, 픽셀:</translation>
+    </message>
+</context>
+<context>
     <name>odo::HelpActions</name>
     <message>
         <source>&amp;Help on this page</source>
@@ -14497,6 +14587,10 @@ Much more than expected means that a setting is wrong: the views are not synchro
         <source>Result</source>
         <translation>결과</translation>
     </message>
+    <message>
+        <source>The areas have changed since this trial was tracked. Track it again to use them.</source>
+        <translation>이 시행을 추적한 뒤 영역이 바뀌었습니다. 적용하려면 다시 추적하세요.</translation>
+    </message>
 </context>
 <context>
     <name>odo::ReviewDesk</name>
@@ -15373,6 +15467,28 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>Spikes with time and reason</source>
         <translation>시간과 이유가 있는 이상점 목록</translation>
+    </message>
+    <message>
+        <source>Select all with this &amp;reason</source>
+        <translation>이 이유의 항목 모두 선택(&amp;R)</translation>
+    </message>
+    <message>
+        <source>Select all in the selected ra&amp;nge</source>
+        <translation>선택한 구간의 항목 모두 선택(&amp;N)</translation>
+    </message>
+    <message>
+        <source>Select all spikes of this robot that have the reason of the selected one</source>
+        <translation>선택한 이상점과 같은 이유를 가진 이 로봇의 이상점을 모두 선택합니다</translation>
+    </message>
+    <message>
+        <source>Select all spikes of this robot within the selection on the time line</source>
+        <translation>타임라인의 선택 범위 안에 있는 이 로봇의 이상점을 모두 선택합니다</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n selected</source>
+        <translation>
+            <numerusform>%n개 선택됨</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -17062,6 +17178,18 @@ Much more than expected means that a setting is wrong: the views are not synchro
             <numerusform>시행 %n개를 바꾸었습니다. 실행 취소를 선택하면 되돌립니다.</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>%n samples of %1 are not used. Choose Undo to use them.</source>
+        <translation>
+            <numerusform>%1의 샘플 %n개를 사용하지 않습니다. 다시 사용하려면 실행 취소를 선택하세요.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n samples of %1 are used. Choose Undo to reverse this.</source>
+        <translation>
+            <numerusform>%1의 샘플 %n개를 사용합니다. 되돌리려면 실행 취소를 선택하세요.</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>odo::TrialChooser</name>
@@ -17707,6 +17835,27 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>project.area_few_corners</name>
+    <message>
+        <source>an area needs at least %1 corners</source>
+        <translation>영역에는 모서리가 %1개 이상 필요합니다</translation>
+    </message>
+</context>
+<context>
+    <name>project.area_many_corners</name>
+    <message>
+        <source>an area has at most %1 corners</source>
+        <translation>영역의 모서리는 최대 %1개입니다</translation>
+    </message>
+</context>
+<context>
+    <name>project.area_off_frame</name>
+    <message>
+        <source>a position is not in the frame</source>
+        <translation>위치가 프레임 안에 없습니다</translation>
+    </message>
+</context>
+<context>
     <name>project.being_recorded</name>
     <message>
         <source>it is being recorded</source>
@@ -17872,6 +18021,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>checking the database</source>
         <translation>데이터베이스 검사 중</translation>
+    </message>
+</context>
+<context>
+    <name>project.choose_from_list</name>
+    <message>
+        <source>choose one from the list</source>
+        <translation>목록에서 하나를 선택하세요</translation>
     </message>
 </context>
 <context>
@@ -18255,8 +18411,8 @@ Much more than expected means that a setting is wrong: the views are not synchro
 <context>
     <name>project.format_21</name>
     <message>
-        <source>the school&apos;s hub, and what is to be sent to it</source>
-        <translation>학교 허브와 허브로 보낼 내용</translation>
+        <source>guidance of the tracker, and the school&apos;s hub</source>
+        <translation>추적을 위한 지정과 학교 허브</translation>
     </message>
 </context>
 <context>
@@ -18316,6 +18472,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>project.frames_in_wrong_order</name>
+    <message>
+        <source>it ends before it starts</source>
+        <translation>시작보다 먼저 끝납니다</translation>
+    </message>
+</context>
+<context>
     <name>project.give_a_height</name>
     <message>
         <source>enter a height, or have it estimated</source>
@@ -18344,10 +18507,31 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>project.give_fewer_corners</name>
+    <message>
+        <source>give fewer corners, or two areas</source>
+        <translation>모서리를 줄이거나 영역을 둘로 나누세요</translation>
+    </message>
+</context>
+<context>
     <name>project.give_file_a_name</name>
     <message>
         <source>give the file a name</source>
         <translation>파일 이름을 지정하십시오</translation>
+    </message>
+</context>
+<context>
+    <name>project.give_frame_pixels</name>
+    <message>
+        <source>give positions in pixels of the frame</source>
+        <translation>프레임의 픽셀로 위치를 지정하세요</translation>
+    </message>
+</context>
+<context>
+    <name>project.give_frames_in_order</name>
+    <message>
+        <source>give the start before the end</source>
+        <translation>시작을 끝보다 앞에 지정하세요</translation>
     </message>
 </context>
 <context>
@@ -18358,6 +18542,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>project.give_more_corners</name>
+    <message>
+        <source>give more corners</source>
+        <translation>모서리를 더 지정하세요</translation>
+    </message>
+</context>
+<context>
     <name>project.give_robot_size</name>
     <message>
         <source>give length and width in millimetres, like 260x190</source>
@@ -18365,10 +18556,38 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>project.give_sigma_px</name>
+    <message>
+        <source>give σ in pixels</source>
+        <translation>σ를 픽셀로 지정하세요</translation>
+    </message>
+</context>
+<context>
     <name>project.give_whole_truth</name>
     <message>
         <source>give position, velocity and acceleration for each time</source>
         <translation>각 시간의 위치, 속도, 가속도를 주십시오</translation>
+    </message>
+</context>
+<context>
+    <name>project.guidance</name>
+    <message>
+        <source>guidance of the tracker</source>
+        <translation>추적 지침</translation>
+    </message>
+</context>
+<context>
+    <name>project.guidance_is_gone</name>
+    <message>
+        <source>it was removed meanwhile</source>
+        <translation>그 사이에 제거되었습니다</translation>
+    </message>
+</context>
+<context>
+    <name>project.guidance_too_many</name>
+    <message>
+        <source>the view already has %1 of them</source>
+        <translation>뷰에 이미 %1개가 있습니다</translation>
     </message>
 </context>
 <context>
@@ -18453,6 +18672,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>it holds a line break or another control character</source>
         <translation>줄바꿈이나 다른 제어 문자가 들어 있습니다</translation>
+    </message>
+</context>
+<context>
+    <name>project.ignored_area</name>
+    <message>
+        <source>ignored area</source>
+        <translation>무시 영역</translation>
     </message>
 </context>
 <context>
@@ -18981,6 +19207,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>project.not_visible_span</name>
+    <message>
+        <source>time in which a robot is not visible</source>
+        <translation>로봇이 보이지 않는 시간</translation>
+    </message>
+</context>
+<context>
     <name>project.nothing_to_redo</name>
     <message>
         <source>nothing has been undone</source>
@@ -19139,6 +19372,20 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>path of a calibration image</source>
         <translation>보정 사진의 경로</translation>
+    </message>
+</context>
+<context>
+    <name>project.point_by_hand</name>
+    <message>
+        <source>point set by hand</source>
+        <translation>수동으로 지정한 점</translation>
+    </message>
+</context>
+<context>
+    <name>project.point_without_sigma</name>
+    <message>
+        <source>it needs one position and a σ above 0 px</source>
+        <translation>위치 하나와 0 px보다 큰 σ가 필요합니다</translation>
     </message>
 </context>
 <context>
@@ -19415,6 +19662,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>project.remove_guidance</name>
+    <message>
+        <source>remove some first</source>
+        <translation>먼저 일부를 제거하세요</translation>
+    </message>
+</context>
+<context>
     <name>project.remove_variables</name>
     <message>
         <source>remove some of its variables</source>
@@ -19580,6 +19834,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>it is no longer in the project</source>
         <translation>프로젝트에 더 이상 없습니다</translation>
+    </message>
+</context>
+<context>
+    <name>project.search_area</name>
+    <message>
+        <source>search area</source>
+        <translation>탐색 영역</translation>
     </message>
 </context>
 <context>
@@ -23370,6 +23631,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>workflow.change_guidance</name>
+    <message>
+        <source>change the guidance of %1</source>
+        <translation>%1의 추적 지침 변경</translation>
+    </message>
+</context>
+<context>
     <name>workflow.changed_in_file</name>
     <message>
         <source>they were changed in the file</source>
@@ -23549,6 +23817,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>choose one of them</source>
         <translation>그중 하나를 고르십시오</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.choose_other_group</name>
+    <message>
+        <source>choose other times or another reason</source>
+        <translation>다른 시간이나 다른 이유를 선택하세요</translation>
     </message>
 </context>
 <context>
@@ -23738,6 +24013,20 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>copying the project</source>
         <translation>프로젝트 복사 중</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.corner_off_frame</name>
+    <message>
+        <source>a corner is outside the frame</source>
+        <translation>모서리가 프레임 밖에 있습니다</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.correct_by_hand</name>
+    <message>
+        <source>correct %1 by hand</source>
+        <translation>%1 수동 보정</translation>
     </message>
 </context>
 <context>
@@ -23976,13 +24265,6 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>folder &apos;%1&apos;</source>
         <translation>폴더 &apos;%1&apos;</translation>
-    </message>
-</context>
-<context>
-    <name>workflow.found_by_colour</name>
-    <message>
-        <source>it is detected by its colour</source>
-        <translation>색으로 찾는 로봇입니다</translation>
     </message>
 </context>
 <context>
@@ -24287,6 +24569,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>workflow.guidance_of_view</name>
+    <message>
+        <source>guidance in view &apos;%1&apos;</source>
+        <translation>뷰 &apos;%1&apos;의 추적 지침</translation>
+    </message>
+</context>
+<context>
     <name>workflow.hardly_possible</name>
     <message>
         <source>a robot hardly moves at %1 with %2; check units and scale</source>
@@ -24459,6 +24748,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>remove the override of frame %1 of %2</source>
         <translation>%2의 프레임 %1을(를) 프로그램에 맡김</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.leave_frames</name>
+    <message>
+        <source>remove the overrides of %1 samples of %2</source>
+        <translation>%2의 샘플 %1개의 수동 지정 제거</translation>
     </message>
 </context>
 <context>
@@ -24704,6 +25000,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>mark frame %1 of %2 as a spike</source>
         <translation>%2의 프레임 %1을(를) 이상점으로 지정</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.mark_spikes</name>
+    <message>
+        <source>mark %1 samples of %2 as spikes</source>
+        <translation>%2의 샘플 %1개를 이상점으로 지정</translation>
     </message>
 </context>
 <context>
@@ -24991,6 +25294,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>the analysis has no sample</source>
         <translation>분석에 샘플이 없습니다</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.no_sample_in_group</name>
+    <message>
+        <source>no sample from %1 to %2 is to be changed</source>
+        <translation>%1에서 %2까지 바꿀 샘플이 없습니다</translation>
     </message>
 </context>
 <context>
@@ -25369,13 +25679,6 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>the views agree</source>
         <translation>뷰가 서로 일치합니다</translation>
-    </message>
-</context>
-<context>
-    <name>workflow.pick_or_take_colour</name>
-    <message>
-        <source>pick its colour again, or remove its colour</source>
-        <translation>색을 다시 고르거나 색을 없애십시오</translation>
     </message>
 </context>
 <context>
@@ -26412,6 +26715,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>use frame %1 of %2</source>
         <translation>%2의 프레임 %1 사용</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.use_frames</name>
+    <message>
+        <source>use %1 samples of %2</source>
+        <translation>%2의 샘플 %1개 사용</translation>
     </message>
 </context>
 <context>

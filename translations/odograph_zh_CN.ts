@@ -1001,6 +1001,33 @@
     </message>
 </context>
 <context>
+    <name>GuidanceWords</name>
+    <message>
+        <source>searched</source>
+        <translation>搜索区域</translation>
+    </message>
+    <message>
+        <source>ignored</source>
+        <translation>已忽略</translation>
+    </message>
+    <message>
+        <source>%1 marked here</source>
+        <translation>%1 标记于此</translation>
+    </message>
+    <message>
+        <source>%1 set by hand</source>
+        <translation>%1 手动设置</translation>
+    </message>
+    <message>
+        <source>no robot visible, by hand</source>
+        <translation>无可见机器人（手动）</translation>
+    </message>
+    <message>
+        <source>%1 not visible, by hand</source>
+        <translation>%1 不可见（手动）</translation>
+    </message>
+</context>
+<context>
     <name>HealthWatch</name>
     <message>
         <source>The project is read-only</source>
@@ -12340,6 +12367,69 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>odo::GuidanceTool</name>
+    <message>
+        <source>&amp;Ignore an area</source>
+        <translation>忽略区域(&amp;I)</translation>
+    </message>
+    <message>
+        <source>Draw an area of a view to ignore, such as a mirror or a screen: click its corners, then press Enter</source>
+        <translation>绘制视图中要忽略的区域，例如镜子或屏幕：单击各个角点，然后按回车</translation>
+    </message>
+    <message>
+        <source>Search only an &amp;area</source>
+        <translation>仅搜索一个区域(&amp;A)</translation>
+    </message>
+    <message>
+        <source>Draw the area of a view in which robots are searched: click its corners, then press Enter</source>
+        <translation>绘制视图中搜索机器人的区域：单击各个角点，然后按回车</translation>
+    </message>
+    <message>
+        <source>&amp;Remove all areas</source>
+        <translation>移除所有区域(&amp;R)</translation>
+    </message>
+    <message>
+        <source>Remove all areas of this trial</source>
+        <translation>移除此试验的所有区域</translation>
+    </message>
+    <message>
+        <source>Remove this ignored area</source>
+        <translation>移除此忽略区域</translation>
+    </message>
+    <message>
+        <source>Remove this search area</source>
+        <translation>移除此搜索区域</translation>
+    </message>
+    <message>
+        <source>Set %1 here by hand…</source>
+        <translation>在此处手动设置 %1…</translation>
+    </message>
+    <message>
+        <source>%1 is not visible here in the selected time</source>
+        <translation>%1 在所选时间内于此视图不可见</translation>
+    </message>
+    <message>
+        <source>%1 is not visible in any view in the selected time</source>
+        <translation>%1 在所选时间内于所有视图均不可见</translation>
+    </message>
+    <message>
+        <source>Remove the point set by hand</source>
+        <translation>移除手动设置的点</translation>
+    </message>
+    <message>
+        <source>It is visible after all</source>
+        <translation>其实可见</translation>
+    </message>
+    <message>
+        <source>Set a point by hand</source>
+        <translation>手动设置点</translation>
+    </message>
+    <message>
+        <source>Uncertainty σ of this point, pixels:</source>
+        <translation>此点的不确定度 σ，像素：</translation>
+    </message>
+</context>
+<context>
     <name>odo::HelpActions</name>
     <message>
         <source>&amp;Help on this page</source>
@@ -14497,6 +14587,10 @@ Much more than expected means that a setting is wrong: the views are not synchro
         <source>Result</source>
         <translation>结果</translation>
     </message>
+    <message>
+        <source>The areas have changed since this trial was tracked. Track it again to use them.</source>
+        <translation>自跟踪此试验以来，区域已更改。请重新跟踪以使用它们。</translation>
+    </message>
 </context>
 <context>
     <name>odo::ReviewDesk</name>
@@ -15373,6 +15467,28 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>Spikes with time and reason</source>
         <translation>异常点及其时间和原因</translation>
+    </message>
+    <message>
+        <source>Select all with this &amp;reason</source>
+        <translation>选择具有此原因的所有项(&amp;R)</translation>
+    </message>
+    <message>
+        <source>Select all in the selected ra&amp;nge</source>
+        <translation>选择所选区间内的所有项(&amp;N)</translation>
+    </message>
+    <message>
+        <source>Select all spikes of this robot that have the reason of the selected one</source>
+        <translation>选择此机器人中与所选异常点原因相同的所有异常点</translation>
+    </message>
+    <message>
+        <source>Select all spikes of this robot within the selection on the time line</source>
+        <translation>选择此机器人在时间线所选范围内的所有异常点</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n selected</source>
+        <translation>
+            <numerusform>已选择 %n 个</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -17062,6 +17178,18 @@ Much more than expected means that a setting is wrong: the views are not synchro
             <numerusform>已更改 %n 次试验。选择“撤销”可还原。</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>%n samples of %1 are not used. Choose Undo to use them.</source>
+        <translation>
+            <numerusform>%1 的 %n 个采样点未被采用。选择“撤销”可使用它们。</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n samples of %1 are used. Choose Undo to reverse this.</source>
+        <translation>
+            <numerusform>%1 的 %n 个采样点已被采用。选择“撤销”可还原。</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>odo::TrialChooser</name>
@@ -17707,6 +17835,27 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>project.area_few_corners</name>
+    <message>
+        <source>an area needs at least %1 corners</source>
+        <translation>区域至少需要 %1 个角点</translation>
+    </message>
+</context>
+<context>
+    <name>project.area_many_corners</name>
+    <message>
+        <source>an area has at most %1 corners</source>
+        <translation>区域最多有 %1 个角点</translation>
+    </message>
+</context>
+<context>
+    <name>project.area_off_frame</name>
+    <message>
+        <source>a position is not in the frame</source>
+        <translation>某个位置不在画面内</translation>
+    </message>
+</context>
+<context>
     <name>project.being_recorded</name>
     <message>
         <source>it is being recorded</source>
@@ -17872,6 +18021,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>checking the database</source>
         <translation>正在检查数据库</translation>
+    </message>
+</context>
+<context>
+    <name>project.choose_from_list</name>
+    <message>
+        <source>choose one from the list</source>
+        <translation>请从列表中选择一个</translation>
     </message>
 </context>
 <context>
@@ -18255,8 +18411,8 @@ Much more than expected means that a setting is wrong: the views are not synchro
 <context>
     <name>project.format_21</name>
     <message>
-        <source>the school&apos;s hub, and what is to be sent to it</source>
-        <translation>学校中心库以及要发送给它的内容</translation>
+        <source>guidance of the tracker, and the school&apos;s hub</source>
+        <translation>对跟踪的指定，以及学校中心</translation>
     </message>
 </context>
 <context>
@@ -18316,6 +18472,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>project.frames_in_wrong_order</name>
+    <message>
+        <source>it ends before it starts</source>
+        <translation>结束早于开始</translation>
+    </message>
+</context>
+<context>
     <name>project.give_a_height</name>
     <message>
         <source>enter a height, or have it estimated</source>
@@ -18344,10 +18507,31 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>project.give_fewer_corners</name>
+    <message>
+        <source>give fewer corners, or two areas</source>
+        <translation>请减少角点，或分成两个区域</translation>
+    </message>
+</context>
+<context>
     <name>project.give_file_a_name</name>
     <message>
         <source>give the file a name</source>
         <translation>请给文件命名</translation>
+    </message>
+</context>
+<context>
+    <name>project.give_frame_pixels</name>
+    <message>
+        <source>give positions in pixels of the frame</source>
+        <translation>请以画面像素给出位置</translation>
+    </message>
+</context>
+<context>
+    <name>project.give_frames_in_order</name>
+    <message>
+        <source>give the start before the end</source>
+        <translation>请让开始早于结束</translation>
     </message>
 </context>
 <context>
@@ -18358,6 +18542,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>project.give_more_corners</name>
+    <message>
+        <source>give more corners</source>
+        <translation>请给出更多角点</translation>
+    </message>
+</context>
+<context>
     <name>project.give_robot_size</name>
     <message>
         <source>give length and width in millimetres, like 260x190</source>
@@ -18365,10 +18556,38 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>project.give_sigma_px</name>
+    <message>
+        <source>give σ in pixels</source>
+        <translation>请以像素给出 σ</translation>
+    </message>
+</context>
+<context>
     <name>project.give_whole_truth</name>
     <message>
         <source>give position, velocity and acceleration for each time</source>
         <translation>请为每个时间给出位置、速度和加速度</translation>
+    </message>
+</context>
+<context>
+    <name>project.guidance</name>
+    <message>
+        <source>guidance of the tracker</source>
+        <translation>跟踪引导</translation>
+    </message>
+</context>
+<context>
+    <name>project.guidance_is_gone</name>
+    <message>
+        <source>it was removed meanwhile</source>
+        <translation>它已被移除</translation>
+    </message>
+</context>
+<context>
+    <name>project.guidance_too_many</name>
+    <message>
+        <source>the view already has %1 of them</source>
+        <translation>该视图已有 %1 个</translation>
     </message>
 </context>
 <context>
@@ -18453,6 +18672,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>it holds a line break or another control character</source>
         <translation>含有换行或其他控制字符</translation>
+    </message>
+</context>
+<context>
+    <name>project.ignored_area</name>
+    <message>
+        <source>ignored area</source>
+        <translation>忽略区域</translation>
     </message>
 </context>
 <context>
@@ -18981,6 +19207,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>project.not_visible_span</name>
+    <message>
+        <source>time in which a robot is not visible</source>
+        <translation>机器人不可见的时间</translation>
+    </message>
+</context>
+<context>
     <name>project.nothing_to_redo</name>
     <message>
         <source>nothing has been undone</source>
@@ -19139,6 +19372,20 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>path of a calibration image</source>
         <translation>标定图片的路径</translation>
+    </message>
+</context>
+<context>
+    <name>project.point_by_hand</name>
+    <message>
+        <source>point set by hand</source>
+        <translation>手动设置的点</translation>
+    </message>
+</context>
+<context>
+    <name>project.point_without_sigma</name>
+    <message>
+        <source>it needs one position and a σ above 0 px</source>
+        <translation>需要一个位置和大于 0 px 的 σ</translation>
     </message>
 </context>
 <context>
@@ -19415,6 +19662,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>project.remove_guidance</name>
+    <message>
+        <source>remove some first</source>
+        <translation>请先移除一些</translation>
+    </message>
+</context>
+<context>
     <name>project.remove_variables</name>
     <message>
         <source>remove some of its variables</source>
@@ -19580,6 +19834,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>it is no longer in the project</source>
         <translation>它已不在项目中</translation>
+    </message>
+</context>
+<context>
+    <name>project.search_area</name>
+    <message>
+        <source>search area</source>
+        <translation>搜索区域</translation>
     </message>
 </context>
 <context>
@@ -23370,6 +23631,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>workflow.change_guidance</name>
+    <message>
+        <source>change the guidance of %1</source>
+        <translation>更改 %1 的跟踪引导</translation>
+    </message>
+</context>
+<context>
     <name>workflow.changed_in_file</name>
     <message>
         <source>they were changed in the file</source>
@@ -23549,6 +23817,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>choose one of them</source>
         <translation>请选择其中之一</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.choose_other_group</name>
+    <message>
+        <source>choose other times or another reason</source>
+        <translation>请选择其他时间或其他原因</translation>
     </message>
 </context>
 <context>
@@ -23738,6 +24013,20 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>copying the project</source>
         <translation>正在复制项目</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.corner_off_frame</name>
+    <message>
+        <source>a corner is outside the frame</source>
+        <translation>一个角点在画面之外</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.correct_by_hand</name>
+    <message>
+        <source>correct %1 by hand</source>
+        <translation>手动校正 %1</translation>
     </message>
 </context>
 <context>
@@ -23976,13 +24265,6 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>folder &apos;%1&apos;</source>
         <translation>文件夹“%1”</translation>
-    </message>
-</context>
-<context>
-    <name>workflow.found_by_colour</name>
-    <message>
-        <source>it is detected by its colour</source>
-        <translation>它是按颜色找到的</translation>
     </message>
 </context>
 <context>
@@ -24287,6 +24569,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>workflow.guidance_of_view</name>
+    <message>
+        <source>guidance in view &apos;%1&apos;</source>
+        <translation>视图“%1”中的跟踪引导</translation>
+    </message>
+</context>
+<context>
     <name>workflow.hardly_possible</name>
     <message>
         <source>a robot hardly moves at %1 with %2; check units and scale</source>
@@ -24459,6 +24748,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>remove the override of frame %1 of %2</source>
         <translation>将 %2 的第 %1 帧交给程序判断</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.leave_frames</name>
+    <message>
+        <source>remove the overrides of %1 samples of %2</source>
+        <translation>移除 %2 的 %1 个采样点的手动设置</translation>
     </message>
 </context>
 <context>
@@ -24704,6 +25000,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>mark frame %1 of %2 as a spike</source>
         <translation>将 %2 的第 %1 帧标为异常点</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.mark_spikes</name>
+    <message>
+        <source>mark %1 samples of %2 as spikes</source>
+        <translation>将 %2 的 %1 个采样点标为异常点</translation>
     </message>
 </context>
 <context>
@@ -24991,6 +25294,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>the analysis has no sample</source>
         <translation>该分析没有采样点</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.no_sample_in_group</name>
+    <message>
+        <source>no sample from %1 to %2 is to be changed</source>
+        <translation>%1 至 %2 之间没有要更改的采样点</translation>
     </message>
 </context>
 <context>
@@ -25369,13 +25679,6 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>the views agree</source>
         <translation>各视角一致</translation>
-    </message>
-</context>
-<context>
-    <name>workflow.pick_or_take_colour</name>
-    <message>
-        <source>pick its colour again, or remove its colour</source>
-        <translation>请重新选取它的颜色，或去掉它的颜色</translation>
     </message>
 </context>
 <context>
@@ -26412,6 +26715,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>use frame %1 of %2</source>
         <translation>使用 %2 的第 %1 帧</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.use_frames</name>
+    <message>
+        <source>use %1 samples of %2</source>
+        <translation>采用 %2 的 %1 个采样点</translation>
     </message>
 </context>
 <context>

@@ -8,6 +8,8 @@
 #include "core/workflow/track/reanalysis.h"
 #include "core/workflow/track/track_job.h"
 
+#include <algorithm>
+
 namespace odo {
 
 namespace {
@@ -78,21 +80,153 @@ Result<std::vector<RobotPointer>> pointersOf(const CommandCall &call)
     return pointers;
 }
 
+/// "R@A:SECONDS=X,Y": further marks of robots. The last @ and : count, for names may have some.
+Result<std::vector<RobotPointer>> seedsOf(const CommandCall &call)
+{
+    const auto pairs = ODO_TRY(call.pairs(option::seed));
+    std::vector<RobotPointer> seeds;
+    for (const auto &[where, pixel] : pairs) {
+        const QString position = QString::fromStdString(where);
+        const QStringList numbers = QString::fromStdString(pixel).split(u',');
+        const qsizetype colon = position.lastIndexOf(u':'), at = position.lastIndexOf(u'@', colon);
+        const bool isComplete = at > 0 && colon > at + 1 && numbers.size() == 2;
+        const auto time = isComplete ? parseNumber(position.mid(colon + 1).toStdString()) : Result<double>(),
+                   x = isComplete ? parseNumber(numbers[0].toStdString()) : Result<double>(),
+                   y = isComplete ? parseNumber(numbers[1].toStdString()) : Result<double>();
+        if (!isComplete || !time || !x || !y)
+            return call.wrongCall(ODO_TEXT(
+                "app.not_a_seed", "--seed '%1=%2' is not of the form R@A:SECONDS=X,Y")(where, pixel));
+        seeds.push_back({position.left(at).toStdString(),
+                         position.mid(at + 1, colon - at - 1).toStdString(),
+                         *time,
+                         {*x, *y},
+                         true});
+    }
+    return seeds;
+}
+
+/// "VIEW=x,y,x,y,x,y": the corners of an area.
+Result<void> addAreas(const CommandCall &call, const QString &option, GuidanceItem::Kind kind,
+                      GuidanceEdit &edit)
+{
+    const auto pairs = ODO_TRY(call.pairs(option));
+    for (const auto &[view, corners] : pairs) {
+        GivenGuidance area{kind, view, {}};
+        const QStringList numbers = QString::fromStdString(corners).split(u',');
+        bool isComplete = numbers.size() % 2 == 0;
+        for (qsizetype i = 0; isComplete && i < numbers.size(); i += 2) {
+            const auto x = parseNumber(numbers[i].toStdString()),
+                       y = parseNumber(numbers[i + 1].toStdString());
+            isComplete = x && y;
+            if (isComplete)
+                area.pointsPx.emplace_back(*x, *y);
+        }
+        if (!isComplete)
+            return call.wrongCall(
+                ODO_TEXT("app.not_an_area", "--%1 '%2=%3' is not of the form A=X,Y,X,Y,X,Y…")(
+                    option.toStdString(), view, corners));
+        edit.added.push_back(std::move(area));
+    }
+    return {};
+}
+
+/// "R@A" in two; the last @ counts.
+std::pair<std::string, std::string> robotAndView(const std::string &where)
+{
+    const std::size_t at = where.rfind('@');
+    return at == std::string::npos ? std::pair(where, std::string())
+                                   : std::pair(where.substr(0, at), where.substr(at + 1));
+}
+
+std::optional<std::vector<double>> numbersOf(const std::string &text)
+{
+    std::vector<double> numbers;
+    for (const QString &part : QString::fromStdString(text).split(u',')) {
+        const auto number = parseNumber(part.toStdString());
+        if (!number)
+            return std::nullopt;
+        numbers.push_back(*number);
+    }
+    return numbers;
+}
+
+/// "R@A=SECONDS,X,Y,SIGMA" and "R[@A]=FROM,TO".
+Result<void> addByHand(const CommandCall &call, GuidanceEdit &edit)
+{
+    const auto points = ODO_TRY(call.pairs(option::point));
+    for (const auto &[where, what] : points) {
+        const auto [robot, view] = robotAndView(where);
+        const auto numbers = numbersOf(what);
+        if (view.empty() || !numbers || numbers->size() != 4)
+            return call.wrongCall(ODO_TEXT(
+                "app.not_a_point", "--point '%1=%2' is not of the form R@A=SECONDS,X,Y,SIGMA")(where, what));
+        edit.added.push_back({GuidanceItem::Kind::Point,
+                              view,
+                              {{(*numbers)[1], (*numbers)[2]}},
+                              robot,
+                              (*numbers)[0],
+                              (*numbers)[0],
+                              (*numbers)[3]});
+    }
+    const auto hidden = ODO_TRY(call.pairs(option::hidden));
+    for (const auto &[where, what] : hidden) {
+        const auto [robot, view] = robotAndView(where);
+        const auto numbers = numbersOf(what);
+        if (!numbers || numbers->size() != 2 || (*numbers)[0] > (*numbers)[1])
+            return call.wrongCall(
+                ODO_TEXT("app.not_hidden",
+                         "--hidden '%1=%2' is not of the form R=FROM,TO or R@A=FROM,TO")(where, what));
+        edit.added.push_back({GuidanceItem::Kind::Hidden, view, {}, robot, (*numbers)[0], (*numbers)[1], 0});
+    }
+    return {};
+}
+
+Result<GuidanceEdit> guidanceOf(const CommandCall &call)
+{
+    GuidanceEdit edit;
+    edit.clearsAll = call.isSet(option::clearGuidance);
+    ODO_TRY(addAreas(call, option::ignore, GuidanceItem::Kind::Ignore, edit));
+    ODO_TRY(addAreas(call, option::search, GuidanceItem::Kind::Search, edit));
+    ODO_TRY(addByHand(call, edit));
+    return edit;
+}
+
 } // namespace
 
 Result<void> runTrack(const QStringList &arguments, const CancelToken &cancel)
 {
     CommandCall call(
         {QStringLiteral("track"),
-         QStringLiteral("P.odo TRIAL [--robot R]... [--at R=VIEW,SECONDS,X,Y]... [--smoother "
-                        "rts|savgol|tracker|none] [--again] [--json]"),
+         QStringLiteral("P.odo TRIAL [--robot R]... [--at R=VIEW,SECONDS,X,Y]... "
+                        "[--seed R@A:SECONDS=X,Y]... [--ignore A=X,Y,X,Y,X,Y]... [--search A=X,Y,X,Y,X,Y]... "
+                        "[--point R@A=SECONDS,X,Y,SIGMA]... [--hidden R=FROM,TO|R@A=FROM,TO]... "
+                        "[--clear-guidance] [--smoother rts|savgol|tracker|none] [--again] [--json]"),
          2,
          2,
          {{option::robot, QStringLiteral("A robot to track."), QStringLiteral("R")},
           {option::at,
-           QStringLiteral("Where a robot without a colour is in a frame, in pixels, if something else was "
-                          "tracked; R=none clears it."),
+           QStringLiteral("Where a robot is in a frame, in pixels, if something else was tracked: the only "
+                          "mark of it in that view; R=none clears all."),
            QStringLiteral("R=VIEW,SECONDS,X,Y")},
+          {option::seed,
+           QStringLiteral("A further mark: the robot is followed from there forwards and backwards."),
+           QStringLiteral("R@A:SECONDS=X,Y")},
+          {option::ignore,
+           QStringLiteral("An area of a view to ignore: its corners in pixels. Stored with the trial."),
+           QStringLiteral("A=X,Y,X,Y,X,Y")},
+          {option::search,
+           QStringLiteral("An area of a view to search; all else is ignored. Stored with the trial."),
+           QStringLiteral("A=X,Y,X,Y,X,Y")},
+          {option::point,
+           QStringLiteral("Where a robot's middle is in a frame of a view, by hand, with its uncertainty in "
+                          "pixels. Stored with the trial."),
+           QStringLiteral("R@A=SECONDS,X,Y,SIGMA")},
+          {option::hidden,
+           QStringLiteral("A robot is not visible between two times, in all views or in one. Stored with the "
+                          "trial."),
+           QStringLiteral("R=FROM,TO|R@A=FROM,TO")},
+          {option::clearGuidance,
+           QStringLiteral("Remove the areas, points and times stored with the trial first.")},
           {option::smoother, QStringLiteral("How the curves are smoothed."), QStringLiteral("NAME")},
           {option::again,
            QStringLiteral("Reanalyse the stored observations, without decoding the videos.")}}},
@@ -109,10 +243,18 @@ Result<void> runTrack(const QStringList &arguments, const CancelToken &cancel)
         settings.smoother = *known;
     }
     auto pointers = ODO_TRY(pointersOf(call));
+    auto seeds = ODO_TRY(seedsOf(call));
+    std::ranges::move(seeds, std::back_inserter(pointers));
     if (settings.again && !pointers.empty())
-        return call.wrongCall(
-            ODO_TEXT("app.at_needs_videos", "--at needs the videos, and --again does not read them"));
+        return call.wrongCall(ODO_TEXT("app.at_needs_videos",
+                                       "--at and --seed need the videos, and --again does not read them"));
     settings.pointers = std::move(pointers);
+    auto guidance = ODO_TRY(guidanceOf(call));
+    if (settings.again && (guidance.clearsAll || call.isSet(option::ignore) || call.isSet(option::search)))
+        return call.wrongCall(ODO_TEXT("app.areas_need_videos",
+                                       "--ignore, --search and --clear-guidance need the videos, and "
+                                       "--again does not read them"));
+    settings.guidance = std::move(guidance);
     const auto project = ODO_TRY(call.openProject(0, Project::Access::ReadWrite));
     TrackJob job(call.text(1), std::move(settings));
     ODO_TRY(runToEnd(job, *project, call.control()));
@@ -141,19 +283,47 @@ Result<void> runTrack(const QStringList &arguments, const CancelToken &cancel)
 
 namespace {
 
+/// "FROM,TO" and the reason that the samples have.
+Result<SampleGroup> groupOf(const CommandCall &call)
+{
+    const QStringList ends = call.values(option::range).constLast().split(u',');
+    const auto from = parseNumber(ends.first().toStdString()), to = parseNumber(ends.last().toStdString());
+    if (ends.size() != 2 || !from || !to || *from > *to)
+        return call.wrongCall(
+            ODO_TEXT("app.flag_range_is", "--range takes FROM,TO in seconds, FROM not after TO"));
+    SampleGroup group{*from, *to, 0};
+    if (!call.isSet(option::reason))
+        return group;
+    for (SampleFlags bit = 1; bit <= flagBit(SampleFlag::ByHand); bit <<= 1)
+        if (flagNames(bit) == call.value(option::reason))
+            group.reasons = bit;
+    if (group.reasons == 0)
+        return call.isNoneOf(option::reason,
+                             "jump, speed_limit, acceleration_limit, views_disagree, low_score, "
+                             "duplicate_frame or by_hand");
+    return group;
+}
+
 Result<OverrideRequest> requestOf(const CommandCall &call)
 {
     if (int(call.isSet(option::spike)) + int(call.isSet(option::valid)) + int(call.isSet(option::clear)) != 1)
         return call.wrongCall(
             ODO_TEXT("app.flag_needs_word", "one of --spike, --valid and --clear is needed"));
-    if (call.isSet(option::time) == call.isSet(option::frame))
-        return call.wrongCall(ODO_TEXT("app.flag_needs_moment", "one of --time and --frame is needed"));
+    if (int(call.isSet(option::time)) + int(call.isSet(option::frame)) + int(call.isSet(option::range)) != 1)
+        return call.wrongCall(
+            ODO_TEXT("app.flag_needs_moment", "one of --time, --frame and --range is needed"));
+    if (call.isSet(option::reason) && !call.isSet(option::range))
+        return call.lacks(option::reason, option::range);
     OverrideRequest request;
     request.trial = call.text(1);
     request.robot = call.value(option::robot);
     request.word = call.isSet(option::spike)   ? OverrideRequest::Word::Spike
                    : call.isSet(option::valid) ? OverrideRequest::Word::Valid
                                                : OverrideRequest::Word::Clear;
+    if (call.isSet(option::range)) {
+        request.group = ODO_TRY(groupOf(call));
+        return request;
+    }
     const auto number = ODO_TRY(call.number(call.isSet(option::time) ? option::time : option::frame));
     if (call.isSet(option::time) && std::abs(number) > 1e9)
         return call.wrongCall(
@@ -186,13 +356,17 @@ Result<void> runFlag(const QStringList &arguments, const CancelToken &cancel)
 {
     CommandCall call(
         {QStringLiteral("flag"),
-         QStringLiteral(
-             "P.odo TRIAL [--robot R] --time SECONDS|--frame N (--spike|--valid|--clear) [--json]"),
+         QStringLiteral("P.odo TRIAL [--robot R] --time SECONDS|--frame N|--range FROM,TO [--reason FLAG] "
+                        "(--spike|--valid|--clear) [--json]"),
          2,
          2,
          {{option::robot, QStringLiteral("The robot, if the trial has several."), QStringLiteral("R")},
           {option::time, QStringLiteral("The sample nearest to this time."), QStringLiteral("SECONDS")},
           {option::frame, QStringLiteral("The sample of this frame of the first view."), QStringLiteral("N")},
+          {option::range, QStringLiteral("All samples between two times, in seconds, that this changes."),
+           QStringLiteral("FROM,TO")},
+          {option::reason, QStringLiteral("Of these only those with this flag, such as jump."),
+           QStringLiteral("FLAG")},
           {option::spike, QStringLiteral("Mark it as a spike.")},
           {option::valid, QStringLiteral("Mark it as valid.")},
           {option::clear, QStringLiteral("Remove the manual override.")}}},
@@ -207,6 +381,7 @@ Result<void> runFlag(const QStringList &arguments, const CancelToken &cancel)
     const Profile &profile = outcome.analysis.profile;
     call.answer({{QStringLiteral("trial"), call.positional(1)},
                  {QStringLiteral("robot"), QString::fromStdString(outcome.robot)},
+                 {QStringLiteral("count"), qint64(outcome.count)},
                  {QStringLiteral("frame"), qint64(outcome.frame)},
                  {QStringLiteral("t_s"), toSeconds(outcome.time)},
                  {QStringLiteral("flags"), QString::fromStdString(flagNames(outcome.flags))},
@@ -214,10 +389,12 @@ Result<void> runFlag(const QStringList &arguments, const CancelToken &cancel)
                  {QStringLiteral("spikes"), qint64(profile.spikes.size())},
                  {QStringLiteral("analysis"), qint64(outcome.analysis.id)},
                  {QStringLiteral("metrics"), metricsJson(profile.metrics)}},
-                QStringLiteral("%1, frame %2 at %3 s: %4. The trial was reanalysed; it has %5.")
+                QStringLiteral("%1, %2: %3. The trial was reanalysed; it has %4.")
                     .arg(QString::fromStdString(outcome.robot))
-                    .arg(outcome.frame)
-                    .arg(toSeconds(outcome.time), 0, 'f', 3)
+                    .arg(outcome.count > 1 ? counted(outcome.count, QStringLiteral("sample"))
+                                           : QStringLiteral("frame %1 at %2 s")
+                                                 .arg(outcome.frame)
+                                                 .arg(toSeconds(outcome.time), 0, 'f', 3))
                     .arg(wordsOf(request.word))
                     .arg(counted(profile.spikes.size(), QStringLiteral("spike"))));
     return {};

@@ -4,6 +4,7 @@
 #include "core/base/file_system.h"
 #include "core/files/output_file.h"
 #include "core/project/class_repository.h"
+#include "core/project/guidance_repository.h"
 #include "core/project/internal/change_journal.h"
 #include "core/project/internal/connection.h"
 #include "core/project/internal/opening_check.h"
@@ -53,7 +54,8 @@ struct Project::Impl
     Impl(std::unique_ptr<ProjectConnection> opened, bool isToWriteBack)
         : connection(std::move(opened)), cameras(*connection), layouts(*connection), robots(*connection),
           teams(*connection), classes(*connection), tasks(*connection), trials(*connection),
-          analyses(*connection), verdicts(*connection), journal(*connection), writesBack(isToWriteBack)
+          analyses(*connection), verdicts(*connection), guidance(*connection), journal(*connection),
+          writesBack(isToWriteBack)
     {
         if (connection->access() == DatabaseAccess::ReadWrite)
             connection->watchForOverwriting();
@@ -69,6 +71,7 @@ struct Project::Impl
     TrialRepository trials;
     AnalysisRepository analyses;
     VerdictRepository verdicts;
+    GuidanceRepository guidance;
     ChangeJournal journal;
     bool writesBack; ///< the log, when it is closed
 };
@@ -250,6 +253,11 @@ TrialRepository &Project::trials()
 VerdictRepository &Project::verdicts()
 {
     return m_impl->verdicts;
+}
+
+GuidanceRepository &Project::guidance()
+{
+    return m_impl->guidance;
 }
 
 AnalysisRepository &Project::analyses()

@@ -25,6 +25,7 @@ class TaskRepository;
 class TrialRepository;
 class AnalysisRepository;
 class VerdictRepository;
+class GuidanceRepository;
 
 /// One thing that `check` found.
 struct ProjectProblem
@@ -90,6 +91,7 @@ public:
     TrialRepository &trials();
     AnalysisRepository &analyses();
     VerdictRepository &verdicts();
+    GuidanceRepository &guidance();
 
     /// Runs work in one transaction that is rolled back when work fails; inside another one it is a savepoint
     /// of it.

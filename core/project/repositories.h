@@ -226,14 +226,18 @@ public:
     /// A new series for a recording and robot joins the older ones; the newest in force is the current one.
     /// Undoing the change takes it out of force: it stays in the project.
     Result<void> addObservations(const ObservationSeries &series);
-    Result<std::optional<ObservationSeries>> currentObservations(RecordId recording, RecordId robot) const;
+    /// asTracked: the newest that was not corrected by hand.
+    Result<std::optional<ObservationSeries>> currentObservations(RecordId recording, RecordId robot,
+                                                                 bool asTracked = false) const;
+    /// Its algorithm alone; cheap.
+    Result<std::optional<std::string>> currentAlgorithm(RecordId recording, RecordId robot) const;
     /// Manual overrides of samples of a robot; replaces the previous ones. At most one a frame.
     Result<void> setManualOverrides(RecordId trial, RecordId robot,
                                     const std::vector<ManualOverride> &overrides);
     /// In order of the frames.
     Result<std::vector<ManualOverride>> overrides(RecordId trial, RecordId robot) const;
     /// Where a person marked robots in the frames of a trial; replaces the previous marks. At most
-    /// one a robot and recording.
+    /// one a robot, recording and frame.
     Result<void> setPointedOut(RecordId trial, const std::vector<PointedOutRobot> &robots);
     Result<std::vector<PointedOutRobot>> pointedOut(RecordId trial) const;
     /// A track that was measured elsewhere; a newer one joins the older ones. InvalidInput for one without

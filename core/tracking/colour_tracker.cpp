@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/tracking/colour_tracker.h"
 
+#include "core/tracking/internal/searched_mask.h"
 #include "core/tracking/internal/similar_robots.h"
 #include "core/tracking/internal/tracked_frame.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace odo {
@@ -25,6 +27,7 @@ bool isFoundByColour(const TrackTarget &target)
 struct ColourTracker::Impl
 {
     std::vector<TrackTarget> targets;
+    SearchedArea area;
     std::vector<RobotFollower> followers;
     SimilarRobots similar;
     std::vector<Observation> last;
@@ -35,6 +38,7 @@ struct ColourTracker::Impl
         alikes; ///< robots × robots: whether colour cannot distinguish samples of the two
 
     bool areAlike(std::size_t a, std::size_t b) const { return alikes[a * followers.size() + b] != 0; }
+    std::shared_ptr<const BitMask> searchedIn(const Frame &frame) const;
     void compareColours(std::size_t robot);
     void measureShares(TrackedFrame &frame);
     ChromaDensity backgroundOf(std::size_t robot, TrackedFrame &frame, const ChromaRect &rect) const;
@@ -45,10 +49,22 @@ struct ColourTracker::Impl
     void followAll(const TrackedFrame &frame);
     void followByItself(const TrackedFrame &frame, std::size_t robot);
     void findMissing(TrackedFrame &frame);
+    void startAt(TrackedFrame &frame, const RobotSeed &seed);
+    void noteFound(std::size_t robot);
     void rebuildTables(TrackedFrame &frame);
     std::optional<PixelRect> neededRegion(double timeS) const;
     bool holdsNeeded(const Frame &frame) const;
 };
+
+/// The chroma samples that are searched; null: all.
+std::shared_ptr<const BitMask> ColourTracker::Impl::searchedIn(const Frame &frame) const
+{
+    if (area.isWholeFrame())
+        return nullptr;
+    const ChromaGrid grid(frame);
+    return std::make_shared<const BitMask>(
+        searchedSamples(area, {grid.u.width, grid.u.height, grid.offset, grid.scale}));
+}
 
 void ColourTracker::Impl::compareColours(std::size_t robot)
 {
@@ -132,7 +148,7 @@ std::vector<std::vector<std::size_t>> ColourTracker::Impl::groupsOf(const Tracke
     std::vector<std::vector<std::size_t>> groups;
     std::vector<ChromaRect> windows(followers.size());
     for (std::size_t robot = 0; robot < followers.size(); ++robot) {
-        if (!followers[robot].isFollowing())
+        if (!followers[robot].isFollowing() || last[robot].found) // as a person says
             continue;
         windows[robot] = followers.size() > 1 ? followers[robot].windowOf(frame) : ChromaRect();
         std::vector<std::size_t> group{robot};
@@ -193,14 +209,30 @@ void ColourTracker::Impl::findMissing(TrackedFrame &frame)
             const ChromaDensity background = backgroundOf(robot, frame, candidate.blob.box.grownBy(3));
             if (isTaken(candidate, robot) || !follower.acceptFound(frame, candidate, background, last[robot]))
                 continue;
-            compareColours(robot);
-            for (std::size_t other = 0; other < followers.size(); ++other) {
-                if (other != robot)
-                    followers[other].askForTable();
-            }
+            noteFound(robot);
             break;
         }
     }
+}
+
+/// Its colour has become known.
+void ColourTracker::Impl::noteFound(std::size_t robot)
+{
+    compareColours(robot);
+    for (std::size_t other = 0; other < followers.size(); ++other)
+        if (other != robot)
+            followers[other].askForTable();
+}
+
+void ColourTracker::Impl::startAt(TrackedFrame &frame, const RobotSeed &seed)
+{
+    RobotFollower &follower = followers[seed.target];
+    const Eigen::Vector2d sample = frame.grid().fromLuma(seed.pixel);
+    if (follower.occupied().contains(int(std::lround(sample.x())), int(std::lround(sample.y()))) ||
+        !frame.complete()) // it is followed there
+        return;
+    if (follower.startAt(frame, seed.pixel, backgroundOf(seed.target, frame, {}), last[seed.target]))
+        noteFound(seed.target);
 }
 
 void ColourTracker::Impl::rebuildTables(TrackedFrame &frame)
@@ -237,7 +269,8 @@ bool ColourTracker::Impl::holdsNeeded(const Frame &frame) const
            frame.validRegion->contains(needed->clipped({0, 0, frame.format.width, frame.format.height}));
 }
 
-Result<std::unique_ptr<ColourTracker>> ColourTracker::create(std::vector<TrackTarget> targets)
+Result<std::unique_ptr<ColourTracker>> ColourTracker::create(std::vector<TrackTarget> targets,
+                                                             SearchedArea area)
 {
     if (targets.empty())
         return fail(ErrorCode::InvalidInput, ODO_TEXT("tracking.cannot_track", "Cannot track"),
@@ -258,6 +291,7 @@ Result<std::unique_ptr<ColourTracker>> ColourTracker::create(std::vector<TrackTa
     for (const TrackTarget &target : targets)
         impl->followers.emplace_back(*target.colour);
     impl->targets = std::move(targets);
+    impl->area = std::move(area);
     return std::unique_ptr<ColourTracker>(new ColourTracker(std::move(impl)));
 }
 
@@ -275,24 +309,27 @@ const std::vector<double> &ColourTracker::sharesAlike() const
     return m_impl->sharesAlike;
 }
 
-std::vector<Observation> ColourTracker::track(const Frame &frame)
+std::vector<Observation> ColourTracker::track(const Frame &frame, std::span<const RobotSeed> seeds)
 {
     Impl &d = *m_impl;
     const bool anew = !sameLayout(d.format, frame.format);
     const bool repeats = d.duplicates.repeatsTheLast(frame) && !anew;
     if (anew) {
         d.format = frame.format;
+        const auto searched = d.searchedIn(frame);
         for (RobotFollower &follower : d.followers)
-            follower.reset(frame.format);
+            follower.reset(frame.format, searched);
         for (std::size_t robot = 0; robot < d.followers.size(); ++robot)
             d.compareColours(robot);
     }
-    if (!repeats) {
+    if (!repeats || !seeds.empty()) {
         TrackedFrame tracked(frame);
         d.last.assign(d.followers.size(), Observation());
         if (d.holdsNeeded(frame) || tracked.complete()) {
             if (d.sharesAlike.empty()) // no robot is followed yet, so the frame is whole
                 d.measureShares(tracked);
+            for (const RobotSeed &seed : seeds)
+                d.startAt(tracked, seed);
             d.followAll(tracked);
             d.findMissing(tracked);
             d.rebuildTables(tracked);

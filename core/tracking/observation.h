@@ -42,6 +42,7 @@ struct Observation
     /// How far the outline's convex hull reaches from the centre in each direction of the image
     /// (core/geometry/silhouette.h), px; empty where only its ellipse was measured.
     std::vector<float> supportPx = {};
+    bool isByHand = false; ///< where a person says that it is; only its centre is known then
 };
 
 /// The ellipse about a centre that has these second moments.

@@ -14,6 +14,16 @@ bool bySilhouette(const TrackTarget &target)
     return target.wholeOutline || !isFoundByColour(target);
 }
 
+/// Those of some targets, by their numbers among them.
+std::vector<RobotSeed> seedsOf(const std::vector<std::size_t> &targets, std::span<const RobotSeed> seeds)
+{
+    std::vector<RobotSeed> own;
+    for (const RobotSeed &seed : seeds)
+        if (const auto at = std::ranges::find(targets, seed.target); at != targets.end())
+            own.push_back({std::size_t(at - targets.begin()), seed.pixel});
+    return own;
+}
+
 } // namespace
 
 bool needsBackground(const std::vector<TrackTarget> &targets)
@@ -24,7 +34,7 @@ bool needsBackground(const std::vector<TrackTarget> &targets)
 Result<std::unique_ptr<RobotTracker>> RobotTracker::create(const std::vector<TrackTarget> &targets,
                                                            std::optional<Background> background,
                                                            const std::optional<FloorView> &floor,
-                                                           std::size_t others)
+                                                           std::size_t others, SearchedArea area)
 {
     std::unique_ptr<RobotTracker> tracker(new RobotTracker);
     tracker->m_floor = floor;
@@ -40,8 +50,9 @@ Result<std::unique_ptr<RobotTracker>> RobotTracker::create(const std::vector<Tra
     tracker->m_targets = targets;
     tracker->m_besides = std::ranges::all_of(targets, isFoundByColour) ? 0 : others;
     if (tracker->m_whole.empty() || !coloured.empty()) {
-        tracker->m_byColour = ODO_TRY(ColourTracker::create(std::move(coloured)));
+        tracker->m_byColour = ODO_TRY(ColourTracker::create(std::move(coloured), area));
     }
+    tracker->m_area = std::move(area);
     if (background)
         tracker->setBackground(std::move(*background));
     return tracker;
@@ -52,8 +63,8 @@ void RobotTracker::setBackground(Background background)
     if (m_bySilhouette)
         m_bySilhouette->setBackground(std::move(background));
     else if (!m_whole.empty())
-        m_bySilhouette =
-            std::make_unique<SilhouetteTracker>(std::move(background), m_whole.size(), m_floor, m_besides);
+        m_bySilhouette = std::make_unique<SilhouetteTracker>(std::move(background), m_whole.size(), m_floor,
+                                                             m_besides, m_area);
 }
 
 std::optional<PixelRect> RobotTracker::neededRegion(Nanoseconds time) const
@@ -61,9 +72,10 @@ std::optional<PixelRect> RobotTracker::neededRegion(Nanoseconds time) const
     return m_whole.empty() ? m_byColour->neededRegion(time) : std::nullopt;
 }
 
-std::vector<Observation> RobotTracker::track(const Frame &frame)
+std::vector<Observation> RobotTracker::track(const Frame &frame, std::span<const RobotSeed> seeds)
 {
-    std::vector<Observation> coloured = m_byColour ? m_byColour->track(frame) : std::vector<Observation>();
+    std::vector<Observation> coloured =
+        m_byColour ? m_byColour->track(frame, seedsOf(m_coloured, seeds)) : std::vector<Observation>();
     if (m_whole.empty())
         return coloured;
     std::vector<Observation> all(m_targets.size()), elsewhere;
@@ -80,7 +92,8 @@ std::vector<Observation> RobotTracker::track(const Frame &frame)
         }
     }
     if (m_bySilhouette) {
-        std::vector<Observation> whole = m_bySilhouette->track(frame, elsewhere, cues);
+        std::vector<Observation> whole =
+            m_bySilhouette->track(frame, elsewhere, cues, seedsOf(m_whole, seeds));
         for (std::size_t i = 0; i < m_whole.size(); ++i)
             all[m_whole[i]] = std::move(whole[i]);
         m_seenBesides.assign(std::make_move_iterator(whole.begin() + std::ptrdiff_t(m_whole.size())),

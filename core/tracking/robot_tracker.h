@@ -7,6 +7,7 @@
 
 #include <memory>
 #include <optional>
+#include <span>
 #include <vector>
 
 namespace odo {
@@ -20,19 +21,19 @@ public:
     /// background: of the view, without the robots; needed for robots of any look, which are found in no
     /// frame without one. Errors: those of ColourTracker. floor: of a registered view, before which what is
     /// too large for a robot is none. others: how many things besides the robots of any look are followed,
-    /// for one of them may be the robot.
+    /// for one of them may be the robot. area: where in the frames robots are searched.
     static Result<std::unique_ptr<RobotTracker>> create(const std::vector<TrackTarget> &targets,
                                                         std::optional<Background> background,
                                                         const std::optional<FloorView> &floor = {},
-                                                        std::size_t others = 0);
+                                                        std::size_t others = 0, SearchedArea area = {});
 
     /// A first or a newer background of the same scene.
     void setBackground(Background background);
 
     /// As of ColourTracker; all of the frame where a robot of any look is followed.
     std::optional<PixelRect> neededRegion(Nanoseconds time) const;
-    /// One observation a target, in the order given.
-    std::vector<Observation> track(const Frame &frame);
+    /// One observation a target, in the order given. seeds: where robots are in this frame.
+    std::vector<Observation> track(const Frame &frame, std::span<const RobotSeed> seeds = {});
     /// One observation of each other thing in the frame tracked last; none where no robot is of any look.
     const std::vector<Observation> &others() const { return m_seenBesides; }
     /// As of ColourTracker; 0 for robots of any look.
@@ -49,6 +50,7 @@ private:
     std::vector<Observation> m_seenBesides;
     std::vector<TrackTarget> m_targets;
     std::optional<FloorView> m_floor;
+    SearchedArea m_area;
 };
 
 /// Whether some robot is to be measured by its silhouette, which takes a background.

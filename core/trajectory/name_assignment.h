@@ -35,8 +35,8 @@ struct NamedView
         robots; ///< for each robot its observations; equally many, of equal frames
     /// likewise of the other followed things, which may be robots without a given colour
     std::vector<std::vector<Observation>> others = {};
-    double clockRate = 0;                    ///< by how much its clock runs faster than the first view's
-    std::vector<PointedOut> pointedOut = {}; ///< robots without a given colour
+    double clockRate = 0; ///< by how much its clock runs faster than the first view's
+    std::vector<PointedOut> pointedOut = {};
 };
 
 /// An interval after which it is ambiguous which robot is which.

@@ -9,6 +9,7 @@
 #include "core/project/recording_rows.h"
 #include "core/project/repositories.h"
 #include "core/workflow/shared_words.h"
+#include "core/workflow/track/guidance.h"
 
 namespace odo {
 
@@ -117,10 +118,14 @@ Result<std::optional<FloorView>> floorViewInForce(Project &project, RecordId cam
 Result<std::vector<RegisteredView>> registeredViews(Project &project, const TrialRecord &trial)
 {
     auto recordings = ODO_TRY(project.trials().recordings(trial.id));
+    const auto guidance = ODO_TRY(project.guidance().of(trial.id));
+    const auto marks = ODO_TRY(project.trials().pointedOut(trial.id));
     std::vector<RegisteredView> views;
     for (RecordingRecord &recording : recordings) {
         RegisteredView view;
         view.file = project.resolve(recording);
+        view.area = searchedAreaOf(guidance, recording.id);
+        view.marks = marksOf(marks, recording.id);
         auto registration = ODO_TRY(project.cameras().currentRegistration(recording.camera));
         if (registration) {
             const Intrinsics lens = ODO_TRY(lensOf(project, *registration));

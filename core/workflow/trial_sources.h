@@ -4,6 +4,7 @@
 #include "core/base/job_control.h"
 #include "core/geometry/floor_view.h"
 #include "core/project/records.h"
+#include "core/tracking/searched_area.h"
 #include "core/trajectory/analyser.h"
 #include "core/video/video_reader.h"
 
@@ -25,6 +26,8 @@ struct RegisteredView
     /// at which the camera was registered, where that is not the recording's and floorView was converted
     std::optional<std::pair<int, int>> convertedFromPx = {};
     std::filesystem::path registrationImage = {}; ///< in which its markers were seen; empty: none is kept
+    SearchedArea area = {};                       ///< where robots are searched
+    std::vector<PointedOutRobot> marks = {};      ///< where a person marked robots in its frames
 };
 
 /// Clock of a trial's recording against the first view's.

@@ -340,9 +340,13 @@ private Q_SLOTS:
         QVERIFY((*m_project)->trials().setPointedOut(filled->trial, {first, second}));
         m_project->reopen();
         QVERIFY((said() == std::vector<PointedOutRobot>{first, second}));
-        // Two places in one recording: refused, and the old ones stay.
+        // Two in one frame: refused, and the old ones stay. In two frames of a recording both are kept.
         QVERIFY(!(*m_project)->trials().setPointedOut(filled->trial, {first, first}));
         QCOMPARE(said().size(), std::size_t(2));
+        PointedOutRobot later = first;
+        later.frame = 9;
+        QVERIFY((*m_project)->trials().setPointedOut(filled->trial, {later, first, second}));
+        QVERIFY((said() == std::vector<PointedOutRobot>{first, later, second}));
         QVERIFY((*m_project)->trials().setPointedOut(filled->trial, {second}));
         QVERIFY((said() == std::vector<PointedOutRobot>{second}));
     }

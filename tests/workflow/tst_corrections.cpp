@@ -7,6 +7,7 @@
 #include "core/simulation/renderer.h"
 #include "core/workflow/import/import_tracks_job.h"
 #include "core/workflow/import/import_trial_job.h"
+#include "core/workflow/track/guidance.h"
 #include "core/workflow/track/reanalysis.h"
 #include "core/workflow/track/synchronise_job.h"
 #include "core/workflow/track/track_job.h"
@@ -188,7 +189,7 @@ Result<void> TestCorrections::correct(std::mt19937 &random)
     const auto edit = [&](const TrialEdit &what) {
         return withoutValue(editTrial(*m_project, trial(name).id, what));
     };
-    switch (upTo(10)) {
+    switch (upTo(13)) {
     case 0:
         return edit({.team = "team " + std::to_string(upTo(2))});
     case 1:
@@ -209,6 +210,25 @@ Result<void> TestCorrections::correct(std::mt19937 &random)
         ReprocessJob job(name);
         ODO_TRY(runToEnd(job, *m_project, {}));
         return job.keep(*m_project);
+    }
+    case 10: {
+        GuidanceEdit guidance;
+        guidance.clearsAll = upTo(2) == 0;
+        const double x = 100.0 * upTo(8);
+        guidance.added.push_back({GuidanceItem::Kind::Ignore, "A", {{x, 0}, {x + 80, 0}, {x, 700}}});
+        return changeGuidance(*m_project, "filmed", guidance);
+    }
+    case 11: {
+        TrackSettings settings;
+        settings.again = true;
+        const double from = 0.1 * upTo(20);
+        if (upTo(1) == 0)
+            settings.guidance.added.push_back(
+                {GuidanceItem::Kind::Hidden, "A", {}, "robot", from, from + 0.2});
+        else
+            settings.guidance.added.push_back(
+                {GuidanceItem::Kind::Point, "B", {{500.0 + upTo(99), 400}}, "robot", from, from, 30});
+        return run(TrackJob("filmed", settings));
     }
     case 9:
         return setInBin(*m_project, {trial(name)}, upTo(1) == 0);

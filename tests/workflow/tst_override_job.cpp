@@ -46,6 +46,48 @@ private Q_SLOTS:
         QVERIFY(analyses && !analyses->front().profile.samples.empty());
     }
 
+    /// Many samples, one step; those of a group that the word does not change are left alone.
+    void aGroupIsOneChange()
+    {
+        const QTemporaryDir folder;
+        const auto project = openStoredExample(folder.path().toStdString());
+        const TrialRecord trial = project->trials().find("Trial 1").value();
+        const auto words = [&] {
+            return project->trials().overrides(trial.id, trial.robots.front()).value();
+        };
+        const QStringList before = contentOf(*project);
+        OverrideRequest request;
+        request.trial = "Trial 1";
+        request.frames = {14, 11, 12};
+        OverrideJob listed(request);
+        const auto done = runToEnd(listed, *project, JobControl());
+        QVERIFY2(done, done ? "" : done.error().message().c_str());
+        QCOMPARE(listed.outcome().count, std::size_t(3));
+        QCOMPARE(listed.outcome().frame, std::int64_t(11));
+        QCOMPARE(project->undoWords().english(), std::string("mark 3 samples of Trial 1 as spikes"));
+        QVERIFY((words() == std::vector<ManualOverride>{{11, true}, {12, true}, {14, true}}));
+        // of all the run, those that are marked
+        const auto samples = project->analyses().current(trial.id)->front().profile.samples;
+        OverrideRequest group;
+        group.trial = "Trial 1";
+        group.word = OverrideRequest::Word::Clear;
+        group.group = SampleGroup{toSeconds(samples.front().time), toSeconds(samples.back().time), 0};
+        OverrideJob cleared(group);
+        QVERIFY(runToEnd(cleared, *project, JobControl()));
+        QCOMPARE(cleared.outcome().count, std::size_t(3));
+        QVERIFY(words().empty());
+        QVERIFY(project->undo());
+        QCOMPARE(words().size(), std::size_t(3));
+        QVERIFY(project->undo());
+        QCOMPARE(contentOf(*project), before);
+        group.group->reasons = flagBit(SampleFlag::AccelerationLimit);
+        OverrideJob none(group);
+        const auto refused = none.prepare(*project);
+        QVERIFY(!refused);
+        QVERIFY(refused.error().message().find("is to be changed; choose other times or another reason") !=
+                std::string::npos);
+    }
+
     /// Two windows, or a window and a command: neither word is lost.
     void aWordSaidMeanwhileStays()
     {

@@ -92,11 +92,36 @@ private Q_SLOTS:
         QCOMPARE(m_project->analyses().current(m_trial.id)->size(), before);
     }
 
-    void aColouredRobotIsFoundByItsColour()
+    void aColouredRobotIsMarkedToo()
     {
         QVERIFY(m_project->robots().set(m_coloured));
+        QCOMPARE(track({}), QString());
+        const auto [view, observation] = seen(10);
+        const RobotPointer pointer{"Red 2", view.recording.cameraName, toSeconds(observation.time),
+                                   observation.ellipse.centrePx};
+        QCOMPARE(track({pointer}), QString());
+        QCOMPARE(m_project->trials().pointedOut(m_trial.id)->size(), std::size_t(1));
         const QString words = track({{"Red 2", "A", 0.5, {10, 10}}});
-        QVERIFY2(words.contains(QStringLiteral("it is detected by its colour")), qPrintable(words));
+        QVERIFY2(words.contains(QStringLiteral("no foreground object was found")), qPrintable(words));
+    }
+
+    void furtherMarksStay()
+    {
+        QCOMPARE(track({}), QString());
+        const auto markAt = [this](std::size_t frame) {
+            const auto [view, observation] = seen(frame);
+            return RobotPointer{"Red 2", view.recording.cameraName, toSeconds(observation.time),
+                                observation.ellipse.centrePx, true};
+        };
+        const RobotPointer first = markAt(10), second = markAt(20);
+        QCOMPARE(track({first}), QString());
+        QCOMPARE(track({second}), QString());
+        QCOMPARE(m_project->trials().pointedOut(m_trial.id)->size(), std::size_t(2));
+        QCOMPARE(track({second}), QString()); // in the same frame it is replaced
+        QCOMPARE(m_project->trials().pointedOut(m_trial.id)->size(), std::size_t(2));
+        QVERIFY(m_project->undo());
+        QVERIFY(m_project->undo());
+        QCOMPARE(m_project->trials().pointedOut(m_trial.id)->size(), std::size_t(1));
     }
 
 private:

@@ -23,6 +23,7 @@
 #include "ui/models/shown_names.h"
 #include "ui/record/record_page.h"
 #include "ui/review/corrections.h"
+#include "ui/review/guidance_tool.h"
 #include "ui/review/review_desk.h"
 #include "ui/review/review_page.h"
 #include "ui/testbed/testbed_page.h"
@@ -326,6 +327,7 @@ void MainWindow::addPage(Mode mode)
         connect(&review->spikes(), &SpikeActions::requested, m_trials, &TrialActions::manualOverride);
         connect(review, &ReviewPage::rangeRequested, m_trials, &TrialActions::setRange);
         connect(&review->pointing(), &RobotPointing::requested, m_trials, &TrialActions::pointOut);
+        connect(&review->guidance(), &GuidanceTool::byHandRequested, m_trials, &TrialActions::correctByHand);
         showDesk(m_pages->mode());
         m_help->setPages(m_pages.get());
         break;

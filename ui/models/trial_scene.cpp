@@ -5,6 +5,7 @@
 #include "core/project/repositories.h"
 #include "core/trajectory/analyser.h"
 #include "core/workflow/calibrate/result_axes.h"
+#include "core/workflow/track/guidance.h"
 #include "core/workflow/trial_sources.h"
 
 #include <algorithm>
@@ -273,6 +274,9 @@ Result<TrialScenePtr> loadTrialScene(Project &project, const std::string &trialN
     findOcclusionsIn(*scene);
     auto pointedOut = ODO_TRY(project.trials().pointedOut(scene->trial.id));
     scene->pointedOut = std::move(pointedOut);
+    auto guidance = ODO_TRY(project.guidance().of(scene->trial.id));
+    scene->guidance = std::move(guidance);
+    scene->isGuidanceNew = ODO_TRY(isGuidanceNew(project, scene->trial));
     auto imported = ODO_TRY(importedTracksOf(project, scene->trial));
     scene->imported = std::move(imported);
     if (!scene->imported.empty())

@@ -5,6 +5,7 @@
 #include "core/analysis/scoring.h"
 #include "core/base/error.h"
 #include "core/geometry/floor_view.h"
+#include "core/project/guidance_repository.h"
 #include "core/project/records.h"
 #include "core/trajectory/occlusions.h"
 #include "core/workflow/track/trial_verdict.h"
@@ -67,8 +68,11 @@ struct TrialScene
     std::vector<Criterion> scoring;      ///< of it; empty: it is not scored
     std::vector<ImportedTrack> imported; ///< where its tracks came from; empty: our own views measured them
     std::vector<PointedOutRobot> pointedOut; ///< by a person
-    TrialVerdict verdict;                    ///< on its results
-    std::vector<Nanoseconds> importedTimes;  ///< of all samples then, in order
+    std::vector<GuidanceItem> guidance;      ///< by a person
+    /// Whether the views were tracked by other areas than those given now; a new tracking uses them.
+    bool isGuidanceNew = false;
+    TrialVerdict verdict;                   ///< on its results
+    std::vector<Nanoseconds> importedTimes; ///< of all samples then, in order
 
     /// Frame times of the first view, which is the time line of the trial; of imported tracks their times.
     const std::vector<Nanoseconds> &frameTimes() const;

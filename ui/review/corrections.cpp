@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/review/corrections.h"
 
-#include "core/tracking/colour_tracker.h"
 #include "ui/models/timeline.h"
 
 #include <QAction>
@@ -9,6 +8,18 @@
 #include <algorithm>
 
 namespace odo {
+
+namespace {
+
+/// Whether a word changes what becomes of a sample.
+bool isChangedBy(OverrideRequest::Word word, const Sample &sample)
+{
+    if (word == OverrideRequest::Word::Clear)
+        return hasFlag(sample.flags, SampleFlag::ByHand);
+    return isRejected(sample.flags) == (word == OverrideRequest::Word::Valid);
+}
+
+} // namespace
 
 RobotPointing::RobotPointing(Timeline &timeline, QObject *parent)
     : QObject(parent), m_timeline(timeline), m_action(new QAction(tr("&Point out a robot"), this))
@@ -31,15 +42,13 @@ void RobotPointing::setScene(TrialScenePtr scene)
     m_action->setChecked(false);
 }
 
-/// A robot detected by its appearance may be something else.
 std::vector<std::string> RobotPointing::robots() const
 {
     std::vector<std::string> names;
     if (!m_scene || !m_scene->imported.empty())
         return names;
     for (const SceneRobot &one : m_scene->robots)
-        if (!isFoundByColour({one.robot.name, one.robot.colour}))
-            names.push_back(one.robot.name);
+        names.push_back(one.robot.name);
     return names;
 }
 
@@ -61,8 +70,11 @@ void RobotPointing::fill(QMenu &menu, std::size_t view, const QPointF &pixel)
         return QString::fromStdString(robot).replace(u'&', QStringLiteral("&&"));
     };
     for (const std::string &robot : all) {
-        const RobotPointer pointer{
-            robot, m_scene->views[view].camera, toSeconds(m_timeline.currentTime()), {pixel.x(), pixel.y()}};
+        const RobotPointer pointer{robot,
+                                   m_scene->views[view].camera,
+                                   toSeconds(m_timeline.currentTime()),
+                                   {pixel.x(), pixel.y()},
+                                   true};
         connect(menu.addAction(tr("This is %1: track it again").arg(shown(robot))), &QAction::triggered, this,
                 [this, pointer] { request(pointer); });
     }
@@ -71,15 +83,6 @@ void RobotPointing::fill(QMenu &menu, std::size_t view, const QPointF &pixel)
         if (isPointedOut(robot))
             connect(menu.addAction(tr("Find %1 automatically").arg(shown(robot))), &QAction::triggered, this,
                     [this, robot] { request({robot}); });
-}
-
-void RobotPointing::ask(std::size_t view, const QPointF &pixel, const QPoint &global)
-{
-    m_timeline.pause();
-    QMenu menu;
-    fill(menu, view, pixel);
-    if (!menu.isEmpty())
-        menu.exec(global);
 }
 
 void RobotPointing::request(RobotPointer pointer)
@@ -121,6 +124,13 @@ void SpikeActions::setScene(TrialScenePtr scene)
     m_scene = std::move(scene);
     if (!sameTrial || m_robot >= m_scene->robots.size())
         m_robot = 0;
+    m_frames.clear();
+    update();
+}
+
+void SpikeActions::setChosen(const std::vector<std::int64_t> &frames)
+{
+    m_frames = frames;
     update();
 }
 
@@ -130,35 +140,57 @@ void SpikeActions::setRobot(std::size_t robot)
     update();
 }
 
-/// Null where nothing was measured that could be judged.
 const Sample *SpikeActions::sample() const
+{
+    return sampleOf(m_timeline.currentFrame());
+}
+
+/// The chosen ones, or else that under the cursor.
+std::vector<const Sample *> SpikeActions::chosen() const
+{
+    std::vector<const Sample *> samples;
+    if (m_frames.size() < 2)
+        samples.push_back(sample());
+    else
+        std::ranges::transform(m_frames, std::back_inserter(samples),
+                               [this](std::int64_t frame) { return sampleOf(frame); });
+    std::erase(samples, nullptr);
+    return samples;
+}
+
+/// Null where nothing was measured that could be judged.
+const Sample *SpikeActions::sampleOf(std::int64_t frame) const
 {
     if (!m_scene || m_robot >= m_scene->robots.size() || !m_scene->robots[m_robot].analysis)
         return nullptr;
     const auto &samples = m_scene->robots[m_robot].analysis->profile.samples;
-    const auto found =
-        std::ranges::lower_bound(samples, std::int64_t(m_timeline.currentFrame()), {}, &Sample::frame);
-    const bool isThere =
-        found != samples.end() && found->frame == m_timeline.currentFrame() && found->position;
+    const auto found = std::ranges::lower_bound(samples, frame, {}, &Sample::frame);
+    const bool isThere = found != samples.end() && found->frame == frame && found->position;
     return isThere ? &*found : nullptr;
 }
 
 void SpikeActions::update()
 {
-    const Sample *here = sample();
-    m_use->setEnabled(here && isRejected(here->flags));
-    m_spike->setEnabled(here && !isRejected(here->flags));
-    m_leave->setEnabled(here && hasFlag(here->flags, SampleFlag::ByHand));
+    const std::vector<const Sample *> all = chosen();
+    for (const auto &[action, word] :
+         {std::pair{m_use, OverrideRequest::Word::Valid}, std::pair{m_spike, OverrideRequest::Word::Spike},
+          std::pair{m_leave, OverrideRequest::Word::Clear}})
+        action->setEnabled(std::ranges::any_of(
+            all, [word = word](const Sample *sample) { return isChangedBy(word, *sample); }));
 }
 
 void SpikeActions::request(OverrideRequest::Word word)
 {
-    const Sample *here = sample();
-    if (!here)
+    std::vector<const Sample *> samples = chosen();
+    std::erase_if(samples, [word](const Sample *sample) { return !isChangedBy(word, *sample); });
+    if (samples.empty())
         return;
     m_timeline.pause();
-    Q_EMIT requested(
-        {m_scene->trial.name, m_scene->robots[m_robot].robot.name, std::nullopt, here->frame, word});
+    OverrideRequest request{m_scene->trial.name, m_scene->robots[m_robot].robot.name, std::nullopt,
+                            samples.front()->frame, word};
+    if (samples.size() > 1)
+        std::ranges::transform(samples, std::back_inserter(request.frames), &Sample::frame);
+    Q_EMIT requested(request);
 }
 
 } // namespace odo

@@ -10,16 +10,15 @@
 
 class QAction;
 class QMenu;
-class QPoint;
 class QPointF;
 
 namespace odo {
 
 class Timeline;
 
-/// Where the tracker took something else for a robot of any look, the user points the robot out in an image:
-/// by a click after the action, or by the context menu at any time. The receiver of the signal tracks the
-/// trial again.
+/// Where the tracker took something else for a robot, or lost it, the user points the robot out in an image,
+/// in as many frames as needed: by a click after the action, or by the context menu at any time. The receiver
+/// of the signal tracks the trial again.
 class RobotPointing : public QObject
 {
     Q_OBJECT
@@ -29,11 +28,8 @@ public:
 
     void setScene(TrialScenePtr scene);
     QAction *action() const { return m_action; } ///< checked while it waits for a click
-    /// What may be said of a pixel of a view's recording at the present time; empty: nothing, for no robot is
-    /// of any look.
+    /// What may be said of a pixel of a view's recording at the present time; empty: nothing.
     void fill(QMenu &menu, std::size_t view, const QPointF &pixel);
-    /// Asks with that menu.
-    void ask(std::size_t view, const QPointF &pixel, const QPoint &global);
 
 Q_SIGNALS:
     void requested(const QString &trial, const odo::RobotPointer &pointer);
@@ -48,8 +44,9 @@ private:
     QAction *m_action;
 };
 
-/// What a person can say about the sample under the cursor: that it is to be used, that it is a spike, or
-/// that the program is to decide. Owns the actions; who is asked stores the word and analyses again.
+/// What a person can say about the sample under the cursor, or about several that are chosen: that it is to
+/// be used, that it is a spike, or that the program is to decide. Owns the actions; who is asked stores the
+/// word and analyses again.
 class SpikeActions : public QObject
 {
     Q_OBJECT
@@ -59,6 +56,8 @@ public:
     void setScene(TrialScenePtr scene);
     /// The robot that is meant where a trial has several; an index into TrialScene::robots.
     void setRobot(std::size_t robot);
+    /// Samples of that robot, by their frames of the first view; fewer than two: the one under the cursor.
+    void setChosen(const std::vector<std::int64_t> &frames);
     const QList<QAction *> &actions() const { return m_actions; }
 
 Q_SIGNALS:
@@ -70,10 +69,13 @@ private:
     void request(OverrideRequest::Word word);
     void update();
     const Sample *sample() const;
+    const Sample *sampleOf(std::int64_t frame) const;
+    std::vector<const Sample *> chosen() const;
 
     Timeline &m_timeline;
     TrialScenePtr m_scene;
     std::size_t m_robot = 0;
+    std::vector<std::int64_t> m_frames; ///< that are chosen
     QList<QAction *> m_actions;
     QAction *m_use, *m_spike, *m_leave;
 };

@@ -85,7 +85,12 @@ void ReviewDesk::addPane(QWidget *pane, ZoomPan &zoom)
     };
     use();
     connect(&zoom, &ZoomPan::used, this, use);
-    connect(&zoom, &ZoomPan::doubleClicked, this, [this, pane] { toggleEnlarged(pane); });
+    connect(&zoom, &ZoomPan::doubleClicked, this, [this, pane] {
+        if (m_isPointing)
+            Q_EMIT pointingEnded();
+        else
+            toggleEnlarged(pane);
+    });
 }
 
 QList<QAction *> ReviewDesk::viewActions() const
@@ -113,6 +118,19 @@ void ReviewDesk::setPointing(bool pointing)
         view->setPointing(pointing);
 }
 
+void ReviewDesk::setOverlay(ImageOverlay overlay)
+{
+    m_overlay = std::move(overlay);
+    for (CameraView *view : m_views)
+        view->setOverlay(m_overlay);
+}
+
+void ReviewDesk::updateOverlay()
+{
+    for (CameraView *view : m_views)
+        view->imageArea()->update();
+}
+
 QList<Quantity> ReviewDesk::quantities() const
 {
     return {m_speed->quantity(), m_acceleration->quantity()};
@@ -138,6 +156,11 @@ void ReviewDesk::setViewCount(std::size_t count)
         view->setLoupeShown(m_loupe->isChecked());
         middle().insertWidget(static_cast<int>(m_views.size()), view);
         view->setPointing(m_isPointing);
+        view->setOverlay(m_overlay);
+        connect(view, &CameraView::hovered, this,
+                [this, number = m_views.size()](const std::optional<QPointF> &pixel) {
+                    Q_EMIT hovered(number, pixel);
+                });
         connect(view, &CameraView::settled, this, &ReviewDesk::settled);
         connect(view, &CameraView::pointedAt, this,
                 [this, number = m_views.size()](const QPointF &pixel, const QPoint &global) {

@@ -3,6 +3,7 @@
 
 #include "core/analysis/quantity_curve.h"
 #include "ui/models/trial_scene.h"
+#include "ui/views/image/image_overlay.h"
 #include "ui/views/widgets/dock_desk.h"
 
 #include <QList>
@@ -42,12 +43,19 @@ public:
     void setFit(const std::optional<FitOverlay> &fit);
     /// While it waits for a position in an image.
     void setPointing(bool pointing);
+    /// Painted over the images; empty: nothing.
+    void setOverlay(ImageOverlay overlay);
+    void updateOverlay();
 
 Q_SIGNALS:
     void settled();
     void quantitiesChanged();
     /// In pixels of a view's recording, and on the screen.
     void pointedAt(std::size_t view, const QPointF &pixel, const QPoint &global);
+    /// While it waits for positions: a double click, whose first click was one.
+    void pointingEnded();
+    /// The pixel of a view's recording under the mouse; nullopt where the mouse has left the image.
+    void hovered(std::size_t view, const std::optional<QPointF> &pixel);
 
 private:
     void setViewCount(std::size_t count);
@@ -64,6 +72,7 @@ private:
     ChartSpan *m_span;
     ProfileChart *m_speed, *m_acceleration;
     bool m_isPointing = false;
+    ImageOverlay m_overlay;
     QAction *m_outlines; ///< kept in the settings
     QAction *m_loupe;
     QList<QAction *> m_zoomActions;

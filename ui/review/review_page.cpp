@@ -8,6 +8,7 @@
 #include "ui/models/shown_names.h"
 #include "ui/models/timeline.h"
 #include "ui/review/corrections.h"
+#include "ui/review/guidance_tool.h"
 #include "ui/review/internal/range_card.h"
 #include "ui/review/internal/trial_facts.h"
 #include "ui/review/range_actions.h"
@@ -26,6 +27,7 @@
 #include <QInputDialog>
 #include <QLabel>
 #include <QLineEdit>
+#include <QMenu>
 #include <QPushButton>
 #include <QScrollArea>
 #include <QStackedWidget>
@@ -58,8 +60,9 @@ struct ReviewPage::Reading
 ReviewPage::ReviewPage(Project &project, QWidget *parent)
     : QWidget(parent), m_project(project), m_reader(new ProjectReader(project.file(), this)),
       m_timeline(new Timeline(this)), m_spikes(new SpikeActions(*m_timeline, this)),
-      m_pointing(new RobotPointing(*m_timeline, this)), m_range(new RangeActions(*m_timeline, this)),
-      m_stack(new QStackedWidget(this)), m_content(new QWidget(m_stack)), m_chooser(new TrialChooser),
+      m_pointing(new RobotPointing(*m_timeline, this)), m_guidance(new GuidanceTool(*m_timeline, this)),
+      m_range(new RangeActions(*m_timeline, this)), m_stack(new QStackedWidget(this)),
+      m_content(new QWidget(m_stack)), m_chooser(new TrialChooser),
       m_desk(new ReviewDesk(*m_timeline, m_content)), m_timelineBar(new TimelineBar(*m_timeline, m_content)),
       m_column(new ReviewColumn(*m_timeline, m_chooser, m_content)),
       m_empty(new EmptyState(
@@ -85,8 +88,9 @@ ReviewPage::ReviewPage(Project &project, QWidget *parent)
 
     m_column->spikes().setActions(m_spikes->actions());
     connect(&m_column->spikes(), &SpikeList::robotChosen, m_spikes, &SpikeActions::setRobot);
-    for (QAction *action : m_timeline->actions() + m_desk->viewActions() + m_spikes->actions() +
-                               m_range->actions() + QList{m_pointing->action()}) {
+    connect(&m_column->spikes(), &SpikeList::samplesChosen, m_spikes, &SpikeActions::setChosen);
+    for (QAction *action : m_timeline->actions() + m_desk->viewActions() + spikeActions() +
+                               m_range->actions() + m_guidance->actions() + QList{m_pointing->action()}) {
         action->setShortcutContext(Qt::WidgetWithChildrenShortcut);
         addAction(action);
     }
@@ -105,8 +109,7 @@ ReviewPage::ReviewPage(Project &project, QWidget *parent)
         Q_EMIT rangeRequested(QString::fromStdString(m_scene->trial.name), range);
     });
     connect(m_desk, &ReviewDesk::settled, this, &ReviewPage::showSettled);
-    connect(m_desk, &ReviewDesk::pointedAt, m_pointing, &RobotPointing::ask);
-    connect(m_pointing->action(), &QAction::toggled, m_desk, &ReviewDesk::setPointing);
+    connectPointing();
     connect(m_desk, &ReviewDesk::quantitiesChanged, this,
             [this] { m_column->range().setQuantities(m_desk->quantities()); });
     connect(&m_column->range(), &RangeCard::fitChanged, m_desk, &ReviewDesk::setFit);
@@ -115,6 +118,49 @@ ReviewPage::ReviewPage(Project &project, QWidget *parent)
 
 ReviewPage::~ReviewPage() = default;
 
+/// What the mouse in a view does, besides looking closely.
+void ReviewPage::connectPointing()
+{
+    const auto setPointing = [this] {
+        m_desk->setPointing(m_pointing->action()->isChecked() || m_guidance->isDrawing());
+    };
+    connect(m_desk, &ReviewDesk::pointedAt, this, &ReviewPage::pointAt);
+    connect(m_desk, &ReviewDesk::pointingEnded, m_guidance, &GuidanceTool::finish);
+    connect(m_desk, &ReviewDesk::hovered, m_guidance, &GuidanceTool::hover);
+    connect(m_pointing->action(), &QAction::toggled, this, setPointing);
+    connect(m_guidance, &GuidanceTool::drawingChanged, this, [this, setPointing](bool isDrawing) {
+        if (isDrawing)
+            m_pointing->action()->setChecked(false);
+        setPointing();
+    });
+    connect(m_guidance, &GuidanceTool::overlayChanged, m_desk, &ReviewDesk::updateOverlay);
+    connect(m_guidance, &GuidanceTool::requested, this, &ReviewPage::guide);
+    m_desk->setOverlay(m_guidance->overlay());
+}
+
+void ReviewPage::pointAt(std::size_t view, const QPointF &pixel, const QPoint &global)
+{
+    if (m_guidance->isDrawing()) {
+        m_guidance->addCorner(view, pixel);
+        return;
+    }
+    m_timeline->pause();
+    QMenu menu;
+    m_pointing->fill(menu, view, pixel);
+    if (!m_pointing->action()->isChecked())
+        m_guidance->fill(menu, view, pixel);
+    if (!menu.isEmpty())
+        menu.exec(global);
+}
+
+void ReviewPage::guide(const QString &trial, const GuidanceEdit &edit)
+{
+    if (const auto done = changeGuidance(m_project, trial.toStdString(), edit); !done)
+        Q_EMIT failed(done.error());
+    else
+        Q_EMIT changed();
+}
+
 Result<void> ReviewPage::showTrial(const QString &name)
 {
     ODO_TRY(m_project.trials().find(name.toStdString()));
@@ -122,6 +168,11 @@ Result<void> ReviewPage::showTrial(const QString &name)
     m_chooser->setCurrent(name);
     load();
     return {};
+}
+
+QList<QAction *> ReviewPage::spikeActions() const
+{
+    return m_spikes->actions() + m_column->spikes().selectActions();
 }
 
 QString ReviewPage::trial() const
@@ -210,6 +261,7 @@ void ReviewPage::adopt(TrialScenePtr scene)
     m_timelineBar->setScene(m_scene);
     m_spikes->setScene(m_scene);
     m_pointing->setScene(m_scene);
+    m_guidance->setScene(m_scene);
     m_range->setScene(m_scene);
     m_column->setScene(m_scene);
     m_chooser->setCurrent(trial());
@@ -270,8 +322,8 @@ bool isTracked(const TrialScene &scene)
 } // namespace
 
 ReviewColumn::ReviewColumn(Timeline &timeline, QWidget *chooser, QWidget *parent)
-    : QWidget(parent), m_track(makeTrackCard()), m_result(new ResultPanel), m_spikes(new SpikeList(timeline)),
-      m_range(new RangeCard(timeline)), m_trial(new Card(tr("Trial"))),
+    : QWidget(parent), m_whyTrack(new QLabel), m_track(makeTrackCard()), m_result(new ResultPanel),
+      m_spikes(new SpikeList(timeline)), m_range(new RangeCard(timeline)), m_trial(new Card(tr("Trial"))),
       m_facts(new FactList(FactList::Badges::Beneath))
 {
     auto *scroll = scrolled(m_facts, tr("Facts of the trial"));
@@ -296,10 +348,8 @@ ReviewColumn::ReviewColumn(Timeline &timeline, QWidget *chooser, QWidget *parent
 Card *ReviewColumn::makeTrackCard()
 {
     auto *content = new QWidget;
-    auto *text = new QLabel(tr("This trial has not been tracked yet. Tracking follows the robot through the "
-                               "videos and computes its position and speed."));
-    text->setTextFormat(Qt::PlainText);
-    text->setWordWrap(true);
+    m_whyTrack->setTextFormat(Qt::PlainText);
+    m_whyTrack->setWordWrap(true);
     auto *button = new QPushButton(themeIcon(QStringLiteral("track"), Qt::white), tr("Track…"));
     button->setObjectName(QStringLiteral("trackButton"));
     button->setProperty("primary", true);
@@ -308,7 +358,7 @@ Card *ReviewColumn::makeTrackCard()
     auto *layout = new QVBoxLayout(content);
     layout->setContentsMargins(12, 10, 12, 12);
     layout->setSpacing(10);
-    layout->addWidget(text);
+    layout->addWidget(m_whyTrack);
     layout->addWidget(button);
     auto *card = new Card(tr("Result"));
     card->setContent(content);
@@ -318,7 +368,11 @@ Card *ReviewColumn::makeTrackCard()
 void ReviewColumn::setScene(const TrialScenePtr &scene)
 {
     const bool tracked = scene && isTracked(*scene);
-    m_track->setVisible(scene && !tracked);
+    m_track->setVisible(scene && (!tracked || scene->isGuidanceNew));
+    m_whyTrack->setText(
+        tracked ? tr("The areas have changed since this trial was tracked. Track it again to use them.")
+                : tr("This trial has not been tracked yet. Tracking follows the robot through the videos and "
+                     "computes its position and speed."));
     m_result->setVisible(tracked);
     m_spikes->setVisible(tracked);
     m_result->setScene(scene);

@@ -10,11 +10,14 @@
 
 class QAction;
 class QComboBox;
+class QLabel;
 class QStackedWidget;
 
 namespace odo {
 
 class EmptyState;
+struct GuidanceEdit;
+class GuidanceTool;
 class Project;
 class ProjectReader;
 class RangeActions;
@@ -49,7 +52,10 @@ public:
     Timeline &timeline() const { return *m_timeline; }
     TrialChooser &chooser() const { return *m_chooser; }
     SpikeActions &spikes() const { return *m_spikes; }
+    /// What can be done with spikes, and that choose several.
+    QList<QAction *> spikeActions() const;
     RobotPointing &pointing() const { return *m_pointing; }
+    GuidanceTool &guidance() const { return *m_guidance; }
     RangeActions &range() const { return *m_range; }
     ReviewDesk &desk() const { return *m_desk; }
     /// The trial is read, and every image that belongs to the present time is on screen, or is not available.
@@ -75,6 +81,9 @@ private:
     void take(Result<Reading> reading);
     void adopt(TrialScenePtr scene);
     void judgeVerdict();
+    void connectPointing();
+    void pointAt(std::size_t view, const QPointF &pixel, const QPoint &global);
+    void guide(const QString &trial, const GuidanceEdit &edit);
     void showSettled();
 
     Project &m_project;
@@ -85,6 +94,7 @@ private:
     Timeline *m_timeline;
     SpikeActions *m_spikes;
     RobotPointing *m_pointing;
+    GuidanceTool *m_guidance;
     RangeActions *m_range;
     QStackedWidget *m_stack;
     QWidget *m_content; ///< of a trial; what is in it is made there
@@ -122,6 +132,7 @@ Q_SIGNALS:
 private:
     Card *makeTrackCard();
 
+    QLabel *m_whyTrack;
     Card *m_track;
     ResultPanel *m_result;
     SpikeList *m_spikes;

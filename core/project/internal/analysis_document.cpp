@@ -178,8 +178,8 @@ Result<AnalysisRecord> analysisIn(Project &project, const DocumentFields &fields
     for (const DocumentFields &one : fields.parts("ambiguous", maxBlobRows)) {
         AmbiguousName name{Nanoseconds(one.integer("from_ns")), Nanoseconds(one.integer("to_ns")), {}, {}};
         for (const std::string &other : one.texts("others", mostRobots)) {
-            if (const auto robot = project.robots().find(other))
-                name.others.push_back(robot->id);
+            if (const auto alike = project.robots().find(other))
+                name.others.push_back(alike->id);
         }
         (analysis.range ? analysis.allAmbiguousNames : analysis.ambiguousNames).push_back(std::move(name));
     }

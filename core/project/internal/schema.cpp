@@ -78,8 +78,8 @@ std::vector<Migration> projectMigrations()
                      step("19_ranges_and_variables")),
         sqlMigration(ODO_TEXT("project.format_20", "which observations are in force"),
                      step("20_series_in_force")),
-        sqlMigration(ODO_TEXT("project.format_21", "the school's hub, and what is to be sent to it"),
-                     step("21_school")),
+        sqlMigration(ODO_TEXT("project.format_21", "guidance of the tracker, and the school's hub"),
+                     step("21_guidance_and_school")),
     };
 }
 

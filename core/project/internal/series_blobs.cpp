@@ -29,7 +29,7 @@ constexpr BlobLayout cornersLayout{'C', 1, 1 + 6 * 8};
 constexpr BlobLayout numbersLayout{'D', 1, 8};
 constexpr BlobLayout squareLayout{'M', 1, 8};
 
-constexpr std::uint8_t foundBit = 1, duplicateBit = 2, borderBit = 4;
+constexpr std::uint8_t foundBit = 1, duplicateBit = 2, borderBit = 4, handBit = 8;
 constexpr std::uint8_t positionBit = 1, disagreementBit = 2, headingBit = 4;
 constexpr std::uint8_t validBit = 1, bodyBit = 2;
 constexpr std::array headingNumbers{&MeasuredHeading::radians, &MeasuredHeading::sigmaRad,
@@ -190,7 +190,7 @@ QByteArray packObservations(std::span<const Observation> observations)
     column([](const Observation &o) { return static_cast<std::int64_t>(o.time.count()); });
     column([](const Observation &o) {
         return static_cast<std::uint8_t>((o.found ? foundBit : 0) | (o.duplicateFrame ? duplicateBit : 0) |
-                                         (o.touchesBorder ? borderBit : 0));
+                                         (o.touchesBorder ? borderBit : 0) | (o.isByHand ? handBit : 0));
     });
     putVector(writer, observations, [](const Observation &o) { return o.ellipse.centrePx; });
     column([](const Observation &o) { return o.ellipse.semiMajorPx; });
@@ -220,6 +220,7 @@ Result<void> unpackObservations(const QByteArray &bytes, const Message &what,
         o.found = (bits & foundBit) != 0;
         o.duplicateFrame = (bits & duplicateBit) != 0;
         o.touchesBorder = (bits & borderBit) != 0;
+        o.isByHand = (bits & handBit) != 0;
     });
     takeVector(reader, rows, [](Observation &o) -> Eigen::Vector2d & { return o.ellipse.centrePx; });
     takeColumn<double>(reader, rows, [](Observation &o, double value) { o.ellipse.semiMajorPx = value; });

@@ -2,6 +2,7 @@
 #include "core/project/internal/series_rows.h"
 
 #include "core/analysis/profile.h"
+#include "core/project/guidance_repository.h"
 #include "core/project/internal/connection.h"
 #include "core/project/internal/series_blobs.h"
 #include "core/project/internal/words.h"
@@ -38,12 +39,29 @@ Result<void> TrialRepository::addObservations(const ObservationSeries &series)
     });
 }
 
-Result<std::optional<ObservationSeries>> TrialRepository::currentObservations(RecordId recording,
-                                                                              RecordId robot) const
+namespace {
+
+const QString currentSeries =
+    QStringLiteral("SELECT id, algorithm FROM observation_series JOIN series_in_force ON series_id=id "
+                   "WHERE recording_id=? AND robot_id=? %1 ORDER BY id DESC LIMIT 1");
+
+} // namespace
+
+Result<std::optional<std::string>> TrialRepository::currentAlgorithm(RecordId recording, RecordId robot) const
 {
-    Statement select(m_connection, QStringLiteral("SELECT id, algorithm FROM observation_series "
-                                                  "JOIN series_in_force ON series_id=id WHERE recording_id=? "
-                                                  "AND robot_id=? ORDER BY id DESC LIMIT 1"));
+    Statement select(m_connection, currentSeries.arg(QString()));
+    const auto found = ODO_TRY(select.bind(recording).bind(robot).firstRow());
+    return found ? std::optional(select.text(1)) : std::nullopt;
+}
+
+Result<std::optional<ObservationSeries>>
+TrialRepository::currentObservations(RecordId recording, RecordId robot, bool asTracked) const
+{
+    Statement select(
+        m_connection,
+        currentSeries.arg(asTracked
+                              ? QStringLiteral("AND instr(algorithm, '%1')=0").arg(QLatin1String(handNote))
+                              : QString()));
     const auto found = ODO_TRY(select.bind(recording).bind(robot).firstRow());
     if (!found)
         return std::nullopt;
@@ -118,7 +136,7 @@ Result<std::vector<PointedOutRobot>> TrialRepository::pointedOut(RecordId trial)
         m_connection,
         QStringLiteral(
             "SELECT robot_id, recording_id, frame, x_px, y_px FROM pointed_out_robot JOIN recording ON "
-            "recording.id = recording_id WHERE trial_id=? ORDER BY recording_id, robot_id"));
+            "recording.id = recording_id WHERE trial_id=? ORDER BY recording_id, robot_id, frame"));
     auto read = select.bind(trial).eachRow([&](const Statement &row) -> Result<void> {
         robots.push_back({row.integer(0), row.integer(1), row.integer(2), {row.real(3), row.real(4)}});
         return {};

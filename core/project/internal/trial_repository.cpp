@@ -518,6 +518,7 @@ Result<std::vector<std::string>> TrialRepository::removeForGood(RecordId trial)
               "trial_id=?)",
               "DELETE FROM pointed_out_robot WHERE recording_id IN (SELECT id FROM recording WHERE "
               "trial_id=?)",
+              "DELETE FROM guidance WHERE recording_id IN (SELECT id FROM recording WHERE trial_id=?)",
               "DELETE FROM recording WHERE trial_id=?",
               "DELETE FROM analysis_view WHERE analysis_id IN (SELECT id FROM analysis WHERE trial_id=?)",
               "DELETE FROM analysis_chunk WHERE analysis_id IN (SELECT id FROM analysis WHERE trial_id=?)",

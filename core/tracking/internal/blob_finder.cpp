@@ -100,12 +100,30 @@ void BlobFinder::findRunsInRow(const ChromaGrid &grid, const ChromaTable &table,
     }
 }
 
+/// Those of its parts that are searched, on the lattice of the step.
+void BlobFinder::findSearchedRunsInRow(const ChromaGrid &grid, const ChromaTable &table,
+                                       const ChromaRect &area, int y, int step)
+{
+    for (int x = m_searched->nextSet(area.left, y); x < area.right;) {
+        const int end = std::min(m_searched->nextClear(x, y), area.right);
+        ChromaRect part = area;
+        part.left = area.left + (x - area.left + step - 1) / step * step;
+        part.right = end;
+        if (part.left < end)
+            findRunsInRow(grid, table, part, y, step);
+        x = end < area.right ? m_searched->nextSet(end, y) : end;
+    }
+}
+
 void BlobFinder::findRuns(const ChromaGrid &grid, const ChromaTable &table, const ChromaRect &area, int step)
 {
     std::size_t aboveBegin = 0;
     for (int y = area.top; y < area.bottom; y += step) {
         const std::size_t rowBegin = m_runs.size();
-        findRunsInRow(grid, table, area, y, step);
+        if (m_searched)
+            findSearchedRunsInRow(grid, table, area, y, step);
+        else
+            findRunsInRow(grid, table, area, y, step);
         const std::size_t rowEnd = m_runs.size();
         std::size_t above = aboveBegin;
         for (std::size_t i = rowBegin; i < rowEnd; ++i)

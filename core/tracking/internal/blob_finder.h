@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/tracking/internal/bit_mask.h"
 #include "core/tracking/internal/chroma_density.h"
 #include "core/tracking/observation.h"
 
+#include <memory>
+#include <utility>
 #include <vector>
 
 namespace odo {
@@ -52,6 +55,8 @@ struct RegionMask
 class BlobFinder
 {
 public:
+    /// Samples of the planes outside of which there are no regions; null: none.
+    void searchOnly(std::shared_ptr<const BitMask> searched) { m_searched = std::move(searched); }
     /// Visits each step-th sample of each step-th row of the area, which must lie in the planes.
     void find(const ChromaGrid &grid, const ChromaTable &table, const ChromaRect &area, int step);
     const std::vector<Blob> &blobs() const { return m_blobs; }
@@ -69,9 +74,12 @@ private:
     int joinWithRowAbove(const Run &run, std::size_t &above, std::size_t aboveEnd, int step);
     void findRunsInRow(const ChromaGrid &grid, const ChromaTable &table, const ChromaRect &area, int y,
                        int step);
+    void findSearchedRunsInRow(const ChromaGrid &grid, const ChromaTable &table, const ChromaRect &area,
+                               int y, int step);
     void findRuns(const ChromaGrid &grid, const ChromaTable &table, const ChromaRect &area, int step);
     void gatherBlobs(int step);
 
+    std::shared_ptr<const BitMask> m_searched;
     std::vector<Run> m_runs;
     std::vector<int> m_parents;
     std::vector<int> m_blobOfLabel;

@@ -268,6 +268,8 @@ void ComparedWindow::compare(const Frame &frame, const LightGain &gain, const Di
     m_frame = &frame;
     m_gain = gain;
     compareRows(part);
+    if (m_searched)
+        m_differs &= m_searched->cropped(part.rect);
     positionAround(m_differs.crowded().bounds(), part.rect); // single pixels are noise
 }
 

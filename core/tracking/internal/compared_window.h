@@ -10,6 +10,8 @@
 #include <array>
 #include <cstdint>
 #include <opencv2/core.hpp>
+#include <optional>
+#include <utility>
 #include <vector>
 
 namespace odo {
@@ -101,6 +103,9 @@ public:
     /// background: must outlive this.
     explicit ComparedWindow(const Background &background);
 
+    /// Pixels of the frame outside of which nothing is foreground.
+    void searchOnly(BitMask searched) { m_searched = std::move(searched); }
+
     /// Compares a part of a whole frame of the background's format. The frame must outlive the use of what
     /// was found.
     void compare(const Frame &frame, const LightGain &gain, const DifferenceWindow &part);
@@ -155,6 +160,7 @@ private:
     BackgroundNoise m_noise;
     const Frame *m_frame = nullptr;
     LightGain m_gain;
+    std::optional<BitMask> m_searched;
     PixelRect m_rect;
     BitMask m_differs, m_plain, m_darkened;
     cv::Mat1s m_u, m_v, m_uBehind, m_vBehind;                 ///< parts of those below

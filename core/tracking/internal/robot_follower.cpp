@@ -3,6 +3,7 @@
 
 #include "core/tracking/internal/fetch_early.h"
 #include "core/tracking/internal/robot_expectation.h"
+#include "core/tracking/internal/searched_mask.h"
 
 #include <algorithm>
 #include <cmath>
@@ -31,8 +32,10 @@ constexpr double leastPartHidden = 0.02, mostPartHidden = 0.08;
 
 } // namespace
 
-void RobotFollower::reset(const FrameFormat &format)
+void RobotFollower::reset(const FrameFormat &format, std::shared_ptr<const BitMask> searched)
 {
+    m_searched = std::move(searched);
+    m_finder.searchOnly(m_searched);
     m_phase = Phase::Unseen;
     m_model = ColourModel(chromaOf(m_given, format));
     m_candidates.clear();
@@ -298,6 +301,28 @@ bool RobotFollower::acceptFound(const TrackedFrame &frame, const Candidate &cand
     return true;
 }
 
+bool RobotFollower::startAt(const TrackedFrame &frame, const Eigen::Vector2d &pixel,
+                            const ChromaDensity &background, Observation &observation)
+{
+    const Eigen::Vector2d sample = frame.grid().fromLuma(pixel);
+    const int x = int(std::lround(sample.x())), y = int(std::lround(sample.y())),
+              beside = frame.searchStep() + 2;
+    const auto startBy = [&](Candidate::By by, const ChromaTable &table) {
+        m_finder.find(frame.grid(), table, frame.grid().bounds(), frame.searchStep());
+        const Blob *there = nullptr;
+        for (const Blob &blob : m_finder.blobs())
+            if (blob.box.grownBy(beside).contains(x, y) && (!there || blob.count > there->count))
+                there = &blob;
+        if (!there)
+            return false;
+        const Candidate candidate{*there, frame.grid().toLuma(there->centre()), 1, by};
+        return acceptFound(frame, candidate, background, observation);
+    };
+    return (m_model.isLearned() && startBy(Candidate::By::LearnedColour, m_model.table())) ||
+           startBy(Candidate::By::GivenColour, m_model.givenColourTable(&background)) ||
+           startBy(Candidate::By::GivenColourAlone, m_model.givenColourTable(nullptr));
+}
+
 /// The edges will soon be searched on the luma plane.
 void RobotFollower::fetchLuma(const TrackedFrame &frame, const Blob &blob)
 {
@@ -309,13 +334,26 @@ void RobotFollower::fetchLuma(const TrackedFrame &frame, const Blob &blob)
                    .clipped({0, 0, format.width, format.height}));
 }
 
+/// Whether the region, which was painted last, reaches the edge of the frame or of what is searched.
+bool RobotFollower::isCut(const TrackedFrame &frame, const Blob &blob) const
+{
+    const ChromaRect inner = frame.grid().bounds().grownBy(-1);
+    if (blob.box.left < inner.left || blob.box.top < inner.top || blob.box.right > inner.right ||
+        blob.box.bottom > inner.bottom)
+        return true;
+    if (!m_searched)
+        return false;
+    BitMask region(m_mask.area.width(), m_mask.area.height());
+    for (int y = 0; y < region.height(); ++y)
+        region.setRow(y, m_mask.row(m_mask.area.top + y), 0, region.width());
+    return isCutBy(*m_searched, region, m_mask.area.left, m_mask.area.top);
+}
+
 void RobotFollower::observe(const TrackedFrame &frame, const Blob &blob, Observation &observation)
 {
     fetchLuma(frame, blob);
     m_finder.paint(blob, RegionMeasure::margin, m_mask);
-    const ChromaRect inner = frame.grid().bounds().grownBy(-1);
-    m_atBorder = blob.box.left < inner.left || blob.box.top < inner.top || blob.box.right > inner.right ||
-                 blob.box.bottom > inner.bottom;
+    m_atBorder = isCut(frame, blob);
     observation.found = true;
     observation.touchesBorder = m_atBorder;
     RegionShape shape = m_measure.examine(frame.grid(), blob, m_mask, m_model.expected());

@@ -6,6 +6,7 @@
 #include "core/tracking/internal/robot_outline.h"
 
 #include <Eigen/Geometry>
+#include <memory>
 
 namespace odo {
 
@@ -32,8 +33,8 @@ public:
     bool isFollowing() const { return m_phase == Phase::Following; }
     const ColourModel &model() const { return m_model; }
 
-    /// Restarts for frames of this format.
-    void reset(const FrameFormat &format);
+    /// Restarts for frames of this format. searched: the chroma samples in which it may be; null: all.
+    void reset(const FrameFormat &format, std::shared_ptr<const BitMask> searched);
 
     /// Where in the frame the robot is searched while it is followed, in chroma samples.
     ChromaRect windowOf(const TrackedFrame &frame) const;
@@ -63,6 +64,10 @@ public:
     /// is what else there is beside the candidate.
     bool acceptFound(const TrackedFrame &frame, const Candidate &candidate, const ChromaDensity &background,
                      Observation &observation);
+    /// Takes what has its colour at a pixel as the robot, whatever it followed before; false where nothing
+    /// has. `background` as of search.
+    bool startAt(const TrackedFrame &frame, const Eigen::Vector2d &pixel, const ChromaDensity &background,
+                 Observation &observation);
     /// Takes a coarse position of low score, from a region that several robots share.
     void acceptTogether(const TrackedFrame &frame, const Eigen::Vector2d &centrePx, Observation &observation);
     /// None of the candidates is the robot. While another robot hides it, it is not yet given up.
@@ -102,12 +107,14 @@ private:
     void observe(const TrackedFrame &frame, const Blob &blob, Observation &observation);
     void uncertainSize(Observation &observation) const;
     double scoreOf(const TrackedFrame &frame, const Blob &blob, const RegionShape &shape) const;
+    bool isCut(const TrackedFrame &frame, const Blob &blob) const;
     void keepSilhouette(const TrackedFrame &frame, const Observation &observation);
     void uncertainWhenTouched(Observation &observation) const;
     void update(const TrackedFrame &frame, const Blob &blob, const RegionShape &shape,
                 const Observation &observation);
 
     RgbColour m_given;
+    std::shared_ptr<const BitMask> m_searched;
     Phase m_phase = Phase::Unseen;
     ColourModel m_model;
     MotionPredictor m_predictor;

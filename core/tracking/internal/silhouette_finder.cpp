@@ -6,10 +6,12 @@
 #include "core/tracking/internal/compared_window.h"
 #include "core/tracking/internal/difference_windows.h"
 #include "core/tracking/internal/region_edge.h"
+#include "core/tracking/internal/searched_mask.h"
 
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <optional>
 
 namespace odo {
 
@@ -149,9 +151,18 @@ float deepShareOf(const ComparedWindow &w, float darkestShadow, const BitMask &r
 
 struct SilhouetteFinder::Impl
 {
-    explicit Impl(Background learned)
+    Impl(Background learned, const SearchedArea &area)
         : background(std::move(learned)), lattice(background), window(background)
     {
+        if (area.isWholeFrame())
+            return;
+        const Background::Plane &luma = background.y;
+        constexpr int step = DifferenceLattice::step;
+        searchedCells =
+            searchedSamples(area, {luma.width / step, luma.height / step,
+                                   Eigen::Vector2d::Constant(step / 2.0), Eigen::Vector2d::Constant(step)});
+        searched = searchedSamples(area, {luma.width, luma.height});
+        window.searchOnly(*searched);
     }
 
     Background background;
@@ -159,6 +170,8 @@ struct SilhouetteFinder::Impl
     ComparedWindow window;
     FloorShade shade;
     RegionEdge edge;
+    /// where robots are searched, in pixels and in cells of the lattice; none: everywhere
+    std::optional<BitMask> searched, searchedCells;
     std::vector<SeenSilhouette> found;
     int firstPiece = 0; ///< of the window's shadow pieces
 
@@ -262,13 +275,15 @@ bool SilhouetteFinder::Impl::measure(BitMask region, const BitMask &edgePixels, 
     silhouette.deepShare = deepShareOf(window, background.darkestShadow, region, part);
     silhouette.clearShare = double((clear.cropped(part) & region).count()) / double(region.count());
     const int right = background.y.width - 2, bottom = background.y.height - 2;
-    silhouette.touchesBorder = silhouette.box.x0 < 2 || silhouette.box.y0 < 2 || silhouette.box.x1 > right ||
-                               silhouette.box.y1 > bottom;
+    silhouette.touchesBorder =
+        silhouette.box.x0 < 2 || silhouette.box.y0 < 2 || silhouette.box.x1 > right ||
+        silhouette.box.y1 > bottom ||
+        (searched && isCutBy(*searched, region, window.rect().x0 + part.x0, window.rect().y0 + part.y0));
     return true;
 }
 
-SilhouetteFinder::SilhouetteFinder(Background background)
-    : m_impl(std::make_unique<Impl>(std::move(background)))
+SilhouetteFinder::SilhouetteFinder(Background background, const SearchedArea &area)
+    : m_impl(std::make_unique<Impl>(std::move(background), area))
 {
 }
 
@@ -284,7 +299,9 @@ const std::vector<SeenSilhouette> &SilhouetteFinder::find(const Frame &frame)
     if (!fits(frame, d.background))
         return d.found;
     d.lattice.compare(frame, d.background);
-    const BitMask &differences = d.lattice.differences();
+    BitMask differences = d.lattice.differences();
+    if (d.searchedCells)
+        differences &= *d.searchedCells;
     // the light of a part of the room, or the camera, has changed
     if (differences.count() > mostShare * differences.width() * differences.height())
         return d.found;

@@ -4,6 +4,7 @@
 #include "core/geometry/silhouette.h"
 #include "core/tracking/background.h"
 #include "core/tracking/chroma.h"
+#include "core/tracking/searched_area.h"
 
 #include <memory>
 #include <vector>
@@ -24,17 +25,18 @@ struct SeenSilhouette
     double clearShare = 1;      ///< of its pixels: that cannot be a shadow on the floor
     float deepShare = 0;        ///< as of Observation
     bool isTrimmed = false;     ///< something thin that reaches out of it was left out: a cable
-    bool touchesBorder = false; ///< cut by the frame's edge
+    bool touchesBorder = false; ///< cut by the frame's edge, or by that of the searched area
 };
 
 /// Finds the foreground of one view, whatever its colours: where luma or chroma differ from the background by
 /// more than it usually varies. Shadows are left out: there the luma is lower by a factor that hardly changes
 /// from pixel to pixel, the chroma is that of the darkened floor, and what the floor has of texture shows
-/// through. The light may change as a whole. Keeps its memory. Not thread-safe.
+/// through. Outside of the searched area nothing is foreground. The light may change as a whole. Keeps its
+/// memory. Not thread-safe.
 class SilhouetteFinder
 {
 public:
-    explicit SilhouetteFinder(Background background);
+    explicit SilhouetteFinder(Background background, const SearchedArea &area = {});
     ~SilhouetteFinder();
     SilhouetteFinder(SilhouetteFinder &&) noexcept;
     SilhouetteFinder &operator=(SilhouetteFinder &&) noexcept;

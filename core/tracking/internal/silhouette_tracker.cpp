@@ -74,6 +74,20 @@ bool lies(const PixelRect &box, const Eigen::Vector2d &at)
     return at.x() >= box.x0 && at.x() < box.x1 && at.y() >= box.y0 && at.y() < box.y1;
 }
 
+/// What a person means by a pixel: of several silhouettes that hold it the smallest.
+std::vector<SeenSilhouette>::const_iterator silhouetteAt(const std::vector<SeenSilhouette> &seen,
+                                                         const Eigen::Vector2d &pixel)
+{
+    constexpr double besidePx = 4;
+    auto there = seen.end();
+    for (auto one = seen.begin(); one != seen.end(); ++one) {
+        if (isWithinSupport(one->supportPx, one->moments.centrePx, pixel, besidePx) &&
+            (there == seen.end() || one->moments.areaPx2 < there->moments.areaPx2))
+            there = one;
+    }
+    return there;
+}
+
 /// Whether a mean colour is mostly one: parts without a colour only draw it toward grey.
 bool isMostly(const Chroma &mean, const Chroma &colour)
 {
@@ -86,6 +100,7 @@ bool isMostly(const Chroma &mean, const Chroma &colour)
 struct SilhouetteTracker::Impl
 {
     SilhouetteFinder finder;
+    SearchedArea area;
     std::vector<Followed> robots; ///< and what else is followed
     std::size_t given = 0;        ///< how many of them robots are
     std::vector<Observation> last;
@@ -96,7 +111,8 @@ struct SilhouetteTracker::Impl
     std::vector<bool> leaveTogether(std::vector<SeenSilhouette> &seen, double timeS);
     void takeWholeInstead(Followed &robot, SeenSilhouette &taken) const;
     void uncertainPart(Followed &robot, SeenSilhouette &taken) const;
-    void assign(const Frame &frame, std::vector<SeenSilhouette> seen, std::span<const SilhouetteCue> cues);
+    void assign(const Frame &frame, std::vector<SeenSilhouette> seen, std::span<const SilhouetteCue> cues,
+                std::span<const RobotSeed> seeds);
     void addWholes(std::vector<SeenSilhouette> &seen);
     void accept(Followed &robot, const SeenSilhouette &silhouette, double timeS, Observation &observation);
 };
@@ -221,7 +237,7 @@ std::vector<bool> SilhouetteTracker::Impl::leaveTogether(std::vector<SeenSilhoue
 }
 
 void SilhouetteTracker::Impl::assign(const Frame &frame, std::vector<SeenSilhouette> seen,
-                                     std::span<const SilhouetteCue> cues)
+                                     std::span<const SilhouetteCue> cues, std::span<const RobotSeed> seeds)
 {
     const double timeS = toSeconds(frame.time);
     const auto take = [&](std::size_t robot, std::size_t silhouette) {
@@ -234,12 +250,21 @@ void SilhouetteTracker::Impl::assign(const Frame &frame, std::vector<SeenSilhoue
         });
         accept(robots[robot], taken, timeS, last[robot]);
     };
+    for (const RobotSeed &seed : seeds) {
+        const auto there = silhouetteAt(seen, seed.pixel);
+        if (there == seen.end())
+            continue;
+        Followed &robot = robots[seed.target];
+        if (!robot.isFollowing() || costOf(robot, *there, timeS) >= mostCost)
+            robot = Followed();
+        take(seed.target, std::size_t(there - seen.begin()));
+    }
     const auto cueOf = [cues](std::size_t robot) {
         return robot < cues.size() ? cues[robot] : SilhouetteCue();
     };
     for (std::size_t r = 0; r < robots.size(); ++r) {
         const Observation *coloured = cueOf(r).coloured;
-        if (!coloured || !coloured->found)
+        if (!coloured || !coloured->found || last[r].found)
             continue;
         const auto own = std::ranges::find_if(seen, [coloured](const SeenSilhouette &one) {
             return lies(one.box, coloured->ellipse.centrePx);
@@ -285,8 +310,9 @@ void SilhouetteTracker::Impl::assign(const Frame &frame, std::vector<SeenSilhoue
 }
 
 SilhouetteTracker::SilhouetteTracker(Background background, std::size_t robots,
-                                     std::optional<FloorView> floor, std::size_t others)
-    : m_impl(new Impl{SilhouetteFinder(std::move(background)),
+                                     std::optional<FloorView> floor, std::size_t others, SearchedArea area)
+    : m_impl(new Impl{SilhouetteFinder(std::move(background), area),
+                      std::move(area),
                       std::vector<Followed>(robots + others),
                       robots,
                       {},
@@ -301,18 +327,19 @@ SilhouetteTracker::~SilhouetteTracker() = default;
 
 void SilhouetteTracker::setBackground(Background background)
 {
-    m_impl->finder = SilhouetteFinder(std::move(background));
+    m_impl->finder = SilhouetteFinder(std::move(background), m_impl->area);
     // what was followed may have been where a robot was: if it is gone, it is searched at once
     for (Followed &robot : m_impl->robots)
         robot.missed = robot.isFollowing() ? mostMisses : robot.missed;
 }
 
 std::vector<Observation> SilhouetteTracker::track(const Frame &frame, std::span<const Observation> elsewhere,
-                                                  std::span<const SilhouetteCue> cues)
+                                                  std::span<const SilhouetteCue> cues,
+                                                  std::span<const RobotSeed> seeds)
 {
     Impl &d = *m_impl;
     const bool repeats = d.duplicates.repeatsTheLast(frame);
-    if (!repeats) {
+    if (!repeats || !seeds.empty()) {
         d.last.assign(d.robots.size(), Observation());
         if (const auto whole = wholeFrame(frame)) {
             std::vector<SeenSilhouette> seen = d.finder.find(*whole);
@@ -324,7 +351,7 @@ std::vector<Observation> SilhouetteTracker::track(const Frame &frame, std::span<
                 });
             });
             d.addWholes(seen);
-            d.assign(frame, std::move(seen), cues);
+            d.assign(frame, std::move(seen), cues, seeds);
         }
     }
     stamp(d.last, frame, repeats);

@@ -4,7 +4,9 @@
 #include "core/geometry/floor_view.h"
 #include "core/tracking/background.h"
 #include "core/tracking/chroma.h"
+#include "core/tracking/colour_tracker.h"
 #include "core/tracking/observation.h"
+#include "core/tracking/searched_area.h"
 #include "core/video/frame.h"
 
 #include <memory>
@@ -28,9 +30,9 @@ class SilhouetteTracker
 {
 public:
     /// floor: of a registered view, before which what is too large for a robot is none. others: how many
-    /// things besides are followed alike, for one of them may be the robot.
+    /// things besides are followed alike, for one of them may be the robot. area: where they are searched.
     SilhouetteTracker(Background background, std::size_t robots, std::optional<FloorView> floor = {},
-                      std::size_t others = 0);
+                      std::size_t others = 0, SearchedArea area = {});
     ~SilhouetteTracker();
     SilhouetteTracker(const SilhouetteTracker &) = delete;
     SilhouetteTracker &operator=(const SilhouetteTracker &) = delete;
@@ -40,9 +42,11 @@ public:
     /// One observation a robot, and then one of each other thing. The rest of a frame that was decoded in
     /// part is decoded. A frame that repeats the one before it gives the same observations again, marked as
     /// such. elsewhere: where robots that are not followed here are seen in this frame, whose silhouettes are
-    /// left to them. cues: of each robot; none at all: all are of any look.
+    /// left to them. cues: of each robot; none at all: all are of any look. A seed where there is no
+    /// silhouette has no effect.
     std::vector<Observation> track(const Frame &frame, std::span<const Observation> elsewhere = {},
-                                   std::span<const SilhouetteCue> cues = {});
+                                   std::span<const SilhouetteCue> cues = {},
+                                   std::span<const RobotSeed> seeds = {});
 
 private:
     struct Impl;

@@ -191,7 +191,7 @@ private:
     {
         const Observation &observation = observationAt(m_positions[i]);
         return m_views[m_positions[i].view].floorView && observation.found && !observation.duplicateFrame &&
-               !observation.touchesBorder && observation.score >= leastAxisScore;
+               !observation.touchesBorder && !observation.isByHand && observation.score >= leastAxisScore;
     }
     const Observation &observationAt(RobotPosition position) const
     {

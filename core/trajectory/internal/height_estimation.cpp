@@ -179,7 +179,7 @@ bool isMarkAtTop(const std::vector<ViewTrack> &views, double heightM)
         if (!view.floorView)
             continue;
         for (const Observation &observation : view.observations) {
-            if (!observation.found || observation.touchesBorder)
+            if (!observation.found || observation.touchesBorder || observation.isByHand)
                 continue;
             if (const auto share = verticalShare(*view.floorView, observation.ellipse, heightM))
                 shares.push_back(*share);

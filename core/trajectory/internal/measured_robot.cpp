@@ -172,7 +172,7 @@ bool leaveOutParts(const std::vector<Sample> &samples, ViewTrack &view)
                               [&](const Sample &next) { return next.time >= timeOf(view, one); });
         if (sample == samples.end())
             break;
-        if (!one.found || one.touchesBorder || !sample->position)
+        if (!one.found || one.touchesBorder || one.isByHand || !sample->position)
             continue;
         const Eigen::Vector3d at(sample->position->x(), sample->position->y(), 0);
         sizes.emplace_back(&one, std::sqrt(one.areaPx) * (at - view.floorView->cameraInWorld()).norm());

@@ -251,8 +251,13 @@ void addTracklets(NameEvidence &evidence)
 bool holds(const Observation &seen, const Eigen::Vector2d &pixel)
 {
     constexpr double besidePx = 4;
-    return seen.found && !seen.supportPx.empty() &&
-           isWithinSupport(seen.supportPx, seen.ellipse.centrePx, pixel, besidePx);
+    if (!seen.found)
+        return false;
+    if (!seen.supportPx.empty())
+        return isWithinSupport(seen.supportPx, seen.ellipse.centrePx, pixel, besidePx);
+    const Eigen::Vector2d away = Eigen::Rotation2Dd(-seen.ellipse.angleRad) * (pixel - seen.ellipse.centrePx);
+    return std::hypot(away.x() / (seen.ellipse.semiMajorPx + besidePx),
+                      away.y() / (seen.ellipse.semiMinorPx + besidePx)) <= 1;
 }
 
 /// Marks the tracklets pointed out by hand: of several that contain the point, that of the smallest thing.

@@ -75,6 +75,42 @@ Result<Sample> chosenSample(const std::vector<Sample> &samples, const OverrideRe
     return *nearest;
 }
 
+/// Whether a word changes what becomes of a sample.
+bool isChangedBy(OverrideRequest::Word word, const Sample &sample)
+{
+    if (word == OverrideRequest::Word::Clear)
+        return hasFlag(sample.flags, SampleFlag::ByHand);
+    return sample.position && isRejected(sample.flags) == (word == OverrideRequest::Word::Valid);
+}
+
+/// The samples that a request means, in order of time.
+Result<std::vector<Sample>> chosenSamples(const std::vector<Sample> &samples, const OverrideRequest &request)
+{
+    std::vector<Sample> chosen;
+    for (const std::int64_t frame : request.frames) {
+        OverrideRequest one = request;
+        one.frame = frame;
+        chosen.push_back(ODO_TRY(chosenSample(samples, one)));
+    }
+    if (request.group) {
+        const SampleGroup &group = *request.group;
+        std::ranges::copy_if(samples, std::back_inserter(chosen), [&](const Sample &sample) {
+            const double timeS = toSeconds(sample.time);
+            return timeS >= group.fromS && timeS <= group.toS && isChangedBy(request.word, sample) &&
+                   (group.reasons == 0 || (sample.flags & group.reasons) != 0);
+        });
+        if (chosen.empty())
+            return fail(ErrorCode::NotFound, trialSubject(request.trial),
+                        ODO_TEXT("workflow.no_sample_in_group", "no sample from %1 to %2 is to be changed")(
+                            quantity(group.fromS, 3, "s"), quantity(group.toS, 3, "s")),
+                        ODO_TEXT("workflow.choose_other_group", "choose other times or another reason"));
+    }
+    if (chosen.empty())
+        chosen.push_back(ODO_TRY(chosenSample(samples, request)));
+    std::ranges::sort(chosen, {}, &Sample::frame);
+    return chosen;
+}
+
 } // namespace
 
 OverrideJob::OverrideJob(OverrideRequest request) : m_request(std::move(request)) {}
@@ -87,22 +123,24 @@ Result<void> OverrideJob::prepare(Project &project)
     const auto analyses = ODO_TRY(project.analyses().current(trial.id));
     const auto analysis = ODO_TRY(chosenAnalysis(analyses, m_request));
     const Profile whole = wholeRun(analysis.profile, analysis.outside);
-    const auto sample = ODO_TRY(chosenSample(whole.samples, m_request));
+    const auto samples = ODO_TRY(chosenSamples(whole.samples, m_request));
     m_before = ODO_TRY(project.trials().overrides(trial.id, analysis.robot));
     m_trial = trial.id;
     m_robot = analysis.robot;
     m_outcome.robot = analysis.robotName;
-    m_outcome.frame = sample.frame;
-    m_outcome.time = sample.time;
-    if (m_request.word == OverrideRequest::Word::Clear) {
-        m_overrides = withoutOverride(m_before, sample.frame);
-        if (m_overrides.size() == m_before.size())
-            return fail(ErrorCode::NotFound, sampleSubject(m_request),
-                        ODO_TEXT("workflow.nothing_said_there", "that frame has no manual override"),
-                        ODO_TEXT("workflow.see_flags_by_hand", "see the flags by_hand in odograph export"));
-    } else {
-        m_overrides = withOverride(m_before, {sample.frame, m_request.word == OverrideRequest::Word::Spike});
-    }
+    m_outcome.count = samples.size();
+    m_outcome.frame = samples.front().frame;
+    m_outcome.time = samples.front().time;
+    m_overrides = m_before;
+    for (const Sample &sample : samples)
+        m_overrides = m_request.word == OverrideRequest::Word::Clear
+                          ? withoutOverride(std::move(m_overrides), sample.frame)
+                          : withOverride(std::move(m_overrides),
+                                         {sample.frame, m_request.word == OverrideRequest::Word::Spike});
+    if (m_request.word == OverrideRequest::Word::Clear && m_overrides.size() == m_before.size())
+        return fail(ErrorCode::NotFound, sampleSubject(m_request),
+                    ODO_TEXT("workflow.nothing_said_there", "that frame has no manual override"),
+                    ODO_TEXT("workflow.see_flags_by_hand", "see the flags by_hand in odograph export"));
     TrackSettings settings;
     settings.robots = {m_outcome.robot};
     settings.again = true;
@@ -116,10 +154,29 @@ Result<void> OverrideJob::run(const JobControl &control)
     return m_analysis->run(control);
 }
 
+namespace {
+
+Message groupWords(OverrideRequest::Word word, std::size_t count, const MessageArgument &trial)
+{
+    switch (word) {
+    case OverrideRequest::Word::Spike:
+        return ODO_TEXT("workflow.mark_spikes", "mark %1 samples of %2 as spikes")(count, trial);
+    case OverrideRequest::Word::Valid:
+        return ODO_TEXT("workflow.use_frames", "use %1 samples of %2")(count, trial);
+    case OverrideRequest::Word::Clear:
+        break;
+    }
+    return ODO_TEXT("workflow.leave_frames", "remove the overrides of %1 samples of %2")(count, trial);
+}
+
+} // namespace
+
 Result<void> OverrideJob::commit(Project &project)
 {
     const auto words = [this] {
         const MessageArgument trial = Named::trial(m_request.trial);
+        if (m_outcome.count > 1)
+            return groupWords(m_request.word, m_outcome.count, trial);
         switch (m_request.word) {
         case OverrideRequest::Word::Spike:
             return ODO_TEXT("workflow.mark_spike", "mark frame %1 of %2 as a spike")(m_outcome.frame, trial);

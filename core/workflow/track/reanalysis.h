@@ -14,7 +14,14 @@ namespace odo {
 
 class TrackJob;
 
-/// A manual override of one sample of a trial.
+/// Samples of a trial from one time to another, both inside.
+struct SampleGroup
+{
+    double fromS = 0, toS = 0;
+    SampleFlags reasons = 0; ///< one of which they have; 0: whatever they have
+};
+
+/// A manual override of a sample of a trial, or of several at once.
 struct OverrideRequest
 {
     enum class Word {
@@ -27,20 +34,25 @@ struct OverrideRequest
     std::optional<double> timeS;       ///< the nearest frame is meant; or else
     std::optional<std::int64_t> frame; ///< of the first view
     Word word = Word::Spike;
+    std::vector<std::int64_t> frames = {}; ///< instead of one: of the first view
+    /// Instead of one: of these, those that the word changes.
+    std::optional<SampleGroup> group = {};
 };
 
 struct OverrideOutcome
 {
     std::string robot;
+    std::size_t count = 0; ///< samples
+    /// Of the first of them.
     std::int64_t frame = 0;
     Nanoseconds time{0};
-    SampleFlags flags = 0; ///< of the sample in the new analysis
+    SampleFlags flags = 0; ///< in the new analysis
     AnalysisRecord analysis;
 };
 
-/// Stores a manual override of a sample and reanalyses the stored observations with it; older analyses stay.
-/// Errors: the robot was not tracked, no frame at that time, nothing measured there, nothing to remove,
-/// another sample was overridden between prepare and commit.
+/// Stores manual overrides of samples and reanalyses the stored observations with them, as one change; older
+/// analyses stay. Errors: the robot was not tracked, no frame at that time, nothing measured there, nothing
+/// to remove, no such sample in a group, another sample was overridden between prepare and commit.
 class OverrideJob : public Job
 {
 public:

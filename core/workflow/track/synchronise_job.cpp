@@ -68,7 +68,8 @@ Result<void> SynchroniseJob::prepareAnalysis(Project &project)
 {
     const auto analyses = ODO_TRY(project.analyses().currentMetrics(m_trial.id));
     const auto pointedOut = ODO_TRY(project.trials().pointedOut(m_trial.id));
-    m_request.mayTakeFields = analyses.empty() && pointedOut.empty();
+    const auto guidance = ODO_TRY(project.guidance().of(m_trial.id));
+    m_request.mayTakeFields = analyses.empty() && pointedOut.empty() && !haveFrames(guidance);
     if (analyses.empty())
         return {};
     TrackSettings settings;

@@ -51,6 +51,7 @@ struct TrackJob::Impl
 
     std::vector<AnalysisOptions> options; ///< one a robot
     std::vector<PointedOutRobot> pointedOut;
+    EditedGuidance guidance;
     std::vector<TrackedView> stored;           ///< with `again`
     std::vector<std::vector<Sample>> imported; ///< with `again` of imported tracks, one a robot
     std::vector<ObservationSeries> observations;
@@ -61,11 +62,13 @@ struct TrackJob::Impl
     std::vector<std::vector<AmbiguousName>> ambiguities;
     TrackOutcome outcome;
 
+    bool mayRecount() const { return pointedOut.empty() && !haveFrames(guidance.all); } ///< the frames
     Result<void> readOptions(Project &project);
     Result<void> takeImported(Project &project);
     Result<void> prepareSync(Project &project);
     Result<SettledViews> trackAll(const JobControl &control);
     Result<SettledViews> trackSynchronised(const JobControl &control);
+    void correctByHand(std::vector<TrackedView> &tracked);
     Result<void> analyseAll(std::vector<TrackedView> &tracked);
     Result<TaskAnalysis> analyseOne(std::vector<TrackedView> &tracked, std::size_t robot,
                                     const std::optional<TimeSpan> &range = {}) const;
@@ -101,11 +104,17 @@ Result<void> TrackJob::prepare(Project &project)
     d.robots = std::move(robots);
     auto views = ODO_TRY(registeredViews(project, d.trial));
     d.views = std::move(views);
+    auto guidance = ODO_TRY(editedGuidance(project, d.trial, recordingsOf(d.views), d.settings.guidance));
+    d.guidance = std::move(guidance);
+    for (RegisteredView &view : d.views)
+        view.area = searchedAreaOf(d.guidance.all, view.recording.id);
     if (d.settings.range)
         ODO_TRY(d.keepRegistrations(project));
     ODO_TRY(d.readOptions(project));
     auto pointedOut = ODO_TRY(pointedOutRobots(project, d.trial, d.views, d.robots, d.settings.pointers));
     d.pointedOut = std::move(pointedOut);
+    for (RegisteredView &view : d.views)
+        view.marks = marksOf(d.pointedOut, view.recording.id);
     const auto imported = ODO_TRY(importedTracksOf(project, d.trial));
     if (!imported.empty())
         return d.takeImported(project);
@@ -113,7 +122,9 @@ Result<void> TrackJob::prepare(Project &project)
     d.others = std::move(others);
     if (!d.settings.again)
         return d.prepareSync(project);
-    auto stored = ODO_TRY(storedObservations(project, d.trialName, d.views, d.robots));
+    auto stored =
+        ODO_TRY(storedObservations(project, d.trialName, d.views, d.robots,
+                                   d.guidance.isByHandChanged ? StoredAs::Tracked : StoredAs::InForce));
     d.stored = std::move(stored);
     for (std::size_t v = 0; v < d.views.size(); ++v) {
         if (!d.views[v].registration)
@@ -206,7 +217,7 @@ Result<void> TrackJob::Impl::prepareSync(Project &project)
         sync->steps.push_back({isSyncOpen(views[v].recording) ? SyncBy::Automatic : SyncBy::Kept});
     sync->robots = robots;
     sync->microphones = ODO_TRY(microphonePositions(project, views));
-    sync->mayTakeFields = isNew && pointedOut.empty();
+    sync->mayTakeFields = isNew && mayRecount();
     return {};
 }
 
@@ -239,7 +250,7 @@ Result<SettledViews> TrackJob::Impl::trackAll(const JobControl &control)
 Result<SettledViews> TrackJob::Impl::trackSynchronised(const JobControl &control)
 {
     auto tracked = ODO_TRY(trackAndSettle(views, robots, control, pointedOut));
-    if (isNew && pointedOut.empty() && !takeFields(views, tracked.views, control.cancel).empty())
+    if (isNew && mayRecount() && !takeFields(views, tracked.views, control.cancel).empty())
         tracked = ODO_TRY(trackAndSettle(views, robots, control, pointedOut));
     ambiguities = ambiguousNamesOf(tracked.ambiguities, robots);
     correctFrameTimes(views, robots, tracked.views);
@@ -269,6 +280,7 @@ Result<void> TrackJob::run(const JobControl &control)
         d.outcome.warnings.push_back(std::move(warning));
     for (Message &warning : moveWarnings(d.trialName, d.views, tracked->views))
         d.outcome.warnings.push_back(std::move(warning));
+    d.correctByHand(tracked->views);
     control.report(0.97, ODO_TEXT("workflow.analysing", "analysing"));
     ODO_TRY(d.analyseAll(tracked->views));
 
@@ -276,7 +288,7 @@ Result<void> TrackJob::run(const JobControl &control)
     for (TrackedView &view : tracked->views) {
         d.outcome.decodeS += toSeconds(view.decodeCpuTime);
         frames += view.frames;
-        if (d.settings.again)
+        if (d.settings.again && !d.guidance.isByHandChanged)
             continue;
         for (ObservationSeries &series : view.series)
             d.observations.push_back(std::move(series));
@@ -313,6 +325,23 @@ void keepWithin(const TimeSpan &range, std::vector<ViewTrack> &tracks)
 
 } // namespace
 
+/// What was just tracked is stored as it is; what is corrected of it is a series of its own.
+void TrackJob::Impl::correctByHand(std::vector<TrackedView> &tracked)
+{
+    if (settings.again && !guidance.isByHandChanged)
+        return; // it is already
+    for (TrackedView &view : tracked) {
+        for (ObservationSeries &series : view.series) {
+            auto corrected = correctedByHand(series, guidance.all);
+            if (!corrected)
+                continue;
+            std::swap(series, *corrected);
+            if (!settings.again)
+                observations.push_back(std::move(*corrected));
+        }
+    }
+}
+
 Result<TaskAnalysis> TrackJob::Impl::analyseOne(std::vector<TrackedView> &tracked, std::size_t robot,
                                                 const std::optional<TimeSpan> &range) const
 {
@@ -328,9 +357,11 @@ Result<TaskAnalysis> TrackJob::Impl::analyseOne(std::vector<TrackedView> &tracke
     if (range)
         keepWithin(*range, part);
     const std::vector<ViewTrack> &analysedTracks = range ? part : tracks;
+    AnalysisOptions its = options[robot];
+    its.overrides = withPointsByHand(std::move(its.overrides), tracks);
     auto analysed = analyseByTask(
-        [&](const AnalysisOptions &by) { return analyse(analysedTracks, shapeOf(robots[robot]), by); },
-        options[robot], task);
+        [&](const AnalysisOptions &by) { return analyse(analysedTracks, shapeOf(robots[robot]), by); }, its,
+        task);
     returnObservations(std::move(tracks), tracked, robot);
     return analysed;
 }
@@ -359,6 +390,7 @@ Result<void> TrackJob::Impl::analyseAll(std::vector<TrackedView> &tracked)
             return tl::unexpected(floorColour->error);
         analysis.task = task ? task->id : 0;
         analysis.options = std::move(analysed->options);
+        analysis.options.overrides = options[r].overrides; // points by hand are none
         analysis.profile = std::move(analysed->profile);
         analysis.ambiguousNames = ambiguities[r];
         if (trial.range)
@@ -463,8 +495,10 @@ Result<void> TrackJob::commit(Project &project)
     Impl &d = *m_impl;
     const MessageArgument name = Named::trial(d.trial.name);
     return project.change(
-        d.observations.empty() ? ODO_TEXT("workflow.measure_again", "reanalyse %1")(name)
-                               : ODO_TEXT("workflow.track", "track %1")(name),
+        d.settings.again && d.guidance.isByHandChanged
+            ? ODO_TEXT("workflow.correct_by_hand", "correct %1 by hand")(name)
+        : d.observations.empty() ? ODO_TEXT("workflow.measure_again", "reanalyse %1")(name)
+                                 : ODO_TEXT("workflow.track", "track %1")(name),
         [&]() -> Result<void> {
             if (d.task && !project.tasks().get(d.task->id))
                 return fail(ErrorCode::InvalidInput, trialSubject(d.trial.name),
@@ -475,6 +509,8 @@ Result<void> TrackJob::commit(Project &project)
             ODO_TRY(project.trials().setFrameTimes(d.retimed));
             for (const ObservationSeries &series : d.observations)
                 ODO_TRY(project.trials().addObservations(series));
+            if (!d.settings.guidance.isEmpty())
+                ODO_TRY(storeGuidance(project, d.guidance));
             if (!d.settings.pointers.empty())
                 ODO_TRY(project.trials().setPointedOut(d.trial.id, d.pointedOut));
             ODO_TRY(d.storeAnalyses(project));

@@ -5,6 +5,7 @@
 #include "core/project/verdict_repository.h"
 #include "core/trajectory/occlusions.h"
 #include "core/workflow/job.h"
+#include "core/workflow/track/guidance.h"
 
 #include <map>
 #include <memory>
@@ -23,6 +24,7 @@ struct RobotPointer
     std::string view;
     double timeS = 0;                                ///< of the trial; the nearest frame is meant
     Eigen::Vector2d pixel = Eigen::Vector2d::Zero(); ///< luma pixels
+    bool isFurther = false;                          ///< earlier marks in other frames of the view stay
 };
 
 struct TrackSettings
@@ -33,8 +35,11 @@ struct TrackSettings
     /// robot size and overrides.
     bool again = false;
     std::map<std::string, std::vector<ManualOverride>> overrides; ///< by robot, instead of the stored ones
-    /// kept with the trial, replacing those of the same robot and view
+    /// kept with the trial, replacing those of the same robot and view, or with isFurther of the same frame
     std::vector<RobotPointer> pointers;
+    /// kept with the trial. Areas need the videos; points by hand and what is not visible are applied to the
+    /// stored observations with `again`, as another series.
+    GuidanceEdit guidance = {};
     /// The range that the trial gets, in place of its own; the inner one empty: none. With `again`; the
     /// registrations are then those of the newest analysis, for only what counts of the run changes.
     std::optional<std::optional<TimeSpan>> range = {};

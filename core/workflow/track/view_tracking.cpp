@@ -15,6 +15,7 @@
 #include "core/workflow/shared_words.h"
 #include "core/workflow/track/frame_damage.h"
 #include "core/workflow/track/frame_steps.h"
+#include "core/workflow/track/internal/seeded_tracking.h"
 #include "core/workflow/track/track_warnings.h"
 #include "core/workflow/trial_sources.h"
 
@@ -116,7 +117,7 @@ Result<std::unique_ptr<RobotTracker>> trackerFor(const RegisteredView &view,
             return tl::unexpected(learned.error());
         background = std::move(*learned);
     }
-    return RobotTracker::create(targets, background, view.floorView, othersFollowed);
+    return RobotTracker::create(targets, background, view.floorView, othersFollowed, view.area);
 }
 
 /// Behind the tracker's version in a series.
@@ -191,10 +192,11 @@ Result<TrackedView> trackView(const RegisteredView &view, const std::vector<Robo
     CameraWatch watch;
     FieldMotion fields;
     for (std::size_t r = 0; r < robots.size(); ++r)
-        tracked.series.push_back({view.recording.id,
-                                  robots[r].id,
-                                  needsBackground({targets[r]}) ? silhouetteVersion : colourVersion,
-                                  {}});
+        tracked.series.push_back(
+            {view.recording.id,
+             robots[r].id,
+             (needsBackground({targets[r]}) ? silhouetteVersion : colourVersion) + noteOf(view.area),
+             {}});
     const std::vector<Nanoseconds> &times = view.recording.frameTimes;
     for (ObservationSeries &series : tracked.series)
         series.observations.reserve(times.size());
@@ -216,7 +218,8 @@ Result<TrackedView> trackView(const RegisteredView &view, const std::vector<Robo
         if (tracker)
             watch.add(*frame);
         const std::vector<Observation> observations =
-            tracker ? tracker->track(*frame) : std::vector<Observation>{};
+            tracker ? tracker->track(*frame, seedsIn(view, robots, frame->index))
+                    : std::vector<Observation>{};
         if (!stream.info().areFields && !fields.isClear())
             fields.add(*frame, fastestIn(tracked.series, observations));
         for (std::size_t r = 0; r < observations.size(); ++r)
@@ -230,6 +233,8 @@ Result<TrackedView> trackView(const RegisteredView &view, const std::vector<Robo
     }
     tracked.decodeCpuTime = stream.decodeCpuTime();
     tracked.interlace = interlaceOf(stream.info(), fields);
+    if (tracker)
+        ODO_TRY(followBackwards(view, robots, targets, tracked, control.cancel));
     leaveOutMoved(tracked, watch.move());
     if (tracker)
         tracked.sharesAlike = tracker->sharesAlike();
@@ -459,14 +464,15 @@ void stampAsRecorded(std::vector<Observation> &observations, const std::vector<N
 
 Result<std::vector<TrackedView>> storedObservations(Project &project, const std::string &trialName,
                                                     const std::vector<RegisteredView> &views,
-                                                    const std::vector<RobotRecord> &robots)
+                                                    const std::vector<RobotRecord> &robots, StoredAs which)
 {
     std::vector<TrackedView> stored(views.size());
     for (const RobotRecord &robot : robots) {
         bool known = false;
         for (std::size_t v = 0; v < views.size(); ++v) {
             const RecordId recording = views[v].recording.id;
-            auto series = ODO_TRY(project.trials().currentObservations(recording, robot.id));
+            auto series = ODO_TRY(
+                project.trials().currentObservations(recording, robot.id, which == StoredAs::Tracked));
             known |= series.has_value();
             if (series)
                 stampAsRecorded(series->observations, views[v].recording.frameTimes);

@@ -88,11 +88,17 @@ AnalysisRecord newAnalysis(const TrialRecord &trial, const RobotRecord &robot,
 /// (correctFrameTimes).
 void stampAsRecorded(std::vector<Observation> &observations, const std::vector<Nanoseconds> &frameTimes);
 
+enum class StoredAs {
+    InForce, ///< with what was corrected by hand
+    Tracked  ///< without
+};
+
 /// What trackViews once gave and the project has kept: the newest observations of each robot in each view,
 /// none where a view was never tracked. NotFound for a robot that no view was tracked for. Project's thread.
 Result<std::vector<TrackedView>> storedObservations(Project &project, const std::string &trialName,
                                                     const std::vector<RegisteredView> &views,
-                                                    const std::vector<RobotRecord> &robots);
+                                                    const std::vector<RobotRecord> &robots,
+                                                    StoredAs which = StoredAs::InForce);
 
 /// A profile with the options that it was made with in the end.
 struct TaskAnalysis

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/workflow/trials/trial_copy.h"
 
+#include "core/project/guidance_repository.h"
 #include "core/project/names.h"
 #include "core/project/project.h"
 #include "core/project/project_words.h"
@@ -32,19 +33,30 @@ Result<void> copyObservations(TrialRepository &trials, const std::map<RecordId, 
 {
     for (const auto &[recording, copy] : copies) {
         for (const RobotRecord &robot : robots) {
-            auto series = ODO_TRY(trials.currentObservations(recording, robot.id));
-            if (!series)
+            auto tracked = ODO_TRY(trials.currentObservations(recording, robot.id, true));
+            auto inForce = ODO_TRY(trials.currentObservations(recording, robot.id));
+            if (!inForce)
                 continue;
-            series->recording = copy;
-            ODO_TRY(trials.addObservations(*series));
+            if (tracked && tracked->algorithm != inForce->algorithm) { // it was corrected by hand
+                tracked->recording = copy;
+                ODO_TRY(trials.addObservations(*tracked));
+            }
+            inForce->recording = copy;
+            ODO_TRY(trials.addObservations(*inForce));
         }
     }
     return {};
 }
 
-Result<void> copyPointers(TrialRepository &trials, RecordId from, RecordId to,
+Result<void> copyGuidance(Project &project, RecordId from, RecordId to,
                           const std::map<RecordId, RecordId> &copies)
 {
+    const auto items = ODO_TRY(project.guidance().of(from));
+    for (GuidanceItem item : items) {
+        item.recording = copies.at(item.recording);
+        ODO_TRY(project.guidance().add(item));
+    }
+    TrialRepository &trials = project.trials();
     auto pointers = ODO_TRY(trials.pointedOut(from));
     for (PointedOutRobot &pointer : pointers)
         pointer.recording = copies.at(pointer.recording);
@@ -82,7 +94,7 @@ Result<TrialRecord> addCopy(Project &project, const TrialRecord &original, const
         copies.emplace(recordings[i].id, copied[i].id);
     const auto robots = ODO_TRY(project.robots().all());
     ODO_TRY(copyObservations(trials, copies, robots));
-    ODO_TRY(copyPointers(trials, original.id, copy.id, copies));
+    ODO_TRY(copyGuidance(project, original.id, copy.id, copies));
     for (const RobotRecord &robot : robots)
         ODO_TRY(copyOfRobot(trials, original.id, copy.id, robot.id));
     ODO_TRY(trials.setTags(copy.id, original.tags));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A robot of any look is pointed out in a picture of Review, by a click or by the mouse's menu.
+// A robot is pointed out in a picture of Review, by a click or by the mouse's menu.
 #include "tests/support/registered_test.h"
 #include "tests/ui/support/example_scene.h"
 #include "ui/models/timeline.h"
@@ -54,17 +54,16 @@ private Q_SLOTS:
         QCOMPARE(told.view, scene->views[1].camera);
         QCOMPARE(told.timeS, toSeconds(timeline.currentTime()));
         QVERIFY((told.pixel == Eigen::Vector2d(123, 45)));
+        QVERIFY(told.isFurther); // earlier marks stay
         QVERIFY(!pointing.action()->isChecked());
         QCOMPARE(menu.actions().back()->text(), QStringLiteral("Find Rover && co. automatically"));
         menu.actions().back()->trigger();
         QVERIFY(told.view.empty());
     }
 
-    void nothingForColouredOrImported()
+    void nothingForImported()
     {
         auto scene = std::make_shared<TrialScene>(*exampleScene({}));
-        for (SceneRobot &robot : scene->robots)
-            robot.robot.colour = RgbColour{215, 35, 40};
         Timeline timeline;
         timeline.setFrameTimes(scene->frameTimes());
         RobotPointing pointing(timeline);
@@ -74,8 +73,6 @@ private Q_SLOTS:
             pointing.fill(menu, 0, {1, 1});
             return pointing.action()->isEnabled() || !menu.isEmpty();
         };
-        QVERIFY(!offered());
-        scene->robots.front().robot.colour.reset();
         QVERIFY(offered());
         scene->imported.resize(1);
         QVERIFY(!offered());

@@ -3,11 +3,14 @@
 
 #include "tests/support/registered_test.h"
 #include "tests/ui/support/example_scene.h"
+#include "ui/models/scene_uncertainty.h"
 #include "ui/models/timeline.h"
+#include "ui/views/widgets/spike_list.h"
 
 #include <QAction>
 #include <QApplication>
 #include <QSignalSpy>
+#include <QTableView>
 #include <QTest>
 
 using namespace odo;
@@ -22,6 +25,8 @@ private Q_SLOTS:
     void offersWhatTheSampleAllows();
     void nothingWithoutAMeasurement();
     void asksForTheRobotThatIsMeant();
+    void asksForAllThatAreChosen();
+    void aRunOf194SpikesTakesThreeActions();
 };
 
 void TestSpikeActions::offersWhatTheSampleAllows_data()
@@ -100,6 +105,86 @@ void TestSpikeActions::asksForTheRobotThatIsMeant()
     actions.setRobot(99); // of a list that is not up to date: nobody is asked
     actions.actions().at(1)->trigger();
     QCOMPARE(requested.size(), 1);
+}
+
+void TestSpikeActions::asksForAllThatAreChosen()
+{
+    auto scene = std::make_shared<TrialScene>(*exampleScene({}));
+    auto &samples = scene->robots[0].analysis->profile.samples;
+    for (const std::size_t i : {10, 12})
+        samples[i].flags = flagBit(SampleFlag::Jump);
+    samples[11].flags = 0;
+    Timeline timeline;
+    timeline.setFrameTimes(scene->frameTimes());
+    SpikeActions actions(timeline);
+    actions.setScene(scene);
+    QSignalSpy requested(&actions, &SpikeActions::requested);
+    actions.setChosen({samples[10].frame, samples[11].frame, samples[12].frame});
+    actions.actions().at(0)->trigger(); // use: the one that is used already is not among them
+    const auto request = requested.front().front().value<OverrideRequest>();
+    QVERIFY((request.frames == std::vector<std::int64_t>{samples[10].frame, samples[12].frame}));
+    QVERIFY(request.word == OverrideRequest::Word::Valid);
+    actions.actions().at(1)->trigger(); // mark: a single one
+    QVERIFY(requested.back().front().value<OverrideRequest>().frames.empty());
+    QCOMPARE(requested.back().front().value<OverrideRequest>().frame, std::optional(samples[11].frame));
+    actions.setChosen({});
+    timeline.setCurrentFrame(samples[11].frame);
+    QVERIFY(!actions.actions().at(0)->isEnabled() && actions.actions().at(1)->isEnabled());
+}
+
+/// By reason, and by a range of the time line, as a person would.
+void TestSpikeActions::aRunOf194SpikesTakesThreeActions()
+{
+    constexpr int spikes = 194;
+    auto scene = std::make_shared<TrialScene>(*exampleScene({}));
+    Profile &profile = scene->robots[0].analysis->profile;
+    const Sample first = profile.samples.front();
+    profile.samples.clear();
+    profile.points.clear();
+    profile.spikes.clear();
+    for (int i = 0; i < 3 * spikes; ++i) {
+        Sample sample = first;
+        sample.frame = i;
+        sample.time = std::chrono::milliseconds(20 * i);
+        sample.position = Eigen::Vector2d(0.001 * i, 0);
+        const bool isSpike = i % 3 == 0;
+        sample.flags = isSpike ? flagBit(i % 2 == 0 ? SampleFlag::Jump : SampleFlag::LowScore) |
+                                     flagBit(SampleFlag::ViewsDisagree)
+                               : 0;
+        if (isSpike)
+            profile.spikes.push_back({i, sample.time, sample.flags, {}});
+        profile.samples.push_back(sample);
+        profile.points.emplace_back();
+    }
+    std::vector<Nanoseconds> times;
+    for (const Sample &sample : profile.samples)
+        times.push_back(sample.time);
+    scene->views.front().recording.frameTimes = times;
+    Timeline timeline;
+    timeline.setFrameTimes(times);
+    SpikeActions actions(timeline);
+    SpikeList list(timeline);
+    connect(&list, &SpikeList::robotChosen, &actions, &SpikeActions::setRobot);
+    connect(&list, &SpikeList::samplesChosen, &actions, &SpikeActions::setChosen);
+    actions.setScene(scene);
+    list.setScene(scene);
+    QSignalSpy requested(&actions, &SpikeActions::requested);
+    const auto chosenFrames = [&] { return requested.back().front().value<OverrideRequest>().frames.size(); };
+    const auto isSpikeRow = [&](int row) {
+        return list.table()->model()->index(row, 0).data(SpikeModel::SampleIndexRole).toLongLong() == 0;
+    };
+    int row = 0;
+    while (!isSpikeRow(row))
+        ++row;
+    list.table()->selectRow(row);            // one
+    list.selectActions().front()->trigger(); // all that share a reason with it
+    actions.actions().front()->trigger();    // use them
+    QCOMPARE(chosenFrames(), std::size_t(spikes));
+
+    timeline.setSelection(TimeSpan{times[90], times[299]}); // dragged
+    list.selectActions().back()->trigger();
+    actions.actions().front()->trigger();
+    QCOMPARE(chosenFrames(), std::size_t(70));
 }
 
 ODOGRAPH_TEST(TestSpikeActions, QApplication)

@@ -355,6 +355,16 @@ void TrialActions::pointOut(const QString &trial, const RobotPointer &pointer)
     startTracking(trial, std::move(settings));
 }
 
+void TrialActions::correctByHand(const QString &trial, const GuidanceEdit &edit)
+{
+    if (!mayChange(ODO_TEXT("ui.the_trial", "the trial")))
+        return;
+    TrackSettings settings;
+    settings.again = true;
+    settings.guidance = edit;
+    startTracking(trial, std::move(settings));
+}
+
 bool TrialActions::mayChange(const Message &what)
 {
     if (m_workspace.isReadOnly())
@@ -374,6 +384,14 @@ void TrialActions::manualOverride(const OverrideRequest &word)
     showFailure(m_workspace.start(
         job, ODO_TEXT("ui.measuring_again", "Reanalysing %1")(Named::trial(word.trial)), [this, job, trial] {
             const QString time = secondsText(job->outcome().time);
+            if (const int count = int(job->outcome().count); count > 1) {
+                Q_EMIT done(
+                    isRejected(job->outcome().flags)
+                        ? tr("%n samples of %1 are not used. Choose Undo to use them.", "", count).arg(trial)
+                        : tr("%n samples of %1 are used. Choose Undo to reverse this.", "", count)
+                              .arg(trial));
+                return;
+            }
             Q_EMIT done(
                 isRejected(job->outcome().flags)
                     ? tr("The sample at %1 of %2 is not used. Choose Undo to use it.").arg(time, trial)

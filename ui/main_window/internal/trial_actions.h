@@ -52,6 +52,8 @@ public:
     void setRange(const QString &trial, const RangeChoice &range);
     /// Stores where a person says that a robot is, and tracks the trial again.
     void pointOut(const QString &trial, const RobotPointer &pointer);
+    /// Stores points by hand and what is not visible, and reanalyses the observations corrected by them.
+    void correctByHand(const QString &trial, const GuidanceEdit &edit);
 
 Q_SIGNALS:
     void failed(const odo::Error &error);

@@ -11,6 +11,7 @@
 #include "ui/models/timeline.h"
 #include "ui/record/record_page.h"
 #include "ui/review/corrections.h"
+#include "ui/review/guidance_tool.h"
 #include "ui/review/range_actions.h"
 #include "ui/review/review_page.h"
 #include "ui/testbed/testbed_page.h"
@@ -76,8 +77,9 @@ void PageMenus::add(ProjectPages &pages, WindowMode mode)
         m_trial->insertActions(m_play->menuAction(),
                                {review.chooser().previousAction(), review.chooser().nextAction()});
         m_trial->insertAction(m_play->menuAction(), review.pointing().action());
+        m_trial->insertActions(m_play->menuAction(), review.guidance().actions());
         fill(*m_range, review.range().actions());
-        fill(*m_spikes, review.spikes().actions());
+        fill(*m_spikes, review.spikeActions());
         return fill(*m_play, review.timeline().actions());
     }
     case WindowMode::History:

@@ -15,6 +15,7 @@
 #include <QStyledItemDelegate>
 #include <QTableView>
 #include <QToolButton>
+#include <algorithm>
 
 namespace odo {
 
@@ -57,7 +58,9 @@ public:
 
 SpikeList::SpikeList(Timeline &timeline, QWidget *parent)
     : Card(tr("Spikes"), parent), m_timeline(timeline), m_model(new SpikeModel(this)),
-      m_table(new QTableView(this)), m_buttons(new QHBoxLayout)
+      m_table(new QTableView(this)), m_buttons(new QHBoxLayout),
+      m_sameReason(new QAction(tr("Select all with this &reason"), this)),
+      m_inRange(new QAction(tr("Select all in the selected ra&nge"), this))
 {
     m_table->setModel(m_model);
     m_table->setAccessibleName(tr("Spikes with time and reason"));
@@ -66,7 +69,7 @@ SpikeList::SpikeList(Timeline &timeline, QWidget *parent)
     m_table->setShowGrid(false);
     m_table->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     m_table->setSelectionBehavior(QAbstractItemView::SelectRows);
-    m_table->setSelectionMode(QAbstractItemView::SingleSelection);
+    m_table->setSelectionMode(QAbstractItemView::ExtendedSelection);
     m_table->setEditTriggers(QAbstractItemView::NoEditTriggers);
     m_table->setTabKeyNavigation(false);
     m_table->setWordWrap(false);
@@ -93,6 +96,7 @@ SpikeList::SpikeList(Timeline &timeline, QWidget *parent)
     m_table->setContextMenuPolicy(Qt::ActionsContextMenu);
     connect(how, &QAction::triggered, this, &SpikeList::explain);
     connect(m_table, &QTableView::activated, this, &SpikeList::explain); // Enter or a double click
+    makeSelectActions();
     applyColours();
     connect(m_table->selectionModel(), &QItemSelectionModel::currentRowChanged, this,
             [this](const QModelIndex &row) {
@@ -108,12 +112,82 @@ SpikeList::SpikeList(Timeline &timeline, QWidget *parent)
     connect(&m_timeline, &Timeline::currentChanged, this, &SpikeList::followTime);
 }
 
+void SpikeList::makeSelectActions()
+{
+    constexpr uint reasons = ~(flagBit(SampleFlag::ByHand) | flagBit(SampleFlag::Interpolated));
+    m_sameReason->setObjectName(QStringLiteral("selectSameReason"));
+    m_sameReason->setToolTip(tr("Select all spikes of this robot that have the reason of the selected one"));
+    m_sameReason->setShortcut(Qt::Key_R);
+    m_inRange->setObjectName(QStringLiteral("selectInRange"));
+    m_inRange->setToolTip(tr("Select all spikes of this robot within the selection on the time line"));
+    m_inRange->setShortcut(QKeySequence(Qt::SHIFT | Qt::Key_R));
+    connect(m_sameReason, &QAction::triggered, this, [this] {
+        const uint meant = m_table->currentIndex().data(SpikeModel::FlagsRole).toUInt() & reasons;
+        selectRows([meant](const QModelIndex &row) {
+            return (row.data(SpikeModel::FlagsRole).toUInt() & meant) != 0;
+        });
+    });
+    connect(m_inRange, &QAction::triggered, this, [this] {
+        if (const auto range = m_timeline.selection())
+            selectRows([range](const QModelIndex &row) {
+                return range->contains(Nanoseconds(row.data(SpikeModel::TimeRole).toLongLong()));
+            });
+    });
+    m_table->addActions(selectActions());
+    connect(m_table->selectionModel(), &QItemSelectionModel::selectionChanged, this, &SpikeList::showChosen);
+    connect(&m_timeline, &Timeline::selectionChanged, this, &SpikeList::showChosen);
+}
+
+/// Of the robot of the current row, or else of the first that is meant.
+template <class IsMeant>
+void SpikeList::selectRows(const IsMeant &isMeant)
+{
+    QVariant robot = m_table->currentIndex().data(SpikeModel::RobotRole);
+    QModelIndex first;
+    QItemSelection meant;
+    for (int row = 0; row < m_model->rowCount(); ++row) {
+        const QModelIndex index = m_model->index(row, 0);
+        if (index.data(SpikeModel::SampleIndexRole).toLongLong() < 0 || !isMeant(index) ||
+            (robot.isValid() && robot != index.data(SpikeModel::RobotRole)))
+            continue;
+        robot = index.data(SpikeModel::RobotRole);
+        first = first.isValid() ? first : index;
+        meant.select(index, m_model->index(row, SpikeModel::ColumnCount - 1));
+    }
+    if (!first.isValid())
+        return;
+    if (!m_table->currentIndex().isValid())
+        m_table->selectionModel()->setCurrentIndex(first, QItemSelectionModel::NoUpdate);
+    m_table->selectionModel()->select(meant, QItemSelectionModel::ClearAndSelect);
+}
+
+void SpikeList::showChosen()
+{
+    const QModelIndex current = m_table->currentIndex();
+    const QVariant robot = current.data(SpikeModel::RobotRole);
+    std::vector<std::int64_t> frames;
+    const QModelIndexList rows = m_table->selectionModel()->selectedRows();
+    for (const QModelIndex &row : rows) {
+        const qint64 sample = row.data(SpikeModel::SampleIndexRole).toLongLong();
+        if (sample < 0 || row.data(SpikeModel::RobotRole) != robot)
+            continue;
+        const auto &samples = m_scene->robots.at(std::size_t(robot.toInt())).analysis->profile.samples;
+        frames.push_back(samples.at(std::size_t(sample)).frame);
+    }
+    std::ranges::sort(frames);
+    m_sameReason->setEnabled(current.isValid() &&
+                             current.data(SpikeModel::SampleIndexRole).toLongLong() >= 0);
+    m_inRange->setEnabled(m_timeline.selection().has_value() && m_model->rowCount() > 0);
+    setRemark(frames.size() > 1 ? tr("%n selected", "", int(frames.size())) : m_model->summary());
+    Q_EMIT samplesChosen(frames);
+}
+
 void SpikeList::setScene(TrialScenePtr scene)
 {
     m_scene = scene;
     m_model->setScene(std::move(scene));
-    setRemark(m_model->summary());
     followTime();
+    showChosen();
 }
 
 void SpikeList::setActions(const QList<QAction *> &actions)

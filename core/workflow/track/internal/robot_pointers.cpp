@@ -3,7 +3,6 @@
 
 #include "core/project/project.h"
 #include "core/project/repositories.h"
-#include "core/tracking/colour_tracker.h"
 
 #include <algorithm>
 #include <cmath>
@@ -14,7 +13,8 @@ namespace {
 
 constexpr double longestAsideS = 0.1; // between the given time and the frame meant
 
-/// The recording's frame that is nearest to a time of the trial.
+} // namespace
+
 std::optional<std::int64_t> frameAt(const RecordingRecord &recording, double timeS)
 {
     const std::vector<Nanoseconds> &times = recording.frameTimes;
@@ -26,15 +26,13 @@ std::optional<std::int64_t> frameAt(const RecordingRecord &recording, double tim
     return nearest - times.begin();
 }
 
+namespace {
+
 Result<PointedOutRobot> resolved(const RobotPointer &pointer, const RobotRecord &robot,
                                  const std::vector<RegisteredView> &views)
 {
     const Message what = ODO_TEXT("workflow.robot_pointed_out", "robot '%1' pointed out in view '%2'")(
         Named::robot(robot.name), Named::camera(pointer.view));
-    if (isFoundByColour({robot.name, robot.colour}))
-        return fail(ErrorCode::InvalidInput, what,
-                    ODO_TEXT("workflow.found_by_colour", "it is detected by its colour"),
-                    ODO_TEXT("workflow.pick_or_take_colour", "pick its colour again, or remove its colour"));
     const auto view = std::ranges::find_if(
         views, [&](const RegisteredView &one) { return one.recording.cameraName == pointer.view; });
     if (view == views.end())
@@ -77,7 +75,8 @@ Result<std::vector<PointedOutRobot>> pointedOutRobots(Project &project, const Tr
         }
         const auto given = ODO_TRY(resolved(pointer, *robot, views));
         std::erase_if(all, [&](const PointedOutRobot &one) {
-            return one.robot == given.robot && one.recording == given.recording;
+            return one.robot == given.robot && one.recording == given.recording &&
+                   (!pointer.isFurther || one.frame == given.frame);
         });
         all.push_back(given);
     }

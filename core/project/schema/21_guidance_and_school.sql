@@ -1,3 +1,20 @@
+-- What a person gives the tracker of a recording: areas to search or to ignore, points set by hand, and when a robot
+-- is not visible. A robot may be marked in several frames of a recording.
+
+CREATE TABLE guidance (id INTEGER PRIMARY KEY, recording_id INTEGER NOT NULL REFERENCES recording(id),
+    robot_id INTEGER REFERENCES robot(id), kind TEXT NOT NULL, from_frame INTEGER NOT NULL,
+    to_frame INTEGER NOT NULL, points BLOB NOT NULL, sigma_px REAL NOT NULL);
+
+ALTER TABLE pointed_out_robot RENAME TO pointed_out_once;
+
+CREATE TABLE pointed_out_robot (recording_id INTEGER NOT NULL REFERENCES recording(id),
+    robot_id INTEGER NOT NULL REFERENCES robot(id), frame INTEGER NOT NULL, x_px REAL NOT NULL,
+    y_px REAL NOT NULL, PRIMARY KEY (recording_id, robot_id, frame));
+
+INSERT INTO pointed_out_robot SELECT * FROM pointed_out_once;
+
+DROP TABLE pointed_out_once;
+
 -- The school's hub: what ties a project to it, by which identity the hub knows a row, and what is still to be
 -- sent. The triggers note every change that the hub is to have, in the transaction that makes it, whoever writes; in a
 -- project without a hub they do nothing.
