@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/tracking/internal/silhouette_finder.h"
+#include "core/tracking/internal/silhouette_parts.h"
 
 #include "tests/support/registered_test.h"
 
@@ -98,6 +98,29 @@ private Q_SLOTS:
         QCOMPARE(seen[0].moments.areaPx2, body().moments.areaPx2);
         QVERIFY(std::abs(rightOf(seen[1]) - 236.5) < 1e-3);
         QCOMPARE(seen[1].shadowPiece, 2);
+    }
+
+    /// A camera on a mast that looks like the floor is not joined, and noted of the nearest body.
+    void whatIsNearIsNoted_data()
+    {
+        QTest::addColumn<QList<int>>("box");
+        QTest::addColumn<bool>("isNoted");
+        QTest::newRow("14 px above") << QList{110, 76, 124, 86} << true;
+        QTest::newRow("29 px above, beyond 0.8 sides") << QList{110, 61, 124, 71} << false;
+        QTest::newRow("as large as a third of the body") << QList{105, 70, 130, 86} << false;
+        QTest::newRow("nearer to another") << QList{158, 105, 165, 112} << false;
+    }
+    void whatIsNearIsNoted()
+    {
+        QFETCH(QList<int>, box);
+        QFETCH(bool, isNoted);
+        std::vector<SeenSilhouette> seen{body(), rectangle(170, 100, 200, 130, 2),
+                                         rectangle(box[0], box[1], box[2], box[3], 3)};
+        noteBeside(seen);
+        QCOMPARE(seen.size(), std::size_t(3));
+        QCOMPARE(seen[0].moments.areaPx2, body().moments.areaPx2);
+        QCOMPARE(seen[0].isTrimmed, isNoted);
+        QVERIFY(!seen[2].isTrimmed);
     }
 
     void withoutFragmentsNothingIsJoined()

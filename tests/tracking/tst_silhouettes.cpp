@@ -126,6 +126,27 @@ private Q_SLOTS:
         }
     }
 
+    /// A glossy wooden floor mirrors a black robot at its foot in the place of a white wall: it loses white
+    /// light, and keeps its hue. A surface that loses blue alone is no floor.
+    void aMirroredRobotIsNotPartOfIt()
+    {
+        const RgbColour wood{180, 140, 100};
+        Painter floor(format);
+        floor.rectangle({-1, -1}, {format.width + 1.0, format.height + 1.0}, wood);
+        SilhouetteFinder finder(learned(floor));
+        std::mt19937 random(29);
+        const auto lowerEnd = [&](RgbColour below) {
+            Painter image = floor;
+            image.rectangle({low.x(), high.y() - 4}, {high.x(), high.y() + 16}, below);
+            const auto seen = finder.find(filmed(image, {20, 20, 20}, false, random));
+            return seen.empty() ? 0
+                                : seen.front().moments.centrePx.y() + double(seen.front().supportPx.at(6));
+        };
+        const double mirrored = lowerEnd({152, 112, 72}), painted = lowerEnd({180, 140, 30});
+        QVERIFY2(std::abs(mirrored - high.y()) < 1.5, qPrintable(QString::number(mirrored)));
+        QVERIFY2(std::abs(painted - high.y() - 16) < 1.5, qPrintable(QString::number(painted)));
+    }
+
     /// A robot dark above and white below: the mean of both is about as bright as the floor, so that only the
     /// colour beside an edge tells where it is.
     void edgesAreMeasuredByTheColourBesideThem()
@@ -214,6 +235,34 @@ private Q_SLOTS:
                 QVERIFY2(std::abs(moments.areaPx2 / (48 * 36) - 1) < 0.05 &&
                              (moments.centrePx - (low + high) / 2).norm() < 1,
                          qPrintable(QString::number(moments.areaPx2)));
+        }
+    }
+
+    /// Nor is what a mast carries, whether the mast is seen or looks like the floor.
+    void whatIsOnAMastIsLeftOut_data()
+    {
+        QTest::addColumn<bool>("isMastSeen");
+        QTest::newRow("a dark mast") << true;
+        QTest::newRow("a mast that looks like the floor") << false;
+    }
+    void whatIsOnAMastIsLeftOut()
+    {
+        QFETCH(bool, isMastSeen);
+        const Painter floor = texturedFloor(format);
+        SilhouetteFinder finder(learned(floor));
+        std::mt19937 random(31);
+        for (int i = 0; i < 10; ++i) {
+            Painter image = floor;
+            if (isMastSeen)
+                image.rectangle({222, low.y() - 20}, {225, low.y() + 5}, {25, 25, 25});
+            image.rectangle({217, low.y() - 30}, {230, low.y() - 20}, {25, 25, 25});
+            const auto &seen = finder.find(filmed(image, {30, 30, 30}, false, random));
+            QVERIFY(!seen.empty());
+            const RegionMoments &moments = seen.front().moments;
+            QVERIFY(seen.front().isTrimmed);
+            QVERIFY2(std::abs(moments.areaPx2 / (48 * 36) - 1) < 0.06 &&
+                         (moments.centrePx - (low + high) / 2).norm() < 1,
+                     qPrintable(QString::number(moments.areaPx2)));
         }
     }
 

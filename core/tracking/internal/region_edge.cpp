@@ -21,7 +21,8 @@ constexpr int flatness = 4;        // the variance of the texture behind against
 constexpr double clearTexture = 6; // its variance against the noise's
 // code values, of a patch's mean chroma against that of the floor in shadow
 constexpr float otherHue = 2.2F;
-constexpr float logUnit = 1024; // of the fixed-point sums: finer than the steps of code values
+constexpr double mostMirrored = 0.2; // of a floor's luma: what it mirrors of the room
+constexpr float logUnit = 1024;      // of the fixed-point sums: finer than the steps of code values
 constexpr int hueUnit = 256;
 constexpr std::int64_t ratioUnit = 1 << 30,
                        ratioPerHue = ratioUnit * int(ComparedWindow::chromaUnit) / hueUnit;
@@ -62,6 +63,22 @@ constexpr auto mostOff = [] {
         most[n] = std::int64_t(otherHue * float(hueUnit) * float(n));
     return most;
 }();
+
+/// Whether the summed chroma of n pixels is off that of the floor in shadow by more than its own. A glossy
+/// floor mirrors neutral light of the room; where a dark robot is mirrored instead, that is missing, and the
+/// floor's hue is purer than in shadow.
+bool isOtherHue(const ComparedWindow &window, std::size_t n, std::int64_t offU, std::int64_t offV, int x,
+                int y)
+{
+    if (std::max(std::abs(offU), std::abs(offV)) <= mostOff[n])
+        return false;
+    const PixelColour seen = window.seen(x, y), behind = window.behind(x, y);
+    const Chroma off{double(offU), double(offV)}, hue = hueUnit * double(n) * Chroma(behind.u, behind.v);
+    const double darker = 1 - double(seen.luma) / std::max(1.0, double(behind.luma)),
+                 purer = std::clamp(off.dot(hue) / std::max(1.0, hue.squaredNorm()), 0.0,
+                                    std::clamp(darker, 0.0, mostMirrored));
+    return (off - purer * hue).cwiseAbs().maxCoeff() > double(mostOff[n]);
+}
 
 } // namespace
 
@@ -167,7 +184,7 @@ inline void FloorShade::judge(const ComparedWindow &window, const Sums &sums, in
     const std::size_t n = pixelsIn(sums.seen);
     if (n < leastPatch)
         return;
-    if (std::max(std::abs(sums.offU), std::abs(sums.offV)) > mostOff[n]) {
+    if (isOtherHue(window, n, sums.offU, sums.offV, x, y)) {
         m_byHue.set(x, y);
         m_shade.clear(x, y);
         return;

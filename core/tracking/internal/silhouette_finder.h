@@ -7,6 +7,7 @@
 #include "core/tracking/searched_area.h"
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace odo {
@@ -21,10 +22,10 @@ struct SeenSilhouette
     std::vector<float> supportPx; ///< of the hull about the moments' centre
     Eigen::Matrix2d centreCovariancePx2 = Eigen::Matrix2d::Zero();
     Chroma meanChroma = Chroma::Zero();
-    int shadowPiece = 0;        ///< one connected piece of the foreground, with its shadows, has one number
-    double clearShare = 1;      ///< of its pixels: that cannot be a shadow on the floor
-    float deepShare = 0;        ///< as of Observation
-    bool isTrimmed = false;     ///< something thin that reaches out of it was left out: a cable
+    int shadowPiece = 0;    ///< one connected piece of the foreground, with its shadows, has one number
+    double clearShare = 1;  ///< of its pixels: that cannot be a shadow on the floor
+    float deepShare = 0;    ///< as of Observation
+    bool isTrimmed = false; ///< something was left out that reaches out of it or is near it: a cable, a mast
     bool touchesBorder = false; ///< cut by the frame's edge, or by that of the searched area
 };
 
@@ -52,19 +53,5 @@ private:
     struct Impl;
     std::unique_ptr<Impl> m_impl;
 };
-
-/// Takes the convex hull of points of a silhouette's edge, and what is measured of it.
-void measureHull(SeenSilhouette &silhouette, std::vector<Eigen::Vector2d> edgePoints);
-
-/// Joins to each silhouette the small ones that are near it, or that its shadow connects with it: a wheel
-/// behind a side that looks like the floor. seen: the largest first, and so are they left.
-void joinFragments(std::vector<SeenSilhouette> &seen);
-
-/// Silhouettes that may be parts of one body, of which what lies between looks like the floor: those that are
-/// so near one another for their size, in groups of two or more, as indices. Pure.
-std::vector<std::vector<std::size_t>> groupsOfParts(const std::vector<SeenSilhouette> &seen);
-
-/// The silhouette whose hull is that of some parts together.
-SeenSilhouette joined(const std::vector<SeenSilhouette> &seen, const std::vector<std::size_t> &parts);
 
 } // namespace odo

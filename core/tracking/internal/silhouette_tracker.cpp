@@ -4,6 +4,7 @@
 #include "core/geometry/silhouette.h"
 #include "core/tracking/internal/robot_expectation.h"
 #include "core/tracking/internal/silhouette_finder.h"
+#include "core/tracking/internal/silhouette_parts.h"
 #include "core/tracking/internal/tracked_frame.h"
 #include "core/tracking/observation.h"
 
