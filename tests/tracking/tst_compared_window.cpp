@@ -67,7 +67,13 @@ Verdict verdictOf(const ComparedWindow &w, int x, int y)
         }
     if (n < 16)
         return Verdict::Shade;
-    const double off = std::max(std::abs(offU), std::abs(offV)) / n, luma = double(w.seen(x, y).luma);
+    // A dark robot mirrored in the floor takes neutral light from it, up to a fifth, and leaves its hue
+    // purer.
+    const PixelColour here = w.behind(x, y);
+    const double luma = double(w.seen(x, y).luma), u = double(here.u), v = double(here.v),
+                 darker = std::clamp(1 - luma / double(here.luma), 0.0, 0.2),
+                 purer = std::clamp((offU * u + offV * v) / (n * (u * u + v * v)), 0.0, darker),
+                 off = std::max(std::abs(offU / n - purer * u), std::abs(offV / n - purer * v));
     const double variance = seen2 / n - seen * seen / (n * n),
                  varianceBehind = behind2 / n - behind * behind / (n * n);
     const double flat = 0.25 * varianceBehind - variance,
