@@ -251,7 +251,7 @@ private Q_SLOTS:
                  qPrintable(
                      QStringLiteral("%1: %2").arg(wrong.size()).arg(wrong.mid(0, 5).join(QLatin1Char(' ')))));
         for (const Verdict verdict : {Verdict::Shade, Verdict::OtherHue, Verdict::Flat})
-            QVERIFY2(count[std::size_t(verdict)] > 300,
+            QVERIFY2(count[std::size_t(verdict)] > 200,
                      qPrintable(QStringLiteral("%1: %2").arg(int(verdict)).arg(count[std::size_t(verdict)])));
         QVERIFY2(count[std::size_t(Verdict::Unclear)] < 200,
                  qPrintable(QString::number(count[std::size_t(Verdict::Unclear)])));

@@ -38,7 +38,8 @@ GuidanceTool::GuidanceTool(Timeline &timeline, QObject *parent)
 {
     for (QAction *action : {m_ignore, m_search}) {
         action->setCheckable(true);
-        connect(action, &QAction::toggled, this, [this, action](bool isBegun) { begin(action, isBegun); });
+        connect(action, &QAction::toggled, this,
+                [this, action](bool isStarted) { begin(action, isStarted); });
     }
     m_ignore->setShortcut(QKeySequence(Qt::SHIFT | Qt::Key_P));
     connect(m_clear, &QAction::triggered, this, [this] {
@@ -84,11 +85,11 @@ GuidanceItem::Kind GuidanceTool::kind() const
 }
 
 /// One of the two at a time. Keys are taken from the whole window while an area is drawn.
-void GuidanceTool::begin(QAction *action, bool isBegun)
+void GuidanceTool::begin(QAction *action, bool isStarted)
 {
     m_corners.clear();
     m_mouse.reset();
-    if (isBegun) {
+    if (isStarted) {
         m_timeline.pause();
         (action == m_ignore ? m_search : m_ignore)->setChecked(false);
         qApp->installEventFilter(this);

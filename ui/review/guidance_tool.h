@@ -54,7 +54,7 @@ protected:
 
 private:
     QAction *add(const char *name, const QString &text, const QString &toolTip);
-    void begin(QAction *action, bool isBegun);
+    void begin(QAction *action, bool isStarted);
     void giveUp();
     void request(const GuidanceEdit &edit);
     void fillAreas(QMenu &menu, std::size_t view, const QPointF &pixel);

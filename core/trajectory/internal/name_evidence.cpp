@@ -260,6 +260,14 @@ bool holds(const Observation &seen, const Eigen::Vector2d &pixel)
                       away.y() / (seen.ellipse.semiMinorPx + besidePx)) <= 1;
 }
 
+/// Whether what was tracked as a robot, by its colour, is where a person says it is.
+bool isTrackedThere(const NamedView &view, const PointedOut &given)
+{
+    return std::ranges::any_of(view.robots[given.robot], [&given](const Observation &one) {
+        return one.frame == given.frame && holds(one, given.pixel);
+    });
+}
+
 /// Marks the tracklets pointed out by hand: of several that contain the point, that of the smallest thing.
 void addPointedOut(const std::vector<NamedView> &views, const std::vector<std::size_t> &considered,
                    NameEvidence &evidence)
@@ -286,7 +294,7 @@ void addPointedOut(const std::vector<NamedView> &views, const std::vector<std::s
             }
             if (own)
                 own->pointedOut = static_cast<std::size_t>(name - considered.begin());
-            else
+            else if (!isTrackedThere(views[v], given))
                 evidence.nothingThere.emplace_back(v, i);
         }
     }
