@@ -105,11 +105,9 @@ Result<void> showStatus(const CommandCall &call)
 {
     const auto project = ODO_TRY(call.openProject(1, Project::Access::ReadOnly));
     const SchoolRepository school = project->classes().school();
-    const auto link = ODO_TRY(school.link());
-    if (!link)
-        return notConnectedToSchool();
+    const auto link = ODO_TRY(schoolLink(school));
     const auto pending = ODO_TRY(school.pending());
-    call.answer(linkJson(*link, pending), linkText(*link, pending));
+    call.answer(linkJson(link, pending), linkText(link, pending));
     return {};
 }
 
@@ -117,15 +115,13 @@ Result<void> disconnectProject(const CommandCall &call)
 {
     const auto project = ODO_TRY(call.openProject(1, Project::Access::ReadWrite));
     SchoolRepository school = project->classes().school();
-    const auto link = ODO_TRY(school.link());
-    if (!link)
-        return notConnectedToSchool();
+    const auto link = ODO_TRY(schoolLink(school));
     const auto pending = ODO_TRY(school.pending());
     ODO_TRY(school.disconnect());
-    call.answer({{QStringLiteral("url"), QString::fromStdString(link->url)},
+    call.answer({{QStringLiteral("url"), QString::fromStdString(link.url)},
                  {QStringLiteral("pending"), qint64(pending)}},
                 QStringLiteral("Disconnected from %1; %2 not sent, everything stays in the project.")
-                    .arg(QString::fromStdString(link->url), counted(pending, QStringLiteral("change"))));
+                    .arg(QString::fromStdString(link.url), counted(pending, QStringLiteral("change"))));
     return {};
 }
 

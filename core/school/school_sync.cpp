@@ -18,14 +18,6 @@ namespace {
 constexpr std::chrono::seconds longestAbsence{30};
 constexpr int documentsAtOnce = 20;
 
-Result<SchoolLink> linkOf(const SchoolRepository &school)
-{
-    auto link = ODO_TRY(school.link());
-    if (!link)
-        return notConnectedToSchool();
-    return std::move(*link);
-}
-
 /// A connection that is made again while the server is away, for a while.
 class HubSession
 {
@@ -68,6 +60,7 @@ public:
         }
     }
 
+    Message subject() const { return m_address.subject(); }
     const std::string &role() const { return m_role; }
     int version() const { return m_version; }
 
@@ -252,12 +245,16 @@ private:
 
 } // namespace
 
-tl::unexpected<Error> notConnectedToSchool()
+Result<SchoolLink> schoolLink(const SchoolRepository &school)
 {
-    return fail(ErrorCode::NotFound, ODO_TEXT("school.subject", "school hub"),
-                ODO_TEXT("school.not_connected", "the project is not connected to one"),
-                ODO_TEXT("school.connect_first",
-                         "connect it with odograph school connect P.odo postgresql://user@host/database"));
+    auto link = ODO_TRY(school.link());
+    if (!link)
+        return fail(
+            ErrorCode::NotFound, ODO_TEXT("school.subject", "school hub"),
+            ODO_TEXT("school.not_connected", "the project is not connected to one"),
+            ODO_TEXT("school.connect_first",
+                     "connect it with odograph school connect P.odo postgresql://user@host/database"));
+    return std::move(*link);
 }
 
 Result<int> initialiseHub(const HubAddress &address)
@@ -274,65 +271,75 @@ Result<SchoolLink> connectToSchool(Project &project, const HubAddress &address, 
     ODO_TRY(hub.open());
     SchoolRepository school = project.classes().school();
     ODO_TRY(school.connect({address.url(), {}, hub.role(), hub.version(), media}));
-    return linkOf(school);
+    return schoolLink(school);
 }
 
-Result<SchoolReport> publishToSchool(Project &project, WithRecordings recordings, const JobControl &control)
+namespace {
+
+/// What publishing and pulling have in common. work(link, hub, report): the rest.
+template <class Work>
+Result<SchoolReport> withHub(Project &project, WithRecordings recordings, const JobControl &control,
+                             const Work &work)
 {
     SchoolRepository school = project.classes().school();
-    const SchoolLink link = ODO_TRY(linkOf(school));
+    const SchoolLink link = ODO_TRY(schoolLink(school));
     ODO_TRY(checkMedia(link, recordings));
-    const HubAddress address = ODO_TRY(HubAddress::parse(link.url));
-    HubSession hub(address, control);
+    HubSession hub(ODO_TRY(HubAddress::parse(link.url)), control);
     ODO_TRY(hub.open());
     SchoolReport report;
-    Publisher publisher(project, link, hub, report);
-    const auto entries = ODO_TRY(school.outbox());
-    double done = 0;
-    for (const OutboxEntry &entry : entries) {
-        if (control.isCancelled())
-            return cancelled(address.subject());
-        control.report(done++ / double(entries.size()), ODO_TEXT("school.publishing", "publishing"));
-        ODO_TRY(publisher.send(entry));
-    }
-    if (recordings == WithRecordings::Yes)
-        ODO_TRY(publishRecordings(project, link.media, control, report));
+    ODO_TRY(work(link, hub, report));
     ODO_TRY(school.setContact(hub.role(), hub.version(), instantNow()));
     report.pending = ODO_TRY(school.pending());
     return report;
+}
+
+} // namespace
+
+Result<SchoolReport> publishToSchool(Project &project, WithRecordings recordings, const JobControl &control)
+{
+    return withHub(
+        project, recordings, control,
+        [&](const SchoolLink &link, HubSession &hub, SchoolReport &report) -> Result<void> {
+            Publisher publisher(project, link, hub, report);
+            const auto entries = ODO_TRY(project.classes().school().outbox());
+            double done = 0;
+            for (const OutboxEntry &entry : entries) {
+                if (control.isCancelled())
+                    return cancelled(hub.subject());
+                control.report(done++ / double(entries.size()), ODO_TEXT("school.publishing", "publishing"));
+                ODO_TRY(publisher.send(entry));
+            }
+            return recordings == WithRecordings::Yes ? publishRecordings(project, link.media, control, report)
+                                                     : Result<void>();
+        });
 }
 
 Result<SchoolReport> pullFromSchool(Project &project, WithRecordings recordings, const JobControl &control)
 {
-    SchoolRepository school = project.classes().school();
-    const SchoolLink link = ODO_TRY(linkOf(school));
-    ODO_TRY(checkMedia(link, recordings));
-    const HubAddress address = ODO_TRY(HubAddress::parse(link.url));
-    HubSession hub(address, control);
-    ODO_TRY(hub.open());
-    SchoolReport report;
-    Puller puller(project, report);
-    std::int64_t revision = link.pulled;
-    for (;;) {
-        const auto documents = ODO_TRY(hub.patiently(
-            [&](SchoolHub &server) { return server.since(revision, link.bench, documentsAtOnce); }));
-        for (const HubDocument &document : documents) {
-            if (control.isCancelled())
-                return cancelled(address.subject());
-            control.report(0, ODO_TEXT("school.receiving", "receiving %1")(
-                                  schoolDocumentSubject(document.document.kind, document.document.name)));
-            ODO_TRY(puller.take(document));
-            revision = document.revision;
-        }
-        ODO_TRY(school.setPulled(revision));
-        if (documents.empty())
-            break;
-    }
-    if (recordings == WithRecordings::Yes)
-        ODO_TRY(pullAllRecordings(project, hub, link.media, control, report));
-    ODO_TRY(school.setContact(hub.role(), hub.version(), instantNow()));
-    report.pending = ODO_TRY(school.pending());
-    return report;
+    return withHub(
+        project, recordings, control,
+        [&](const SchoolLink &link, HubSession &hub, SchoolReport &report) -> Result<void> {
+            Puller puller(project, report);
+            std::int64_t revision = link.pulled;
+            for (;;) {
+                const auto documents = ODO_TRY(hub.patiently(
+                    [&](SchoolHub &server) { return server.since(revision, link.bench, documentsAtOnce); }));
+                for (const HubDocument &document : documents) {
+                    if (control.isCancelled())
+                        return cancelled(hub.subject());
+                    control.report(0, ODO_TEXT("school.receiving", "receiving %1")(schoolDocumentSubject(
+                                          document.document.kind, document.document.name)));
+                    ODO_TRY(puller.take(document));
+                    revision = document.revision;
+                }
+                ODO_TRY(project.classes().school().setPulled(revision));
+                if (documents.empty())
+                    break;
+            }
+            return recordings == WithRecordings::Yes
+                       ? pullAllRecordings(project, hub, link.media, control, report)
+                       : Result<void>();
+        });
 }
 
 } // namespace odo

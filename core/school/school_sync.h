@@ -46,8 +46,8 @@ Result<int> initialiseHub(const HubAddress &address);
 /// folder for recordings; empty: none.
 Result<SchoolLink> connectToSchool(Project &project, const HubAddress &address, const std::string &media);
 
-/// The NotFound of a project that is not connected.
-tl::unexpected<Error> notConnectedToSchool();
+/// The hub that a project is connected to. NotFound: none.
+Result<SchoolLink> schoolLink(const SchoolRepository &school);
 
 /// Sends what is pending, a document at a time, each acknowledged in the project; whatever ends it, the next
 /// call goes on. A server that goes away meanwhile is waited for, half a minute. On the project's thread.

@@ -97,6 +97,13 @@ bool isBeyond(const std::vector<Eigen::Vector2d> &hull, const Eigen::Vector2d &p
     return !isInside;
 }
 
+/// Adds a part of a set to another one, which lies so far from it.
+void addPart(const ConnectedPart &part, BitMask &into, int left = 0, int top = 0)
+{
+    for (const PixelRun &run : part)
+        into.setRun(run.y - top, run.x0 - left, run.x1 - left);
+}
+
 /// The largest part of a set of pixels, with those that are near it or no small ones.
 BitMask mainPart(const BitMask &body, double farPx)
 {
@@ -108,21 +115,16 @@ BitMask mainPart(const BitMask &body, double farPx)
         return std::accumulate(part.begin(), part.end(), 0,
                                [](int sum, const PixelRun &run) { return sum + run.x1 - run.x0; });
     };
-    const auto maskOf = [&body](const ConnectedPart &part) {
-        BitMask mask(body.width(), body.height());
-        for (const PixelRun &run : part)
-            mask.setRun(run.y, run.x0, run.x1);
-        return mask;
-    };
     const ConnectedPart &largest = *std::ranges::max_element(parts, {}, pixelsOf);
-    const std::vector<Eigen::Vector2d> hull = hullOf(maskOf(largest));
-    BitMask main = body;
+    BitMask main(body.width(), body.height());
+    addPart(largest, main);
+    const std::vector<Eigen::Vector2d> hull = hullOf(main);
     for (const ConnectedPart &part : parts) {
         const bool isFar = std::ranges::any_of(part, [&](const PixelRun &run) {
             return isBeyond(hull, {run.x0, run.y}, farPx) || isBeyond(hull, {run.x1 - 1, run.y}, farPx);
         });
-        if (isFar && pixelsOf(part) < small * pixelsOf(largest))
-            main -= maskOf(part);
+        if (!isFar || pixelsOf(part) >= small * pixelsOf(largest))
+            addPart(part, main);
     }
     return main;
 }
@@ -149,8 +151,7 @@ BitMask cutAppendages(BitMask &region, const BitMask &edge)
         if (std::ranges::none_of(
                 part, [&](const PixelRun &run) { return isFar(run.x0, run.y) || isFar(run.x1 - 1, run.y); }))
             continue;
-        for (const PixelRun &run : part)
-            cut.setRun(run.y, run.x0, run.x1);
+        addPart(part, cut);
     }
     region -= cut;
     return cut;
@@ -269,8 +270,7 @@ void SilhouetteFinder::Impl::takeRegions(const BitMask &taken, const BitMask &cl
             PixelRect{box.x0 - margin, box.y0 - margin, box.x1 + margin, box.y1 + margin}.clipped(
                 {0, 0, window.width(), window.height()});
         BitMask region(part.width(), part.height());
-        for (const PixelRun &run : pixels)
-            region.setRun(run.y - part.y0, run.x0 - part.x0, run.x1 - part.x0);
+        addPart(pixels, region, part.x0, part.y0);
         if (enclosesAny(pixels))
             region = withoutHoles(region);
         if (parts.size() > 1)
@@ -331,9 +331,10 @@ const std::vector<SeenSilhouette> &SilhouetteFinder::find(const Frame &frame)
     if (!fits(frame, d.background))
         return d.found;
     d.lattice.compare(frame, d.background);
-    BitMask differences = d.lattice.differences();
+    BitMask within;
     if (d.searchedCells)
-        differences &= *d.searchedCells;
+        within = d.lattice.differences() & *d.searchedCells;
+    const BitMask &differences = d.searchedCells ? within : d.lattice.differences();
     // the light of a part of the room, or the camera, has changed
     if (differences.count() > mostShare * differences.width() * differences.height())
         return d.found;

@@ -7,7 +7,6 @@
 #include "core/tracking/searched_area.h"
 
 #include <memory>
-#include <optional>
 #include <vector>
 
 namespace odo {
