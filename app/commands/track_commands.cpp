@@ -80,27 +80,41 @@ Result<std::vector<RobotPointer>> pointersOf(const CommandCall &call)
     return pointers;
 }
 
+/// Numbers between commas; nullopt where one is none.
+std::optional<std::vector<double>> numbersOf(const std::string &text)
+{
+    std::vector<double> numbers;
+    for (const QString &part : QString::fromStdString(text).split(u',')) {
+        const auto number = parseNumber(part.toStdString());
+        if (!number)
+            return std::nullopt;
+        numbers.push_back(*number);
+    }
+    return numbers;
+}
+
+/// "R@A" in two; the last @ counts.
+std::pair<std::string, std::string> robotAndView(const std::string &where)
+{
+    const std::size_t at = where.rfind('@');
+    return at == std::string::npos ? std::pair(where, std::string())
+                                   : std::pair(where.substr(0, at), where.substr(at + 1));
+}
+
 /// "R@A:SECONDS=X,Y": further marks of robots. The last @ and : count, for names may have some.
 Result<std::vector<RobotPointer>> seedsOf(const CommandCall &call)
 {
     const auto pairs = ODO_TRY(call.pairs(option::seed));
     std::vector<RobotPointer> seeds;
     for (const auto &[where, pixel] : pairs) {
-        const QString position = QString::fromStdString(where);
-        const QStringList numbers = QString::fromStdString(pixel).split(u',');
-        const qsizetype colon = position.lastIndexOf(u':'), at = position.lastIndexOf(u'@', colon);
-        const bool isComplete = at > 0 && colon > at + 1 && numbers.size() == 2;
-        const auto time = isComplete ? parseNumber(position.mid(colon + 1).toStdString()) : Result<double>(),
-                   x = isComplete ? parseNumber(numbers[0].toStdString()) : Result<double>(),
-                   y = isComplete ? parseNumber(numbers[1].toStdString()) : Result<double>();
-        if (!isComplete || !time || !x || !y)
+        const std::size_t colon = where.rfind(':');
+        const auto [robot, view] = robotAndView(where.substr(0, colon));
+        const auto time = colon == std::string::npos ? std::nullopt : numbersOf(where.substr(colon + 1)),
+                   point = numbersOf(pixel);
+        if (robot.empty() || view.empty() || !time || time->size() != 1 || !point || point->size() != 2)
             return call.wrongCall(ODO_TEXT(
                 "app.not_a_seed", "--seed '%1=%2' is not of the form R@A:SECONDS=X,Y")(where, pixel));
-        seeds.push_back({position.left(at).toStdString(),
-                         position.mid(at + 1, colon - at - 1).toStdString(),
-                         *time,
-                         {*x, *y},
-                         true});
+        seeds.push_back({robot, view, time->front(), {point->front(), point->back()}, true});
     }
     return seeds;
 }
@@ -112,42 +126,16 @@ Result<void> addAreas(const CommandCall &call, const QString &option, GuidanceIt
     const auto pairs = ODO_TRY(call.pairs(option));
     for (const auto &[view, corners] : pairs) {
         GivenGuidance area{kind, view, {}};
-        const QStringList numbers = QString::fromStdString(corners).split(u',');
-        bool isComplete = numbers.size() % 2 == 0;
-        for (qsizetype i = 0; isComplete && i < numbers.size(); i += 2) {
-            const auto x = parseNumber(numbers[i].toStdString()),
-                       y = parseNumber(numbers[i + 1].toStdString());
-            isComplete = x && y;
-            if (isComplete)
-                area.pointsPx.emplace_back(*x, *y);
-        }
-        if (!isComplete)
+        const auto numbers = numbersOf(corners);
+        if (!numbers || numbers->size() % 2 != 0)
             return call.wrongCall(
                 ODO_TEXT("app.not_an_area", "--%1 '%2=%3' is not of the form A=X,Y,X,Y,X,Y…")(
                     option.toStdString(), view, corners));
+        for (std::size_t i = 0; i < numbers->size(); i += 2)
+            area.pointsPx.emplace_back((*numbers)[i], (*numbers)[i + 1]);
         edit.added.push_back(std::move(area));
     }
     return {};
-}
-
-/// "R@A" in two; the last @ counts.
-std::pair<std::string, std::string> robotAndView(const std::string &where)
-{
-    const std::size_t at = where.rfind('@');
-    return at == std::string::npos ? std::pair(where, std::string())
-                                   : std::pair(where.substr(0, at), where.substr(at + 1));
-}
-
-std::optional<std::vector<double>> numbersOf(const std::string &text)
-{
-    std::vector<double> numbers;
-    for (const QString &part : QString::fromStdString(text).split(u',')) {
-        const auto number = parseNumber(part.toStdString());
-        if (!number)
-            return std::nullopt;
-        numbers.push_back(*number);
-    }
-    return numbers;
 }
 
 /// "R@A=SECONDS,X,Y,SIGMA" and "R[@A]=FROM,TO".
@@ -286,12 +274,11 @@ namespace {
 /// "FROM,TO" and the reason that the samples have.
 Result<SampleGroup> groupOf(const CommandCall &call)
 {
-    const QStringList ends = call.values(option::range).constLast().split(u',');
-    const auto from = parseNumber(ends.first().toStdString()), to = parseNumber(ends.last().toStdString());
-    if (ends.size() != 2 || !from || !to || *from > *to)
+    const auto ends = numbersOf(call.value(option::range));
+    if (!ends || ends->size() != 2 || ends->front() > ends->back())
         return call.wrongCall(
             ODO_TEXT("app.flag_range_is", "--range takes FROM,TO in seconds, FROM not after TO"));
-    SampleGroup group{*from, *to, 0};
+    SampleGroup group{ends->front(), ends->back(), 0};
     if (!call.isSet(option::reason))
         return group;
     for (SampleFlags bit = 1; bit <= flagBit(SampleFlag::ByHand); bit <<= 1)

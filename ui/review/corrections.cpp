@@ -9,18 +9,6 @@
 
 namespace odo {
 
-namespace {
-
-/// Whether a word changes what becomes of a sample.
-bool isChangedBy(OverrideRequest::Word word, const Sample &sample)
-{
-    if (word == OverrideRequest::Word::Clear)
-        return hasFlag(sample.flags, SampleFlag::ByHand);
-    return isRejected(sample.flags) == (word == OverrideRequest::Word::Valid);
-}
-
-} // namespace
-
 RobotPointing::RobotPointing(Timeline &timeline, QObject *parent)
     : QObject(parent), m_timeline(timeline), m_action(new QAction(tr("&Point out a robot"), this))
 {

@@ -83,11 +83,15 @@ Result<GuidanceItem> resolvedIn(const RecordingRecord &recording, const GivenGui
     return item;
 }
 
+/// Of a robot in certain frames, not of all that is seen.
+bool isByHand(GuidanceItem::Kind kind)
+{
+    return kind == GuidanceItem::Kind::Point || kind == GuidanceItem::Kind::Hidden;
+}
+
 Result<RecordId> robotOf(Project &project, const TrialRecord &trial, const GivenGuidance &given)
 {
-    const bool isOfRobot =
-        given.kind == GuidanceItem::Kind::Point || given.kind == GuidanceItem::Kind::Hidden;
-    if (!isOfRobot || (given.robot.empty() && given.kind == GuidanceItem::Kind::Hidden))
+    if (!isByHand(given.kind) || (given.robot.empty() && given.kind == GuidanceItem::Kind::Hidden))
         return RecordId(0);
     const auto robot = ODO_TRY(project.robots().find(given.robot));
     if (std::ranges::find(trial.robots, robot.id) == trial.robots.end())
@@ -122,11 +126,6 @@ Result<std::vector<GuidanceItem>> resolved(Project &project, const TrialRecord &
     return items;
 }
 
-bool isByHand(const GuidanceItem &item)
-{
-    return item.kind == GuidanceItem::Kind::Point || item.kind == GuidanceItem::Kind::Hidden;
-}
-
 /// A point in place of that of the same frame.
 void addTo(EditedGuidance &edited, const GuidanceItem &item)
 {
@@ -139,7 +138,7 @@ void addTo(EditedGuidance &edited, const GuidanceItem &item)
         if (isReplaced(other) && other.id != 0)
             edited.removed.push_back(other.id);
     std::erase_if(edited.all, isReplaced);
-    edited.isByHandChanged |= isByHand(item);
+    edited.isByHandChanged |= isByHand(item.kind);
     edited.all.push_back(item);
 }
 
@@ -163,7 +162,7 @@ Result<EditedGuidance> editedGuidance(Project &project, const TrialRecord &trial
         if (!isRemoved(item))
             continue;
         edited.removed.push_back(item.id);
-        edited.isByHandChanged |= isByHand(item);
+        edited.isByHandChanged |= isByHand(item.kind);
     }
     std::erase_if(edited.all, isRemoved);
     for (const GivenGuidance &given : edit.added) {
@@ -209,7 +208,7 @@ Result<bool> isGuidanceNew(Project &project, const TrialRecord &trial)
 
 bool haveFrames(const std::vector<GuidanceItem> &items)
 {
-    return std::ranges::any_of(items, isByHand);
+    return std::ranges::any_of(items, isByHand, &GuidanceItem::kind);
 }
 
 std::optional<ObservationSeries> correctedByHand(const ObservationSeries &tracked,
@@ -218,7 +217,7 @@ std::optional<ObservationSeries> correctedByHand(const ObservationSeries &tracke
     ObservationSeries corrected = tracked;
     std::size_t points = 0, hidden = 0;
     for (const GuidanceItem &item : items) {
-        if (!isByHand(item) || item.recording != tracked.recording ||
+        if (!isByHand(item.kind) || item.recording != tracked.recording ||
             (item.robot != 0 && item.robot != tracked.robot))
             continue;
         auto one = std::ranges::lower_bound(corrected.observations, item.fromFrame, {}, &Observation::frame);

@@ -75,14 +75,6 @@ Result<Sample> chosenSample(const std::vector<Sample> &samples, const OverrideRe
     return *nearest;
 }
 
-/// Whether a word changes what becomes of a sample.
-bool isChangedBy(OverrideRequest::Word word, const Sample &sample)
-{
-    if (word == OverrideRequest::Word::Clear)
-        return hasFlag(sample.flags, SampleFlag::ByHand);
-    return sample.position && isRejected(sample.flags) == (word == OverrideRequest::Word::Valid);
-}
-
 /// The samples that a request means, in order of time.
 Result<std::vector<Sample>> chosenSamples(const std::vector<Sample> &samples, const OverrideRequest &request)
 {
@@ -112,6 +104,13 @@ Result<std::vector<Sample>> chosenSamples(const std::vector<Sample> &samples, co
 }
 
 } // namespace
+
+bool isChangedBy(OverrideRequest::Word word, const Sample &sample)
+{
+    if (word == OverrideRequest::Word::Clear)
+        return hasFlag(sample.flags, SampleFlag::ByHand);
+    return sample.position && isRejected(sample.flags) == (word == OverrideRequest::Word::Valid);
+}
 
 OverrideJob::OverrideJob(OverrideRequest request) : m_request(std::move(request)) {}
 

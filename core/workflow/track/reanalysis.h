@@ -39,6 +39,9 @@ struct OverrideRequest
     std::optional<SampleGroup> group = {};
 };
 
+/// Whether a word changes what becomes of a sample. Pure.
+bool isChangedBy(OverrideRequest::Word word, const Sample &sample);
+
 struct OverrideOutcome
 {
     std::string robot;
