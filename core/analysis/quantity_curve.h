@@ -39,7 +39,7 @@ std::optional<double> measuredSpeed(const Profile &profile, std::size_t sample);
 
 /// Direction and turning of the motion (not of the robot's body: it may run backwards or sideways). World
 /// frame, anticlockwise from +X; radians and radians a second.
-struct Course
+struct MotionCourse
 {
     double headingRad = 0, sigmaHeadingRad = 0;
     double turnRateRadps = 0, sigmaTurnRateRadps = 0;
@@ -49,7 +49,7 @@ struct Course
 /// where the speed is not clear of its noise (three σ). σ by first order, with the profile's σ of speed and
 /// acceleration taken as those of each axis and as independent of one another (in the middle of a smoothed
 /// track they are): σ²(heading) = σᵥ²/|v|², σ²(turn rate) = σₐ²/|v|² + |a|²σᵥ²/|v|⁴.
-std::optional<Course> courseOf(const ProfilePoint &point);
+std::optional<MotionCourse> courseOf(const ProfilePoint &point);
 
 /// How fast a robot turns at a point, anticlockwise, rad/s: its body where that was measured, also on the
 /// spot, else its course. nullopt where neither is known.

@@ -129,6 +129,28 @@ function(odograph_test_program name kind)
   odograph_precompile(${name} ${kind})
 endfunction()
 
+# odograph_join_tests(PROGRAM): compiles its tests eight at a time (joined_tests.awk), or one by one where sources are not joined.
+# To load the precompiled headers takes two seconds of a processor, more than most tests take.
+function(odograph_join_tests program)
+  get_target_property(units ${program} ODOGRAPH_UNITS)
+  list(LENGTH units count)
+  if(count EQUAL 1 OR NOT CMAKE_UNITY_BUILD OR NOT CMAKE_CXX_COMPILER_ID STREQUAL GNU) # lint.sh looks at each by itself
+    target_sources(${program} PRIVATE ${units})
+    return()
+  endif()
+  set(number 0)
+  while(units)
+    list(SUBLIST units 0 8 batch)
+    list(REMOVE_ITEM units ${batch})
+    set(joined ${CMAKE_CURRENT_BINARY_DIR}/${program}_${number}.cpp)
+    math(EXPR number "${number} + 1")
+    add_custom_command(OUTPUT ${joined}
+      COMMAND awk -f ${PROJECT_SOURCE_DIR}/packaging/cmake/joined_tests.awk ${batch} > ${joined}
+      DEPENDS ${batch} ${PROJECT_SOURCE_DIR}/packaging/cmake/joined_tests.awk VERBATIM)
+    target_sources(${program} PRIVATE ${joined})
+  endwhile()
+endfunction()
+
 # odograph_test(tst_unit [ALONE] [WAITS] [SOURCES more.cpp ...] [LINKS libraries...] [LABELS ...] [TIMEOUT s] [ENVIRONMENT ...])
 # Compiles tst_unit.cpp into the folder's program of QtTest classes and registers it under the folder's name:
 # "geometry/tst_unit"; the unit may lie in a sub-folder. ALONE: in a program of its own, because it has its own main or stands
@@ -173,8 +195,10 @@ function(odograph_test unit)
   if(NOT TARGET ${program})
     odograph_test_program(${program} ${kind})
     add_dependencies(${part}_tests ${program})
+    cmake_language(EVAL CODE "cmake_language(DEFER CALL odograph_join_tests ${program})")
   endif()
-  target_sources(${program} PRIVATE ${unit}.cpp ${ARG_SOURCES})
+  set_property(TARGET ${program} APPEND PROPERTY ODOGRAPH_UNITS ${CMAKE_CURRENT_SOURCE_DIR}/${unit}.cpp)
+  target_sources(${program} PRIVATE ${ARG_SOURCES})
   odograph_moc_own(${program} ${unit})
   target_link_libraries(${program} PRIVATE ${ARG_LINKS} registered_tests)
   set(${name}_command ${command} PARENT_SCOPE)

@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Times at gates against closed forms, and their stated σ against the scatter over many noisy runs.
 #include "core/analysis/gate_passages.h"
-#include "core/trajectory/internal/spike_flags.h"
-#include "core/trajectory/internal/track_profile.h"
 
 #include "tests/support/registered_test.h"
-#include "tests/trajectory/synthetic_trial.h"
+#include "tests/trajectory/synthetic_run.h"
 
 #include <QTest>
 
@@ -21,44 +19,6 @@ const Gate finish{"finish", GateRole::Finish, {2, -0.2}, {2, 0.2}};
 Gate startFinish()
 {
     return {"line", GateRole::StartFinish, {0.7, 0}, {0.3, 0}}; // passed towards +y
-}
-
-struct Run
-{
-    std::vector<Sample> samples;
-    std::vector<ProfilePoint> points;
-};
-
-Run exactly(const Course &course, double durationS, double framesPerSecond = 30, double sigmaM = 0)
-{
-    Run run;
-    for (int i = 0; i <= durationS * framesPerSecond; ++i) {
-        Sample sample;
-        sample.frame = i;
-        sample.time = fromSeconds(i / framesPerSecond);
-        const Truth truth = course(i / framesPerSecond);
-        sample.position = truth.position;
-        sample.covariance = Eigen::Matrix2d::Identity() * sigmaM * sigmaM;
-        MotionEstimate estimate;
-        estimate.mean << truth.position, truth.velocity, truth.acceleration;
-        estimate.covariance.setIdentity();
-        estimate.covariance *= sigmaM * sigmaM;
-        run.samples.push_back(sample);
-        run.points.push_back(makePoint(estimate, Eigen::Matrix2d::Zero()));
-    }
-    return run;
-}
-
-/// Noise of white pixels through the Kalman smoother.
-Run smoothed(const Course &course, double durationS, double sigmaM, std::mt19937 &random)
-{
-    Run run = exactly(course, durationS, 30, sigmaM);
-    std::normal_distribution<double> noise(0, sigmaM);
-    for (Sample &sample : run.samples)
-        *sample.position += Eigen::Vector2d(noise(random), noise(random));
-    const SpikeVerdict verdict = flagSpikes(run.samples, {});
-    run.points = makePoints(run.samples, verdict.changes, {}, verdict.noise);
-    return run;
 }
 
 std::vector<GatePassage> passagesOf(const std::vector<Gate> &gates, const Run &run)
@@ -89,7 +49,7 @@ private Q_SLOTS:
     void aStraightRunAtKnownSpeed()
     {
         // 0.83 m/s from −0.5 m: at 0 after 0.5/0.83 s, 2 m later after 2/0.83 s more.
-        const Run run = exactly(evenly({-0.5, 0.05}, {0.83, 0}), 4, 30, 0.002);
+        const Run run = exactly(evenly({-0.5, 0.05}, {0.83, 0}), 4, 0.002);
         const auto passages = passagesOf({start, finish}, run);
         QCOMPARE(passages.size(), std::size_t(2));
         QCOMPARE(passages[0].gate, std::string("start"));
@@ -105,8 +65,7 @@ private Q_SLOTS:
     {
         // At 60° to the gate: only the part of speed across it carries the robot over.
         const double v = 0.9, slant = M_PI / 6;
-        const Run run =
-            exactly(evenly({-0.3, -0.17}, {v * std::cos(slant), v * std::sin(slant)}), 2, 30, 0.001);
+        const Run run = exactly(evenly({-0.3, -0.17}, {v * std::cos(slant), v * std::sin(slant)}), 2, 0.001);
         const auto passages = passagesOf({start}, run);
         QCOMPARE(passages.size(), std::size_t(1));
         QVERIFY(std::abs(toSeconds(passages[0].time) - 0.3 / (v * std::cos(slant))) < 1e-8);
@@ -116,7 +75,7 @@ private Q_SLOTS:
     {
         // x = −0.2 + 2t²: linear interpolation at 10 frames/s would err by up to 10 ms.
         const Course course = [](double t) { return Truth{{-0.2 + 2 * t * t, 0}, {4 * t, 0}, {4, 0}}; };
-        const auto passages = passagesOf({start}, exactly(course, 1, 10));
+        const auto passages = passagesOf({start}, exactly(course, 1, 0, Eigen::Matrix2d::Zero(), 10));
         QCOMPARE(passages.size(), std::size_t(1));
         QVERIFY(std::abs(toSeconds(passages[0].time) - std::sqrt(0.1)) < 1e-8);
     }
@@ -140,7 +99,7 @@ private Q_SLOTS:
     void lapsOfACircle()
     {
         // Period 3.7 s, phase −1 rad at the start: at the gate after 3.7/2π s, then every period.
-        const Run run = exactly(exactCircle(0.5, 3.7), 16, 30, 0.001);
+        const Run run = exactly(exactCircle(0.5, 3.7), 16, 0.001);
         const auto passages = passagesOf({startFinish()}, run);
         QCOMPARE(passages.size(), std::size_t(5));
         QVERIFY(std::abs(toSeconds(passages[0].time) - 3.7 / (2 * M_PI)) < 1e-5);
@@ -191,9 +150,9 @@ private Q_SLOTS:
     }
     void aRobotThatStandsInTheGateHasNotPassedIt()
     {
-        QVERIFY(passagesOf({start}, exactly(evenly({0.001, 0}, {0, 0}), 3, 30, 0.002)).empty());
+        QVERIFY(passagesOf({start}, exactly(evenly({0.001, 0}, {0, 0}), 3, 0.002)).empty());
         // It was put there, so nobody knows when it came; driving on is no passage.
-        QVERIFY(passagesOf({start}, exactly(evenly({0, 0}, {0.5, 0}), 3, 30, 0.002)).empty());
+        QVERIFY(passagesOf({start}, exactly(evenly({0, 0}, {0.5, 0}), 3, 0.002)).empty());
     }
     void aRobotThatStopsInTheGateIsCountedOnceWithAWideSigma()
     {
@@ -204,7 +163,7 @@ private Q_SLOTS:
             return Truth{{u * std::abs(u) / 4, 0}, {std::abs(u) / 2, 0}, {u < 0 ? -0.5 : u > 0 ? 0.5 : 0, 0}};
         };
         // At ±2 mm of it: from 2 − √(4·0.002) s to 4 + √(4·0.002) s.
-        const auto standing = passagesOf({start}, exactly(course, 6, 30, 0.002));
+        const auto standing = passagesOf({start}, exactly(course, 6, 0.002));
         QCOMPARE(standing.size(), std::size_t(1));
         QVERIFY(std::abs(standing[0].sigmaS - (1 + std::sqrt(0.008))) < 0.005);
         for (unsigned seed = 0; seed < 100; ++seed) {

@@ -34,8 +34,6 @@ int passagesAlong(const Task &task, const Gate &gate)
 
 } // namespace
 
-Q_DECLARE_METATYPE(odo::TaskTemplate)
-
 class TestTaskTemplates : public QObject
 {
     Q_OBJECT

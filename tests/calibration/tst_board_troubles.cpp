@@ -304,8 +304,6 @@ using MakeSet = Set (*)(Random &);
 
 } // namespace
 
-Q_DECLARE_METATYPE(MakeSet)
-
 /// Calibrations from images of which something is wrong, against the true lens: none is refused, the stated
 /// uncertainty holds, and the culprits are named.
 class TestBoardTroubles : public QObject

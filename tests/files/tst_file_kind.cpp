@@ -7,8 +7,6 @@
 
 using namespace odo;
 
-Q_DECLARE_METATYPE(odo::FileKind)
-
 /// What a file is told to be by its first bytes.
 class TestFileKind : public QObject
 {

@@ -8,8 +8,6 @@
 using namespace odo;
 using namespace odo::test;
 
-Q_DECLARE_METATYPE(odo::test::HeardKind)
-
 namespace {
 
 /// Draws of each kind: a few, or as many as the environment says.

@@ -17,14 +17,14 @@ struct Run
 
 /// A course as a profile without error, with a stated σ of the track and of the calibration.
 inline Run exactly(const Course &course, double durationS, double sigmaM = 0,
-                   Eigen::Matrix2d common = Eigen::Matrix2d::Zero())
+                   Eigen::Matrix2d common = Eigen::Matrix2d::Zero(), double framesPerSecond = 30)
 {
     Run run;
-    for (int i = 0; i <= durationS * 30; ++i) {
+    for (int i = 0; i <= durationS * framesPerSecond; ++i) {
         Sample sample;
         sample.frame = i;
-        sample.time = fromSeconds(i / 30.0);
-        const Truth truth = course(i / 30.0);
+        sample.time = fromSeconds(i / framesPerSecond);
+        const Truth truth = course(i / framesPerSecond);
         sample.position = truth.position;
         sample.covariance = Eigen::Matrix2d::Identity() * sigmaM * sigmaM;
         sample.commonCovariance = common;

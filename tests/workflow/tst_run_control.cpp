@@ -28,7 +28,7 @@ Task circle()
 
 LivePosition at(Nanoseconds time, const Eigen::Vector2d &place, const Eigen::Vector2d &velocity)
 {
-    LivePosition position;
+    LivePosition position{};
     position.sample.time = time;
     position.sample.position = place;
     position.sample.covariance = Eigen::Matrix2d::Identity() * 1e-6;

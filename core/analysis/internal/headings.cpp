@@ -146,13 +146,13 @@ private:
 
 } // namespace
 
-std::optional<Course> courseOf(const ProfilePoint &point)
+std::optional<MotionCourse> courseOf(const ProfilePoint &point)
 {
     const Eigen::Vector2d &v = point.velocity, &a = point.acceleration;
     const double speed = v.norm();
     if (!point.valid || !v.allFinite() || !(speed > sigmasForCourse * point.sigmaSpeedMps))
         return std::nullopt;
-    Course course;
+    MotionCourse course;
     course.headingRad = std::atan2(v.y(), v.x());
     course.sigmaHeadingRad = point.sigmaSpeedMps / speed;
     course.turnRateRadps = (v.x() * a.y() - v.y() * a.x()) / (speed * speed);

@@ -95,7 +95,7 @@ void TestRecordWords::tellsHowAllDo()
 
     // Losses before the run are not the run's.
     QCOMPARE(healthFacts(health, cameras, {}, {}, health)[1].badge.state, BadgeState::Good);
-    LivePosition position;
+    LivePosition position{};
     position.point.position = {1.234, 0.5};
     position.point.speedMps = 1.1;
     position.point.sigmaSpeedMps = 0.02;

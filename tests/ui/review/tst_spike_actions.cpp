@@ -15,8 +15,6 @@
 
 using namespace odo;
 
-Q_DECLARE_METATYPE(odo::OverrideRequest)
-
 class TestSpikeActions : public QObject
 {
     Q_OBJECT
