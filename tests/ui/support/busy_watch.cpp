@@ -21,7 +21,7 @@ double threadCpuMs()
 
 double longestAllowedMs()
 {
-    return 50 * test::slowness * (qEnvironmentVariableIsSet("ODOGRAPH_ALONE") ? 1 : 3);
+    return 50 * test::slowness * (qEnvironmentVariableIsSet("ODOGRAPH_ALONE") ? 1 : 6);
 }
 
 BusyWatch::BusyWatch() : m_lastMs(threadCpuMs())
