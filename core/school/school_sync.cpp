@@ -6,9 +6,11 @@
 #include "core/project/repositories.h"
 #include "core/school/internal/school_hub.h"
 #include "core/school/internal/school_media.h"
+#include "core/school/internal/standing_marks.h"
 
 #include <QThread>
 #include <algorithm>
+#include <map>
 #include <utility>
 
 namespace odo {
@@ -110,8 +112,11 @@ SchoolConflict conflictOf(const SchoolDocument &ours, const SchoolDocument &thei
 class Publisher
 {
 public:
-    Publisher(Project &project, const SchoolLink &link, HubSession &hub, SchoolReport &report)
-        : m_project(project), m_school(project.classes().school()), m_link(link), m_hub(hub), m_report(report)
+    /// standings: of the project, as standingMarks().
+    Publisher(Project &project, const SchoolLink &link, HubSession &hub,
+              std::map<RecordId, QJsonObject> standings, SchoolReport &report)
+        : m_project(project), m_school(project.classes().school()), m_link(link), m_hub(hub),
+          m_standings(std::move(standings)), m_report(report)
     {
     }
 
@@ -123,8 +128,9 @@ public:
         const auto document = ODO_TRY(makeSchoolDocument(m_project, entry.kind, entry.row));
         if (identity.sha256 == document.sha256)
             return m_school.settle(entry);
+        const auto standing = entry.kind == SchoolKind::Trial ? m_standings[entry.row] : QJsonObject();
         const auto outcome = ODO_TRY(m_hub.patiently([&](SchoolHub &hub) {
-            return hub.publish(document, identity.uuid, m_link.bench, identity.revision, false);
+            return hub.publish(document, identity.uuid, m_link.bench, identity.revision, false, standing);
         }));
         using Kind = PublishOutcome::Kind;
         if (outcome.kind == Kind::Conflict || outcome.kind == Kind::Refused) {
@@ -146,6 +152,22 @@ public:
         });
     }
 
+    /// What changed in standings without a change of the trials: acceptances, scorings, courses.
+    Result<void> sendStandings()
+    {
+        QJsonArray standings;
+        for (auto &[trial, standing] : m_standings) {
+            const auto identity = ODO_TRY(m_school.known(SchoolKind::Trial, trial));
+            if (!identity || identity->revision == 0)
+                continue;
+            standing[QStringLiteral("trial")] = QString::fromStdString(identity->uuid);
+            standings.append(standing);
+        }
+        if (standings.isEmpty())
+            return {};
+        return m_hub.patiently([&](SchoolHub &hub) { return hub.setStandings(m_link.bench, standings); });
+    }
+
 private:
     Result<void> sendRemoval(const OutboxEntry &entry)
     {
@@ -163,6 +185,7 @@ private:
     SchoolRepository m_school;
     const SchoolLink &m_link;
     HubSession &m_hub;
+    std::map<RecordId, QJsonObject> m_standings;
     SchoolReport &m_report;
 };
 
@@ -300,7 +323,7 @@ Result<SchoolReport> publishToSchool(Project &project, WithRecordings recordings
     return withHub(
         project, recordings, control,
         [&](const SchoolLink &link, HubSession &hub, SchoolReport &report) -> Result<void> {
-            Publisher publisher(project, link, hub, report);
+            Publisher publisher(project, link, hub, ODO_TRY(standingMarks(project)), report);
             const auto entries = ODO_TRY(project.classes().school().outbox());
             double done = 0;
             for (const OutboxEntry &entry : entries) {
@@ -309,6 +332,7 @@ Result<SchoolReport> publishToSchool(Project &project, WithRecordings recordings
                 control.report(done++ / double(entries.size()), ODO_TEXT("school.publishing", "publishing"));
                 ODO_TRY(publisher.send(entry));
             }
+            ODO_TRY(publisher.sendStandings());
             return recordings == WithRecordings::Yes ? publishRecordings(project, link.media, control, report)
                                                      : Result<void>();
         });

@@ -2,11 +2,11 @@
 #include "core/school/internal/school_hub.h"
 
 #include "core/project/names.h"
+#include "core/school/internal/hub_queries.h"
 
 #include <QFile>
 #include <QJsonDocument>
 #include <QSqlDriver>
-#include <QSqlQuery>
 #include <QVariant>
 #include <array>
 #include <atomic>
@@ -21,7 +21,7 @@ namespace odo {
 
 namespace {
 
-constexpr std::array migrations{"01_hub"};
+constexpr std::array migrations{"01_hub", "02_standings"};
 
 QString migrationText(const char *name)
 {
@@ -110,6 +110,8 @@ Result<std::unique_ptr<SchoolHub>> SchoolHub::connect(const HubAddress &address)
     database.setConnectOptions(connectOptions(address));
     if (!database.open())
         return hub->failure(database.lastError());
+    // libpq would print notices of the server on the standard error output
+    ODO_TRY(hub->run({QStringLiteral("SET client_min_messages = error")}));
     return hub;
 }
 
@@ -176,23 +178,26 @@ Result<int> SchoolHub::schemaVersion()
 
 Result<void> SchoolHub::checkSchema(int version) const
 {
-    if (version == 0)
-        return fail(ErrorCode::NotFound, m_address.subject(),
-                    ODO_TEXT("school.no_hub", "the database has no hub"),
-                    ODO_TEXT("school.run_init", "have its administrator run odograph school init"));
+    if (version == newestVersion())
+        return {};
     if (version > newestVersion())
         return fail(
             ErrorCode::NewerFormat, m_address.subject(),
             ODO_TEXT("school.newer_hub",
                      "its schema has version %1, and this Odograph knows up to %2")(version, newestVersion()),
             ODO_TEXT("school.update_program", "update Odograph"));
-    return {};
+    return fail(ErrorCode::NotFound, m_address.subject(),
+                version == 0
+                    ? Message(ODO_TEXT("school.no_hub", "the database has no hub"))
+                    : ODO_TEXT("school.older_hub", "its schema has version %1, and this Odograph needs %2")(
+                          version, newestVersion()),
+                ODO_TEXT("school.run_init", "have its administrator run odograph school init"));
 }
 
 Result<int> SchoolHub::upgrade()
 {
     auto version = ODO_TRY(schemaVersion());
-    if (version > 0)
+    if (version > newestVersion())
         ODO_TRY(checkSchema(version));
     for (; version < newestVersion(); ++version) {
         ODO_TRY(begin());
@@ -221,46 +226,67 @@ Result<std::string> SchoolHub::role()
     return query.value(0).toString().toStdString();
 }
 
-Result<PublishOutcome> SchoolHub::publish(const SchoolDocument &document, const std::string &uuid,
-                                          const std::string &bench, std::int64_t base, bool isRemoved)
+Result<QSqlQuery> SchoolHub::run(const HubQuery &query)
 {
-    QSqlQuery query(m_database);
-    query.setForwardOnly(true);
-    query.prepare(
-        QStringLiteral("SELECT outcome, kept_uuid, kept_revision, kept_owner, other FROM odograph.publish("
-                       "CAST(? AS uuid), ?, ?, CAST(? AS uuid), CAST(? AS bigint), ?, CAST(? AS bytea), "
-                       "CAST(? AS bytea), CAST(? AS jsonb), CAST(? AS boolean))"));
-    query.addBindValue(QString::fromStdString(uuid));
-    query.addBindValue(QString::fromStdString(schoolKindWord(document.kind)));
-    query.addBindValue(QString::fromStdString(document.name));
-    query.addBindValue(QString::fromStdString(bench));
-    query.addBindValue(qint64(base));
-    query.addBindValue(QString::fromStdString(document.sha256));
-    query.addBindValue(document.body);
-    query.addBindValue(document.recordings.isEmpty() ? QVariant(QMetaType(QMetaType::QByteArray))
-                                                     : QVariant(document.recordings));
-    query.addBindValue(QString::fromUtf8(QJsonDocument(document.results).toJson(QJsonDocument::Compact)));
-    query.addBindValue(isRemoved);
-    if (!query.exec() || !query.next())
+    QSqlQuery rows(m_database);
+    rows.setForwardOnly(true);
+    bool isGood = query.values.isEmpty() ? rows.exec(query.text) : rows.prepare(query.text);
+    if (isGood && !query.values.isEmpty()) {
+        for (const QVariant &value : query.values)
+            rows.addBindValue(value);
+        isGood = rows.exec();
+    }
+    return isGood ? Result<QSqlQuery>(std::move(rows)) : failure(rows.lastError());
+}
+
+Result<PublishOutcome> SchoolHub::publish(const SchoolDocument &document, const std::string &uuid,
+                                          const std::string &bench, std::int64_t base, bool isRemoved,
+                                          const QJsonObject &standing)
+{
+    ODO_TRY(begin());
+    auto outcome = publishAlone(document, uuid, bench, base, isRemoved);
+    if (outcome && !standing.isEmpty()) {
+        QJsonObject ofTrial = standing;
+        ofTrial[QStringLiteral("trial")] = QString::fromStdString(uuid);
+        if (auto set = setStandings(bench, {ofTrial}); !set)
+            outcome = tl::unexpected(set.error());
+    }
+    if (!outcome) {
+        m_database.rollback();
+        return outcome;
+    }
+    ODO_TRY(commit());
+    return outcome;
+}
+
+Result<PublishOutcome> SchoolHub::publishAlone(const SchoolDocument &document, const std::string &uuid,
+                                               const std::string &bench, std::int64_t base, bool isRemoved)
+{
+    const QString results = QString::fromUtf8(QJsonDocument(document.results).toJson(QJsonDocument::Compact));
+    auto query = ODO_TRY(run(hubQueries::publish(
+        {QString::fromStdString(uuid), QString::fromStdString(schoolKindWord(document.kind)),
+         QString::fromStdString(document.name), QString::fromStdString(bench), qint64(base),
+         QString::fromStdString(document.sha256), document.body,
+         document.recordings.isEmpty() ? QVariant(QMetaType(QMetaType::QByteArray))
+                                       : QVariant(document.recordings),
+         results, isRemoved})));
+    if (!query.next())
         return failure(query.lastError());
     return PublishOutcome{outcomeOf(query.value(0).toString()), query.value(1).toString().toStdString(),
                           query.value(2).toLongLong(), query.value(3).toString().toStdString(),
                           query.value(4).toByteArray()};
 }
 
+Result<void> SchoolHub::setStandings(const std::string &bench, const QJsonArray &standings)
+{
+    ODO_TRY(run(hubQueries::setStandings(
+        bench, QString::fromUtf8(QJsonDocument(standings).toJson(QJsonDocument::Compact)))));
+    return {};
+}
+
 Result<std::vector<HubDocument>> SchoolHub::since(std::int64_t revision, const std::string &bench, int most)
 {
-    QSqlQuery query(m_database);
-    query.setForwardOnly(true);
-    query.prepare(
-        QStringLiteral("SELECT uuid, kind, name, owner, revision, removed, sha256, body FROM "
-                       "odograph.document WHERE revision > CAST(? AS bigint) AND bench <> CAST(? AS uuid) "
-                       "ORDER BY revision LIMIT CAST(? AS integer)"));
-    query.addBindValue(qint64(revision));
-    query.addBindValue(QString::fromStdString(bench));
-    query.addBindValue(most);
-    if (!query.exec())
-        return failure(query.lastError());
+    auto query = ODO_TRY(run(hubQueries::since(revision, bench, most)));
     std::vector<HubDocument> documents;
     while (query.next()) {
         HubDocument one;
@@ -282,11 +308,7 @@ Result<std::vector<HubDocument>> SchoolHub::since(std::int64_t revision, const s
 
 Result<QByteArray> SchoolHub::recordingsOf(const std::string &uuid)
 {
-    QSqlQuery query(m_database);
-    query.prepare(QStringLiteral("SELECT body FROM odograph.recording WHERE trial = CAST(? AS uuid)"));
-    query.addBindValue(QString::fromStdString(uuid));
-    if (!query.exec())
-        return failure(query.lastError());
+    auto query = ODO_TRY(run(hubQueries::recordings(uuid)));
     return query.next() ? query.value(0).toByteArray() : QByteArray();
 }
 

@@ -3,9 +3,13 @@
 
 #include "core/project/school_documents.h"
 #include "core/school/hub_address.h"
+#include "core/school/internal/hub_queries.h"
 
+#include <QJsonArray>
+#include <QJsonObject>
 #include <QSqlDatabase>
 #include <QSqlError>
+#include <QSqlQuery>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -48,7 +52,7 @@ public:
 
     /// 0: the database has no hub.
     Result<int> schemaVersion();
-    /// That the hub's schema is one that this program knows.
+    /// That the hub's schema is the one that this program uses.
     Result<void> checkSchema(int version) const;
     /// Runs the missing migrations, each in a transaction of its own; gives the version. As a login that may
     /// make schemas and roles.
@@ -56,8 +60,15 @@ public:
     /// "teacher", "bench" or "viewer": the first that the login has. NotFound where it has none.
     Result<std::string> role();
 
+    /// The rows are read forward.
+    Result<QSqlQuery> run(const HubQuery &query);
+
+    /// standing: of a trial, as standingMarks(); empty for what has none.
     Result<PublishOutcome> publish(const SchoolDocument &document, const std::string &uuid,
-                                   const std::string &bench, std::int64_t base, bool isRemoved);
+                                   const std::string &bench, std::int64_t base, bool isRemoved,
+                                   const QJsonObject &standing = {});
+    /// Of the trials that this bench published last: standingMarks() with the UUID of each as "trial".
+    Result<void> setStandings(const std::string &bench, const QJsonArray &standings);
     /// What others than this bench made since a revision, in the order of the revisions, so many at most.
     Result<std::vector<HubDocument>> since(std::int64_t revision, const std::string &bench, int most);
 
@@ -70,6 +81,8 @@ public:
 
 private:
     explicit SchoolHub(HubAddress address, QString name);
+    Result<PublishOutcome> publishAlone(const SchoolDocument &document, const std::string &uuid,
+                                        const std::string &bench, std::int64_t base, bool isRemoved);
     Result<void> begin();
     Result<void> commit();
     Result<void> runAll(const QString &sql);
