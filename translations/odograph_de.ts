@@ -20378,6 +20378,13 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
 </context>
 <context>
+    <name>school.older_hub</name>
+    <message>
+        <source>its schema has version %1, and this Odograph needs %2</source>
+        <translation>sein Schema hat Version %1, dieses Odograph braucht %2</translation>
+    </message>
+</context>
+<context>
     <name>school.option_unknown</name>
     <message>
         <source>its option &apos;%1&apos; is not known</source>
@@ -21456,6 +21463,13 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
 </context>
 <context>
+    <name>ui.check_hub</name>
+    <message>
+        <source>check the address, the login in ~/.pgpass, and the network</source>
+        <translation>prüfen Sie die Adresse, die Anmeldung in ~/.pgpass und das Netzwerk</translation>
+    </message>
+</context>
+<context>
     <name>ui.choose_another_port</name>
     <message>
         <source>choose another port, or 0 for any that is free</source>
@@ -21677,6 +21691,27 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>page</source>
         <translation>Seite</translation>
+    </message>
+</context>
+<context>
+    <name>ui.hub_away</name>
+    <message>
+        <source>it cannot be reached</source>
+        <translation>er ist nicht erreichbar</translation>
+    </message>
+</context>
+<context>
+    <name>ui.hub_goes_on</name>
+    <message>
+        <source>the page shows the last standings until it is back</source>
+        <translation>die Seite zeigt die letzte Rangliste, bis er wieder da ist</translation>
+    </message>
+</context>
+<context>
+    <name>ui.hub_silent</name>
+    <message>
+        <source>the server does not answer</source>
+        <translation>der Server antwortet nicht</translation>
     </message>
 </context>
 <context>

@@ -20378,6 +20378,13 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     </message>
 </context>
 <context>
+    <name>school.older_hub</name>
+    <message>
+        <source>its schema has version %1, and this Odograph needs %2</source>
+        <translation>su esquema tiene la versión %1 y este Odograph necesita la %2</translation>
+    </message>
+</context>
+<context>
     <name>school.option_unknown</name>
     <message>
         <source>its option &apos;%1&apos; is not known</source>
@@ -21456,6 +21463,13 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     </message>
 </context>
 <context>
+    <name>ui.check_hub</name>
+    <message>
+        <source>check the address, the login in ~/.pgpass, and the network</source>
+        <translation>compruebe la dirección, el usuario en ~/.pgpass y la red</translation>
+    </message>
+</context>
+<context>
     <name>ui.choose_another_port</name>
     <message>
         <source>choose another port, or 0 for any that is free</source>
@@ -21677,6 +21691,27 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <message>
         <source>page</source>
         <translation>página</translation>
+    </message>
+</context>
+<context>
+    <name>ui.hub_away</name>
+    <message>
+        <source>it cannot be reached</source>
+        <translation>no se puede acceder a él</translation>
+    </message>
+</context>
+<context>
+    <name>ui.hub_goes_on</name>
+    <message>
+        <source>the page shows the last standings until it is back</source>
+        <translation>la página muestra la última clasificación hasta que vuelva</translation>
+    </message>
+</context>
+<context>
+    <name>ui.hub_silent</name>
+    <message>
+        <source>the server does not answer</source>
+        <translation>el servidor no responde</translation>
     </message>
 </context>
 <context>

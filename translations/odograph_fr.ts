@@ -20378,6 +20378,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
 </context>
 <context>
+    <name>school.older_hub</name>
+    <message>
+        <source>its schema has version %1, and this Odograph needs %2</source>
+        <translation>son schéma a la version %1, et cet Odograph a besoin de %2</translation>
+    </message>
+</context>
+<context>
     <name>school.option_unknown</name>
     <message>
         <source>its option &apos;%1&apos; is not known</source>
@@ -21456,6 +21463,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
 </context>
 <context>
+    <name>ui.check_hub</name>
+    <message>
+        <source>check the address, the login in ~/.pgpass, and the network</source>
+        <translation>vérifiez l’adresse, l’identifiant dans ~/.pgpass et le réseau</translation>
+    </message>
+</context>
+<context>
     <name>ui.choose_another_port</name>
     <message>
         <source>choose another port, or 0 for any that is free</source>
@@ -21677,6 +21691,27 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>page</source>
         <translation>page</translation>
+    </message>
+</context>
+<context>
+    <name>ui.hub_away</name>
+    <message>
+        <source>it cannot be reached</source>
+        <translation>il est inaccessible</translation>
+    </message>
+</context>
+<context>
+    <name>ui.hub_goes_on</name>
+    <message>
+        <source>the page shows the last standings until it is back</source>
+        <translation>la page montre le dernier classement jusqu’à son retour</translation>
+    </message>
+</context>
+<context>
+    <name>ui.hub_silent</name>
+    <message>
+        <source>the server does not answer</source>
+        <translation>le serveur ne répond pas</translation>
     </message>
 </context>
 <context>

@@ -20327,6 +20327,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>school.older_hub</name>
+    <message>
+        <source>its schema has version %1, and this Odograph needs %2</source>
+        <translation>스키마 버전이 %1이고 이 Odograph에는 %2가 필요합니다</translation>
+    </message>
+</context>
+<context>
     <name>school.option_unknown</name>
     <message>
         <source>its option &apos;%1&apos; is not known</source>
@@ -21405,6 +21412,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>ui.check_hub</name>
+    <message>
+        <source>check the address, the login in ~/.pgpass, and the network</source>
+        <translation>주소, ~/.pgpass의 로그인, 네트워크를 확인하세요</translation>
+    </message>
+</context>
+<context>
     <name>ui.choose_another_port</name>
     <message>
         <source>choose another port, or 0 for any that is free</source>
@@ -21626,6 +21640,27 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>page</source>
         <translation>페이지</translation>
+    </message>
+</context>
+<context>
+    <name>ui.hub_away</name>
+    <message>
+        <source>it cannot be reached</source>
+        <translation>연결할 수 없습니다</translation>
+    </message>
+</context>
+<context>
+    <name>ui.hub_goes_on</name>
+    <message>
+        <source>the page shows the last standings until it is back</source>
+        <translation>다시 연결될 때까지 마지막 순위를 표시합니다</translation>
+    </message>
+</context>
+<context>
+    <name>ui.hub_silent</name>
+    <message>
+        <source>the server does not answer</source>
+        <translation>서버가 응답하지 않습니다</translation>
     </message>
 </context>
 <context>

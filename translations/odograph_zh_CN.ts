@@ -20327,6 +20327,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>school.older_hub</name>
+    <message>
+        <source>its schema has version %1, and this Odograph needs %2</source>
+        <translation>其架构版本为 %1，而此 Odograph 需要 %2</translation>
+    </message>
+</context>
+<context>
     <name>school.option_unknown</name>
     <message>
         <source>its option &apos;%1&apos; is not known</source>
@@ -21405,6 +21412,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>ui.check_hub</name>
+    <message>
+        <source>check the address, the login in ~/.pgpass, and the network</source>
+        <translation>请检查地址、~/.pgpass 中的登录信息和网络</translation>
+    </message>
+</context>
+<context>
     <name>ui.choose_another_port</name>
     <message>
         <source>choose another port, or 0 for any that is free</source>
@@ -21626,6 +21640,27 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>page</source>
         <translation>页面</translation>
+    </message>
+</context>
+<context>
+    <name>ui.hub_away</name>
+    <message>
+        <source>it cannot be reached</source>
+        <translation>无法连接</translation>
+    </message>
+</context>
+<context>
+    <name>ui.hub_goes_on</name>
+    <message>
+        <source>the page shows the last standings until it is back</source>
+        <translation>在恢复之前，页面显示最后的排名</translation>
+    </message>
+</context>
+<context>
+    <name>ui.hub_silent</name>
+    <message>
+        <source>the server does not answer</source>
+        <translation>服务器没有响应</translation>
     </message>
 </context>
 <context>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/command_call.h"
 #include "app/commands/commands.h"
+#include "app/commands/hub_argument.h"
 #include "core/base/platform/process.h"
 #include "core/project/project.h"
 #include "ui/scoreboard/scoreboard.h"
@@ -49,6 +50,16 @@ Result<ScoreboardSettings> readSettings(const CommandCall &call)
     return settings;
 }
 
+/// Of a project, or of the school's hub where its address is given.
+Result<std::unique_ptr<Scoreboard>> startBoard(const CommandCall &call, const ScoreboardSettings &settings)
+{
+    const QString source = call.positional(0);
+    if (source.startsWith(QStringLiteral("postgresql://")) ||
+        source.startsWith(QStringLiteral("postgres://")))
+        return Scoreboard::start(ODO_TRY(hubAddressAt(call, 0)), settings);
+    return Scoreboard::start(ODO_TRY(call.openProject(0, Project::Access::ReadOnly)), settings);
+}
+
 QString startText(const Scoreboard &board)
 {
     const QString task = QString::fromStdString(board.choice().task);
@@ -65,19 +76,14 @@ QString startText(const Scoreboard &board)
 Result<void> runScoreboard(const QStringList &arguments, const CancelToken &cancel)
 {
     CommandCall call({QStringLiteral("scoreboard"),
-                      QStringLiteral("P.odo [--port 8080] [--address 127.0.0.1] [--class CLASS] "
+                      QStringLiteral("P.odo ... | URL [--port 8080] [--address 127.0.0.1] [--class CLASS] "
                                      "[--task TASK] [--metric METRIC]"),
                       1, 1, scoreboardSyntax()},
                      cancel);
     if (const auto parsed = call.parse(arguments); !parsed || !*parsed)
         return parsed.map([](bool) {});
-    if (call.positional(0).startsWith(QStringLiteral("postgresql://")))
-        return call.wrongCall(ODO_TEXT("app.no_school_database",
-                                       "this version reads standings from a project only, not from a school "
-                                       "database"));
     const auto settings = ODO_TRY(readSettings(call));
-    auto project = ODO_TRY(call.openProject(0, Project::Access::ReadOnly));
-    const auto board = ODO_TRY(Scoreboard::start(std::move(project), settings));
+    const auto board = ODO_TRY(startBoard(call, settings));
     call.answer({{QStringLiteral("address"), board->address().toString()},
                  {QStringLiteral("port"), board->port()},
                  {QStringLiteral("url"), board->url()},

@@ -110,8 +110,10 @@ private Q_SLOTS:
         addBadCall("scoreboard %P --class 7C", 1, "class '7C'");
         addBadCall("scoreboard %P --task Sprint", 1, "Sprint");
         addBadCall("scoreboard %/none.odo", 1, "none.odo");
-        addBadCall("scoreboard postgresql://school@db/robots", 2,
-                   "this version reads standings from a project only");
+        addBadCall("scoreboard postgresql://anna:hunter2@db/robots", 2, "~/.pgpass");
+        addBadCall("scoreboard postgresql://anna@db", 2, "it names no database");
+        addBadCall("scoreboard postgres://anna@/robots?host=/nonexistent --port 0", 1,
+                   "school hub '/nonexistent/robots'");
         addBadCall("scoreboard", 2, "an argument is missing");
     }
     void badCalls() { badCallFailsInOneLine(); }

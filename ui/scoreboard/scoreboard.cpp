@@ -3,23 +3,20 @@
 
 #include "core/project/project.h"
 #include "resources/resources.h"
-#include "ui/models/shown_names.h"
 #include "ui/report/run_map.h"
 #include "ui/scoreboard/internal/board_page.h"
+#include "ui/scoreboard/internal/hub_source.h"
+#include "ui/scoreboard/internal/project_source.h"
 #include "ui/scoreboard/internal/web_server.h"
 
 #include <QJsonDocument>
 #include <QNetworkInterface>
-#include <QTimer>
 #include <QUrl>
 #include <utility>
 
 namespace odo {
 
 namespace {
-
-/// How often others' changes are asked for: a change is on the page within a second, with time to spare.
-constexpr std::chrono::milliseconds followInterval{200};
 
 /// The address by which others reach this computer; the loopback where there is no network.
 QHostAddress reachableAddress(const QHostAddress &listening)
@@ -40,9 +37,8 @@ QHostAddress reachableAddress(const QHostAddress &listening)
 
 struct Scoreboard::Parts
 {
-    Parts(std::unique_ptr<Project> ofProject, const StandingsChoice &choice)
-        : project(std::move(ofProject)), reader(*project, choice),
-          server([this](const WebRequest &request) { return reply(request); })
+    explicit Parts(std::unique_ptr<BoardSource> itsSource)
+        : source(std::move(itsSource)), server([this](const WebRequest &request) { return reply(request); })
     {
     }
 
@@ -54,20 +50,16 @@ struct Scoreboard::Parts
     /// Whether anything else is shown now.
     bool take(BoardContent newest);
 
-    const std::unique_ptr<Project> project;
-    BoardReader reader;
+    const std::unique_ptr<BoardSource> source;
     const BoardLanguages languages;
     WebServer server;
-    QTimer timer;
     BoardContent content;
     QJsonObject shown; ///< in one language, without what goes on by itself
-    bool withPseudonyms = arePseudonymsShown();
 };
 
 bool Scoreboard::Parts::take(BoardContent newest)
 {
     content = std::move(newest);
-    withPseudonyms = arePseudonymsShown();
     QJsonObject state =
         boardState(content, languages.preferred({}), content.running ? content.running->since : Instant());
     if (state == shown)
@@ -100,8 +92,20 @@ WebReply Scoreboard::Parts::reply(const WebRequest &request) const
 Result<std::unique_ptr<Scoreboard>> Scoreboard::start(std::unique_ptr<Project> project,
                                                       const ScoreboardSettings &settings)
 {
-    auto parts = std::make_unique<Parts>(std::move(project), settings.choice);
-    auto content = ODO_TRY(parts->reader.read());
+    return serve(std::make_unique<ProjectSource>(std::move(project), settings.choice), settings);
+}
+
+Result<std::unique_ptr<Scoreboard>> Scoreboard::start(const HubAddress &hub,
+                                                      const ScoreboardSettings &settings)
+{
+    return serve(std::make_unique<HubSource>(hub, settings.choice), settings);
+}
+
+Result<std::unique_ptr<Scoreboard>> Scoreboard::serve(std::unique_ptr<BoardSource> source,
+                                                      const ScoreboardSettings &settings)
+{
+    auto parts = std::make_unique<Parts>(std::move(source));
+    auto content = ODO_TRY(parts->source->begin());
     parts->take(std::move(content));
     ODO_TRY(parts->server.listen(settings.address, settings.port));
     return std::unique_ptr<Scoreboard>(new Scoreboard(std::move(parts)));
@@ -109,8 +113,11 @@ Result<std::unique_ptr<Scoreboard>> Scoreboard::start(std::unique_ptr<Project> p
 
 Scoreboard::Scoreboard(std::unique_ptr<Parts> parts) : m_parts(std::move(parts))
 {
-    connect(&m_parts->timer, &QTimer::timeout, this, &Scoreboard::follow);
-    m_parts->timer.start(followInterval);
+    connect(m_parts->source.get(), &BoardSource::read, this, [this](const BoardContent &content) {
+        if (m_parts->take(content))
+            publish();
+    });
+    connect(m_parts->source.get(), &BoardSource::ended, this, &Scoreboard::ended);
 }
 
 Scoreboard::~Scoreboard() = default;
@@ -138,28 +145,6 @@ QString Scoreboard::url() const
 const StandingsChoice &Scoreboard::choice() const
 {
     return m_parts->content.reading.standings.choice;
-}
-
-void Scoreboard::follow()
-{
-    if (!m_parts->project->isInPlace()) {
-        m_parts->timer.stop();
-        Q_EMIT ended(
-            fail(ErrorCode::Io, fileSubject(m_parts->project->file()),
-                 ODO_TEXT("ui.scoreboard_project_gone", "it was moved or deleted, so the standings ended"),
-                 ODO_TEXT("ui.scoreboard_start_again", "start them with the file's present name"))
-                .value());
-        return;
-    }
-    if (!m_parts->reader.hasChanged() && m_parts->withPseudonyms == arePseudonymsShown())
-        return;
-    Result<BoardContent> content = m_parts->reader.read();
-    if (!content && content.error().code != ErrorCode::NotFound)
-        return; // busy, or the disk fails: read at the next look
-    BoardContent newest = content ? std::move(*content) : m_parts->content;
-    newest.problem = content ? std::nullopt : std::optional(content.error());
-    if (m_parts->take(std::move(newest)))
-        publish();
 }
 
 void Scoreboard::publish()

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/base/error.h"
+#include "core/school/hub_address.h"
 #include "core/workflow/compare/trial_metrics.h"
 
 #include <QHostAddress>
@@ -11,6 +12,7 @@
 
 namespace odo {
 
+class BoardSource;
 class Project;
 
 /// Which standings a page shows, and where it is served.
@@ -23,9 +25,9 @@ struct ScoreboardSettings
     quint16 port = 8080; ///< 0: any that is free
 };
 
-/// The standings of a project as a web page that follows the project: a change is on it within a second. It
-/// only reads, through a connection of its own, and shows the names of teams, classes and tasks alone. On the
-/// thread that made it, which needs an event loop.
+/// The standings of a project or of a school's hub as a web page that follows it: a change is on the page
+/// within a second. It only reads, through a connection of its own, and shows the names of teams, classes and
+/// tasks alone. On the thread that made it, which needs an event loop.
 class Scoreboard : public QObject
 {
     Q_OBJECT
@@ -33,6 +35,10 @@ public:
     /// Reads the project and begins to listen. Errors: those of readStandings(); Unavailable or NotFound,
     /// with what to do, where the port or the address cannot be had.
     static Result<std::unique_ptr<Scoreboard>> start(std::unique_ptr<Project> project,
+                                                     const ScoreboardSettings &settings);
+    /// The same of a hub; any of its roles will do. While the hub is away the page says so and keeps the last
+    /// standings. Errors: those of HubResults, and of the port as above.
+    static Result<std::unique_ptr<Scoreboard>> start(const HubAddress &hub,
                                                      const ScoreboardSettings &settings);
     ~Scoreboard() override;
 
@@ -50,7 +56,8 @@ Q_SIGNALS:
 private:
     struct Parts;
     explicit Scoreboard(std::unique_ptr<Parts> parts);
-    void follow();
+    static Result<std::unique_ptr<Scoreboard>> serve(std::unique_ptr<BoardSource> source,
+                                                     const ScoreboardSettings &settings);
     void publish();
 
     const std::unique_ptr<Parts> m_parts;

@@ -4,47 +4,21 @@
 #include "core/project/repositories.h"
 #include "tests/support/patience.h"
 #include "tests/support/registered_test.h"
+#include "tests/ui/scoreboard/board_listener.h"
 #include "tests/ui/support/slalom_lesson.h"
 #include "ui/scoreboard/scoreboard.h"
 
 #include <QElapsedTimer>
 #include <QFile>
 #include <QJsonArray>
-#include <QJsonDocument>
 #include <QJsonObject>
 #include <QNetworkAccessManager>
-#include <QNetworkReply>
 #include <QSignalSpy>
 #include <QTemporaryDir>
 #include <QTest>
 
 using namespace odo;
 using namespace odo::test;
-
-namespace {
-
-/// What a stream of events has sent so far.
-struct Listener
-{
-    Listener(QNetworkAccessManager &network, const QString &url)
-        : reply(network.get(QNetworkRequest(QUrl(url + QStringLiteral("events")))))
-    {
-        QObject::connect(reply.get(), &QNetworkReply::readyRead, reply.get(),
-                         [this] { got += reply->readAll(); });
-    }
-    QJsonObject newest() const
-    {
-        const qsizetype end = got.lastIndexOf("\n\n"), begin = got.lastIndexOf("data: ");
-        return end < begin ? QJsonObject()
-                           : QJsonDocument::fromJson(got.mid(begin + 6, end - begin - 6)).object();
-    }
-    qsizetype teams() const { return newest()[QStringLiteral("teams")].toArray().size(); }
-
-    std::unique_ptr<QNetworkReply> reply;
-    QByteArray got;
-};
-
-} // namespace
 
 class TestScoreboard : public QObject
 {

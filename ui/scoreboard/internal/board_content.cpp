@@ -32,18 +32,49 @@ const TrialRecord *newestUnfinished(const std::vector<TrialRecord> &trials)
     return newest;
 }
 
-/// The team with the best run of all; null: none has any.
-const TeamStanding *bestTeam(const Standings &standings)
+} // namespace
+
+const TeamStanding *nameBestRun(BoardContent &content)
 {
+    const Standings &standings = content.reading.standings;
     const TeamStanding *best = nullptr;
     for (const TeamStanding &team : standings.teams)
         if (!best || (standings.isLessBetter ? team.progress.best < best->progress.best
                                              : team.progress.best > best->progress.best))
             best = &team;
+    if (best) {
+        content.bestTeam = best->team;
+        content.bestPseudonym = best->pseudonym;
+        content.best = best->bestRun().metric;
+    }
     return best;
 }
 
-} // namespace
+Result<void> BestRunMap::show(BoardContent &content, const std::string &key, const std::string &robot,
+                              const std::function<Result<TrialScenePtr>()> &load)
+{
+    if (key != m_key) {
+        const auto loaded = ODO_TRY(load());
+        m_scene.reset();
+        if (loaded) {
+            auto scene = std::make_shared<TrialScene>(*loaded);
+            for (SceneRobot &each : scene->robots)
+                each.observations.clear(); // which are most of its memory
+            const auto found = std::ranges::find(scene->robots, robot,
+                                                 [](const SceneRobot &each) { return each.robot.name; });
+            if (found != scene->robots.end() && found->analysis) {
+                m_robot = std::size_t(found - scene->robots.begin());
+                m_scene = std::move(scene);
+            }
+        }
+        ++m_version;
+        m_key = key;
+    }
+    content.scene = m_scene;
+    content.robot = m_robot;
+    content.mapVersion = m_version;
+    return {};
+}
 
 BoardReader::BoardReader(Project &project, StandingsChoice choice)
     : m_project(project), m_choice(std::move(choice))
@@ -74,41 +105,22 @@ Result<BoardContent> BoardReader::read()
     content.reading = std::move(reading);
     ODO_TRY(addBestRun(content));
     m_byOthers = state.byOthers;
-    m_last = content;
     return content;
 }
 
 Result<void> BoardReader::addBestRun(BoardContent &content)
 {
-    const TeamStanding *team = bestTeam(content.reading.standings);
+    const TeamStanding *team = nameBestRun(content);
     if (!team)
         return {};
     const TeamRun &run = team->bestRun();
-    content.bestTeam = team->team;
-    content.bestPseudonym = team->pseudonym;
-    content.best = run.metric;
     const auto trial = ODO_TRY(m_project.trials().find(run.trial));
     const auto analyses = ODO_TRY(m_project.analyses().currentMetrics(trial.id));
     const auto analysis = std::ranges::find(analyses, run.robot, &AnalysisRecord::robot);
-    const ShownRun shown{run.trial, run.robot, analysis == analyses.end() ? 0 : analysis->id};
-    if (shown == m_shown) {
-        content.scene = m_last.scene;
-        content.robot = m_last.robot;
-        content.mapVersion = m_last.mapVersion;
+    if (analysis == analyses.end())
         return {};
-    }
-    auto scene = std::make_shared<TrialScene>(*ODO_TRY(loadTrialScene(m_project, run.trial)));
-    for (SceneRobot &each : scene->robots)
-        each.observations.clear(); // which are most of its memory
-    const auto robot =
-        std::ranges::find(scene->robots, run.robot, [](const SceneRobot &each) { return each.robot.id; });
-    if (robot != scene->robots.end() && robot->analysis) {
-        content.robot = std::size_t(robot - scene->robots.begin());
-        content.scene = std::move(scene);
-    }
-    content.mapVersion = m_last.mapVersion + 1;
-    m_shown = shown;
-    return {};
+    return m_map.show(content, run.trial + '\n' + std::to_string(analysis->id), analysis->robotName,
+                      [&] { return loadTrialScene(m_project, run.trial); });
 }
 
 } // namespace odo

@@ -5,6 +5,7 @@
 #include "core/workflow/compare/standings_reading.h"
 #include "ui/models/trial_scene.h"
 
+#include <functional>
 #include <optional>
 #include <string>
 
@@ -33,8 +34,25 @@ struct BoardContent
     std::int64_t mapVersion = 0; ///< goes on with each other map
 };
 
-/// Reads it again and again, and the scene of the best run only where that is another one. On the thread of
-/// the project, which must outlive it.
+/// The team with the best run of all, which the content now names with that run; null: none has any.
+const TeamStanding *nameBestRun(BoardContent &content);
+
+/// The map of the best run, read only where it is another one.
+class BestRunMap
+{
+public:
+    /// key: another one for another run or other results of it.
+    Result<void> show(BoardContent &content, const std::string &key, const std::string &robot,
+                      const std::function<Result<TrialScenePtr>()> &load);
+
+private:
+    std::string m_key; ///< of what is shown
+    TrialScenePtr m_scene;
+    std::size_t m_robot = 0;
+    std::int64_t m_version = 0;
+};
+
+/// Reads it from a project, again and again. On the thread of the project, which must outlive it.
 class BoardReader
 {
 public:
@@ -49,21 +67,13 @@ public:
     bool hasChanged();
 
 private:
-    /// A run, and the results that it was shown with.
-    struct ShownRun
-    {
-        std::string trial;
-        RecordId robot = 0, analysis = 0;
-        bool operator==(const ShownRun &) const = default;
-    };
     Result<void> addBestRun(BoardContent &content);
 
     Project &m_project;
     const StandingsChoice m_choice;
     std::int64_t m_byOthers = -1;
     bool m_hasUnfinished = false, m_isRecording = false;
-    ShownRun m_shown;
-    BoardContent m_last; ///< of whose map is known
+    BestRunMap m_map;
 };
 
 } // namespace odo
