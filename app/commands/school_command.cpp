@@ -4,9 +4,11 @@
 #include "app/answers.h"
 #include "app/command_call.h"
 #include "app/commands/commands.h"
+#include "app/commands/hub_argument.h"
 #include "core/base/file_system.h"
 #include "core/project/class_repository.h"
 #include "core/project/project.h"
+#include "core/school/hub_results.h"
 
 #include <QJsonArray>
 
@@ -50,17 +52,9 @@ void answerReport(const CommandCall &call, const SchoolReport &report)
                 lines.join(u'\n'));
 }
 
-Result<HubAddress> addressAt(const CommandCall &call, int index)
-{
-    auto address = HubAddress::parse(call.text(index));
-    if (!address)
-        return fail(ErrorCode::WrongCall, address.error().what, address.error().why, address.error().advice);
-    return address;
-}
-
 Result<void> initialise(const CommandCall &call)
 {
-    const auto address = ODO_TRY(addressAt(call, 1));
+    const auto address = ODO_TRY(hubAddressAt(call, 1));
     const auto version = ODO_TRY(initialiseHub(address));
     call.answer(
         {{QStringLiteral("url"), QString::fromStdString(address.url())},
@@ -90,7 +84,7 @@ QJsonObject linkJson(const SchoolLink &link, std::int64_t pending)
 
 Result<void> connectProject(const CommandCall &call)
 {
-    const auto address = ODO_TRY(addressAt(call, 2));
+    const auto address = ODO_TRY(hubAddressAt(call, 2));
     const auto project = ODO_TRY(call.openProject(1, Project::Access::ReadWrite));
     std::string folder;
     if (call.isSet(option::media))
@@ -136,6 +130,69 @@ Result<void> exchange(const CommandCall &call,
     return {};
 }
 
+/// A page at a time, so no hub is too large.
+Result<std::vector<HubRun>> newestRuns(HubResults &hub, const HubRunFilter &filter, const CommandCall &call)
+{
+    constexpr std::size_t most = 1000;
+    constexpr int page = 250;
+    std::vector<HubRun> runs;
+    while (runs.size() < most && !call.control().isCancelled()) {
+        auto more = ODO_TRY(hub.runs(filter, page, runs.empty() ? nullptr : &runs.back()));
+        runs.insert(runs.end(), more.begin(), more.end());
+        if (int(more.size()) < page)
+            break;
+    }
+    return runs;
+}
+
+QJsonObject runJson(const HubRun &run)
+{
+    const auto text = [](const std::string &value) { return QString::fromStdString(value); };
+    QJsonObject json{
+        {QStringLiteral("trial"), text(run.name)},       {QStringLiteral("uuid"), text(run.trial)},
+        {QStringLiteral("robot"), text(run.robot)},      {QStringLiteral("team"), text(run.team)},
+        {QStringLiteral("class"), text(run.className)},  {QStringLiteral("task"), text(run.task)},
+        {QStringLiteral("date"), dateText(run.held)},    {QStringLiteral("duration_s"), run.durationS},
+        {QStringLiteral("standing"), text(run.standing)}};
+    if (run.metric) {
+        json[QStringLiteral("value")] = run.metric->value;
+        json[QStringLiteral("unit")] = text(run.metric->unit);
+        json[QStringLiteral("sigma")] =
+            run.metric->sigma ? QJsonValue(*run.metric->sigma) : QJsonValue(QJsonValue::Null);
+    }
+    return json;
+}
+
+QString runText(const HubRun &run)
+{
+    QStringList parts{dateText(run.held)};
+    for (const std::string &part : {run.name, run.robot, run.team, run.className, run.task})
+        parts << QString::fromStdString(part.empty() ? "-" : part);
+    if (run.metric)
+        parts << QStringLiteral("%1 %2").arg(run.metric->value).arg(QString::fromStdString(run.metric->unit));
+    return parts.join(QStringLiteral("  "));
+}
+
+Result<void> listRuns(const CommandCall &call)
+{
+    const auto address = ODO_TRY(hubAddressAt(call, 1));
+    const HubRunFilter filter{call.value(option::search), call.value(option::ofClass),
+                              call.value(option::team), call.value(option::task), call.value(option::metric)};
+    constexpr std::size_t shortestSearch = 3; // letters, of which an index is made
+    if (!filter.search.empty() && QString::fromStdString(filter.search).size() < qsizetype(shortestSearch))
+        return call.wrongCall(ODO_TEXT("app.search_is_longer", "--search needs three letters at least"));
+    const auto hub = ODO_TRY(HubResults::connect(address));
+    const auto runs = ODO_TRY(newestRuns(*hub, filter, call));
+    QJsonArray list;
+    QStringList lines{counted(int(runs.size()), QStringLiteral("run"))};
+    for (const HubRun &run : runs) {
+        list.append(runJson(run));
+        lines << runText(run);
+    }
+    call.answer({{QStringLiteral("runs"), list}}, lines.join(u'\n'));
+    return {};
+}
+
 } // namespace
 
 Result<void> runSchool(const QStringList &arguments, const CancelToken &cancel)
@@ -143,10 +200,19 @@ Result<void> runSchool(const QStringList &arguments, const CancelToken &cancel)
     CommandCall call(
         {QStringLiteral("school"),
          QStringLiteral("init URL | connect P.odo URL [--media FOLDER] | publish P.odo [--recordings] | "
-                        "pull P.odo [--recordings] | status P.odo | disconnect P.odo [--json]"),
+                        "pull P.odo [--recordings] | status P.odo | disconnect P.odo | list URL "
+                        "[--search TEXT] [--class CLASS] [--team TEAM] [--task TASK] [--metric METRIC] "
+                        "[--json]"),
          2,
          3,
-         {{option::media, QStringLiteral("The school's folder of recordings."), QStringLiteral("FOLDER")},
+         {{option::search, QStringLiteral("Runs with this text in the name of the trial or of the team."),
+           QStringLiteral("TEXT")},
+          {option::ofClass, QStringLiteral("Runs of this class."), QStringLiteral("CLASS")},
+          {option::team, QStringLiteral("Runs of this team, by the name that viewers see."),
+           QStringLiteral("TEAM")},
+          {option::task, QStringLiteral("Runs of this task."), QStringLiteral("TASK")},
+          {option::metric, QStringLiteral("The metric to list of each run."), QStringLiteral("METRIC")},
+          {option::media, QStringLiteral("The school's folder of recordings."), QStringLiteral("FOLDER")},
           {option::recordings, QStringLiteral("Copy recordings to the media folder, or from it, too.")}}},
         cancel);
     if (const auto parsed = call.parse(arguments); !parsed || !*parsed)
@@ -158,6 +224,11 @@ Result<void> runSchool(const QStringList &arguments, const CancelToken &cancel)
     if (call.isSet(option::recordings) && verb != QStringLiteral("publish") && verb != QStringLiteral("pull"))
         return call.wrongCall(
             ODO_TEXT("app.recordings_with_publish", "--recordings goes with publish and pull"));
+    for (const QString &one : {option::search, option::ofClass, option::team, option::task, option::metric})
+        if (call.isSet(one) && verb != QStringLiteral("list"))
+            return call.wrongCall(ODO_TEXT("app.goes_with_list", "--%1 goes with list")(one.toStdString()));
+    if (verb == QStringLiteral("list") && count == 2)
+        return listRuns(call);
     if (verb == QStringLiteral("connect") && count == 3)
         return connectProject(call);
     if (verb == QStringLiteral("init") && count == 2)
@@ -171,8 +242,8 @@ Result<void> runSchool(const QStringList &arguments, const CancelToken &cancel)
     if (verb == QStringLiteral("disconnect") && count == 2)
         return disconnectProject(call);
     return call.wrongCall(ODO_TEXT("app.school_verbs",
-                                   "give init URL, connect P.odo URL, or publish, pull, status or "
-                                   "disconnect P.odo"));
+                                   "give init URL, list URL, connect P.odo URL, or publish, pull, "
+                                   "status or disconnect P.odo"));
 }
 
 } // namespace odo

@@ -14,6 +14,8 @@
 #include <QDirIterator>
 #include <QFile>
 #include <QJsonArray>
+#include <QJsonDocument>
+#include <QProcess>
 #include <QTest>
 
 using namespace odo;
@@ -64,7 +66,7 @@ private Q_SLOTS:
     {
         const ProgramRun again = call({"school", "init", url("postgres"), "--json"});
         QCOMPARE(again.exitStatus, 0);
-        QCOMPARE(again.json().value(QStringLiteral("schema_version")).toInt(), 1);
+        QCOMPARE(again.json().value(QStringLiteral("schema_version")).toInt(), 2);
     }
 
     void aTrialGetsFromOneBenchToTheTeacher()
@@ -74,7 +76,7 @@ private Q_SLOTS:
         connect(teacher, "anna");
         const QJsonObject before = json({"school", "status", bench, "--json"});
         QCOMPARE(before.value(QStringLiteral("role")).toString(), QStringLiteral("bench"));
-        QCOMPARE(before.value(QStringLiteral("schema_version")).toInt(), 1);
+        QCOMPARE(before.value(QStringLiteral("schema_version")).toInt(), 2);
         QVERIFY(before.value(QStringLiteral("last_sync")).isNull());
         QVERIFY(before.value(QStringLiteral("pending")).toInt() >= 1);
         const QJsonObject sent = json({"school", "publish", bench, "--json"});
@@ -315,6 +317,33 @@ private Q_SLOTS:
         QVERIFY(sent.err.contains("the login may not do that"));
     }
 
+    /// By its own login, with its password, as psql takes it.
+    void theStandingsAreServedToAViewer()
+    {
+        const QString bench = benchProject("bench.odo", "Run 1");
+        connect(bench, "bench1");
+        json({"school", "publish", bench, "--json"});
+        const auto served = [&](const QString &address) {
+            QProcess program;
+            program.start(qEnvironmentVariable("ODOGRAPH_PROGRAM"),
+                          listOf({"scoreboard", address, "--port", "0", "--json"}));
+            QByteArray out;
+            while (!out.endsWith("}\n") && program.waitForReadyRead(20'000))
+                out += program.readAllStandardOutput();
+            program.terminate();
+            program.waitForFinished(20'000);
+            return std::pair(program.exitCode(), QJsonDocument::fromJson(out).object());
+        };
+        const auto [status, answer] = served(url("wall"));
+        QCOMPARE(status, 143);
+        QVERIFY(answer.value(QStringLiteral("port")).toInt() > 0);
+        QCOMPARE(answer.keys(), listOf({"address", "class", "metric", "port", "task", "url"}));
+        QCOMPARE(served(url("secret")).first, 1);
+        qputenv("PGPASSWORD", "hunter2");
+        QCOMPARE(served(url("secret")).first, 143);
+        qunsetenv("PGPASSWORD");
+    }
+
     void noTableIsForThePublic()
     {
         QCOMPARE(m_server.sql(QStringLiteral(
@@ -414,35 +443,53 @@ private Q_SLOTS:
         QVERIFY(m_server.start().isEmpty());
     }
 
+    /// As docs/school.md says, into a server of its own, with the logins; then both go on.
     void backupAndRestore()
     {
         const QString bench = benchProject("bench.odo", "Run 1"), teacher = newProject("teacher.odo");
         connect(bench, "bench1");
         json({"school", "publish", bench, "--json"});
-        const QString file = m_server.folder() + QStringLiteral("/data/school.dump");
+        const QString roles = m_server.folder() + QStringLiteral("/data/roles.sql"),
+                      dump = m_server.folder() + QStringLiteral("/data/school.dump");
+        QVERIFY(m_server.runTool(QStringLiteral("pg_dumpall"),
+                                 listOf({"-U", "postgres", "--roles-only", "-f", roles})));
         QVERIFY(m_server.runTool(QStringLiteral("pg_dump"),
-                                 listOf({"-U", "postgres", "-Fc", "-f", file, "school"})));
-        m_server.sql(QStringLiteral("CREATE DATABASE restored"), QStringLiteral("postgres"),
-                     QStringLiteral("postgres"));
-        QVERIFY(m_server.runTool(QStringLiteral("pg_restore"),
-                                 listOf({"-U", "postgres", "-d", "restored", file})));
-        const ProgramRun connected = call(
-            {"school", "connect", teacher, m_server.url(QStringLiteral("anna"), QStringLiteral("restored"))});
-        QVERIFY2(connected.exitStatus == 0, connected.err.constData());
+                                 listOf({"-U", "postgres", "-Fc", "-f", dump, "school"})));
+        PostgresServer restored;
+        QCOMPARE(restored.start(), QString());
+        // the role postgres is there already, which is all that this may complain about
+        QVERIFY(restored.runTool(QStringLiteral("psql"),
+                                 listOf({"-X", "-q", "-U", "postgres", "-d", "postgres", "-f", roles})));
+        QVERIFY(restored.runTool(QStringLiteral("createdb"), listOf({"-U", "postgres", "school"})));
+        QVERIFY(
+            restored.runTool(QStringLiteral("pg_restore"), listOf({"-U", "postgres", "-d", "school", dump})));
+        for (const char *table : {"document", "result", "metric", "result_state", "hub_version"}) {
+            const QString rows =
+                QStringLiteral("SELECT md5(string_agg(t::text, '|' ORDER BY t::text)) FROM odograph.%1 t")
+                    .arg(QLatin1String(table));
+            QCOMPARE(restored.sql(rows), m_server.sql(rows));
+        }
+        QCOMPARE(restored.sql(QStringLiteral("SELECT count(*) FROM odograph.metric"), QStringLiteral("wall")),
+                 m_server.sql(QStringLiteral("SELECT count(*) FROM odograph.metric")));
+        QVERIFY(restored.sql(QStringLiteral("SELECT count(*) FROM odograph.document"), QStringLiteral("wall"))
+                    .contains(QLatin1String("permission denied")));
+
+        const auto connectTo = [&](const QString &project, const char *login) {
+            return call({"school", "connect", project, restored.url(QString::fromLatin1(login))}).exitStatus;
+        };
+        QCOMPARE(connectTo(teacher, "anna"), 0);
         json({"school", "pull", teacher, "--json"});
         QVERIFY(open(teacher)->trials().find("Run 1"));
         // and it goes on there: the bench only has to connect to it
-        QCOMPARE(call({"school", "connect", bench,
-                       m_server.url(QStringLiteral("bench1"), QStringLiteral("restored"))})
-                     .exitStatus,
-                 0);
+        QCOMPARE(connectTo(bench, "bench1"), 0);
         call({"trial", "set", bench, "Run 1", "--note", "after the restore"});
-        QVERIFY(json({"school", "publish", bench, "--json"})
-                    .value(QStringLiteral("conflicts"))
-                    .toArray()
-                    .isEmpty());
+        const QJsonObject sent = json({"school", "publish", bench, "--json"});
+        QVERIFY(sent.value(QStringLiteral("conflicts")).toArray().isEmpty());
+        QCOMPARE(sent.value(QStringLiteral("pending")).toInt(), 0);
         json({"school", "pull", teacher, "--json"});
         QCOMPARE(open(teacher)->trials().find("Run 1")->notes, "after the restore");
+        QCOMPARE(restored.sql(QStringLiteral("SELECT count(*) FROM odograph.document WHERE kind='trial'")),
+                 QStringLiteral("1"));
     }
 
     void wrongCallsChangeNothing_data()
