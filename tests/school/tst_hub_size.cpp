@@ -11,6 +11,9 @@
 
 #include <QCryptographicHash>
 #include <QElapsedTimer>
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
 #include <QTest>
 #include <algorithm>
 #include <functional>
@@ -24,6 +27,8 @@ class TestHubSize : public QObject
     PostgresServer m_server;
     const int m_trials = numberOf("ODOGRAPH_HUB_TRIALS", 20'000),
               m_teams = numberOf("ODOGRAPH_HUB_TEAMS", 500);
+    /// What takes longer, as docs/school.md says: a text in many names, but not in the newest.
+    static constexpr const char *oldNames = "search by text, in many old names";
     const bool m_isMeasured = qEnvironmentVariableIsSet("ODOGRAPH_HUB_TRIALS");
 
     static int numberOf(const char *variable, int usual)
@@ -91,18 +96,24 @@ class TestHubSize : public QObject
             return hubQueries::runs(filter, search, true, after, 250);
         };
         const HubRunFilter rare{md5Digits(), "", "", "", ""}, frequent{"falcon", "", "", "", ""},
-            ofClass{"", nameOf("Class", 3), "", "", ""},
+            old{"run 7", "", "", "", ""}, ofClass{"", nameOf("Class", 3), "", "", ""},
+            ofTask{"", "", "", nameOf("Task", 0), ""}, ofTeam{"", "", nameOf("Falcon", 30), "", ""},
             trend{"", "", nameOf("Falcon", 30), nameOf("Task", 0), "gate_time"};
         return {{"standings of a task", hubQueries::standings(task())},
                 {"standings of a class in a task", hubQueries::standings(task(nameOf("Class", 3)))},
                 {"newest task", hubQueries::newestTask({})},
                 {"newest task of a class", hubQueries::newestTask(nameOf("Class", 3))},
                 {"metrics of a task", hubQueries::metricNames(task())},
+                {"metrics of a class in a task", hubQueries::metricNames(task(nameOf("Class", 3)))},
                 {"search by text, rare, in the newest", runs(rare, TextSearch::InNewest)},
                 {"search by text, rare, in all", runs(rare, TextSearch::InAll)},
                 {"search by text, frequent", runs(frequent, TextSearch::InNewest)},
+                {oldNames, runs(old, TextSearch::InAll)},
                 {"filter by class", runs(ofClass, TextSearch::InAll)},
                 {"filter by class, a later page", runs(ofClass, TextSearch::InAll, &last)},
+                {"filter by task", runs(ofTask, TextSearch::InAll)},
+                {"filter by task, a later page", runs(ofTask, TextSearch::InAll, &last)},
+                {"filter by team", runs(ofTeam, TextSearch::InAll)},
                 {"newest runs", runs({}, TextSearch::InAll)},
                 {"newest runs, a later page", runs({}, TextSearch::InAll, &last)},
                 {"trend of a team in a task", runs(trend, TextSearch::InAll)},
@@ -141,21 +152,38 @@ class TestHubSize : public QObject
         }
         return text;
     }
+    /// The parts of a plan that go through a whole table or a whole index: without a condition on an index,
+    /// and without a limit at which they end.
+    static QStringList wholeReadsIn(const QJsonObject &node, bool isLimited)
+    {
+        QStringList found;
+        const QString type = node[QStringLiteral("Node Type")].toString();
+        const QString filter = node[QStringLiteral("Filter")].toString();
+        const bool ends = isLimited && (filter.isEmpty() || filter == QStringLiteral("(task <> ''::text)"));
+        const bool isOfIndex = type.contains(QStringLiteral("Index"));
+        if (type == QStringLiteral("Seq Scan") ||
+            (isOfIndex && !node.contains(QStringLiteral("Index Cond")) && !ends))
+            found << type + u' ' + node[QStringLiteral("Relation Name")].toString() + u' ' + filter;
+        // what sorts or joins takes all of its input first
+        const bool passesLimit =
+            type == QStringLiteral("Limit") || (isLimited && type == QStringLiteral("Subquery Scan"));
+        const QJsonArray parts = node[QStringLiteral("Plans")].toArray();
+        for (const QJsonValue part : parts)
+            found << wholeReadsIn(part.toObject(), passesLimit);
+        return found;
+    }
     QStringList wholeReads(const HubQuery &query) const
     {
         const QString plan = m_server.sql(
             QStringLiteral("SET enable_seqscan = %1; EXPLAIN (FORMAT JSON) %2")
                 .arg(m_isMeasured ? QStringLiteral("on") : QStringLiteral("off"), withValues(query)),
             QStringLiteral("bench1"));
-        QStringList found;
-        if (!plan.contains(QLatin1String("\"Plan\"")))
-            found << plan;
-        static const QRegularExpression read(
-            QStringLiteral("\"Node Type\": \"Seq Scan\".*?\"Relation Name\": \"(\\w+)\""),
-            QRegularExpression::DotMatchesEverythingOption);
-        for (const auto &match : read.globalMatch(plan))
-            found << match.captured(1);
-        return found;
+        const QJsonObject root = QJsonDocument::fromJson(plan.toUtf8())
+                                     .array()
+                                     .at(0)
+                                     .toObject()[QStringLiteral("Plan")]
+                                     .toObject();
+        return root.isEmpty() ? QStringList(plan) : wholeReadsIn(root, false);
     }
 
     static double medianMs(const std::function<bool()> &work)
@@ -199,8 +227,11 @@ private Q_SLOTS:
                      qPrintable(QStringLiteral("%1: %2\n%3")
                                     .arg(QLatin1String(words), found.join(u' '), withValues(query))));
         }
-        // and the check itself: this one must
-        QVERIFY(!wholeReads({QStringLiteral("SELECT sum(duration_s) FROM odograph.result")}).isEmpty());
+        // and the check itself: these do
+        for (const char *whole : {"SELECT sum(duration_s) FROM odograph.result",
+                                  "SELECT * FROM odograph.result WHERE duration_s = 3 ORDER BY held LIMIT 5",
+                                  "SELECT * FROM odograph.result ORDER BY duration_s LIMIT 5"})
+            QVERIFY2(!wholeReads({QLatin1String(whole)}).isEmpty(), whole);
     }
 
     /// Of viewers too, who may read less.
@@ -268,7 +299,7 @@ private Q_SLOTS:
                 return rows.has_value();
             });
             qInfo("%s: %.1f ms", words, median);
-            QVERIFY2(median < 200, words);
+            QVERIFY2(median < (words == oldNames ? 1000 : 200), words);
         }
         const auto results = *HubResults::connect(hub("wall"));
         const double page = medianMs([&] { return results->standings(task()).has_value(); });

@@ -12,14 +12,6 @@ QVariant textValue(const std::string &text)
     return QString::fromStdString(text);
 }
 
-/// Adds the class where it is one.
-HubQuery ofClass(const QString &text, QVariantList values, const std::string &className)
-{
-    if (!className.empty())
-        values << textValue(className);
-    return {text.arg(className.empty() ? QString() : QStringLiteral("AND class = ? ")), values};
-}
-
 /// As it is, anywhere in a text.
 QString pattern(const std::string &search)
 {
@@ -35,9 +27,9 @@ struct Conditions
     QStringList texts;
     QVariantList values;
 
-    void add(const char *condition, const QVariantList &itsValues)
+    void add(const QString &condition, const QVariantList &itsValues)
     {
-        texts << QLatin1String(condition);
+        texts << condition;
         values << itsValues;
     }
     QString where() const
@@ -47,19 +39,49 @@ struct Conditions
     }
 };
 
+/// A column that has one value only, but not by "=": an order by it first is then that of its own index and
+/// of no other. With "=" the server takes the index of all times where it thinks that the value is frequent,
+/// and goes through years of others if it was so long ago.
+void addLeading(Conditions &conditions, const QString &column, const std::string &value)
+{
+    conditions.texts << column + QStringLiteral(" BETWEEN ? AND ?");
+    conditions.values << textValue(value) << textValue(value);
+}
+
+/// The index by which a list is read: that of a class or of a task, or of all times; a team has few runs, so
+/// any will do.
+const char *leadingColumn(const HubRunFilter &filter)
+{
+    return !filter.team.empty()        ? ""
+           : !filter.className.empty() ? "class"
+           : !filter.task.empty()      ? "task"
+                                       : "";
+}
+
 Conditions conditionsOf(const HubRunFilter &filter, const HubRun *after)
 {
     Conditions conditions;
-    for (const auto &[condition, value] :
-         {std::pair{"class = ?", &filter.className}, std::pair{"shown_team = ?", &filter.team},
-          std::pair{"task = ?", &filter.task}})
-        if (!value->empty())
-            conditions.add(condition, {textValue(*value)});
-    if (after)
-        conditions.add(
-            "(held, trial, robot) < (to_timestamp(CAST(? AS double precision) / 1000), CAST(? AS uuid), ?)",
-            {qint64(after->held.time_since_epoch().count()), textValue(after->trial),
-             textValue(after->robot)});
+    const QString leading = QLatin1String(leadingColumn(filter));
+    for (const auto &[column, value] :
+         {std::pair{"class", &filter.className}, std::pair{"shown_team", &filter.team},
+          std::pair{"task", &filter.task}}) {
+        const QString name = QLatin1String(column);
+        if (!value->empty() && name == leading)
+            addLeading(conditions, name, *value);
+        else if (!value->empty())
+            conditions.add(name + QStringLiteral(" = ?"), {textValue(*value)});
+    }
+    if (!after)
+        return conditions;
+    const bool isLed = !leading.isEmpty();
+    if (isLed)
+        conditions.values << textValue(filter.className.empty() ? filter.task : filter.className);
+    conditions.add(
+        QStringLiteral("(%1held, trial, robot) < (%2to_timestamp(CAST(? AS double precision) / "
+                       "1000), CAST(? AS uuid), ?)")
+            .arg(isLed ? leading + QStringLiteral(", ") : QString(),
+                 isLed ? QStringLiteral("?, ") : QString()),
+        {qint64(after->held.time_since_epoch().count()), textValue(after->trial), textValue(after->robot)});
     return conditions;
 }
 
@@ -72,35 +94,49 @@ HubQuery resultState()
 
 HubQuery standings(const StandingsChoice &choice)
 {
-    return ofClass(
+    Conditions conditions{{QStringLiteral("r.task = ?")}, {textValue(choice.metric), textValue(choice.task)}};
+    if (!choice.className.empty())
+        conditions.add(QStringLiteral("class = ?"), {textValue(choice.className)});
+    return {
         QStringLiteral(
             "SELECT r.trial, r.robot, shown_team, class, CAST(extract(epoch FROM held) * 1000 AS bigint), "
             "standing, unit, value, sigma, at_least FROM odograph.result r LEFT JOIN odograph.metric m "
             "ON m.task = r.task AND m.trial = r.trial AND m.robot = r.robot AND m.name = ? "
-            "WHERE r.task = ? %1ORDER BY held, r.trial, r.robot"),
-        {textValue(choice.metric), textValue(choice.task)}, choice.className);
+            "%1ORDER BY held, r.trial, r.robot")
+            .arg(conditions.where()),
+        conditions.values};
 }
 
 HubQuery newestTask(const std::string &className)
 {
-    return ofClass(QStringLiteral("SELECT task FROM odograph.result WHERE task <> '' %1"
-                                  "ORDER BY held DESC, trial DESC, robot DESC LIMIT 1"),
-                   {}, className);
+    Conditions conditions{{QStringLiteral("task <> ''")}, {}};
+    if (!className.empty())
+        addLeading(conditions, QStringLiteral("class"), className);
+    return {QStringLiteral("SELECT task FROM odograph.result %1ORDER BY %2held DESC, trial DESC, robot DESC "
+                           "LIMIT 1")
+                .arg(conditions.where(), className.empty() ? QString() : QStringLiteral("class DESC, ")),
+            conditions.values};
 }
 
 HubQuery metricNames(const StandingsChoice &choice)
 {
-    return ofClass(QStringLiteral("SELECT DISTINCT m.name FROM (SELECT trial, robot FROM odograph.result "
-                                  "WHERE task = ? %1ORDER BY held DESC LIMIT 200) r "
-                                  "JOIN odograph.metric m ON m.trial = r.trial AND m.robot = r.robot"),
-                   {textValue(choice.task)}, choice.className);
+    Conditions conditions;
+    addLeading(conditions, QStringLiteral("task"), choice.task);
+    if (!choice.className.empty())
+        conditions.add(QStringLiteral("class = ?"), {textValue(choice.className)});
+    return {QStringLiteral("SELECT DISTINCT m.name FROM (SELECT trial, robot FROM odograph.result "
+                           "%1ORDER BY task DESC, held DESC LIMIT 200) r "
+                           "JOIN odograph.metric m ON m.trial = r.trial AND m.robot = r.robot")
+                .arg(conditions.where()),
+            conditions.values};
 }
 
 HubQuery runs(const HubRunFilter &filter, TextSearch search, bool withNames, const HubRun *after, int most)
 {
-    const QString searched = withNames ? QStringLiteral("lower(name || ' ' || team || ' ' || shown_team)")
-                                       : QStringLiteral("lower(shown_team)");
-    const QString order = QStringLiteral("ORDER BY held DESC, trial DESC, robot DESC LIMIT ");
+    const QString searched = withNames ? QStringLiteral("searched") : QStringLiteral("lower(shown_team)");
+    const QString leading = QLatin1String(leadingColumn(filter));
+    const QString order = QStringLiteral("ORDER BY %1held DESC, trial DESC, robot DESC LIMIT ")
+                              .arg(leading.isEmpty() ? leading : leading + QStringLiteral(" DESC, "));
     const QString columns = QStringLiteral("SELECT trial, robot, %1 AS name, shown_team, class, task, held, "
                                            "duration_s, standing, %2 AS searched FROM odograph.result ")
                                 .arg(withNames ? QStringLiteral("name") : QStringLiteral("''"), searched);
@@ -113,9 +149,7 @@ HubQuery runs(const HubRunFilter &filter, TextSearch search, bool withNames, con
                      .arg(columns + conditions.where() + order + QStringLiteral("20000"), order);
         conditions.values << pattern(filter.search);
     } else {
-        conditions.add(withNames ? "lower(name || ' ' || team || ' ' || shown_team) LIKE ?"
-                                 : "lower(shown_team) LIKE ?",
-                       {pattern(filter.search)});
+        conditions.add(searched + QStringLiteral(" LIKE ?"), {pattern(filter.search)});
         source = QStringLiteral("WITH found AS MATERIALIZED (%1) SELECT * FROM found %2CAST(? AS integer)")
                      .arg(columns + conditions.where(), order);
     }
