@@ -7,7 +7,7 @@
 #include "core/project/repositories.h"
 #include "core/project/school_documents.h"
 #include "core/school/school_sync.h"
-#include "tests/project/sample_records.h"
+#include "tests/school/bench_trials.h"
 #include "tests/school/postgres_server.h"
 #include "tests/support/registered_test.h"
 
@@ -22,13 +22,9 @@
 
 using namespace odo;
 
-/// What a failure says; nothing of a success.
-template <class Value>
-static std::string whyNot(const Result<Value> &outcome)
-{
-    return outcome ? std::string() : outcome.error().message();
-}
+using odo::test::addBenchTrials;
 using odo::test::PostgresServer;
+using odo::test::whyNot;
 
 namespace {
 
@@ -47,27 +43,6 @@ int benchCount()
 {
     const int given = qEnvironmentVariableIntValue("ODOGRAPH_BENCHES");
     return given > 0 ? given : 6;
-}
-
-Result<void> makeTrials(Project &project, int bench)
-{
-    RecordSource source(std::uint32_t(100 + bench));
-    return project.inTransaction([&]() -> Result<void> {
-        const auto robot =
-            ODO_TRY(project.robots().add({0, "red", {}, RobotRecord::Height::Automatic, {}, {}, {}}));
-        for (int i = 0; i < trialsOfABench; ++i) {
-            TrialRecord trial;
-            trial.name = "run " + std::to_string(i + 1);
-            trial.notes = "bench " + std::to_string(bench);
-            trial.syncMethod = "none";
-            trial.robots = {robot.id};
-            const auto stored = ODO_TRY(project.trials().add(trial, {}));
-            AnalysisRecord analysis = source.analysis(stored.id, robot.id, 300);
-            analysis.profile.passages.clear();
-            ODO_TRY(project.analyses().add(analysis));
-        }
-        return {};
-    });
 }
 
 } // namespace
@@ -90,7 +65,7 @@ private Q_SLOTS:
             bench.project = m_folder.filePath(login + QStringLiteral(".odo"));
             const auto project = Project::create(bench.project.toStdString(), login.toStdString());
             QVERIFY(project);
-            const auto filled = makeTrials(**project, i);
+            const auto filled = addBenchTrials(**project, i, trialsOfABench);
             QVERIFY2(filled, whyNot(filled).c_str());
             const auto connected = connectToSchool(**project, addressOf(login), {});
             QVERIFY2(connected, whyNot(connected).c_str());

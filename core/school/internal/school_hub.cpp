@@ -36,7 +36,8 @@ QString migrationText(const char *name)
 QString connectOptions(const HubAddress &address)
 {
     QString options =
-        QStringLiteral("connect_timeout=10;keepalives_idle=20;application_name=odograph;sslmode=") +
+        QStringLiteral("connect_timeout=10;keepalives_idle=20;keepalives_interval=5;keepalives_count=3;"
+                       "tcp_user_timeout=30000;application_name=odograph;sslmode=") +
         QString::fromStdString(address.sslMode);
     if (!address.sslRootCert.empty())
         options += QStringLiteral(";sslrootcert='%1'").arg(QString::fromStdString(address.sslRootCert));
