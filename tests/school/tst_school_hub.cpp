@@ -317,6 +317,31 @@ private Q_SLOTS:
         QVERIFY(sent.err.contains("the login may not do that"));
     }
 
+    void runsAreListed()
+    {
+        const QString bench = benchProject("bench.odo", "Run 1");
+        connect(bench, "bench1");
+        json({"school", "publish", bench, "--json"});
+        const auto listed = [&](const char *login, const char *search) {
+            return json({"school", "list", url(login), "--search", search, "--metric", "duration", "--json"})
+                .value(QStringLiteral("runs"))
+                .toArray();
+        };
+        QCOMPARE(listed("bench1", "walk").size(), 0);
+        const QJsonArray found = listed("bench1", "RUN 1");
+        QCOMPARE(found.size(), 1);
+        const QJsonObject run = found.at(0).toObject();
+        QCOMPARE(run.keys(), listOf({"class", "date", "duration_s", "robot", "sigma", "standing", "task",
+                                     "team", "trial", "unit", "uuid", "value"}));
+        QCOMPARE(run.value(QStringLiteral("trial")).toString(), QStringLiteral("Run 1"));
+        QCOMPARE(run.value(QStringLiteral("robot")).toString(), QStringLiteral("red"));
+        QCOMPARE(run.value(QStringLiteral("unit")).toString(), QStringLiteral("s"));
+        QCOMPARE(listed("wall", "run 1").size(), 0); // a name that viewers may not read
+        const ProgramRun words = call({"school", "list", url("wall")});
+        QVERIFY2(words.exitStatus == 0 && words.out.startsWith("1 run\n"), words.out + words.err);
+        QVERIFY(!words.out.contains("Run 1"));
+    }
+
     /// By its own login, with its password, as psql takes it.
     void theStandingsAreServedToAViewer()
     {
@@ -499,6 +524,9 @@ private Q_SLOTS:
         QTest::newRow("no verb") << listOf({"school", "send", "%P"}) << 2;
         QTest::newRow("no address") << listOf({"school", "connect", "%P", "nowhere"}) << 2;
         QTest::newRow("no project") << listOf({"school", "status", "/nonexistent.odo"}) << 1;
+        QTest::newRow("a search too short")
+            << listOf({"school", "list", "postgresql://wall@/school?host=%S", "--search", "ab"}) << 2;
+        QTest::newRow("of another verb") << listOf({"school", "publish", "%P", "--class", "9B"}) << 2;
         QTest::newRow("not connected") << listOf({"school", "publish", "%P"}) << 1;
         QTest::newRow("not connected, pull") << listOf({"school", "pull", "%P"}) << 1;
         QTest::newRow("not connected, disconnect") << listOf({"school", "disconnect", "%P"}) << 1;
