@@ -48,7 +48,9 @@ private Q_SLOTS:
         QTest::newRow("small and not quite near") << QList{150, 112, 154, 118} << 2 << false;
         QTest::newRow("small, of the same shadow") << QList{150, 112, 154, 118} << 1 << true;
         QTest::newRow("small, of the same shadow and far") << QList{160, 112, 164, 118} << 1 << false;
-        QTest::newRow("small, and the hull would grow by 30 %") << QList{155, 112, 159, 118} << 1 << false;
+        QTest::newRow("small, and the hull grows by 30 %") << QList{155, 112, 159, 118} << 1 << true;
+        QTest::newRow("slender as a cable, and the hull would grow")
+            << QList{143, 45, 145, 185} << 2 << false;
         QTest::newRow("small, in the hull") << QList{110, 110, 120, 120} << 2 << true;
         QTest::newRow("large and near") << QList{141, 100, 156, 130} << 2 << false;
         QTest::newRow("large, in the hull: another robot in a corner of this one")
@@ -87,6 +89,17 @@ private Q_SLOTS:
         // 1200 px² and two trapezia, 30 and 6 px high and 7 px wide.
         QVERIFY(std::abs(seen[0].moments.areaPx2 - (1200 + 2 * 7 * 18)) < 1e-6);
         QCOMPARE(seen[1].box.x0, 200);
+    }
+
+    void whatReachesTooFarKeepsNoOtherAway()
+    {
+        std::vector<SeenSilhouette> seen{body(), rectangle(143, 45, 145, 185, 2),
+                                         rectangle(93, 112, 97, 118, 3)};
+        joinFragments(seen);
+        QCOMPARE(seen.size(), std::size_t(2));
+        QCOMPARE(seen[0].box.x0, 93);
+        QCOMPARE(seen[0].box.x1, 140);
+        QCOMPARE(seen[1].box.x0, 143);
     }
 
     void theFragmentOfTheSecondIsTheSecondsOwn()

@@ -104,33 +104,27 @@ void addPart(const ConnectedPart &part, BitMask &into, int left = 0, int top = 0
         into.setRun(run.y - top, run.x0 - left, run.x1 - left);
 }
 
-/// The largest part of a set of pixels, with those that are near it or no small ones.
-BitMask mainPart(const BitMask &body, double farPx)
+/// A set of pixels without its small parts: the ends of something thin.
+BitMask withoutSpecks(const BitMask &set)
 {
-    constexpr double small = 0.3; // of the largest part
-    const ConnectedParts parts = connectedParts(body);
-    if (parts.size() < 2)
-        return body;
+    constexpr double small = 0.05; // of the largest part
+    const ConnectedParts parts = connectedParts(set);
     const auto pixelsOf = [](const ConnectedPart &part) {
         return std::accumulate(part.begin(), part.end(), 0,
                                [](int sum, const PixelRun &run) { return sum + run.x1 - run.x0; });
     };
-    const ConnectedPart &largest = *std::ranges::max_element(parts, {}, pixelsOf);
-    BitMask main(body.width(), body.height());
-    addPart(largest, main);
-    const std::vector<Eigen::Vector2d> hull = hullOf(main);
-    for (const ConnectedPart &part : parts) {
-        const bool isFar = std::ranges::any_of(part, [&](const PixelRun &run) {
-            return isBeyond(hull, {run.x0, run.y}, farPx) || isBeyond(hull, {run.x1 - 1, run.y}, farPx);
-        });
-        if (!isFar || pixelsOf(part) >= small * pixelsOf(largest))
-            addPart(part, main);
-    }
-    return main;
+    int most = 0;
+    for (const ConnectedPart &part : parts)
+        most = std::max(most, pixelsOf(part));
+    BitMask left(set.width(), set.height());
+    for (const ConnectedPart &part : parts)
+        if (pixelsOf(part) >= small * most)
+            addPart(part, left);
+    return left;
 }
 
-/// Takes away what reaches far out of a region and hangs on it by something thin, and gives it: cables,
-/// aerials, and masts with what is on them are no part of a body's form, and often move in it.
+/// Takes away what is thin and reaches far out of a region, and gives it: cables and aerials are no part of a
+/// body's form, and often move in it. A mast with something on it is: it turns with the body.
 BitMask cutAppendages(BitMask &region, const BitMask &edge)
 {
     BitMask cut(region.width(), region.height());
@@ -144,7 +138,7 @@ BitMask cutAppendages(BitMask &region, const BitMask &edge)
     const BitMask opened = region.opened(width / 2);
     if (opened.isEmpty())
         return cut;
-    const BitMask body = mainPart(opened, farOut * side);
+    const BitMask body = withoutSpecks(opened);
     const std::vector<Eigen::Vector2d> hull = hullOf(body);
     for (const ConnectedPart &part : connectedParts(region - body)) {
         const auto isFar = [&](int x, int y) { return isBeyond(hull, {x, y}, farOut * side); };

@@ -3,9 +3,12 @@
 
 #include "core/geometry/silhouette.h"
 
+#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <optional>
+#include <utility>
 
 namespace odo {
 
@@ -15,8 +18,10 @@ constexpr double edgeSigmaPx = 0.3, edgeLengthPx = 5, centreSigmaPx = 0.05;
 constexpr double mostOfBody = 0.3; // of its area: what is larger is no fragment of it
 // between a body and a fragment, in sides of the body
 constexpr double mostFragmentGap = 0.12, mostShadowGap = 0.5;
-constexpr double mostGrown = 1.25; // of a body's hull, by all of its fragments
-constexpr double mostGap = 4;      // between parts of one body, in sides of the smaller one
+constexpr double mostGrown = 3; // of a body's hull, by all of its fragments
+// and by slender ones, which may be of a cable: length over width
+constexpr double mostGrownBySlender = 1.25, slender = 3;
+constexpr double mostGap = 4; // between parts of one body, in sides of the smaller one
 // between a body and what may stand on it, in sides of the body
 constexpr double mostBesideGap = 0.8;
 
@@ -33,6 +38,14 @@ bool isFragmentOf(const SeenSilhouette &body, const SeenSilhouette &small)
     const bool hangsTogether = small.shadowPiece == body.shadowPiece;
     return small.moments.areaPx2 < mostOfBody * body.moments.areaPx2 &&
            gapPx(body.box, small.box) < (hangsTogether ? mostShadowGap : mostFragmentGap) * side;
+}
+
+double mostGrownBy(const SeenSilhouette &part)
+{
+    const Eigen::Vector2d spread =
+        Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d>(part.moments.covariancePx2, Eigen::EigenvaluesOnly)
+            .eigenvalues();
+    return spread[1] > slender * slender * spread[0] ? mostGrownBySlender : mostGrown;
 }
 
 bool mayBelongTogether(const SeenSilhouette &a, const SeenSilhouette &b)
@@ -60,20 +73,28 @@ void measureHull(SeenSilhouette &silhouette, std::vector<Eigen::Vector2d> edgePo
 void joinFragments(std::vector<SeenSilhouette> &seen)
 {
     for (std::size_t i = 0; i < seen.size(); ++i) {
-        std::vector<std::size_t> parts{i};
-        for (std::size_t j = i + 1; j < seen.size(); ++j)
-            if (isFragmentOf(seen[i], seen[j]))
-                parts.push_back(j);
-        if (parts.size() == 1)
-            continue;
-        SeenSilhouette whole = joined(seen, parts);
-        if (whole.moments.areaPx2 > mostGrown * seen[i].moments.areaPx2)
-            continue;
-        whole.regions = 1;
-        whole.shadowPiece = seen[i].shadowPiece;
-        seen[i] = std::move(whole);
-        for (auto part = parts.rbegin(); part + 1 != parts.rend(); ++part)
-            seen.erase(seen.begin() + std::ptrdiff_t(*part));
+        const SeenSilhouette body = seen[i];
+        for (;;) { // that by which the hull grows least first: what is too far out keeps no other away
+            std::optional<SeenSilhouette> least;
+            std::size_t part = 0;
+            for (std::size_t j = i + 1; j < seen.size(); ++j) {
+                if (!isFragmentOf(body, seen[j]))
+                    continue;
+                SeenSilhouette whole = joined(seen, {i, j});
+                if (whole.moments.areaPx2 > mostGrownBy(seen[j]) * body.moments.areaPx2)
+                    continue;
+                if (!least || whole.moments.areaPx2 < least->moments.areaPx2) {
+                    least = std::move(whole);
+                    part = j;
+                }
+            }
+            if (!least)
+                break;
+            least->regions = 1;
+            least->shadowPiece = body.shadowPiece;
+            seen[i] = std::move(*least);
+            seen.erase(seen.begin() + std::ptrdiff_t(part));
+        }
     }
 }
 
