@@ -7,8 +7,8 @@
 namespace odo {
 
 /// What a test allows anything to keep the event loop: 50 ms when ODOGRAPH_ALONE is set. Otherwise six times
-/// that, for beside other programs, which take the caches and pages from it, work of 20 and 48 ms took 51 and
-/// up to 178 ms of CPU time; and more under a sanitizer.
+/// that, for beside other programs, which take the caches and pages from it, work of 20, 48 and 70 ms took
+/// 51, 148 and 178 ms of CPU time, and machines differ by two; and more under a sanitizer.
 double longestAllowedMs();
 
 /// The longest that anything kept the event loop of this thread busy. CPU time, which other programs cannot
