@@ -6,8 +6,12 @@
 #include "tests/support/registered_test.h"
 
 #include <QTest>
+#include <algorithm>
+#include <array>
 #include <csignal>
+#include <cstdlib>
 #include <functional>
+#include <memory>
 #include <poll.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -75,6 +79,29 @@ int waitForAnEnd()
     return 0;
 }
 
+bool isStoppedAtItsEnd = false;
+
+/// When all that is static has been destroyed: a signal must alter none of the memory that was freed.
+[[gnu::destructor]] void stopAtTheEnd()
+{
+    if (!isStoppedAtItsEnd)
+        return;
+    using Block = std::array<char, 24>; // as large as the token's own, so these get its memory
+    constexpr Block untouched{};
+    std::vector<std::unique_ptr<Block>> blocks(1000);
+    for (auto &block : blocks)
+        block = std::make_unique<Block>(untouched);
+    std::raise(SIGTERM);
+    const bool isWhole = std::ranges::all_of(blocks, [&](const auto &block) { return *block == untouched; });
+    ::_exit(isWhole ? exitStatusOfStop() : 1);
+}
+
+int endAndBeStoppedThen()
+{
+    isStoppedAtItsEnd = true;
+    std::exit(0);
+}
+
 } // namespace
 
 class TestStopSignals : public QObject
@@ -112,6 +139,8 @@ private Q_SLOTS:
                      true)),
                  7);
     }
+
+    void anEndingProgramMayBeStopped() { QCOMPARE(exitStatus(statusAfter({}, endAndBeStoppedThen)), 143); }
 
     void whereNoSignalCameItIsAnInterrupt()
     {

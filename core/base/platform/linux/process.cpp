@@ -107,7 +107,7 @@ namespace {
 constexpr int shellsBase = 128;
 
 // A signal handler can reach nothing but globals, and may do little more than store to them and write().
-const CancelToken token;
+const CancelToken &token = *new CancelToken; // never freed: a signal may come while the program is ending
 std::atomic<int> firstSignal{0};
 std::array<int, 2> ends{-1, -1}; // of a pipe
 
