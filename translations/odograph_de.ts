@@ -25733,6 +25733,13 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
 </context>
 <context>
+    <name>workflow.passed_precision</name>
+    <message>
+        <source>positions are precise for the run&apos;s extent</source>
+        <translation>die Positionen sind genau für die Ausdehnung des Laufs</translation>
+    </message>
+</context>
+<context>
     <name>workflow.passed_results</name>
     <message>
         <source>the stored results are as computed</source>
@@ -25835,6 +25842,13 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>rounded to %1</source>
         <translation>auf %1 gerundet</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.positions_uncertain</name>
+    <message>
+        <source>its positions are known to ±%1 only, in a run over %2</source>
+        <translation>seine Positionen sind nur auf ±%1 bekannt, in einem Lauf über %2</translation>
     </message>
 </context>
 <context>

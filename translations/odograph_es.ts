@@ -25733,6 +25733,13 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     </message>
 </context>
 <context>
+    <name>workflow.passed_precision</name>
+    <message>
+        <source>positions are precise for the run&apos;s extent</source>
+        <translation>las posiciones son precisas para la extensión del recorrido</translation>
+    </message>
+</context>
+<context>
     <name>workflow.passed_results</name>
     <message>
         <source>the stored results are as computed</source>
@@ -25835,6 +25842,13 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <message>
         <source>rounded to %1</source>
         <translation>redondeadas a %1</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.positions_uncertain</name>
+    <message>
+        <source>its positions are known to ±%1 only, in a run over %2</source>
+        <translation>sus posiciones solo se conocen con ±%1, en un recorrido de %2</translation>
     </message>
 </context>
 <context>

@@ -25733,6 +25733,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
 </context>
 <context>
+    <name>workflow.passed_precision</name>
+    <message>
+        <source>positions are precise for the run&apos;s extent</source>
+        <translation>les positions sont précises pour l’étendue de la course</translation>
+    </message>
+</context>
+<context>
     <name>workflow.passed_results</name>
     <message>
         <source>the stored results are as computed</source>
@@ -25835,6 +25842,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>rounded to %1</source>
         <translation>arrondies à %1</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.positions_uncertain</name>
+    <message>
+        <source>its positions are known to ±%1 only, in a run over %2</source>
+        <translation>ses positions ne sont connues qu’à ±%1, dans une course de %2</translation>
     </message>
 </context>
 <context>

@@ -25682,6 +25682,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>workflow.passed_precision</name>
+    <message>
+        <source>positions are precise for the run&apos;s extent</source>
+        <translation>주행 범위에 비해 위치가 정밀합니다</translation>
+    </message>
+</context>
+<context>
     <name>workflow.passed_results</name>
     <message>
         <source>the stored results are as computed</source>
@@ -25784,6 +25791,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>rounded to %1</source>
         <translation>%1로 반올림됨</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.positions_uncertain</name>
+    <message>
+        <source>its positions are known to ±%1 only, in a run over %2</source>
+        <translation>위치가 ±%1까지만 알려져 있으며 주행 범위는 %2입니다</translation>
     </message>
 </context>
 <context>

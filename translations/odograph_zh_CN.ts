@@ -25682,6 +25682,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>workflow.passed_precision</name>
+    <message>
+        <source>positions are precise for the run&apos;s extent</source>
+        <translation>相对于行驶范围，位置足够精确</translation>
+    </message>
+</context>
+<context>
     <name>workflow.passed_results</name>
     <message>
         <source>the stored results are as computed</source>
@@ -25784,6 +25791,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>rounded to %1</source>
         <translation>取整到 %1</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.positions_uncertain</name>
+    <message>
+        <source>its positions are known to ±%1 only, in a run over %2</source>
+        <translation>其位置仅精确到 ±%1，而行驶范围为 %2</translation>
     </message>
 </context>
 <context>

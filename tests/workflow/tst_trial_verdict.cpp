@@ -54,11 +54,11 @@ private Q_SLOTS:
             QVERIFY2(check.level == CheckLevel::Pass, check.text.english().c_str());
         }
         QCOMPARE(codes, (QStringList{QStringLiteral("results_intact"), QStringLiteral("time_measured"),
-                                     QStringLiteral("few_spikes"), QStringLiteral("motion_possible"),
-                                     QStringLiteral("name_known"), QStringLiteral("frames_regular"),
-                                     QStringLiteral("frames_decoded"), QStringLiteral("lens_known"),
-                                     QStringLiteral("camera_still"), QStringLiteral("views_agree"),
-                                     QStringLiteral("synchronised")}));
+                                     QStringLiteral("few_spikes"), QStringLiteral("positions_precise"),
+                                     QStringLiteral("motion_possible"), QStringLiteral("name_known"),
+                                     QStringLiteral("frames_regular"), QStringLiteral("frames_decoded"),
+                                     QStringLiteral("lens_known"), QStringLiteral("camera_still"),
+                                     QStringLiteral("views_agree"), QStringLiteral("synchronised")}));
         QVERIFY(verdict.level() == CheckLevel::Pass);
     }
 
@@ -93,6 +93,32 @@ private Q_SLOTS:
         QVERIFY(example.check("few_spikes").level == CheckLevel::Doubtful);
         example.profile().spikes.assign(used / 2, {});
         QVERIFY(example.check("few_spikes").level == CheckLevel::Bad);
+    }
+
+    /// By the σ of half of the positions, and the floor that they cover.
+    void largeErrors()
+    {
+        Example example;
+        std::vector<ProfilePoint> &points = example.profile().points;
+        const auto set = [&](double sigmaM, double extentM) {
+            for (std::size_t i = 0; i < points.size(); ++i) {
+                points[i].valid = true;
+                points[i].position = {extentM * double(i) / double(points.size() - 1), 0};
+                points[i].sigmaXM = i % 3 == 0 ? 1 : sigmaM;
+                points[i].sigmaYM = 0.001;
+            }
+            return example.check("positions_precise").level;
+        };
+        QVERIFY(set(0.035, 2) == CheckLevel::Pass);
+        QVERIFY(set(0.045, 2) == CheckLevel::Doubtful);
+        QCOMPARE(example.check("positions_precise").text.english(),
+                 "robot '" + example.analyses.front().robotName +
+                     "' in trial 'Trial 1': its positions are known to ±45 mm only, in a run over 2.0 m");
+        QVERIFY(set(0.19, 2) == CheckLevel::Doubtful);
+        QVERIFY(set(0.21, 2) == CheckLevel::Bad);
+        QVERIFY(set(0.009, 0.05) == CheckLevel::Pass); // what hardly moves
+        QVERIFY(set(0.045, 0) == CheckLevel::Doubtful);
+        QVERIFY(set(0.055, 0) == CheckLevel::Bad);
     }
 
     void timeStampsThatJump()

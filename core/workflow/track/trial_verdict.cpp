@@ -13,6 +13,7 @@
 #include "core/workflow/track/view_tracking.h"
 #include "core/workflow/trial_sources.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 
 namespace odo {
@@ -25,11 +26,14 @@ constexpr double doubtfulTracked = 0.8, badTracked = 0.4; // used samples of all
 constexpr double badGaps = 0.5;                           // of the time between first and last sighting
 constexpr double longFrame = 4, longFrameS = 0.2;         // of the usual interval, and at least
 constexpr double fastestMps = 15, hardestMps2 = 100;      // no classroom robot
+// σ of the positions: of the distance between the farthest of them, and at least
+constexpr double doubtfulSigma = 0.02, badSigma = 0.1, leastDoubtfulM = 0.01, leastBadM = 0.05;
 constexpr const char *resultsIntact = "results_intact", *viewsAgree = "views_agree",
                      *timeMeasured = "time_measured", *synchronised = "synchronised",
                      *framesRegular = "frames_regular", *framesDecoded = "frames_decoded",
-                     *fewSpikes = "few_spikes", *motionPossible = "motion_possible",
-                     *nameKnown = "name_known", *lensKnown = "lens_known", *cameraStill = "camera_still";
+                     *fewSpikes = "few_spikes", *positionsPrecise = "positions_precise",
+                     *motionPossible = "motion_possible", *nameKnown = "name_known",
+                     *lensKnown = "lens_known", *cameraStill = "camera_still";
 
 class Checks
 {
@@ -119,6 +123,30 @@ void checkMotion(const AnalysisRecord &analysis, const Message &robot, Checks &c
                           Join::Colon));
 }
 
+/// Half of the positions are more uncertain than a run of that extent allows.
+void checkPrecision(const Profile &profile, const Message &robot, Checks &checks)
+{
+    std::vector<double> sigmas;
+    Eigen::AlignedBox2d floor;
+    for (const ProfilePoint &point : profile.points) {
+        if (!point.valid)
+            continue;
+        sigmas.push_back(std::max(point.sigmaXM, point.sigmaYM));
+        floor.extend(point.position);
+    }
+    if (sigmas.empty())
+        return;
+    const double sigmaM = upperMedian(std::move(sigmas)), extentM = floor.diagonal().norm();
+    if (sigmaM <= std::max(leastDoubtfulM, doubtfulSigma * extentM))
+        return;
+    checks.add(positionsPrecise,
+               sigmaM > std::max(leastBadM, badSigma * extentM) ? CheckLevel::Bad : CheckLevel::Doubtful,
+               joined({robot, ODO_TEXT("workflow.positions_uncertain",
+                                       "its positions are known to ±%1 only, in a run over %2")(
+                                  quantity(1e3 * sigmaM, 0, "mm"), quantity(extentM, 1, "m"))},
+                      Join::Colon));
+}
+
 /// Doubtful where the cause is known, which the stated errors then hold; else bad.
 void checkViews(const AnalysisRecord &analysis, const Message &robot, Checks &checks)
 {
@@ -139,6 +167,7 @@ void checkAnalysis(const AnalysisRecord &analysis, const std::string &trial, Che
     checkViews(analysis, robot, checks);
     checkTime(analysis, robot, checks);
     checkMotion(analysis, robot, checks);
+    checkPrecision(analysis.profile, robot, checks);
     if (!analysis.ambiguousNames.empty())
         checks.add(
             nameKnown, CheckLevel::Doubtful,
@@ -241,6 +270,8 @@ void passTheRest(bool isFilmed, std::size_t views, Checks &checks)
     checks.pass(resultsIntact, ODO_TEXT("workflow.passed_results", "the stored results are as computed"));
     checks.pass(timeMeasured, ODO_TEXT("workflow.passed_time", "the robots were measured all the time"));
     checks.pass(fewSpikes, ODO_TEXT("workflow.passed_spikes", "few positions are spikes"));
+    checks.pass(positionsPrecise,
+                ODO_TEXT("workflow.passed_precision", "positions are precise for the run's extent"));
     checks.pass(motionPossible, ODO_TEXT("workflow.passed_motion", "speeds and accelerations are possible"));
     if (!isFilmed)
         return;

@@ -11,7 +11,7 @@ namespace odo {
 class Project;
 
 /// Checks the results of a trial from what the project holds of it: views that agree, time measured,
-/// synchronisation, frame intervals, damaged frames, spikes, speeds, names, lenses, cameras that have not
+/// synchronisation, frame intervals, damaged frames, spikes, σ, speeds, names, lenses, cameras that have not
 /// moved, and stored results that are as computed; with the acceptance that is stored. Without an analysis
 /// there are no checks. Errors: those of the repositories. recordings: of the trial, in the order of its
 /// views. Project's thread.
