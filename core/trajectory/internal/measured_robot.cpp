@@ -7,6 +7,7 @@
 #include "core/trajectory/internal/positioned_robot.h"
 #include "core/trajectory/internal/track_profile.h"
 #include "core/trajectory/internal/view_alignment.h"
+#include "core/trajectory/solid_choice.h"
 #include "core/trajectory/view_contradiction.h"
 #include "core/trajectory/view_disagreement.h"
 
@@ -45,6 +46,16 @@ ComparedPlane planeOf(const PositionedRobot &placed, const RobotShape &shape)
     return {placed.planeM, placed.planeSigmaM, shape.heightM.has_value(), placed.isPlainAndRight};
 }
 
+/// Whether the outlines are explained clearly worse where a correction is applied, by any form: then the
+/// plain form is wrong, and no view.
+bool isRefuted(const PairCorrection &correction, const std::vector<ViewTrack> &views, const RobotShape &shape)
+{
+    constexpr double clearlyWorse = 1.05;
+    const auto asSeen = misfitOfOutlines(views, shape),
+               corrected = misfitOfOutlines(correctedViews(views[0], views[1], correction), shape);
+    return asSeen && (!corrected || *corrected > clearlyWorse * *asSeen);
+}
+
 /// A robot's form is bent by what makes two views contradict each other, and may hide it. So that is looked
 /// for with a plain form as well; where there is something, the form is found once more as if it were put
 /// right, and the views are then taken as they are with that form.
@@ -65,6 +76,8 @@ bool positionUnbent(const std::vector<ViewTrack> &views, const std::vector<Nanos
     if (!correction) {
         auto unlearned = plain(views, shape);
         correction = unlearned ? correctionOf(*unlearned, leastPlainEvidence) : std::nullopt;
+        if (correction && isRefuted(*correction, views, shape))
+            correction.reset();
         if (correction)
             placed = std::move(*unlearned);
     }
