@@ -46,14 +46,21 @@ ComparedPlane planeOf(const PositionedRobot &placed, const RobotShape &shape)
     return {placed.planeM, placed.planeSigmaM, shape.heightM.has_value(), placed.isPlainAndRight};
 }
 
-/// Whether the outlines are explained clearly worse where a correction is applied, by any form: then the
-/// plain form is wrong, and no view.
+/// Whether a correction does not let any form explain the outlines clearly better: then the plain form is
+/// wrong, and no view.
 bool isRefuted(const PairCorrection &correction, const std::vector<ViewTrack> &views, const RobotShape &shape)
 {
-    constexpr double clearlyWorse = 1.05;
-    const auto asSeen = misfitOfOutlines(views, shape),
-               corrected = misfitOfOutlines(correctedViews(views[0], views[1], correction), shape);
-    return asSeen && (!corrected || *corrected > clearlyWorse * *asSeen);
+    constexpr double clearlyBetter = 0.95, hardly = 1e-6;
+    PairCorrection none; // which divides the views alike
+    none.turnA = hardly * correction.turnA;
+    none.turnB = hardly * correction.turnB;
+    none.since = correction.since;
+    RobotShape corrected = shape;
+    if (correction.raiseM != 0)
+        corrected.heightM.reset();
+    const auto without = misfitOfOutlines(correctedViews(views[0], views[1], none), shape),
+               with = misfitOfOutlines(correctedViews(views[0], views[1], correction), corrected);
+    return without && (!with || *with > clearlyBetter * *without);
 }
 
 /// A robot's form is bent by what makes two views contradict each other, and may hide it. So that is looked
