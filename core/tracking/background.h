@@ -23,13 +23,21 @@ struct Background
         const std::uint8_t *sigmaRow(int y) const { return sigmas.data() + std::ptrdiff_t(y) * width; }
     };
     static constexpr float sigmaUnit = 0.125F, leastSigma = 1; ///< code values
-    static constexpr float usualDarkestShadow = 0.40F;
+
+    /// What a shadow may leave of the floor. Lamps, sun, windows and walls decide it; one view of the empty
+    /// floor does not show it.
+    struct Shadow
+    {
+        float darkest = 0.40F; ///< the least share of its luma above black
+        /// by how much its chroma is off for each code value of luma that the shadow takes, at most: the
+        /// light that is left may be of another colour, as that of a window beside a lamp
+        float tint = 0;
+    };
 
     FrameFormat format;
     Plane y, u, v;
-    /// The least share of its luma above black that the floor keeps in a shadow. Lamps, sun and walls decide
-    /// it; one view of the empty floor does not show it.
-    float darkestShadow = usualDarkestShadow;
+    Shadow shadow = {};
+    static constexpr float strongTint = 0.15F; ///< as far as lamps and windows of a room differ
 };
 
 /// Learns a background from the frames of one view, given in any number and in order: it keeps a few of them,

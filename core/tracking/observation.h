@@ -18,6 +18,13 @@ struct Ellipse
     double angleRad = 0; ///< of the major axis from the image's x axis towards y (down)
 };
 
+/// Shares of an outline's pixels that would be floor in shadow if shadows were darker than was assumed, and
+/// if they were tinted (Background::Shadow).
+struct ShadowDoubt
+{
+    float deep = 0, tinted = 0;
+};
+
 /// What one view saw of one robot in one frame. Never edited once stored.
 struct Observation
 {
@@ -36,9 +43,7 @@ struct Observation
     Eigen::Vector2d meanChroma = Eigen::Vector2d::Zero();
     /// Something thin that reaches out of it was left out: a cable, a mast. Not stored either.
     bool isTrimmed = false;
-    /// Share of its pixels that would be floor in shadow if shadows were darker than was assumed
-    /// (Background::darkestShadow). Not stored.
-    float deepShare = 0;
+    ShadowDoubt shadowDoubt = {}; ///< not stored
     /// How far the outline's convex hull reaches from the centre in each direction of the image
     /// (core/geometry/silhouette.h), px; empty where only its ellipse was measured.
     std::vector<float> supportPx = {};

@@ -103,7 +103,7 @@ private Q_SLOTS:
         Background background = learned(floor);
         std::mt19937 random(23);
         const auto seenWith = [&](float darkest, double light, RgbColour colour) {
-            background.darkestShadow = darkest;
+            background.shadow.darkest = darkest;
             Painter image = floor;
             image.shade({low.x() - 20, low.y() + 4}, {low.x() + 4, high.y()}, light);
             const auto seen = SilhouetteFinder(background).find(filmed(image, colour, false, random));
@@ -113,17 +113,46 @@ private Q_SLOTS:
         const auto leftEnd = [](const SeenSilhouette &seen) {
             return seen.moments.centrePx.x() - double(seen.supportPx.at(supportDirections / 2));
         };
-        const SeenSilhouette grown = seenWith(Background::usualDarkestShadow, 0.33, red),
+        const SeenSilhouette grown = seenWith(Background::Shadow().darkest, 0.33, red),
                              alone = seenWith(0.2F, 0.33, red),
-                             light = seenWith(Background::usualDarkestShadow, 0.6, red);
+                             light = seenWith(Background::Shadow().darkest, 0.6, red);
         QVERIFY2(leftEnd(grown) < low.x() - 18, qPrintable(QString::number(leftEnd(grown))));
         // 20 × 32 of 2368 pixels: 0.27
-        QVERIFY2(grown.deepShare > 0.15F, qPrintable(QString::number(grown.deepShare)));
+        QVERIFY2(grown.shadowDoubt.deep > 0.15F, qPrintable(QString::number(grown.shadowDoubt.deep)));
         // Its edge is told from the robot's to a pixel and a half, as that of a light one.
         for (const SeenSilhouette &seen : {alone, light}) {
             QVERIFY2(std::abs(leftEnd(seen) - low.x()) < 1.5, qPrintable(QString::number(leftEnd(seen))));
-            QVERIFY2(seen.deepShare < 0.03F, qPrintable(QString::number(seen.deepShare)));
+            QVERIFY2(seen.shadowDoubt.deep < 0.03F, qPrintable(QString::number(seen.shadowDoubt.deep)));
         }
+    }
+
+    /// The lamp's light is yellow, and what is left in its shadow comes from a window: bluer by an eleventh
+    /// of the luma that is lost.
+    void shadowsMayBeTinted()
+    {
+        Painter floor(format);
+        floor.rectangle({-1, -1}, {format.width + 1.0, format.height + 1.0}, {150, 146, 138});
+        Background background = learned(floor);
+        std::mt19937 random(31);
+        const auto seenWith = [&](float tint, RgbColour shadow) {
+            background.shadow.tint = tint;
+            Painter image = floor;
+            image.rectangle({low.x() - 20, low.y() + 4}, {low.x() + 4, high.y()}, shadow);
+            const auto seen = SilhouetteFinder(background).find(filmed(image, {200, 40, 40}, false, random));
+            return seen.empty() ? SeenSilhouette() : seen.front();
+        };
+        const auto leftEnd = [](const SeenSilhouette &seen) {
+            return seen.moments.centrePx.x() - double(seen.supportPx.at(supportDirections / 2));
+        };
+        const RgbColour blueShadow{99, 101, 102}, blue{80, 100, 150};
+        const SeenSilhouette grown = seenWith(0, blueShadow),
+                             alone = seenWith(Background::strongTint, blueShadow),
+                             painted = seenWith(Background::strongTint, blue);
+        QVERIFY2(leftEnd(grown) < low.x() - 18, qPrintable(QString::number(leftEnd(grown))));
+        QVERIFY2(grown.shadowDoubt.tinted > 0.15F, qPrintable(QString::number(grown.shadowDoubt.tinted)));
+        QVERIFY2(std::abs(leftEnd(alone) - low.x()) < 1.5, qPrintable(QString::number(leftEnd(alone))));
+        QVERIFY2(alone.shadowDoubt.tinted < 0.03F, qPrintable(QString::number(alone.shadowDoubt.tinted)));
+        QVERIFY2(leftEnd(painted) < low.x() - 18, qPrintable(QString::number(leftEnd(painted))));
     }
 
     /// A glossy wooden floor mirrors a black robot at its foot in the place of a white wall: it loses white

@@ -64,7 +64,7 @@ private Q_SLOTS:
         robot.name = "robot";
         const auto whole = trackViews(*views, {robot}, {});
         QVERIFY2(whole.has_value(), whole ? "" : whole.error().message().c_str());
-        const auto asShadow = trackAgain(*views, {robot}, *whole, 0.2F, {});
+        const auto asShadow = trackAgain(*views, {robot}, *whole, {0.2F, 0}, {});
         QVERIFY(asShadow && meanAreaPx(*asShadow) < 0.97 * meanAreaPx(*whole));
         const auto chosen = trackAndSettle(*views, {robot}, {});
         QVERIFY(chosen && meanAreaPx(chosen->views) == meanAreaPx(*whole));

@@ -121,6 +121,17 @@ std::uint16_t square(Fixed value)
     return std::uint16_t(std::uint16_t(value) * std::uint16_t(value));
 }
 
+// lost luma is enlarged by so much, for a tint is less than one
+constexpr int lostUnits = 16;
+static_assert(lostUnits * mostLumaStep < (1 << 15));
+
+/// By which `upper` makes an offset of chroma of lost luma in lostUnits.
+Fixed fixedTint(float tint)
+{
+    constexpr float ofTint = float(chromaUnit) / float(lumaUnit * lostUnits) * (1 << 16);
+    return Fixed(std::lround(std::clamp(tint, 0.0F, 1.0F) * ofTint));
+}
+
 constexpr int halfUnit = 1 << 15, quarterUnit = 1 << 14; // by which `upper` takes a half and a quarter
 
 /// Steps in units of the noise.
@@ -211,7 +222,7 @@ void ComparedRow::markDarkened(int first, int last, std::uint8_t *__restrict dar
     constexpr auto leastFloor = Fixed(darkestFloor * lumaUnit), mostLight = Fixed(lightest * halfUnit);
     constexpr auto tolerance = Fixed(1.5F * chromaUnit), ofHue = Fixed(0.1F * 2 * halfUnit),
                    mostNoise = Fixed(3 * shareUnit);
-    const auto leastShare = Fixed(std::lround(darkestShadow * halfUnit));
+    const auto leastShare = Fixed(std::lround(shadow.darkest * halfUnit)), tint = fixedTint(shadow.tint);
     const LumaPair lumas(*this);
     const ChromaPair us{u, uBehind}, vs{v, vBehind};
     const Fixed *perChroma = chromaInverse;
@@ -220,10 +231,12 @@ void ComparedRow::markDarkened(int first, int last, std::uint8_t *__restrict dar
         const bool isBetween =
             (floor > leastFloor) & (luma > upper(twice, leastShare)) & (luma < upper(twice, mostLight));
         const auto ratio = Fixed(int(quarterUnit * float(lesser(luma, floor)) / float(greater(floor, 1))));
+        const auto lost = Fixed(lostUnits * Fixed(floor - luma));
         const auto isAlike = [=](const ChromaPair &pair) {
             const Fixed expected = upper(Fixed(4 * pair.behind[x]), ratio),
                         off = lesser(size(Fixed(pair.seen[x] - expected)), mostChromaStep);
-            const Fixed beyond = Fixed(off - tolerance - upper(size(pair.behind[x]), ofHue));
+            const auto beyond =
+                Fixed(off - tolerance - upper(size(pair.behind[x]), ofHue) - upper(lost, tint));
             return chromaShare(beyond, perChroma[x]) < mostNoise;
         };
         darkened[x] = isBetween & isAlike(us) & isAlike(vs);
@@ -334,7 +347,7 @@ void ComparedWindow::compareRow(const DifferenceWindow &part, int y, ChromaEnlar
     readChromaInverse(x0, width, imageY);
     const ComparedRow row{width,
                           m_gain,
-                          m_background.darkestShadow,
+                          m_background.shadow,
                           m_frame->y.row(imageY) + x0,
                           m_background.y.row(imageY) + x0,
                           enlarge(m_uSamples, m_uPart),

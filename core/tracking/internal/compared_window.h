@@ -72,7 +72,7 @@ struct ComparedRow
 
     int width = 0; ///< at least leastWidth
     LightGain gain;
-    float darkestShadow = 0; ///< of the floor's light that a shadow leaves
+    Background::Shadow shadow;
     /// luma as coded, the background's in its own light
     const std::uint8_t *now = nullptr, *behind = nullptr;
     /// chroma about neutral in units of 1 / ChromaEnlarger::unit
@@ -84,8 +84,8 @@ struct ComparedRow
     /// Where luma or chroma differ by more than the background varies, and where by so much that even a few
     /// pixels are no noise: bytes of 0 or 1.
     void markDifferences(std::uint8_t *__restrict differs, std::uint8_t *__restrict plain) const;
-    /// Where the floor would look so in a shadow: darker by a factor, the chroma alike. Bytes of 0 or 1 of
-    /// columns first up to, not including, last, and perhaps of others.
+    /// Where the floor would look so in a shadow: darker by a factor, the chroma alike but for a tint. Bytes
+    /// of 0 or 1 of columns first up to, not including, last, and perhaps of others.
     void markDarkened(int first, int last, std::uint8_t *__restrict darkened) const;
 };
 
@@ -148,6 +148,7 @@ public:
     const std::int16_t *uBehindRow(int y) const { return m_uBehind[y]; }
     const std::int16_t *vBehindRow(int y) const { return m_vBehind[y]; }
     const LightGain &gain() const { return m_gain; }
+    const Background::Shadow &shadow() const { return m_background.shadow; }
     static constexpr float chromaUnit = ChromaEnlarger::unit;
 
 private:

@@ -64,7 +64,8 @@ constexpr auto mostOff = [] {
     return most;
 }();
 
-/// Whether the summed chroma of n pixels is off that of the floor in shadow by more than its own. A glossy
+/// Whether the summed chroma of n pixels is off that of the floor in shadow by more than its own, and than
+/// shadows are tinted. A glossy
 /// floor mirrors neutral light of the room; where a dark robot is mirrored instead, that is missing, and the
 /// floor's hue is purer than in shadow.
 bool isOtherHue(const ComparedWindow &window, std::size_t n, std::int64_t offU, std::int64_t offV, int x,
@@ -77,7 +78,9 @@ bool isOtherHue(const ComparedWindow &window, std::size_t n, std::int64_t offU, 
     const double darker = 1 - double(seen.luma) / std::max(1.0, double(behind.luma)),
                  purer = std::clamp(off.dot(hue) / std::max(1.0, hue.squaredNorm()), 0.0,
                                     std::clamp(darker, 0.0, mostMirrored));
-    return (off - purer * hue).cwiseAbs().maxCoeff() > double(mostOff[n]);
+    const double tint =
+        hueUnit * double(n) * window.shadow().tint * std::max(0.0, double(behind.luma) - double(seen.luma));
+    return (off - purer * hue).cwiseAbs().maxCoeff() > double(mostOff[n]) + tint;
 }
 
 } // namespace
@@ -222,8 +225,11 @@ void EdgePixels::findCovered() // plainly, so that several are computed at once
         const int isNoneOutside = sums[outsideCount] == 0; // it counts as one in full light
         const float light = float(sums[outsideLight] + isNoneOutside * lightUnit) /
                             float((sums[outsideCount] + isNoneOutside) * lightUnit);
-        const float lumaOutside = light * lumaBehind[i], uOutside = light * uBehind[i],
-                    vOutside = light * vBehind[i];
+        const float perTint =
+            1 / (float(sums[outsideCount] + isNoneOutside) * float(ComparedWindow::chromaUnit));
+        const float lumaOutside = light * lumaBehind[i],
+                    uOutside = light * uBehind[i] + float(sums[outsideTintU]) * perTint,
+                    vOutside = light * vBehind[i] + float(sums[outsideTintV]) * perTint;
         const float dy = float(sums[insideLuma]) * perPixel - lumaOutside;
         const float du = float(sums[insideU]) * perChroma - uOutside,
                     dv = float(sums[insideV]) * perChroma - vOutside;
@@ -324,9 +330,12 @@ void RegionEdge::sumUp(const Surroundings &all, const Summed &summed, int y, int
         }
     });
     summed.shaded.forEachInRow(y, [&](int x) {
+        const PixelColour seen = w.seen(left + x, top + y), behind = w.behind(left + x, top + y);
+        const float light = seen.luma / behind.luma;
         change(columns[x][E::outsideCount], 1);
-        change(columns[x][E::outsideLight], int(float(E::lightUnit) * (w.seen(left + x, top + y).luma /
-                                                                       w.behind(left + x, top + y).luma)));
+        change(columns[x][E::outsideLight], int(float(E::lightUnit) * light));
+        change(columns[x][E::outsideTintU], int((seen.u - light * behind.u) * ComparedWindow::chromaUnit));
+        change(columns[x][E::outsideTintV], int((seen.v - light * behind.v) * ComparedWindow::chromaUnit));
     });
 }
 

@@ -60,9 +60,18 @@ struct EdgePixels
 {
     /// Of the pixels around: the number of those inside with their luma and chroma, the latter in units of 1
     /// / ComparedWindow::chromaUnit, and the number of those outside with their light against the
-    /// background's, in units of 1 / lightUnit.
+    /// background's, in units of 1 / lightUnit, and by how much their chroma is off it.
     using Sums = std::array<std::int32_t, 8>;
-    enum Sum { insideCount, insideLuma, insideU, insideV, outsideCount, outsideLight };
+    enum Sum {
+        insideCount,
+        insideLuma,
+        insideU,
+        insideV,
+        outsideCount,
+        outsideLight,
+        outsideTintU,
+        outsideTintV
+    };
     static constexpr int lightUnit = 4096;
 
     std::size_t count = 0;       ///< in use of the values below

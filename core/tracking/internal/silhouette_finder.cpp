@@ -151,13 +151,12 @@ BitMask cutAppendages(BitMask &region, const BitMask &edge)
     return cut;
 }
 
-/// The share of a region's pixels that have the floor's hue, and are darker than a shadow is assumed to be,
-/// but not black: of a few of them.
-float deepShareOf(const ComparedWindow &w, float darkestShadow, const BitMask &region, const PixelRect &part)
+/// Of a few of a region's pixels. Black is no shadow.
+ShadowDoubt shadowDoubtOf(const ComparedWindow &w, const BitMask &region, const PixelRect &part)
 {
-    constexpr int step = 4;                            // pixels
-    constexpr float deepest = 0.15F, hueTolerance = 3; // code values
-    int pixels = 0, deep = 0;
+    constexpr int step = 4;                                                              // pixels
+    constexpr float deepest = 0.15F, lightest = 0.95F, surelyTinted = 1.5F, sameHue = 3; // code values
+    int pixels = 0, deep = 0, tinted = 0;
     for (int y = 0; y < region.height(); y += step) {
         for (int x = 0; x < region.width(); x += step) {
             if (!region.at(x, y))
@@ -167,11 +166,15 @@ float deepShareOf(const ComparedWindow &w, float darkestShadow, const BitMask &r
             const float left = seen.luma / std::max(1.0F, behind.luma),
                         off =
                             std::max(std::abs(seen.u - left * behind.u), std::abs(seen.v - left * behind.v));
+            const bool isDeep = left < w.shadow().darkest;
             ++pixels;
-            deep += left > deepest && left < darkestShadow && off < hueTolerance;
+            deep += left > deepest && isDeep && off < sameHue;
+            tinted += !isDeep && left < lightest && off > surelyTinted &&
+                      off < sameHue + Background::strongTint * (behind.luma - seen.luma);
         }
     }
-    return float(deep) / float(std::max(1, pixels));
+    const auto all = float(std::max(1, pixels));
+    return {float(deep) / all, float(tinted) / all};
 }
 
 } // namespace
@@ -298,7 +301,7 @@ bool SilhouetteFinder::Impl::measure(BitMask region, const BitMask &edgePixels, 
     if (silhouette.moments.areaPx2 < leastFragmentPx)
         return false;
     silhouette.meanChroma = edge.meanChroma();
-    silhouette.deepShare = deepShareOf(window, background.darkestShadow, region, part);
+    silhouette.shadowDoubt = shadowDoubtOf(window, region, part);
     silhouette.clearShare = double((clear.cropped(part) & region).count()) / double(region.count());
     const int right = background.y.width - 2, bottom = background.y.height - 2;
     silhouette.touchesBorder =

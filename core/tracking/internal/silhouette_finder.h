@@ -21,9 +21,9 @@ struct SeenSilhouette
     std::vector<float> supportPx; ///< of the hull about the moments' centre
     Eigen::Matrix2d centreCovariancePx2 = Eigen::Matrix2d::Zero();
     Chroma meanChroma = Chroma::Zero();
-    int shadowPiece = 0;    ///< one connected piece of the foreground, with its shadows, has one number
-    double clearShare = 1;  ///< of its pixels: that cannot be a shadow on the floor
-    float deepShare = 0;    ///< as of Observation
+    int shadowPiece = 0;   ///< one connected piece of the foreground, with its shadows, has one number
+    double clearShare = 1; ///< of its pixels: that cannot be a shadow on the floor
+    ShadowDoubt shadowDoubt;
     bool isTrimmed = false; ///< something was left out that reaches out of it or is near it: a cable, a mast
     bool touchesBorder = false; ///< cut by the frame's edge, or by that of the searched area
 };

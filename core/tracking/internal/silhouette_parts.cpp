@@ -151,12 +151,14 @@ SeenSilhouette joined(const std::vector<SeenSilhouette> &seen, const std::vector
         whole.isTrimmed |= one.isTrimmed;
         whole.meanChroma += one.moments.areaPx2 * one.meanChroma;
         whole.clearShare += one.moments.areaPx2 * one.clearShare;
-        whole.deepShare += float(one.moments.areaPx2) * one.deepShare;
+        whole.shadowDoubt.deep += float(one.moments.areaPx2) * one.shadowDoubt.deep;
+        whole.shadowDoubt.tinted += float(one.moments.areaPx2) * one.shadowDoubt.tinted;
         area += one.moments.areaPx2;
     }
     whole.meanChroma /= area;
     whole.clearShare /= area;
-    whole.deepShare /= float(area);
+    whole.shadowDoubt.deep /= float(area);
+    whole.shadowDoubt.tinted /= float(area);
     measureHull(whole, std::move(points));
     return whole;
 }

@@ -114,11 +114,11 @@ namespace {
 
 // each is tried where the one before it is better than what was known
 constexpr float darkerShadows[] = {0.20F, 0.15F};
-constexpr double leastDeepShare = 0.1; // of a robot's pixels, over the frames
-constexpr double goodMisfit = 0.5;     // a quarter of a pixel
-constexpr double clearlyLess = 0.98;   // of the misfit
-constexpr double nearlyAsOften = 0.9;  // of the frames in which it was found
-constexpr double firstPart = 0.7, nextPart = 0.125;
+constexpr double leastDoubt = 0.1;    // share of a robot's pixels, over the frames
+constexpr double goodMisfit = 0.5;    // a quarter of a pixel
+constexpr double clearlyLess = 0.98;  // of the misfit
+constexpr double nearlyAsOften = 0.9; // of the frames in which it was found
+constexpr double firstPart = 0.7, nextPart = 0.1;
 
 /// What was tracked of one robot.
 struct Outlines
@@ -128,17 +128,17 @@ struct Outlines
     std::optional<double> misfit; ///< of the solid that explains their outlines best
 };
 
-/// The mean of what may be deep shadow of a robot; 0 where it was measured by its colour.
-double deepShareOf(const std::vector<TrackedView> &tracked, std::size_t robot)
+/// The mean of what may be shadow of a robot; 0 where it was measured by its colour.
+double meanDoubt(const std::vector<TrackedView> &tracked, std::size_t robot, float ShadowDoubt::*share)
 {
-    double found = 0, share = 0;
+    double found = 0, sum = 0;
     for (const TrackedView &view : tracked) {
         for (const Observation &one : view.series[robot].observations) {
             found += one.found;
-            share += one.found ? double(one.deepShare) : 0;
+            sum += one.found ? double(one.shadowDoubt.*share) : 0;
         }
     }
-    return share / std::max(1.0, found);
+    return sum / std::max(1.0, found);
 }
 
 Outlines outlinesOf(const std::vector<RegisteredView> &views, const std::vector<RobotRecord> &robots,
@@ -153,14 +153,14 @@ Outlines outlinesOf(const std::vector<RegisteredView> &views, const std::vector<
     return outlines;
 }
 
-/// Robots of which much may be deep shadow, and whose outlines are not explained well already.
+/// Robots of which much may be such a shadow, and whose outlines are not explained well already.
 std::vector<Outlines> uncertainOutlines(const std::vector<RegisteredView> &views,
                                         const std::vector<RobotRecord> &robots,
-                                        std::vector<TrackedView> &tracked)
+                                        std::vector<TrackedView> &tracked, float ShadowDoubt::*share)
 {
     std::vector<Outlines> uncertain;
     for (std::size_t r = 0; r < robots.size(); ++r) {
-        if (deepShareOf(tracked, r) <= leastDeepShare)
+        if (meanDoubt(tracked, r, share) <= leastDoubt)
             continue;
         Outlines outlines = outlinesOf(views, robots, tracked, r);
         if (outlines.misfit.value_or(0) > goodMisfit)
@@ -199,25 +199,32 @@ Result<SettledViews> trackAndSettle(const std::vector<RegisteredView> &views,
     auto best = tracked(firstPart, [&](const JobControl &part) { return trackViews(views, robots, part); });
     if (!best)
         return best;
-    std::vector<Outlines> known = uncertainOutlines(views, robots, best->views);
-    for (const float darkest : darkerShadows) {
-        if (known.empty())
-            break;
-        auto darker = tracked(nextPart, [&](const JobControl &part) {
-            return trackAgain(views, robots, best->views, darkest, part);
+    Background::Shadow shadow;
+    // Takes them for what they are where solids then explain the outlines better.
+    const auto tryShadows = [&](const Background::Shadow &tried, float ShadowDoubt::*share) {
+        const std::vector<Outlines> known = uncertainOutlines(views, robots, best->views, share);
+        if (known.empty() || control.isCancelled())
+            return false;
+        auto again = tracked(nextPart, [&](const JobControl &part) {
+            return trackAgain(views, robots, best->views, tried, part);
         });
-        if (control.isCancelled())
-            return cancelled(trackingSubject());
-        if (!darker) // what was found before stays
-            break;
+        if (!again) // what was found before stays
+            return false;
         std::vector<Outlines> now;
         for (const Outlines &before : known)
-            now.push_back(outlinesOf(views, robots, darker->views, before.robot));
+            now.push_back(outlinesOf(views, robots, again->views, before.robot));
         if (!areBetter(now, known))
+            return false;
+        best = std::move(again);
+        shadow = tried;
+        return true;
+    };
+    tryShadows({shadow.darkest, Background::strongTint}, &ShadowDoubt::tinted);
+    for (const float darkest : darkerShadows)
+        if (!tryShadows({darkest, shadow.tint}, &ShadowDoubt::deep))
             break;
-        best = std::move(darker);
-        known = std::move(now);
-    }
+    if (control.isCancelled())
+        return cancelled(trackingSubject());
     return best;
 }
 

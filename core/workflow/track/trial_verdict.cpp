@@ -81,12 +81,26 @@ double usedShare(const std::vector<char> &used)
     return double(std::count(first, last, 1)) / double(last - first);
 }
 
+/// The time before the first and after the last position, where the robot was moving then, and it is as long
+/// as a gap.
+double missedAtEndsS(const Profile &profile, double measuredWithGapsS)
+{
+    constexpr double leastS = 1.5;
+    const auto duration = std::ranges::find(profile.metrics, "duration", &Metric::name);
+    if (duration == profile.metrics.end() || !duration->isAtLeast || profile.samples.empty())
+        return 0;
+    const double missedS =
+        toSeconds(profile.samples.back().time - profile.samples.front().time) - measuredWithGapsS;
+    return missedS < leastS ? 0 : missedS;
+}
+
 void checkTime(const AnalysisRecord &analysis, const Message &robot, Checks &checks)
 {
     const Profile &profile = analysis.profile;
     double gapsS = 0;
     for (const TimeSpan &gap : profile.gaps)
         gapsS += toSeconds(gap.end - gap.begin);
+    gapsS += missedAtEndsS(profile, profile.measuredS + gapsS);
     const double wholeS = profile.measuredS + gapsS;
     if (gapsS > 0)
         checks.add(

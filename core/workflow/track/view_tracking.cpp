@@ -358,8 +358,8 @@ std::vector<std::size_t> takeFields(std::vector<RegisteredView> &views,
 
 Result<std::vector<TrackedView>> trackAgain(const std::vector<RegisteredView> &views,
                                             const std::vector<RobotRecord> &robots,
-                                            const std::vector<TrackedView> &before, float darkestShadow,
-                                            const JobControl &control)
+                                            const std::vector<TrackedView> &before,
+                                            const Background::Shadow &shadow, const JobControl &control)
 {
     std::vector<TrackTarget> targets = targetsOf(robots);
     for (std::size_t r = 0; r < robots.size(); ++r)
@@ -368,7 +368,7 @@ Result<std::vector<TrackedView>> trackAgain(const std::vector<RegisteredView> &v
     for (const TrackedView &view : before) {
         backgrounds.push_back(view.background);
         if (backgrounds.back())
-            backgrounds.back()->darkestShadow = darkestShadow;
+            backgrounds.back()->shadow = shadow;
     }
     auto again =
         trackTargets(views, robots, targets, control, onlyPass, WithLight::Ignored, std::move(backgrounds));

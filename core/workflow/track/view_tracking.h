@@ -57,12 +57,12 @@ Result<std::vector<TrackedView>> trackViews(const std::vector<RegisteredView> &v
 std::vector<std::size_t> takeFields(std::vector<RegisteredView> &views,
                                     const std::vector<TrackedView> &tracked, const CancelToken &cancel);
 
-/// Tracks once more what trackViews measured by its silhouette, before the same backgrounds, as if a shadow
-/// left the floor no less than this share of its luma. All other series stay as they are.
+/// Tracks once more what trackViews measured by its silhouette, before the same backgrounds, as if shadows
+/// looked like that. All other series stay as they are.
 Result<std::vector<TrackedView>> trackAgain(const std::vector<RegisteredView> &views,
                                             const std::vector<RobotRecord> &robots,
-                                            const std::vector<TrackedView> &before, float darkestShadow,
-                                            const JobControl &control);
+                                            const std::vector<TrackedView> &before,
+                                            const Background::Shadow &shadow, const JobControl &control);
 
 /// What a stored series says of its camera's move; nullopt: it was not moved, or not watched.
 std::optional<CameraMove> storedMove(const ObservationSeries &series);
