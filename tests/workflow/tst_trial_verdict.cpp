@@ -85,6 +85,25 @@ private Q_SLOTS:
         QVERIFY(example.verdict().level() == CheckLevel::Bad);
     }
 
+    /// It was still moving when it was seen last, a third of the run before the end.
+    void whatWasMissedAtTheEnd()
+    {
+        Example example;
+        Profile &profile = example.profile();
+        const double wholeS = toSeconds(profile.samples.back().time - profile.samples.front().time);
+        profile.measuredS = wholeS * 2 / 3;
+        QVERIFY(wholeS - profile.measuredS > 1.5);
+        const auto duration = std::ranges::find(profile.metrics, "duration", &Metric::name);
+        duration->isAtLeast = false;
+        QVERIFY(example.check("time_measured").level == CheckLevel::Pass); // it was at rest
+        duration->isAtLeast = true;
+        QVERIFY(example.check("time_measured").level == CheckLevel::Doubtful);
+        profile.measuredS = wholeS / 3;
+        QVERIFY(example.check("time_measured").level == CheckLevel::Bad);
+        profile.measuredS = wholeS - 1.4;
+        QVERIFY(example.check("time_measured").level == CheckLevel::Pass);
+    }
+
     void manySpikes()
     {
         Example example;
