@@ -46,6 +46,17 @@ SolidShape cylinder()
     return shape;
 }
 
+/// As shadows at its foot make of a cylinder's silhouettes.
+SolidShape nearlyRound()
+{
+    SolidShape shape = boxOf(0.18, 0.178);
+    shape.form = SolidShape::Form::Levels;
+    shape.levels = {SolidLevel{0.004, 0.085, 0.083, 0.09, 0.088}, SolidLevel{0.03, 0.09, 0.09, 0.089, 0.089},
+                    SolidLevel{0.08, 0.088, 0.09, 0.088, 0.089}};
+    shape.roundShare = 1;
+    return shape;
+}
+
 enum class Look { Outline, Silhouette };
 
 Profile filmed(const DrivenCourse &course, const SolidShape &shape, Look look, const RobotShape &given = {})
@@ -104,20 +115,24 @@ private Q_SLOTS:
     void aRoundRobotHasADirectionOfMotion_data()
     {
         QTest::addColumn<Look>("look");
-        QTest::newRow("outlines") << Look::Outline;
-        QTest::newRow("silhouettes") << Look::Silhouette;
+        QTest::addColumn<SolidShape>("shape");
+        QTest::newRow("outlines") << Look::Outline << cylinder();
+        QTest::newRow("silhouettes") << Look::Silhouette << cylinder();
+        QTest::newRow("silhouettes with shadows") << Look::Silhouette << nearlyRound();
     }
     void aRoundRobotHasADirectionOfMotion()
     {
         QFETCH(Look, look);
+        QFETCH(SolidShape, shape);
         const DrivenCourse course = spinsAndReverses();
-        const Profile profile = filmed(course, cylinder(), look);
+        const Profile profile = filmed(course, shape, look);
         const auto headings = headingsOf(profile);
         QVERIFY(!headings.empty());
         for (const auto &heading : headings)
             QVERIFY(heading && !heading->isOfBody);
         QVERIFY(headings[30]->sigmaRad && std::abs(headings[30]->radians - 0.4) < 0.05);
-        QVERIFY(!headings[90]->sigmaRad); // it spins, which cannot be seen
+        if (shape.form == SolidShape::Form::Cylinder) // what is uneven seems to move a little
+            QVERIFY(!headings[90]->sigmaRad);         // it spins, which cannot be seen
     }
 
     /// One that is wider than long moves along its shorter side, unless its size says otherwise.

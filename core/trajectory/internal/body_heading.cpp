@@ -127,6 +127,30 @@ bool isNearlySquare(const SolidShape &shape)
     return std::max(shape.lengthM, shape.widthM) < nearlySquare * std::min(shape.lengthM, shape.widthM);
 }
 
+/// Whether all of it looks the same from all sides but for what errors of its outlines make of it: what seems
+/// to be its axis then follows shadows, and not the body.
+bool isRound(const SolidShape &shape)
+{
+    constexpr double leastRoundShare = 0.9, mostUnequal = 0.05, mostOff = 0.1; // of the length
+    constexpr double sameHeight = 0.1;                                         // of the top's
+    if (shape.form != SolidShape::Form::Levels || shape.roundShare < leastRoundShare ||
+        std::abs(shape.lengthM - shape.widthM) > mostUnequal * shape.lengthM)
+        return false;
+    return std::ranges::all_of(shape.levels, [&shape](const SolidLevel &level) {
+        SolidLevel here = level; // with what hides it: of two at one height the wider one is seen
+        for (const SolidLevel &other : shape.levels) {
+            if (std::abs(other.heightM - level.heightM) > sameHeight * shape.topM)
+                continue;
+            here.frontM = std::max(here.frontM, other.frontM);
+            here.backM = std::max(here.backM, other.backM);
+            here.leftM = std::max(here.leftM, other.leftM);
+            here.rightM = std::max(here.rightM, other.rightM);
+        }
+        const auto [least, most] = std::minmax({here.frontM, here.backM, here.leftM, here.rightM});
+        return most - least < mostOff * shape.lengthM;
+    });
+}
+
 /// The angles of all observations, directed; and where the front is not known.
 struct DirectedAngles
 {
@@ -195,7 +219,7 @@ headingsOfBody(const std::vector<ViewTrack> &views, const std::vector<std::vecto
                const TrackedBody &body)
 {
     std::vector<std::optional<MeasuredHeading>> headings(views.front().observations.size());
-    if (headings.empty()) // a first video of which no frame could be read
+    if (headings.empty() || isRound(body.shape)) // empty: a first video of which no frame could be read
         return headings;
     DirectedNodes nodes(views, sightings, body.axes);
     AxisMotion motion = motionOf(nodes.all());
