@@ -5,7 +5,6 @@
 #include "app/commands/trial_commands.h"
 #include "app/workbench.h"
 #include "core/exchange/trial_json.h"
-#include "core/project/class_repository.h"
 #include "core/project/names.h"
 #include "core/project/repositories.h"
 #include "core/project/school_repository.h"
@@ -375,7 +374,7 @@ Result<void> runShow(const QStringList &arguments, const CancelToken &cancel)
     QStringList lines(QStringLiteral("Trial %1, team %2")
                           .arg(QString::fromStdString(trial.name), QString::fromStdString(trial.teamName)));
     lines << stepSentences(recordings);
-    const auto identity = ODO_TRY(project.classes().school().known(SchoolKind::Trial, trial.id));
+    const auto identity = ODO_TRY(project.school().known(SchoolKind::Trial, trial.id));
     const bool isElsewhere = recordings.empty() && identity && !identity->views.empty();
     if (isElsewhere)
         lines << QStringLiteral("Its recordings are at %1").arg(QString::fromStdString(identity->owner));

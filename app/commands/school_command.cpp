@@ -6,7 +6,6 @@
 #include "app/commands/commands.h"
 #include "app/commands/hub_argument.h"
 #include "core/base/file_system.h"
-#include "core/project/class_repository.h"
 #include "core/project/project.h"
 #include "core/school/hub_results.h"
 
@@ -90,7 +89,7 @@ Result<void> connectProject(const CommandCall &call)
     if (call.isSet(option::media))
         folder = files::absolute(call.value(option::media)).string();
     const auto link = ODO_TRY(connectToSchool(*project, address, folder));
-    const auto pending = ODO_TRY(project->classes().school().pending());
+    const auto pending = ODO_TRY(project->school().pending());
     call.answer(linkJson(link, pending), linkText(link, pending));
     return {};
 }
@@ -98,7 +97,7 @@ Result<void> connectProject(const CommandCall &call)
 Result<void> showStatus(const CommandCall &call)
 {
     const auto project = ODO_TRY(call.openProject(1, Project::Access::ReadOnly));
-    const SchoolRepository school = project->classes().school();
+    const SchoolRepository &school = project->school();
     const auto link = ODO_TRY(schoolLink(school));
     const auto pending = ODO_TRY(school.pending());
     call.answer(linkJson(link, pending), linkText(link, pending));
@@ -108,7 +107,7 @@ Result<void> showStatus(const CommandCall &call)
 Result<void> disconnectProject(const CommandCall &call)
 {
     const auto project = ODO_TRY(call.openProject(1, Project::Access::ReadWrite));
-    SchoolRepository school = project->classes().school();
+    SchoolRepository &school = project->school();
     const auto link = ODO_TRY(schoolLink(school));
     const auto pending = ODO_TRY(school.pending());
     ODO_TRY(school.disconnect());

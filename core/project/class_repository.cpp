@@ -6,7 +6,6 @@
 #include "core/project/names.h"
 #include "core/project/records.h"
 #include "core/project/repositories.h"
-#include "core/project/school_repository.h"
 
 #include <set>
 #include <unordered_map>
@@ -29,11 +28,6 @@ ClassRecord classOf(const Statement &row)
 } // namespace
 
 ClassRepository::ClassRepository(ProjectConnection &connection) : m_connection(connection) {}
-
-SchoolRepository ClassRepository::school() const
-{
-    return SchoolRepository(m_connection);
-}
 
 Result<ClassRecord> ClassRepository::add(const std::string &given)
 {

@@ -10,7 +10,6 @@
 
 namespace odo {
 
-class SchoolRepository;
 struct ProjectConnection;
 
 struct ClassRecord
@@ -37,8 +36,6 @@ public:
     Result<void> setArchived(RecordId id, bool archived);
     /// InvalidInput where it has teams.
     Result<void> remove(RecordId id);
-    /// What ties the project to the school's hub, where its class lists come from; on the same connection.
-    SchoolRepository school() const;
 
 private:
     ProjectConnection &m_connection;

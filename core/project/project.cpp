@@ -15,6 +15,7 @@
 #include "core/project/project_rescue.h"
 #include "core/project/recording_rows.h"
 #include "core/project/repositories.h"
+#include "core/project/school_repository.h"
 #include "core/project/verdict_repository.h"
 
 namespace odo {
@@ -53,9 +54,9 @@ struct Project::Impl
 {
     Impl(std::unique_ptr<ProjectConnection> opened, bool isToWriteBack)
         : connection(std::move(opened)), cameras(*connection), layouts(*connection), robots(*connection),
-          teams(*connection), classes(*connection), tasks(*connection), trials(*connection),
-          analyses(*connection), verdicts(*connection), guidance(*connection), journal(*connection),
-          writesBack(isToWriteBack)
+          teams(*connection), classes(*connection), school(*connection), tasks(*connection),
+          trials(*connection), analyses(*connection), verdicts(*connection), guidance(*connection),
+          journal(*connection), writesBack(isToWriteBack)
     {
         if (connection->access() == DatabaseAccess::ReadWrite)
             connection->watchForOverwriting();
@@ -67,6 +68,7 @@ struct Project::Impl
     RobotRepository robots;
     TeamRepository teams;
     ClassRepository classes;
+    SchoolRepository school;
     TaskRepository tasks;
     TrialRepository trials;
     AnalysisRepository analyses;
@@ -242,6 +244,11 @@ ClassRepository &Project::classes()
 {
     return m_impl->classes;
 }
+SchoolRepository &Project::school()
+{
+    return m_impl->school;
+}
+
 TaskRepository &Project::tasks()
 {
     return m_impl->tasks;

@@ -21,6 +21,7 @@ class LayoutRepository;
 class RobotRepository;
 class TeamRepository;
 class ClassRepository;
+class SchoolRepository;
 class TaskRepository;
 class TrialRepository;
 class AnalysisRepository;
@@ -87,6 +88,7 @@ public:
     RobotRepository &robots();
     TeamRepository &teams();
     ClassRepository &classes();
+    SchoolRepository &school();
     TaskRepository &tasks();
     TrialRepository &trials();
     AnalysisRepository &analyses();

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/school/school_sync.h"
 
-#include "core/project/class_repository.h"
 #include "core/project/project.h"
 #include "core/project/repositories.h"
 #include "core/school/internal/school_hub.h"
@@ -88,7 +87,7 @@ Result<void> checkMedia(const SchoolLink &link, WithRecordings recordings)
 Result<void> pullAllRecordings(Project &project, HubSession &hub, const std::filesystem::path &folder,
                                const JobControl &control, SchoolReport &report)
 {
-    const SchoolRepository school = project.classes().school();
+    const SchoolRepository &school = project.school();
     const auto trials = ODO_TRY(project.trials().all());
     for (const TrialRecord &trial : trials) {
         const auto identity = ODO_TRY(school.known(SchoolKind::Trial, trial.id));
@@ -115,7 +114,7 @@ public:
     /// standings: of the project, as standingMarks().
     Publisher(Project &project, const SchoolLink &link, HubSession &hub,
               std::map<RecordId, QJsonObject> standings, SchoolReport &report)
-        : m_project(project), m_school(project.classes().school()), m_link(link), m_hub(hub),
+        : m_project(project), m_school(project.school()), m_link(link), m_hub(hub),
           m_standings(std::move(standings)), m_report(report)
     {
     }
@@ -182,7 +181,7 @@ private:
     }
 
     Project &m_project;
-    SchoolRepository m_school;
+    SchoolRepository &m_school;
     const SchoolLink &m_link;
     HubSession &m_hub;
     std::map<RecordId, QJsonObject> m_standings;
@@ -194,7 +193,7 @@ class Puller
 {
 public:
     Puller(Project &project, SchoolReport &report)
-        : m_project(project), m_school(project.classes().school()), m_report(report)
+        : m_project(project), m_school(project.school()), m_report(report)
     {
     }
 
@@ -262,7 +261,7 @@ private:
     }
 
     Project &m_project;
-    SchoolRepository m_school;
+    SchoolRepository &m_school;
     SchoolReport &m_report;
 };
 
@@ -292,7 +291,7 @@ Result<SchoolLink> connectToSchool(Project &project, const HubAddress &address, 
     const JobControl control;
     HubSession hub(address, control);
     ODO_TRY(hub.open());
-    SchoolRepository school = project.classes().school();
+    SchoolRepository &school = project.school();
     ODO_TRY(school.connect({address.url(), {}, hub.role(), hub.version(), media}));
     return schoolLink(school);
 }
@@ -304,7 +303,7 @@ template <class Work>
 Result<SchoolReport> withHub(Project &project, WithRecordings recordings, const JobControl &control,
                              const Work &work)
 {
-    SchoolRepository school = project.classes().school();
+    SchoolRepository &school = project.school();
     const SchoolLink link = ODO_TRY(schoolLink(school));
     ODO_TRY(checkMedia(link, recordings));
     HubSession hub(ODO_TRY(HubAddress::parse(link.url)), control);
@@ -324,7 +323,7 @@ Result<SchoolReport> publishToSchool(Project &project, WithRecordings recordings
         project, recordings, control,
         [&](const SchoolLink &link, HubSession &hub, SchoolReport &report) -> Result<void> {
             Publisher publisher(project, link, hub, ODO_TRY(standingMarks(project)), report);
-            const auto entries = ODO_TRY(project.classes().school().outbox());
+            const auto entries = ODO_TRY(project.school().outbox());
             double done = 0;
             for (const OutboxEntry &entry : entries) {
                 if (control.isCancelled())
@@ -356,7 +355,7 @@ Result<SchoolReport> pullFromSchool(Project &project, WithRecordings recordings,
                     ODO_TRY(puller.take(document));
                     revision = document.revision;
                 }
-                ODO_TRY(project.classes().school().setPulled(revision));
+                ODO_TRY(project.school().setPulled(revision));
                 if (documents.empty())
                     break;
             }

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Publishing through a network that delays, stalls and cuts connections: a call goes on or ends with one
 // line, and after some of them the hub has each trial once.
-#include "core/project/class_repository.h"
 #include "core/school/school_sync.h"
 #include "tests/school/bench_trials.h"
 #include "tests/school/postgres_server.h"
@@ -177,7 +176,7 @@ private Q_SLOTS:
         const auto connected = connectToSchool(
             **project, *HubAddress::parse(m_server.url(QStringLiteral("bench1")).toStdString()), {});
         QVERIFY2(connected, whyNot(connected).c_str());
-        SchoolRepository school = (*project)->classes().school();
+        SchoolRepository &school = (*project)->school();
         auto link = **school.link();
         link.url = QStringLiteral("postgresql://bench1@127.0.0.1:%1/school")
                        .arg(m_network->serverPort())
@@ -246,7 +245,7 @@ private:
     void eachTrialIsThereOnce()
     {
         const auto project = *Project::open(m_project.toStdString(), Project::Access::ReadOnly);
-        QCOMPARE(project->classes().school().pending().value(), 0);
+        QCOMPARE(project->school().pending().value(), 0);
         QCOMPARE(number("SELECT count(*) FROM odograph.document WHERE kind = 'trial'"), trials);
         QCOMPARE(number("SELECT count(DISTINCT name) FROM odograph.document WHERE kind = 'trial'"), trials);
         QCOMPARE(number("SELECT count(*) FROM odograph.result"), trials);

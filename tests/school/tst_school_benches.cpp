@@ -2,7 +2,6 @@
 // Many benches, each a program of its own, publish at once while the server is restarted and benches are
 // killed: at the end the hub has each trial once, as its bench has it. ODOGRAPH_BENCHES: how many, with
 // twenty trials each.
-#include "core/project/class_repository.h"
 #include "core/project/project.h"
 #include "core/project/repositories.h"
 #include "core/project/school_documents.h"
@@ -146,7 +145,7 @@ private:
         QCOMPARE(atTheHub.size(), qsizetype(m_benches.size()) * trialsOfABench);
         for (const Bench &bench : m_benches) {
             const auto project = *Project::open(bench.project.toStdString(), Project::Access::ReadWrite);
-            SchoolRepository school = project->classes().school();
+            SchoolRepository &school = project->school();
             QCOMPARE(school.pending().value(), 0);
             const auto trials = *project->trials().names();
             for (const TrialName &trial : trials) {

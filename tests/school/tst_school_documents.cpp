@@ -37,8 +37,8 @@ private Q_SLOTS:
 
     void nothingIsNotedWithoutAHub()
     {
-        QCOMPARE(m_ours->classes().school().pending().value(), 0);
-        QVERIFY(!m_ours->classes().school().link()->has_value());
+        QCOMPARE(m_ours->school().pending().value(), 0);
+        QVERIFY(!m_ours->school().link()->has_value());
     }
 
     void connectingNotesEverything()
@@ -47,8 +47,8 @@ private Q_SLOTS:
         // class 8b, team Los Niños, task line, trial run 1
         QCOMPARE(words(*m_ours), QStringList({QStringLiteral("class"), QStringLiteral("team"),
                                               QStringLiteral("task"), QStringLiteral("trial")}));
-        QVERIFY(m_ours->classes().school().disconnect());
-        QCOMPARE(m_ours->classes().school().pending().value(), 0);
+        QVERIFY(m_ours->school().disconnect());
+        QCOMPARE(m_ours->school().pending().value(), 0);
     }
 
     void everyChangeOfATrialIsNoted_data()
@@ -105,7 +105,7 @@ private Q_SLOTS:
             return fail(ErrorCode::Internal, {}, {}, {});
         });
         QVERIFY(!failed);
-        QCOMPARE(m_ours->classes().school().pending().value(), 0);
+        QCOMPARE(m_ours->school().pending().value(), 0);
     }
 
     void undoingIsNotedToo()
@@ -122,7 +122,7 @@ private Q_SLOTS:
     void aChangeWhileSendingStays()
     {
         connect(*m_ours);
-        SchoolRepository school = m_ours->classes().school();
+        SchoolRepository &school = m_ours->school();
         const auto entries = school.outbox();
         QVERIFY(entries && !entries->empty());
         QVERIFY(m_ours->trials().setNotes(m_filled.trial, "meanwhile"));
@@ -134,11 +134,11 @@ private Q_SLOTS:
     void aRemovedTrialLeavesItsIdentity()
     {
         connect(*m_ours);
-        const auto identity = m_ours->classes().school().identity(SchoolKind::Trial, m_filled.trial);
+        const auto identity = m_ours->school().identity(SchoolKind::Trial, m_filled.trial);
         QVERIFY(identity);
         QVERIFY(m_ours->trials().setBinned(m_filled.trial, true));
         QVERIFY(m_ours->trials().removeForGood(m_filled.trial));
-        const auto entries = *m_ours->classes().school().outbox();
+        const auto entries = *m_ours->school().outbox();
         QCOMPARE(entries.back().removed, identity->uuid);
         QCOMPARE(std::ranges::count(entries, SchoolKind::Trial, &OutboxEntry::kind), 1);
     }
@@ -155,7 +155,7 @@ private Q_SLOTS:
         QCOMPARE(theirs->task, ours->task);
         QCOMPARE(theirs->robotNames, ours->robotNames);
         QCOMPARE(theirs->viewCount, 0);
-        QVERIFY(m_theirs->classes().school().setIdentity(
+        QVERIFY(m_theirs->school().setIdentity(
             {SchoolKind::Trial, *row, "1", 1, {}, "bench1", viewsOf(*document)}));
         const auto again = makeSchoolDocument(*m_theirs, SchoolKind::Trial, *row);
         QVERIFY(again);
@@ -203,7 +203,7 @@ private Q_SLOTS:
             QVERIFY(document);
             const auto stored = storeSchoolDocument(*m_theirs, *document, 0, "teacher");
             QVERIFY2(stored, whyNot(stored).c_str());
-            const RecordId there = *m_theirs->classes().school().rowNamed(kind, document->name);
+            const RecordId there = *m_theirs->school().rowNamed(kind, document->name);
             QCOMPARE(makeSchoolDocument(*m_theirs, kind, there)->body, document->body);
         }
     }
@@ -301,12 +301,12 @@ private:
 
     static void connect(Project &project)
     {
-        QVERIFY(project.classes().school().connect({"postgresql://school/hub", {}, "bench", 1, {}}));
+        QVERIFY(project.school().connect({"postgresql://school/hub", {}, "bench", 1, {}}));
     }
 
     static void empty(Project &project)
     {
-        SchoolRepository school = project.classes().school();
+        SchoolRepository &school = project.school();
         const auto entries = *school.outbox();
         for (const OutboxEntry &entry : entries)
             QVERIFY(school.settle(entry));
@@ -316,7 +316,7 @@ private:
     static QStringList words(Project &project)
     {
         QStringList kinds;
-        const auto entries = *project.classes().school().outbox();
+        const auto entries = *project.school().outbox();
         for (const OutboxEntry &entry : entries)
             kinds << QString::fromStdString(schoolKindWord(entry.kind));
         return kinds;

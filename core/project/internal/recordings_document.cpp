@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/project/class_repository.h"
 #include "core/project/internal/series_blobs.h"
 #include "core/project/internal/trial_document.h"
 #include "core/project/project.h"
@@ -125,7 +124,7 @@ Result<void> attachRecordings(Project &project, RecordId trial, const QByteArray
         record.syncScore = fields.real("sync_score");
         if (!fields.isSound())
             return recordingsAreDamaged(fault);
-        return project.classes().school().addRecordings(trial, views, [&]() -> Result<void> {
+        return project.school().addRecordings(trial, views, [&]() -> Result<void> {
             const auto stored = ODO_TRY(project.trials().recordings(trial));
             return project.trials().setSync(record, stored);
         });

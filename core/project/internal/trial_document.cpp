@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/project/internal/trial_document.h"
 
-#include "core/project/class_repository.h"
 #include "core/project/internal/series_blobs.h"
 #include "core/project/internal/words.h"
 #include "core/project/project.h"
@@ -36,7 +35,7 @@ Result<std::vector<std::string>> viewsOf(Project &project, const TrialRecord &tr
     const auto recordings = ODO_TRY(project.trials().recordings(trial.id));
     for (const RecordingRecord &recording : recordings)
         views.push_back(recording.cameraName);
-    const auto identity = ODO_TRY(project.classes().school().known(SchoolKind::Trial, trial.id));
+    const auto identity = ODO_TRY(project.school().known(SchoolKind::Trial, trial.id));
     return views.empty() && identity ? identity->views : views;
 }
 
