@@ -120,11 +120,11 @@ Result<void> disconnectProject(const CommandCall &call)
 
 Result<void> exchange(const CommandCall &call,
                       Result<SchoolReport> (*work)(Project &project, WithRecordings recordings,
-                                                   const JobControl &control))
+                                                   const JobControl &control, const SchoolContact &contact))
 {
     const auto project = ODO_TRY(call.openProject(1, Project::Access::ReadWrite));
     const auto recordings = call.isSet(option::recordings) ? WithRecordings::Yes : WithRecordings::No;
-    const auto report = ODO_TRY(work(*project, recordings, call.control()));
+    const auto report = ODO_TRY(work(*project, recordings, call.control(), {}));
     answerReport(call, report);
     return {};
 }

@@ -124,4 +124,29 @@ Message HubAddress::subject() const
     return ODO_TEXT("school.hub_subject", "school hub '%1'")((host.empty() ? "" : host + "/") + database);
 }
 
+namespace {
+
+const MessageText &passwordWanted()
+{
+    return ODO_TEXT("school.password_wanted", "the server asks for the password of the login");
+}
+
+const MessageText &passwordRefused()
+{
+    return ODO_TEXT("school.password_refused", "the server does not accept this login with this password");
+}
+
+} // namespace
+
+tl::unexpected<Error> needsPassword(Message subject, bool gotOne)
+{
+    return fail(ErrorCode::NotFound, std::move(subject), gotOne ? passwordRefused() : passwordWanted(),
+                ODO_TEXT("school.password_place", "put the right one into ~/.pgpass or PGPASSWORD"));
+}
+
+bool isPasswordNeeded(const Error &error)
+{
+    return error.why.code() == passwordWanted().code || error.why.code() == passwordRefused().code;
+}
+
 } // namespace odo

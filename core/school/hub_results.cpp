@@ -4,7 +4,7 @@
 #include "core/analysis/metric_table.h"
 #include "core/project/names.h"
 #include "core/school/internal/hub_queries.h"
-#include "core/school/internal/school_hub.h"
+#include "core/school/internal/hub_thread.h"
 #include "core/school/internal/standing_marks.h"
 
 #include <algorithm>
@@ -143,55 +143,30 @@ Result<std::string> usualMetric(SchoolHub &hub, const StandingsChoice &choice)
     return names.empty() ? std::string() : *names.begin();
 }
 
-} // namespace
-
-HubResults::HubResults(std::unique_ptr<SchoolHub> hub, std::string role)
-    : m_hub(std::move(hub)), m_role(std::move(role))
-{
-}
-
-HubResults::~HubResults() = default;
-
-Result<std::unique_ptr<HubResults>> HubResults::connect(const HubAddress &address)
-{
-    auto hub = ODO_TRY(SchoolHub::connect(address));
-    const auto version = ODO_TRY(hub->schemaVersion());
-    ODO_TRY(hub->checkSchema(version));
-    auto role = ODO_TRY(hub->role());
-    ODO_TRY(hub->run({QStringLiteral("SET default_transaction_read_only = on")}));
-    ODO_TRY(hub->run({QStringLiteral("SET statement_timeout = '15s'")}));
-    return std::unique_ptr<HubResults>(new HubResults(std::move(hub), std::move(role)));
-}
-
-Result<std::int64_t> HubResults::state()
-{
-    auto rows = ODO_TRY(m_hub->run(hubQueries::resultState()));
-    return rows.next() ? rows.value(0).toLongLong() : 0;
-}
-
-Result<HubStandings> HubResults::standings(StandingsChoice choice)
+Result<HubStandings> readStandings(SchoolHub &hub, StandingsChoice choice)
 {
     if (choice.task.empty()) {
-        auto task = ODO_TRY(newestTask(*m_hub, choice));
+        auto task = ODO_TRY(newestTask(hub, choice));
         choice.task = std::move(task);
     }
     if (choice.metric.empty()) {
-        auto metric = ODO_TRY(usualMetric(*m_hub, choice));
+        auto metric = ODO_TRY(usualMetric(hub, choice));
         choice.metric = std::move(metric);
     }
-    auto rows = ODO_TRY(m_hub->run(hubQueries::standings(choice)));
+    auto rows = ODO_TRY(hub.run(hubQueries::standings(choice)));
     RunRows runs(std::move(choice));
     while (rows.next())
         runs.add(rows);
     return runs.standings();
 }
 
-Result<std::vector<HubRun>> HubResults::runs(const HubRunFilter &filter, int most, const HubRun *after)
+Result<std::vector<HubRun>> readRuns(SchoolHub &hub, const HubRunFilter &filter, bool withNames,
+                                     const HubRun *after, int most)
 {
     std::vector<HubRun> runs;
     for (const auto search : {hubQueries::TextSearch::InNewest, hubQueries::TextSearch::InAll}) {
         runs.clear();
-        auto rows = ODO_TRY(m_hub->run(hubQueries::runs(filter, search, mayReadTrials(), after, most)));
+        auto rows = ODO_TRY(hub.run(hubQueries::runs(filter, search, withNames, after, most)));
         while (rows.next())
             runs.push_back(runOf(rows, filter.metric));
         if (filter.search.empty() || int(runs.size()) == most)
@@ -200,15 +175,9 @@ Result<std::vector<HubRun>> HubResults::runs(const HubRunFilter &filter, int mos
     return runs;
 }
 
-Result<std::int64_t> HubResults::revisionOf(const std::string &trial)
+Result<std::optional<HubTrial>> readTrial(SchoolHub &hub, const std::string &trial)
 {
-    auto rows = ODO_TRY(m_hub->run(hubQueries::revision(trial)));
-    return rows.next() ? rows.value(0).toLongLong() : 0;
-}
-
-Result<std::optional<HubTrial>> HubResults::trial(const std::string &trial)
-{
-    auto rows = ODO_TRY(m_hub->run(hubQueries::document(trial)));
+    auto rows = ODO_TRY(hub.run(hubQueries::document(trial)));
     if (!rows.next())
         return std::nullopt;
     HubTrial found;
@@ -218,6 +187,80 @@ Result<std::optional<HubTrial>> HubResults::trial(const std::string &trial)
     found.document.sha256 = rows.value(3).toString().toStdString();
     found.document.body = rows.value(4).toByteArray();
     return found;
+}
+
+} // namespace
+
+HubResults::HubResults(std::unique_ptr<HubThread> hub, std::string role)
+    : m_hub(std::move(hub)), m_role(std::move(role))
+{
+}
+
+HubResults::~HubResults() = default;
+
+template <class Work>
+auto HubResults::ask(const Work &work, const JobControl &control)
+{
+    using Outcome = decltype(work(std::declval<SchoolHub &>()));
+    return m_hub->call<Outcome>(
+        [work, lost = m_hub->lostConnection()](std::unique_ptr<SchoolHub> &hub) {
+            return hub ? work(*hub) : Outcome(tl::unexpected(lost)); // after a call that nobody waited for
+        },
+        control, [] {});
+}
+
+Result<std::unique_ptr<HubResults>> HubResults::connect(const HubAddress &address, const JobControl &control)
+{
+    auto thread = std::make_unique<HubThread>(address);
+    const auto open = [address](std::unique_ptr<SchoolHub> &hub) -> Result<std::string> {
+        auto made = ODO_TRY(SchoolHub::connect(address));
+        const auto version = ODO_TRY(made->schemaVersion());
+        ODO_TRY(made->checkSchema(version));
+        auto role = ODO_TRY(made->role());
+        ODO_TRY(made->run({QStringLiteral("SET default_transaction_read_only = on")}));
+        ODO_TRY(made->run({QStringLiteral("SET statement_timeout = '15s'")}));
+        hub = std::move(made);
+        return role;
+    };
+    auto role = ODO_TRY(thread->call<Result<std::string>>(open, control, [] {}));
+    return std::unique_ptr<HubResults>(new HubResults(std::move(thread), std::move(role)));
+}
+
+Result<std::int64_t> HubResults::state()
+{
+    return ask([](SchoolHub &hub) -> Result<std::int64_t> {
+        auto rows = ODO_TRY(hub.run(hubQueries::resultState()));
+        return rows.next() ? rows.value(0).toLongLong() : 0;
+    });
+}
+
+Result<HubStandings> HubResults::standings(StandingsChoice choice)
+{
+    return ask([choice = std::move(choice)](SchoolHub &hub) { return readStandings(hub, choice); });
+}
+
+Result<std::vector<HubRun>> HubResults::runs(const HubRunFilter &filter, int most, const HubRun *after,
+                                             const JobControl &control)
+{
+    const auto last = after ? std::optional(*after) : std::nullopt;
+    return ask(
+        [filter, most, last, withNames = mayReadTrials()](SchoolHub &hub) {
+            return readRuns(hub, filter, withNames, last ? &*last : nullptr, most);
+        },
+        control);
+}
+
+Result<std::int64_t> HubResults::revisionOf(const std::string &trial)
+{
+    return ask([trial](SchoolHub &hub) -> Result<std::int64_t> {
+        auto rows = ODO_TRY(hub.run(hubQueries::revision(trial)));
+        return rows.next() ? rows.value(0).toLongLong() : 0;
+    });
+}
+
+Result<std::optional<HubTrial>> HubResults::trial(const std::string &trial)
+{
+    return ask([trial](SchoolHub &hub) { return readTrial(hub, trial); });
 }
 
 } // namespace odo

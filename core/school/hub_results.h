@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/base/error.h"
+#include "core/base/job_control.h"
 #include "core/project/school_documents.h"
 #include "core/school/hub_address.h"
 #include "core/workflow/compare/standings_reading.h"
@@ -14,7 +15,7 @@
 
 namespace odo {
 
-class SchoolHub;
+class HubThread;
 
 /// Standings as a hub has them: teams by the names that viewers may see, trials by their UUIDs.
 struct HubStandings
@@ -51,14 +52,16 @@ struct HubRun
     std::optional<Metric> metric;
 };
 
-/// The results at a school's hub, which any of its roles may read. It changes nothing. On the thread that
-/// made it; each call asks the server, and one that takes the server more than 15 s ends with an error.
-/// Errors: Unavailable where the hub cannot be reached or went away: connect again; InvalidInput, NotFound
-/// and NewerFormat for what does not pass by itself.
+/// The results at a school's hub, which any of its roles may read. It changes nothing. On one thread at a
+/// time; each call asks the server, and one that takes the server more than 15 s ends with an error; a
+/// cancellation waits for no server. Errors: Unavailable where the hub cannot be reached or went away:
+/// connect again; isPasswordNeeded(); InvalidInput, NotFound and NewerFormat for what does not pass by
+/// itself; Cancelled.
 class HubResults
 {
 public:
-    static Result<std::unique_ptr<HubResults>> connect(const HubAddress &address);
+    static Result<std::unique_ptr<HubResults>> connect(const HubAddress &address,
+                                                       const JobControl &control = {});
     ~HubResults();
     HubResults(const HubResults &) = delete;
     HubResults &operator=(const HubResults &) = delete;
@@ -71,7 +74,8 @@ public:
     Result<HubStandings> standings(StandingsChoice choice);
 
     /// The newest runs first, a page of so many at most; after: the last one of the page before.
-    Result<std::vector<HubRun>> runs(const HubRunFilter &filter, int most, const HubRun *after = nullptr);
+    Result<std::vector<HubRun>> runs(const HubRunFilter &filter, int most, const HubRun *after = nullptr,
+                                     const JobControl &control = {});
 
     /// Whether the login may read more of trials than their results.
     bool mayReadTrials() const { return m_role != "viewer"; }
@@ -81,9 +85,12 @@ public:
     Result<std::optional<HubTrial>> trial(const std::string &trial);
 
 private:
-    explicit HubResults(std::unique_ptr<SchoolHub> hub, std::string role);
+    explicit HubResults(std::unique_ptr<HubThread> hub, std::string role);
+    /// What work(SchoolHub &) gives; it owns all that it uses.
+    template <class Work>
+    auto ask(const Work &work, const JobControl &control = {});
 
-    std::unique_ptr<SchoolHub> m_hub;
+    std::unique_ptr<HubThread> m_hub;
     std::string m_role;
 };
 

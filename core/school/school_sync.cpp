@@ -3,11 +3,10 @@
 
 #include "core/project/project.h"
 #include "core/project/repositories.h"
-#include "core/school/internal/school_hub.h"
+#include "core/school/internal/hub_session.h"
 #include "core/school/internal/school_media.h"
 #include "core/school/internal/standing_marks.h"
 
-#include <QThread>
 #include <algorithm>
 #include <map>
 #include <utility>
@@ -16,63 +15,7 @@ namespace odo {
 
 namespace {
 
-constexpr std::chrono::seconds longestAbsence{30};
 constexpr int documentsAtOnce = 20;
-
-/// A connection that is made again while the server is away, for a while.
-class HubSession
-{
-public:
-    HubSession(HubAddress address, const JobControl &control)
-        : m_address(std::move(address)), m_control(control)
-    {
-    }
-
-    Result<void> open()
-    {
-        m_hub = ODO_TRY(SchoolHub::connect(m_address));
-        const auto version = ODO_TRY(m_hub->schemaVersion());
-        ODO_TRY(m_hub->checkSchema(version));
-        m_version = version;
-        m_role = ODO_TRY(m_hub->role());
-        return {};
-    }
-
-    /// Work that may be done twice: it is, where the connection was lost.
-    template <class Work>
-    auto patiently(const Work &work) -> decltype(work(std::declval<SchoolHub &>()))
-    {
-        const auto end = std::chrono::steady_clock::now() + longestAbsence;
-        for (;;) {
-            auto outcome = m_hub ? work(*m_hub) : decltype(work(*m_hub))(tl::unexpected(m_lost));
-            if (outcome || outcome.error().code != ErrorCode::Unavailable)
-                return outcome;
-            m_lost = outcome.error();
-            m_hub.reset();
-            if (m_control.isCancelled())
-                return cancelled(m_address.subject());
-            if (std::chrono::steady_clock::now() > end)
-                return outcome;
-            QThread::msleep(200);
-            if (auto opened = open(); !opened && opened.error().code != ErrorCode::Unavailable)
-                return tl::unexpected(opened.error());
-            else if (!opened)
-                m_hub.reset();
-        }
-    }
-
-    Message subject() const { return m_address.subject(); }
-    const std::string &role() const { return m_role; }
-    int version() const { return m_version; }
-
-private:
-    const HubAddress m_address;
-    const JobControl &m_control;
-    std::unique_ptr<SchoolHub> m_hub;
-    std::string m_role;
-    int m_version = 0;
-    Error m_lost;
-};
 
 Result<void> checkMedia(const SchoolLink &link, WithRecordings recordings)
 {
@@ -93,8 +36,8 @@ Result<void> pullAllRecordings(Project &project, HubSession &hub, const std::fil
         const auto identity = ODO_TRY(school.known(SchoolKind::Trial, trial.id));
         if (trial.viewCount > 0 || !identity || identity->views.empty())
             continue;
-        const auto recordings =
-            ODO_TRY(hub.patiently([&](SchoolHub &server) { return server.recordingsOf(identity->uuid); }));
+        const auto recordings = ODO_TRY(
+            hub.patiently([uuid = identity->uuid](SchoolHub &server) { return server.recordingsOf(uuid); }));
         if (!recordings.isEmpty())
             ODO_TRY(pullRecordings(project, trial.id, recordings, identity->owner, folder, control, report));
     }
@@ -128,9 +71,10 @@ public:
         if (identity.sha256 == document.sha256)
             return m_school.settle(entry);
         const auto standing = entry.kind == SchoolKind::Trial ? m_standings[entry.row] : QJsonObject();
-        const auto outcome = ODO_TRY(m_hub.patiently([&](SchoolHub &hub) {
-            return hub.publish(document, identity.uuid, m_link.bench, identity.revision, false, standing);
-        }));
+        const auto outcome =
+            ODO_TRY(m_hub.patiently([document, identity, standing, bench = m_link.bench](SchoolHub &hub) {
+                return hub.publish(document, identity.uuid, bench, identity.revision, false, standing);
+            }));
         using Kind = PublishOutcome::Kind;
         if (outcome.kind == Kind::Conflict || outcome.kind == Kind::Refused) {
             SchoolDocument theirs = document;
@@ -164,7 +108,8 @@ public:
         }
         if (standings.isEmpty())
             return {};
-        return m_hub.patiently([&](SchoolHub &hub) { return hub.setStandings(m_link.bench, standings); });
+        return m_hub.patiently(
+            [standings, bench = m_link.bench](SchoolHub &hub) { return hub.setStandings(bench, standings); });
     }
 
 private:
@@ -174,8 +119,9 @@ private:
         document.kind = entry.kind;
         document.name = "-";
         document.sha256 = std::string(64, '0');
-        ODO_TRY(m_hub.patiently(
-            [&](SchoolHub &hub) { return hub.publish(document, entry.removed, m_link.bench, 0, true); }));
+        ODO_TRY(m_hub.patiently([document, uuid = entry.removed, bench = m_link.bench](SchoolHub &hub) {
+            return hub.publish(document, uuid, bench, 0, true);
+        }));
         ++m_report.sent;
         return m_school.settle(entry);
     }
@@ -286,9 +232,9 @@ Result<int> initialiseHub(const HubAddress &address)
     return hub->upgrade();
 }
 
-Result<SchoolLink> connectToSchool(Project &project, const HubAddress &address, const std::string &media)
+Result<SchoolLink> connectToSchool(Project &project, const HubAddress &address, const std::string &media,
+                                   const JobControl &control)
 {
-    const JobControl control;
     HubSession hub(address, control);
     ODO_TRY(hub.open());
     SchoolRepository &school = project.school();
@@ -301,14 +247,18 @@ namespace {
 /// What publishing and pulling have in common. work(link, hub, report): the rest.
 template <class Work>
 Result<SchoolReport> withHub(Project &project, WithRecordings recordings, const JobControl &control,
-                             const Work &work)
+                             const SchoolContact &contact, const Work &work)
 {
     SchoolRepository &school = project.school();
     const SchoolLink link = ODO_TRY(schoolLink(school));
     ODO_TRY(checkMedia(link, recordings));
-    HubSession hub(ODO_TRY(HubAddress::parse(link.url)), control);
+    HubAddress address = ODO_TRY(HubAddress::parse(link.url));
+    address.password = contact.password;
+    HubSession hub(std::move(address), control);
     ODO_TRY(hub.open());
-    SchoolReport report;
+    SchoolReport own;
+    SchoolReport &report = contact.report ? *contact.report : own;
+    report = {};
     ODO_TRY(work(link, hub, report));
     ODO_TRY(school.setContact(hub.role(), hub.version(), instantNow()));
     report.pending = ODO_TRY(school.pending());
@@ -317,10 +267,11 @@ Result<SchoolReport> withHub(Project &project, WithRecordings recordings, const 
 
 } // namespace
 
-Result<SchoolReport> publishToSchool(Project &project, WithRecordings recordings, const JobControl &control)
+Result<SchoolReport> publishToSchool(Project &project, WithRecordings recordings, const JobControl &control,
+                                     const SchoolContact &contact)
 {
     return withHub(
-        project, recordings, control,
+        project, recordings, control, contact,
         [&](const SchoolLink &link, HubSession &hub, SchoolReport &report) -> Result<void> {
             Publisher publisher(project, link, hub, ODO_TRY(standingMarks(project)), report);
             const auto entries = ODO_TRY(project.school().outbox());
@@ -328,7 +279,7 @@ Result<SchoolReport> publishToSchool(Project &project, WithRecordings recordings
             for (const OutboxEntry &entry : entries) {
                 if (control.isCancelled())
                     return cancelled(hub.subject());
-                control.report(done++ / double(entries.size()), ODO_TEXT("school.publishing", "publishing"));
+                hub.report(done++ / double(entries.size()), ODO_TEXT("school.publishing", "publishing"));
                 ODO_TRY(publisher.send(entry));
             }
             ODO_TRY(publisher.sendStandings());
@@ -337,21 +288,24 @@ Result<SchoolReport> publishToSchool(Project &project, WithRecordings recordings
         });
 }
 
-Result<SchoolReport> pullFromSchool(Project &project, WithRecordings recordings, const JobControl &control)
+Result<SchoolReport> pullFromSchool(Project &project, WithRecordings recordings, const JobControl &control,
+                                    const SchoolContact &contact)
 {
     return withHub(
-        project, recordings, control,
+        project, recordings, control, contact,
         [&](const SchoolLink &link, HubSession &hub, SchoolReport &report) -> Result<void> {
             Puller puller(project, report);
             std::int64_t revision = link.pulled;
             for (;;) {
-                const auto documents = ODO_TRY(hub.patiently(
-                    [&](SchoolHub &server) { return server.since(revision, link.bench, documentsAtOnce); }));
+                const auto documents =
+                    ODO_TRY(hub.patiently([revision, bench = link.bench](SchoolHub &server) {
+                        return server.since(revision, bench, documentsAtOnce);
+                    }));
                 for (const HubDocument &document : documents) {
                     if (control.isCancelled())
                         return cancelled(hub.subject());
-                    control.report(0, ODO_TEXT("school.receiving", "receiving %1")(schoolDocumentSubject(
-                                          document.document.kind, document.document.name)));
+                    hub.report(0, ODO_TEXT("school.receiving", "receiving %1")(
+                                      schoolDocumentSubject(document.document.kind, document.document.name)));
                     ODO_TRY(puller.take(document));
                     revision = document.revision;
                 }

@@ -2,123 +2,18 @@
 // Publishing through a network that delays, stalls and cuts connections: a call goes on or ends with one
 // line, and after some of them the hub has each trial once.
 #include "core/school/school_sync.h"
+#include "tests/school/bad_network.h"
 #include "tests/school/bench_trials.h"
 #include "tests/school/postgres_server.h"
 #include "tests/support/registered_test.h"
 
-#include <QLocalSocket>
 #include <QProcess>
-#include <QTcpServer>
-#include <QTcpSocket>
 #include <QTemporaryDir>
 #include <QTest>
-#include <QTimer>
 #include <random>
 
 using namespace odo;
 using namespace odo::test;
-
-namespace {
-
-/// What befalls a connection each time that so many bytes went through it, either way.
-struct Fault
-{
-    enum class Kind { None, Cut, Stall, StallAndCut } kind = Kind::None;
-    qint64 afterBytes = 0;
-    std::chrono::milliseconds delay{0}; ///< of each piece, from the beginning
-    QByteArray atAnswer = {};           ///< cut where the server answers this again; empty: nowhere
-};
-
-int befallen = 0; ///< how often any fault did
-
-/// One connection between a program and the server.
-class Link : public QObject
-{
-public:
-    Link(QTcpSocket *program, const QString &server, const Fault &fault, QObject *parent)
-        : QObject(parent), m_program(program), m_fault(fault)
-    {
-        program->setParent(this);
-        m_server.connectToServer(server);
-        QObject::connect(program, &QIODevice::readyRead, this, [this] { take(*m_program, m_server); });
-        QObject::connect(&m_server, &QIODevice::readyRead, this, [this] { take(m_server, *m_program); });
-        QObject::connect(program, &QTcpSocket::disconnected, this, [this] { cut(); });
-        QObject::connect(&m_server, &QLocalSocket::disconnected, this,
-                         [this] { m_program->disconnectFromHost(); });
-    }
-
-private:
-    void take(QIODevice &from, QIODevice &to)
-    {
-        if (m_isStalled)
-            return; // it stays in the socket
-        const QByteArray bytes = from.readAll();
-        m_passed += bytes.size();
-        if (!m_fault.atAnswer.isEmpty() && &from == &m_server && bytes.contains(m_fault.atAnswer) &&
-            ++m_answers == 2) {
-            ++befallen;
-            return cut();
-        }
-        if (m_fault.kind != Fault::Kind::None && m_passed > m_fault.afterBytes)
-            return befall(bytes, to);
-        QTimer::singleShot(m_fault.delay, this, [bytes, &to] {
-            if (to.isOpen())
-                to.write(bytes);
-        });
-    }
-    void befall(const QByteArray &bytes, QIODevice &to)
-    {
-        constexpr std::chrono::milliseconds stall{400};
-        const Fault::Kind kind = m_fault.kind;
-        m_passed = 0; // it befalls it again
-        ++befallen;
-        if (kind == Fault::Kind::Cut)
-            return cut();
-        m_isStalled = true;
-        QTimer::singleShot(stall, this, [this, kind, bytes, &to] {
-            m_isStalled = false;
-            if (kind == Fault::Kind::StallAndCut || !to.isOpen())
-                return cut();
-            to.write(bytes);
-            take(*m_program, m_server);
-            take(m_server, *m_program);
-        });
-    }
-    void cut()
-    {
-        m_program->abort();
-        m_server.abort();
-        deleteLater();
-    }
-
-    QTcpSocket *m_program;
-    QLocalSocket m_server;
-    Fault m_fault;
-    qint64 m_passed = 0;
-    int m_answers = 0; ///< as the fault waits for
-    bool m_isStalled = false;
-};
-
-/// Between programs and the socket of a server.
-class BadNetwork : public QTcpServer
-{
-public:
-    explicit BadNetwork(QString server) : m_server(std::move(server))
-    {
-        QObject::connect(this, &QTcpServer::newConnection, this, [this] {
-            while (QTcpSocket *program = nextPendingConnection())
-                new Link(program, m_server, next ? next() : Fault(), this);
-        });
-        listen(QHostAddress::LocalHost);
-    }
-
-    std::function<Fault()> next; ///< what befalls the next connection
-
-private:
-    const QString m_server;
-};
-
-} // namespace
 
 class TestBadNetwork : public QObject
 {
@@ -195,7 +90,7 @@ private Q_SLOTS:
         QFETCH(int, seed);
         std::mt19937 random{std::uint32_t(seed)};
         int failures = 0;
-        befallen = 0;
+        m_network->befallen = 0;
         m_network->next = [&] {
             Fault fault;
             fault.kind = Fault::Kind(1 + random() % 3);
@@ -211,19 +106,19 @@ private Q_SLOTS:
             QVERIFY2(call.err.startsWith("odograph: ") && call.err.count('\n') == 1, call.err.constData());
             QVERIFY(++failures < 30);
         }
-        qInfo("%d faults, %d calls that failed", befallen, failures);
-        QVERIFY(befallen > 3);
+        qInfo("%d faults, %d calls that failed", m_network->befallen, failures);
+        QVERIFY(m_network->befallen > 3);
         eachTrialIsThereOnce();
     }
 
     /// The hub has a trial, and the bench does not know.
     void anAnswerThatIsLostMakesNoSecondTrial()
     {
-        befallen = 0;
+        m_network->befallen = 0;
         m_network->next = [] { return Fault{Fault::Kind::None, 0, {}, "COMMIT"}; };
         const Call call = publish();
         QVERIFY2(call.status == 0, call.err.constData());
-        QVERIFY(befallen > 3);
+        QVERIFY(m_network->befallen > 3);
         eachTrialIsThereOnce();
     }
 

@@ -66,6 +66,17 @@ bool mayPass(const QSqlError &error)
            state.startsWith(QLatin1String("40")) || state.startsWith(QLatin1String("53"));
 }
 
+/// Of opening a connection, of which the driver gives the words alone. libpq says the first in English,
+/// whatever its language, and so do most servers the second.
+std::optional<Error> passwordError(const QSqlError &error, const Message &what)
+{
+    const QString text = error.databaseText() + error.driverText();
+    const bool gotOne = text.contains(QLatin1String("password authentication failed"));
+    if (!gotOne && !text.contains(QLatin1String("no password supplied")))
+        return std::nullopt;
+    return needsPassword(what, gotOne).value();
+}
+
 PublishOutcome::Kind outcomeOf(const QString &word)
 {
     using Kind = PublishOutcome::Kind;
@@ -106,6 +117,8 @@ Result<std::unique_ptr<SchoolHub>> SchoolHub::connect(const HubAddress &address)
     database.setHostName(QString::fromStdString(address.host));
     database.setUserName(QString::fromStdString(address.user));
     database.setDatabaseName(QString::fromStdString(address.database));
+    if (!address.password.empty())
+        database.setPassword(QString::fromStdString(address.password));
     if (address.port > 0)
         database.setPort(address.port);
     database.setConnectOptions(connectOptions(address));
@@ -116,11 +129,19 @@ Result<std::unique_ptr<SchoolHub>> SchoolHub::connect(const HubAddress &address)
     return hub;
 }
 
+Message tryLater()
+{
+    return ODO_TEXT("school.publish_later", "try again later; what was not sent yet is kept");
+}
+
 tl::unexpected<Error> SchoolHub::failure(const QSqlError &error) const
 {
     const bool isOpen = m_database.isOpen();
     const QString state = error.nativeErrorCode();
     const Message what = m_address.subject();
+    if (!isOpen)
+        if (auto aboutPassword = passwordError(error, what))
+            return tl::unexpected(std::move(*aboutPassword));
     if (!isOpen)
         return fail(ErrorCode::Unavailable, what, serverWords(error),
                     ODO_TEXT("school.check_connection",
@@ -129,7 +150,7 @@ tl::unexpected<Error> SchoolHub::failure(const QSqlError &error) const
     if (mayPass(error))
         return fail(ErrorCode::Unavailable, what,
                     ODO_TEXT("school.went_away", "the connection was lost (%1)")(serverWords(error)),
-                    ODO_TEXT("school.publish_later", "try again later; what was not sent yet is kept"));
+                    tryLater());
     if (state == QLatin1String("42501"))
         return fail(
             ErrorCode::InvalidInput, what,

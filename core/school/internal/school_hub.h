@@ -93,4 +93,7 @@ private:
     QSqlDatabase m_database;
 };
 
+/// What to do where the server is away for a while.
+Message tryLater();
+
 } // namespace odo
