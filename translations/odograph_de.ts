@@ -646,6 +646,121 @@
     </message>
 </context>
 <context>
+    <name>Conflict</name>
+    <message>
+        <source>Name</source>
+        <translation>Name</translation>
+    </message>
+    <message>
+        <source>Notes</source>
+        <translation>Notizen</translation>
+    </message>
+    <message>
+        <source>Team</source>
+        <translation>Team</translation>
+    </message>
+    <message>
+        <source>Class</source>
+        <translation>Klasse</translation>
+    </message>
+    <message>
+        <source>Task</source>
+        <translation>Aufgabe</translation>
+    </message>
+    <message>
+        <source>Tasks</source>
+        <translation>Aufgaben</translation>
+    </message>
+    <message>
+        <source>Tags</source>
+        <translation>Schlagwörter</translation>
+    </message>
+    <message>
+        <source>Starred</source>
+        <translation>Mit Stern</translation>
+    </message>
+    <message>
+        <source>Archived</source>
+        <translation>Archiviert</translation>
+    </message>
+    <message>
+        <source>In the bin</source>
+        <translation>Im Papierkorb</translation>
+    </message>
+    <message>
+        <source>Date</source>
+        <translation>Datum</translation>
+    </message>
+    <message>
+        <source>Members</source>
+        <translation>Mitglieder</translation>
+    </message>
+    <message>
+        <source>Pseudonym</source>
+        <translation>Pseudonym</translation>
+    </message>
+    <message>
+        <source>Robot</source>
+        <translation>Roboter</translation>
+    </message>
+    <message>
+        <source>Robots</source>
+        <translation>Roboter</translation>
+    </message>
+    <message>
+        <source>Variables</source>
+        <translation>Variablen</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>Wert</translation>
+    </message>
+    <message>
+        <source>Analyses</source>
+        <translation>Auswertungen</translation>
+    </message>
+    <message>
+        <source>Metrics</source>
+        <translation>Kennwerte</translation>
+    </message>
+    <message>
+        <source>Gates</source>
+        <translation>Tore</translation>
+    </message>
+    <message>
+        <source>Zones</source>
+        <translation>Zonen</translation>
+    </message>
+    <message>
+        <source>Scoring</source>
+        <translation>Wertung</translation>
+    </message>
+    <message>
+        <source>(hidden)</source>
+        <translation>(verborgen)</translation>
+    </message>
+    <message>
+        <source>yes</source>
+        <translation>ja</translation>
+    </message>
+    <message>
+        <source>no</source>
+        <translation>nein</translation>
+    </message>
+    <message>
+        <source>Measured values</source>
+        <translation>Messwerte</translation>
+    </message>
+    <message>
+        <source>this version</source>
+        <translation>diese Fassung</translation>
+    </message>
+    <message>
+        <source>another version</source>
+        <translation>andere Fassung</translation>
+    </message>
+</context>
+<context>
     <name>Explanation</name>
     <message>
         <source>smoothed by Kalman filter and RTS smoother, noise by maximum likelihood (Rauch, Tung, Striebel 1965; Bar-Shalom et al. 2001)</source>
@@ -1243,6 +1358,126 @@ Das Verfahren folgt S. Park, „Computational Vision for Automatic Tracking and 
     <message>
         <source>Sectors, s</source>
         <translation>Sektoren, s</translation>
+    </message>
+</context>
+<context>
+    <name>Hub</name>
+    <message>
+        <source>Connected.</source>
+        <translation>Verbunden.</translation>
+    </message>
+    <message>
+        <source>Everything had been sent.</source>
+        <translation>Es war schon alles gesendet.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n item(s) sent.</source>
+        <translation>
+            <numerusform>%n Eintrag gesendet.</numerusform>
+            <numerusform>%n Einträge gesendet.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Nothing new at the hub.</source>
+        <translation>Nichts Neues am Hub.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n item(s) received.</source>
+        <translation>
+            <numerusform>%n Eintrag empfangen.</numerusform>
+            <numerusform>%n Einträge empfangen.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Recordings: %1 copied.</source>
+        <translation>Aufnahmen: %1 kopiert.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n more warning(s).</source>
+        <translation>
+            <numerusform>%n weitere Warnung.</numerusform>
+            <numerusform>%n weitere Warnungen.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 at %2</source>
+        <translation>%1 auf %2</translation>
+    </message>
+    <message>
+        <source>Teacher: may change everything</source>
+        <translation>Lehrkraft: darf alles ändern</translation>
+    </message>
+    <message>
+        <source>Bench: publishes its own trials, reads those of others</source>
+        <translation>Messplatz: veröffentlicht eigene Versuche, liest die anderer</translation>
+    </message>
+    <message>
+        <source>Viewer: reads results only</source>
+        <translation>Betrachter: liest nur Ergebnisse</translation>
+    </message>
+    <message>
+        <source>Nothing: all is sent</source>
+        <translation>Nichts: alles ist gesendet</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n change(s)</source>
+        <translation>
+            <numerusform>%n Änderung</numerusform>
+            <numerusform>%n Änderungen</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>password needed</source>
+        <translation>Passwort nötig</translation>
+    </message>
+    <message>
+        <source>server away</source>
+        <translation>Server nicht erreichbar</translation>
+    </message>
+    <message>
+        <source>not accepted</source>
+        <translation>nicht angenommen</translation>
+    </message>
+    <message>
+        <source>Hub: %1</source>
+        <translation>Hub: %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>Hub: %n pending, %1</source>
+        <translation>
+            <numerusform>Hub: %n ausstehend, %1</numerusform>
+            <numerusform>Hub: %n ausstehend, %1</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Hub: publishing…</source>
+        <translation>Hub: wird veröffentlicht…</translation>
+    </message>
+    <message>
+        <source>Hub: pulling…</source>
+        <translation>Hub: wird abgerufen…</translation>
+    </message>
+    <message>
+        <source>Hub: all sent</source>
+        <translation>Hub: alles gesendet</translation>
+    </message>
+    <message numerus="yes">
+        <source>Hub: %n pending</source>
+        <translation>
+            <numerusform>Hub: %n ausstehend</numerusform>
+            <numerusform>Hub: %n ausstehend</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>no answer yet</source>
+        <translation>noch keine Antwort</translation>
+    </message>
+    <message numerus="yes">
+        <source>Hub: publishing, %n pending</source>
+        <translation>
+            <numerusform>Hub: wird veröffentlicht, %n ausstehend</numerusform>
+            <numerusform>Hub: wird veröffentlicht, %n ausstehend</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -11703,6 +11938,104 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
 </context>
 <context>
+    <name>odo::ConflictDialog</name>
+    <message>
+        <source>Changed here and elsewhere</source>
+        <translation>Hier und anderswo geändert</translation>
+    </message>
+    <message>
+        <source>You and another bench changed these. Nothing is lost: the hub keeps the version that is not in force. To bring a value back, enter it here again.</source>
+        <translation>Dies haben Sie und ein anderer Messplatz geändert. Nichts geht verloren: Der Hub behält auch die Fassung, die nicht gilt. Um einen Wert zurückzuholen, geben Sie ihn hier wieder ein.</translation>
+    </message>
+    <message>
+        <source>What was changed twice</source>
+        <translation>Was zweimal geändert wurde</translation>
+    </message>
+    <message>
+        <source>Values that differ</source>
+        <translation>Werte, die sich unterscheiden</translation>
+    </message>
+    <message>
+        <source>&amp;Remove all from this list</source>
+        <translation>Alle aus der Liste &amp;entfernen</translation>
+    </message>
+    <message>
+        <source>The version of this project is in force.</source>
+        <translation>Es gilt die Fassung dieses Projekts.</translation>
+    </message>
+    <message>
+        <source>The version of the hub is in force. It comes with the next “Pull”.</source>
+        <translation>Es gilt die Fassung des Hubs. Sie kommt mit dem nächsten „Abrufen“.</translation>
+    </message>
+    <message>
+        <source>What</source>
+        <translation>Was</translation>
+    </message>
+    <message>
+        <source>In this project</source>
+        <translation>In diesem Projekt</translation>
+    </message>
+    <message>
+        <source>At the hub</source>
+        <translation>Am Hub</translation>
+    </message>
+</context>
+<context>
+    <name>odo::ConnectForm</name>
+    <message>
+        <source>Odograph keeps it until you close the program, and writes it nowhere</source>
+        <translation>Odograph merkt es sich, bis Sie das Programm schließen, und schreibt es nirgends auf</translation>
+    </message>
+    <message>
+        <source>Password</source>
+        <translation>Passwort</translation>
+    </message>
+    <message>
+        <source>&amp;Browse…</source>
+        <translation>&amp;Durchsuchen…</translation>
+    </message>
+    <message>
+        <source>C&amp;onnect</source>
+        <translation>&amp;Verbinden</translation>
+    </message>
+    <message>
+        <source>Connect this project to the school&apos;s hub. Odograph sends its trials, tasks and class lists there, and you receive those of the other benches. You can measure without the network; Odograph sends later what it could not send.</source>
+        <translation>Verbinden Sie dieses Projekt mit dem Hub der Schule. Odograph sendet seine Versuche, Aufgaben und Klassenlisten dorthin, und Sie erhalten die der anderen Messplätze. Messen können Sie auch ohne Netz; Odograph sendet später, was es nicht senden konnte.</translation>
+    </message>
+    <message>
+        <source>Address of the hub</source>
+        <translation>Adresse des Hubs</translation>
+    </message>
+    <message>
+        <source>empty: as in ~/.pgpass or PGPASSWORD</source>
+        <translation>leer: wie in ~/.pgpass oder PGPASSWORD</translation>
+    </message>
+    <message>
+        <source>optional: a folder that all benches can reach</source>
+        <translation>optional: ein Ordner, den alle Messplätze erreichen</translation>
+    </message>
+    <message>
+        <source>Folder for recordings</source>
+        <translation>Ordner für Aufnahmen</translation>
+    </message>
+    <message>
+        <source>Browse: %1</source>
+        <translation>Durchsuchen: %1</translation>
+    </message>
+    <message>
+        <source>&amp;Address:</source>
+        <translation>&amp;Adresse:</translation>
+    </message>
+    <message>
+        <source>&amp;Password:</source>
+        <translation>&amp;Passwort:</translation>
+    </message>
+    <message>
+        <source>&amp;Recordings:</source>
+        <translation>A&amp;ufnahmen:</translation>
+    </message>
+</context>
+<context>
     <name>odo::CoveragePanel</name>
     <message>
         <source>Across</source>
@@ -12618,6 +12951,264 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <translation>
             <numerusform>%1 von %n Versuch</numerusform>
             <numerusform>%1 von %n Versuchen</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>School hub</source>
+        <translation>Schul-Hub</translation>
+    </message>
+</context>
+<context>
+    <name>odo::HubActions</name>
+    <message>
+        <source>School &amp;hub…</source>
+        <translation>Schul-&amp;Hub…</translation>
+    </message>
+</context>
+<context>
+    <name>odo::HubDialog</name>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>School hub</source>
+        <translation>Schul-Hub</translation>
+    </message>
+    <message>
+        <source>What was done</source>
+        <translation>Was getan wurde</translation>
+    </message>
+    <message>
+        <source>Progress</source>
+        <translation>Fortschritt</translation>
+    </message>
+    <message>
+        <source>Cancel the exchange with the hub</source>
+        <translation>Den Austausch mit dem Hub abbrechen</translation>
+    </message>
+    <message>
+        <source>Disconnect</source>
+        <translation>Trennen</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n change(s) are not sent yet. They stay in the project.</source>
+        <translation>
+            <numerusform>%n Änderung ist noch nicht gesendet. Sie bleibt im Projekt.</numerusform>
+            <numerusform>%n Änderungen sind noch nicht gesendet. Sie bleiben im Projekt.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>&amp;Disconnect</source>
+        <translation>&amp;Trennen</translation>
+    </message>
+    <message>
+        <source>Connecting…</source>
+        <translation>Wird verbunden…</translation>
+    </message>
+    <message>
+        <source>Asking the hub…</source>
+        <translation>Der Hub wird gefragt…</translation>
+    </message>
+    <message>
+        <source>The project is read-only here, so nothing can be sent or received.</source>
+        <translation>Das Projekt ist hier schreibgeschützt, daher kann nichts gesendet oder empfangen werden.</translation>
+    </message>
+</context>
+<context>
+    <name>odo::HubExchange</name>
+    <message>
+        <source>Disconnected. All trials stay in the project.</source>
+        <translation>Getrennt. Alle Versuche bleiben im Projekt.</translation>
+    </message>
+</context>
+<context>
+    <name>odo::HubPanel</name>
+    <message>
+        <source>Password of the hub</source>
+        <translation>Passwort des Hubs</translation>
+    </message>
+    <message>
+        <source>Copy &amp;recordings, too</source>
+        <translation>Auch A&amp;ufnahmen kopieren</translation>
+    </message>
+    <message>
+        <source>&amp;Publish now</source>
+        <translation>Jetzt &amp;veröffentlichen</translation>
+    </message>
+    <message>
+        <source>Pu&amp;ll now</source>
+        <translation>Jetzt a&amp;brufen</translation>
+    </message>
+    <message>
+        <source>&amp;Disconnect</source>
+        <translation>&amp;Trennen</translation>
+    </message>
+    <message>
+        <source>Send to the hub what is pending. Odograph also does this by itself.</source>
+        <translation>Ausstehendes an den Hub senden. Odograph tut das auch von selbst.</translation>
+    </message>
+    <message>
+        <source>Receive class lists, tasks and the trials of other benches</source>
+        <translation>Klassenlisten, Aufgaben und die Versuche anderer Messplätze empfangen</translation>
+    </message>
+    <message>
+        <source>To and from the school&apos;s folder for recordings; this can take long</source>
+        <translation>In den Ordner der Schule für Aufnahmen und von dort; das kann lange dauern</translation>
+    </message>
+    <message>
+        <source>Log &amp;in</source>
+        <translation>An&amp;melden</translation>
+    </message>
+    <message>
+        <source>Pass&amp;word:</source>
+        <translation>Pass&amp;wort:</translation>
+    </message>
+    <message>
+        <source>How the project is connected</source>
+        <translation>Wie das Projekt verbunden ist</translation>
+    </message>
+    <message>
+        <source>Connection</source>
+        <translation>Verbindung</translation>
+    </message>
+    <message>
+        <source>not yet</source>
+        <translation>noch nicht</translation>
+    </message>
+    <message>
+        <source>Hub</source>
+        <translation>Hub</translation>
+    </message>
+    <message>
+        <source>Role</source>
+        <translation>Rolle</translation>
+    </message>
+    <message>
+        <source>Schema</source>
+        <translation>Schema</translation>
+    </message>
+    <message>
+        <source>Version %1</source>
+        <translation>Version %1</translation>
+    </message>
+    <message>
+        <source>Last exchange</source>
+        <translation>Letzter Austausch</translation>
+    </message>
+    <message>
+        <source>Still to be sent</source>
+        <translation>Noch zu senden</translation>
+    </message>
+    <message>
+        <source>Recordings</source>
+        <translation>Aufnahmen</translation>
+    </message>
+    <message>
+        <source>No folder: they stay at this bench</source>
+        <translation>Kein Ordner: Sie bleiben an diesem Messplatz</translation>
+    </message>
+    <message numerus="yes">
+        <source>&amp;Changed twice: %n…</source>
+        <translation>
+            <numerusform>&amp;Zweimal geändert: %n…</numerusform>
+            <numerusform>&amp;Zweimal geändert: %n…</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>odo::HubRunsModel</name>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 s</translation>
+    </message>
+    <message>
+        <source>counts</source>
+        <translation>zählt</translation>
+    </message>
+    <message>
+        <source>doubtful</source>
+        <translation>zweifelhaft</translation>
+    </message>
+    <message>
+        <source>does not count</source>
+        <translation>zählt nicht</translation>
+    </message>
+    <message>
+        <source>another course</source>
+        <translation>anderer Kurs</translation>
+    </message>
+    <message>
+        <source>Date</source>
+        <translation>Datum</translation>
+    </message>
+    <message>
+        <source>Trial</source>
+        <translation>Versuch</translation>
+    </message>
+    <message>
+        <source>Team</source>
+        <translation>Team</translation>
+    </message>
+    <message>
+        <source>Class</source>
+        <translation>Klasse</translation>
+    </message>
+    <message>
+        <source>Robot</source>
+        <translation>Roboter</translation>
+    </message>
+    <message>
+        <source>Task</source>
+        <translation>Aufgabe</translation>
+    </message>
+    <message>
+        <source>Duration</source>
+        <translation>Dauer</translation>
+    </message>
+    <message>
+        <source>Standings</source>
+        <translation>Rangliste</translation>
+    </message>
+</context>
+<context>
+    <name>odo::HubRunsPanel</name>
+    <message>
+        <source>Trials of all benches</source>
+        <translation>Versuche aller Messplätze</translation>
+    </message>
+    <message>
+        <source>Search trials and teams…</source>
+        <translation>Versuche und Teams suchen…</translation>
+    </message>
+    <message>
+        <source>Search the hub</source>
+        <translation>Im Hub suchen</translation>
+    </message>
+    <message>
+        <source>Three letters or more</source>
+        <translation>Mindestens drei Buchstaben</translation>
+    </message>
+    <message>
+        <source>Runs at the hub</source>
+        <translation>Läufe am Hub</translation>
+    </message>
+    <message>
+        <source>Searching…</source>
+        <translation>Wird gesucht…</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n run(s)</source>
+        <translation>
+            <numerusform>%n Lauf</numerusform>
+            <numerusform>%n Läufe</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>the newest %n run(s)</source>
+        <translation>
+            <numerusform>der neueste Lauf</numerusform>
+            <numerusform>die neuesten %n Läufe</numerusform>
         </translation>
     </message>
 </context>
@@ -13567,6 +14158,14 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>C&amp;lass</source>
         <translation>K&amp;lasse</translation>
+    </message>
+    <message>
+        <source>You and another bench changed the same things. Both versions are kept.</source>
+        <translation>Sie und ein anderer Messplatz haben dasselbe geändert. Beide Fassungen sind erhalten.</translation>
+    </message>
+    <message>
+        <source>Show both</source>
+        <translation>Beide zeigen</translation>
     </message>
 </context>
 <context>
@@ -15833,6 +16432,14 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>Saving…</source>
         <translation>Wird gespeichert …</translation>
+    </message>
+    <message>
+        <source>The school&apos;s hub</source>
+        <translation>Der Hub der Schule</translation>
+    </message>
+    <message>
+        <source>%1. Click for more about the school&apos;s hub</source>
+        <translation>%1. Für mehr über den Hub der Schule klicken</translation>
     </message>
 </context>
 <context>
@@ -20273,6 +20880,13 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
 </context>
 <context>
+    <name>school.check_server</name>
+    <message>
+        <source>have the hub&apos;s administrator look at the server</source>
+        <translation>bitten Sie den Administrator des Hubs, den Server zu prüfen</translation>
+    </message>
+</context>
+<context>
     <name>school.connect_first</name>
     <message>
         <source>connect it with odograph school connect P.odo postgresql://user@host/database</source>
@@ -20312,6 +20926,13 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>media folder of the school</source>
         <translation>Medienordner der Schule</translation>
+    </message>
+</context>
+<context>
+    <name>school.never_answers</name>
+    <message>
+        <source>the server takes connections and answers none</source>
+        <translation>der Server nimmt Verbindungen an und beantwortet keine</translation>
     </message>
 </context>
 <context>
@@ -20413,6 +21034,27 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
 </context>
 <context>
+    <name>school.password_place</name>
+    <message>
+        <source>put the right one into ~/.pgpass or PGPASSWORD</source>
+        <translation>geben Sie es hier ein, oder legen Sie es in ~/.pgpass ab</translation>
+    </message>
+</context>
+<context>
+    <name>school.password_refused</name>
+    <message>
+        <source>the server does not accept this login with this password</source>
+        <translation>der Server nimmt diese Anmeldung mit diesem Passwort nicht an</translation>
+    </message>
+</context>
+<context>
+    <name>school.password_wanted</name>
+    <message>
+        <source>the server asks for the password of the login</source>
+        <translation>der Server verlangt das Passwort der Anmeldung</translation>
+    </message>
+</context>
+<context>
     <name>school.publish_later</name>
     <message>
         <source>try again later; what was not sent yet is kept</source>
@@ -20462,6 +21104,20 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
 </context>
 <context>
+    <name>school.server_away</name>
+    <message>
+        <source>the server is away; trying again</source>
+        <translation>der Server ist nicht erreichbar; neuer Versuch</translation>
+    </message>
+</context>
+<context>
+    <name>school.silent</name>
+    <message>
+        <source>the server does not answer</source>
+        <translation>der Server antwortet nicht</translation>
+    </message>
+</context>
+<context>
     <name>school.sslmode_choices</name>
     <message>
         <source>use disable, allow, prefer, require, verify-ca or verify-full</source>
@@ -20487,6 +21143,13 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>update Odograph</source>
         <translation>aktualisieren Sie Odograph</translation>
+    </message>
+</context>
+<context>
+    <name>school.waiting</name>
+    <message>
+        <source>waiting for the server</source>
+        <translation>wartet auf den Server</translation>
     </message>
 </context>
 <context>

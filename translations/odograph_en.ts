@@ -60,6 +60,58 @@
     </message>
 </context>
 <context>
+    <name>Hub</name>
+    <message numerus="yes">
+        <source>%n item(s) sent.</source>
+        <translation>
+            <numerusform>%n item sent.</numerusform>
+            <numerusform>%n items sent.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n item(s) received.</source>
+        <translation>
+            <numerusform>%n item received.</numerusform>
+            <numerusform>%n items received.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n more warning(s).</source>
+        <translation>
+            <numerusform>%n more warning.</numerusform>
+            <numerusform>%n more warnings.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n change(s)</source>
+        <translation>
+            <numerusform>%n change</numerusform>
+            <numerusform>%n changes</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Hub: %n pending, %1</source>
+        <translation>
+            <numerusform>Hub: %n pending, %1</numerusform>
+            <numerusform>Hub: %n pending, %1</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Hub: %n pending</source>
+        <translation>
+            <numerusform>Hub: %n pending</numerusform>
+            <numerusform>Hub: %n pending</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Hub: publishing, %n pending</source>
+        <translation>
+            <numerusform>Hub: publishing, %n pending</numerusform>
+            <numerusform>Hub: publishing, %n pending</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>RangeFacts</name>
     <message numerus="yes">
         <source>%n points</source>
@@ -205,6 +257,43 @@
         <translation>
             <numerusform>%1 of %n trial</numerusform>
             <numerusform>%1 of %n trials</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>odo::HubDialog</name>
+    <message numerus="yes">
+        <source>%n change(s) are not sent yet. They stay in the project.</source>
+        <translation>
+            <numerusform>%n change is not sent yet. It stays in the project.</numerusform>
+            <numerusform>%n changes are not sent yet. They stay in the project.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>odo::HubPanel</name>
+    <message numerus="yes">
+        <source>&amp;Changed twice: %n…</source>
+        <translation>
+            <numerusform>&amp;Changed twice: %n…</numerusform>
+            <numerusform>&amp;Changed twice: %n…</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>odo::HubRunsPanel</name>
+    <message numerus="yes">
+        <source>%n run(s)</source>
+        <translation>
+            <numerusform>%n run</numerusform>
+            <numerusform>%n runs</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>the newest %n run(s)</source>
+        <translation>
+            <numerusform>the newest run</numerusform>
+            <numerusform>the newest %n runs</numerusform>
         </translation>
     </message>
 </context>

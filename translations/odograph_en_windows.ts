@@ -89,7 +89,7 @@
     <name>school.connect_first</name>
     <message>
         <source>connect it with odograph school connect P.odo postgresql://user@host/database</source>
-        <translation>connect it first</translation>
+        <translation>connect it in Class ▸ School hub…</translation>
     </message>
 </context>
 <context>
@@ -97,6 +97,20 @@
     <message>
         <source>connect it again with --media FOLDER</source>
         <translation>connect it again with a media folder</translation>
+    </message>
+</context>
+<context>
+    <name>school.check_connection</name>
+    <message>
+        <source>check the address, the login in ~/.pgpass, and the network; what is recorded meanwhile is sent later</source>
+        <translation>check the address and the network; what is recorded meanwhile is sent later</translation>
+    </message>
+</context>
+<context>
+    <name>school.password_place</name>
+    <message>
+        <source>put the right one into ~/.pgpass or PGPASSWORD</source>
+        <translation>enter it here, or put it into ~/.pgpass</translation>
     </message>
 </context>
 <context>

@@ -646,6 +646,121 @@
     </message>
 </context>
 <context>
+    <name>Conflict</name>
+    <message>
+        <source>Name</source>
+        <translation>Nombre</translation>
+    </message>
+    <message>
+        <source>Notes</source>
+        <translation>Notas</translation>
+    </message>
+    <message>
+        <source>Team</source>
+        <translation>Equipo</translation>
+    </message>
+    <message>
+        <source>Class</source>
+        <translation>Clase</translation>
+    </message>
+    <message>
+        <source>Task</source>
+        <translation>Tarea</translation>
+    </message>
+    <message>
+        <source>Tasks</source>
+        <translation>Tareas</translation>
+    </message>
+    <message>
+        <source>Tags</source>
+        <translation>Etiquetas</translation>
+    </message>
+    <message>
+        <source>Starred</source>
+        <translation>Destacados</translation>
+    </message>
+    <message>
+        <source>Archived</source>
+        <translation>Archivado</translation>
+    </message>
+    <message>
+        <source>In the bin</source>
+        <translation>En la papelera</translation>
+    </message>
+    <message>
+        <source>Date</source>
+        <translation>Fecha</translation>
+    </message>
+    <message>
+        <source>Members</source>
+        <translation>Miembros</translation>
+    </message>
+    <message>
+        <source>Pseudonym</source>
+        <translation>Seudónimo</translation>
+    </message>
+    <message>
+        <source>Robot</source>
+        <translation>Robot</translation>
+    </message>
+    <message>
+        <source>Robots</source>
+        <translation>Robots</translation>
+    </message>
+    <message>
+        <source>Variables</source>
+        <translation>Variables</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>Valor</translation>
+    </message>
+    <message>
+        <source>Analyses</source>
+        <translation>Análisis</translation>
+    </message>
+    <message>
+        <source>Metrics</source>
+        <translation>Indicadores</translation>
+    </message>
+    <message>
+        <source>Gates</source>
+        <translation>Puertas</translation>
+    </message>
+    <message>
+        <source>Zones</source>
+        <translation>Zonas</translation>
+    </message>
+    <message>
+        <source>Scoring</source>
+        <translation>Puntuación</translation>
+    </message>
+    <message>
+        <source>(hidden)</source>
+        <translation>(oculto)</translation>
+    </message>
+    <message>
+        <source>yes</source>
+        <translation>sí</translation>
+    </message>
+    <message>
+        <source>no</source>
+        <translation>no</translation>
+    </message>
+    <message>
+        <source>Measured values</source>
+        <translation>Valores medidos</translation>
+    </message>
+    <message>
+        <source>this version</source>
+        <translation>esta versión</translation>
+    </message>
+    <message>
+        <source>another version</source>
+        <translation>otra versión</translation>
+    </message>
+</context>
+<context>
     <name>Explanation</name>
     <message>
         <source>smoothed by Kalman filter and RTS smoother, noise by maximum likelihood (Rauch, Tung, Striebel 1965; Bar-Shalom et al. 2001)</source>
@@ -1243,6 +1358,126 @@ El método sigue a S. Park, “Computational Vision for Automatic Tracking and O
     <message>
         <source>Sectors, s</source>
         <translation>Sectores, s</translation>
+    </message>
+</context>
+<context>
+    <name>Hub</name>
+    <message>
+        <source>Connected.</source>
+        <translation>Conectado.</translation>
+    </message>
+    <message>
+        <source>Everything had been sent.</source>
+        <translation>Ya estaba todo enviado.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n item(s) sent.</source>
+        <translation>
+            <numerusform>%n elemento enviado.</numerusform>
+            <numerusform>%n elementos enviados.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Nothing new at the hub.</source>
+        <translation>No hay nada nuevo en el servidor.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n item(s) received.</source>
+        <translation>
+            <numerusform>%n elemento recibido.</numerusform>
+            <numerusform>%n elementos recibidos.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Recordings: %1 copied.</source>
+        <translation>Grabaciones: %1 copiados.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n more warning(s).</source>
+        <translation>
+            <numerusform>%n advertencia más.</numerusform>
+            <numerusform>%n advertencias más.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 at %2</source>
+        <translation>%1 en %2</translation>
+    </message>
+    <message>
+        <source>Teacher: may change everything</source>
+        <translation>Docente: puede cambiarlo todo</translation>
+    </message>
+    <message>
+        <source>Bench: publishes its own trials, reads those of others</source>
+        <translation>Puesto: publica sus ensayos y lee los de otros</translation>
+    </message>
+    <message>
+        <source>Viewer: reads results only</source>
+        <translation>Lector: solo lee resultados</translation>
+    </message>
+    <message>
+        <source>Nothing: all is sent</source>
+        <translation>Nada: todo está enviado</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n change(s)</source>
+        <translation>
+            <numerusform>%n cambio</numerusform>
+            <numerusform>%n cambios</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>password needed</source>
+        <translation>falta la contraseña</translation>
+    </message>
+    <message>
+        <source>server away</source>
+        <translation>sin conexión</translation>
+    </message>
+    <message>
+        <source>not accepted</source>
+        <translation>no aceptado</translation>
+    </message>
+    <message>
+        <source>Hub: %1</source>
+        <translation>Servidor: %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>Hub: %n pending, %1</source>
+        <translation>
+            <numerusform>Servidor: %n pendiente, %1</numerusform>
+            <numerusform>Servidor: %n pendientes, %1</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Hub: publishing…</source>
+        <translation>Servidor: publicando…</translation>
+    </message>
+    <message>
+        <source>Hub: pulling…</source>
+        <translation>Servidor: recibiendo…</translation>
+    </message>
+    <message>
+        <source>Hub: all sent</source>
+        <translation>Servidor: todo enviado</translation>
+    </message>
+    <message numerus="yes">
+        <source>Hub: %n pending</source>
+        <translation>
+            <numerusform>Servidor: %n pendiente</numerusform>
+            <numerusform>Servidor: %n pendientes</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>no answer yet</source>
+        <translation>sin respuesta todavía</translation>
+    </message>
+    <message numerus="yes">
+        <source>Hub: publishing, %n pending</source>
+        <translation>
+            <numerusform>Servidor: publicando, %n pendiente</numerusform>
+            <numerusform>Servidor: publicando, %n pendientes</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -11703,6 +11938,104 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     </message>
 </context>
 <context>
+    <name>odo::ConflictDialog</name>
+    <message>
+        <source>Changed here and elsewhere</source>
+        <translation>Cambiado aquí y en otro lugar</translation>
+    </message>
+    <message>
+        <source>You and another bench changed these. Nothing is lost: the hub keeps the version that is not in force. To bring a value back, enter it here again.</source>
+        <translation>Usted y otro puesto han cambiado esto. No se pierde nada: el servidor conserva la versión que no está en vigor. Para recuperar un valor, introdúzcalo aquí de nuevo.</translation>
+    </message>
+    <message>
+        <source>What was changed twice</source>
+        <translation>Lo que se cambió dos veces</translation>
+    </message>
+    <message>
+        <source>Values that differ</source>
+        <translation>Valores que difieren</translation>
+    </message>
+    <message>
+        <source>&amp;Remove all from this list</source>
+        <translation>&amp;Quitar todos de la lista</translation>
+    </message>
+    <message>
+        <source>The version of this project is in force.</source>
+        <translation>Está en vigor la versión de este proyecto.</translation>
+    </message>
+    <message>
+        <source>The version of the hub is in force. It comes with the next “Pull”.</source>
+        <translation>Está en vigor la versión del servidor. Llegará con el próximo «Recibir».</translation>
+    </message>
+    <message>
+        <source>What</source>
+        <translation>Qué</translation>
+    </message>
+    <message>
+        <source>In this project</source>
+        <translation>En este proyecto</translation>
+    </message>
+    <message>
+        <source>At the hub</source>
+        <translation>En el servidor</translation>
+    </message>
+</context>
+<context>
+    <name>odo::ConnectForm</name>
+    <message>
+        <source>Odograph keeps it until you close the program, and writes it nowhere</source>
+        <translation>Odograph la recuerda hasta que cierre el programa y no la guarda en ningún sitio</translation>
+    </message>
+    <message>
+        <source>Password</source>
+        <translation>Contraseña</translation>
+    </message>
+    <message>
+        <source>&amp;Browse…</source>
+        <translation>&amp;Examinar…</translation>
+    </message>
+    <message>
+        <source>C&amp;onnect</source>
+        <translation>Co&amp;nectar</translation>
+    </message>
+    <message>
+        <source>Connect this project to the school&apos;s hub. Odograph sends its trials, tasks and class lists there, and you receive those of the other benches. You can measure without the network; Odograph sends later what it could not send.</source>
+        <translation>Conecte este proyecto con el servidor de la escuela. Odograph envía allí sus ensayos, tareas y listas de clase, y usted recibe los de los otros puestos. Puede medir sin red; Odograph envía más tarde lo que no pudo enviar.</translation>
+    </message>
+    <message>
+        <source>Address of the hub</source>
+        <translation>Dirección del servidor</translation>
+    </message>
+    <message>
+        <source>empty: as in ~/.pgpass or PGPASSWORD</source>
+        <translation>vacía: la de ~/.pgpass o PGPASSWORD</translation>
+    </message>
+    <message>
+        <source>optional: a folder that all benches can reach</source>
+        <translation>opcional: una carpeta accesible para todos los puestos</translation>
+    </message>
+    <message>
+        <source>Folder for recordings</source>
+        <translation>Carpeta de grabaciones</translation>
+    </message>
+    <message>
+        <source>Browse: %1</source>
+        <translation>Examinar: %1</translation>
+    </message>
+    <message>
+        <source>&amp;Address:</source>
+        <translation>&amp;Dirección:</translation>
+    </message>
+    <message>
+        <source>&amp;Password:</source>
+        <translation>&amp;Contraseña:</translation>
+    </message>
+    <message>
+        <source>&amp;Recordings:</source>
+        <translation>&amp;Grabaciones:</translation>
+    </message>
+</context>
+<context>
     <name>odo::CoveragePanel</name>
     <message>
         <source>Across</source>
@@ -12618,6 +12951,264 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <translation>
             <numerusform>%1 de %n ensayo</numerusform>
             <numerusform>%1 de %n ensayos</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>School hub</source>
+        <translation>Servidor de la escuela</translation>
+    </message>
+</context>
+<context>
+    <name>odo::HubActions</name>
+    <message>
+        <source>School &amp;hub…</source>
+        <translation>Ser&amp;vidor de la escuela…</translation>
+    </message>
+</context>
+<context>
+    <name>odo::HubDialog</name>
+    <message>
+        <source>Cancel</source>
+        <translation>Cancelar</translation>
+    </message>
+    <message>
+        <source>School hub</source>
+        <translation>Servidor de la escuela</translation>
+    </message>
+    <message>
+        <source>What was done</source>
+        <translation>Lo que se hizo</translation>
+    </message>
+    <message>
+        <source>Progress</source>
+        <translation>Progreso</translation>
+    </message>
+    <message>
+        <source>Cancel the exchange with the hub</source>
+        <translation>Cancelar el intercambio con el servidor</translation>
+    </message>
+    <message>
+        <source>Disconnect</source>
+        <translation>Desconectar</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n change(s) are not sent yet. They stay in the project.</source>
+        <translation>
+            <numerusform>%n cambio no se ha enviado todavía. Queda en el proyecto.</numerusform>
+            <numerusform>%n cambios no se han enviado todavía. Quedan en el proyecto.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>&amp;Disconnect</source>
+        <translation>&amp;Desconectar</translation>
+    </message>
+    <message>
+        <source>Connecting…</source>
+        <translation>Conectando…</translation>
+    </message>
+    <message>
+        <source>Asking the hub…</source>
+        <translation>Consultando el servidor…</translation>
+    </message>
+    <message>
+        <source>The project is read-only here, so nothing can be sent or received.</source>
+        <translation>Aquí el proyecto es de solo lectura, así que no se puede enviar ni recibir nada.</translation>
+    </message>
+</context>
+<context>
+    <name>odo::HubExchange</name>
+    <message>
+        <source>Disconnected. All trials stay in the project.</source>
+        <translation>Desconectado. Todos los ensayos quedan en el proyecto.</translation>
+    </message>
+</context>
+<context>
+    <name>odo::HubPanel</name>
+    <message>
+        <source>Password of the hub</source>
+        <translation>Contraseña del servidor</translation>
+    </message>
+    <message>
+        <source>Copy &amp;recordings, too</source>
+        <translation>Copiar también las &amp;grabaciones</translation>
+    </message>
+    <message>
+        <source>&amp;Publish now</source>
+        <translation>&amp;Publicar ahora</translation>
+    </message>
+    <message>
+        <source>Pu&amp;ll now</source>
+        <translation>&amp;Recibir ahora</translation>
+    </message>
+    <message>
+        <source>&amp;Disconnect</source>
+        <translation>&amp;Desconectar</translation>
+    </message>
+    <message>
+        <source>Send to the hub what is pending. Odograph also does this by itself.</source>
+        <translation>Enviar al servidor lo pendiente. Odograph también lo hace por sí solo.</translation>
+    </message>
+    <message>
+        <source>Receive class lists, tasks and the trials of other benches</source>
+        <translation>Recibir listas de clase, tareas y los ensayos de otros puestos</translation>
+    </message>
+    <message>
+        <source>To and from the school&apos;s folder for recordings; this can take long</source>
+        <translation>Hacia y desde la carpeta de grabaciones de la escuela; puede tardar</translation>
+    </message>
+    <message>
+        <source>Log &amp;in</source>
+        <translation>&amp;Iniciar sesión</translation>
+    </message>
+    <message>
+        <source>Pass&amp;word:</source>
+        <translation>C&amp;ontraseña:</translation>
+    </message>
+    <message>
+        <source>How the project is connected</source>
+        <translation>Cómo está conectado el proyecto</translation>
+    </message>
+    <message>
+        <source>Connection</source>
+        <translation>Conexión</translation>
+    </message>
+    <message>
+        <source>not yet</source>
+        <translation>todavía no</translation>
+    </message>
+    <message>
+        <source>Hub</source>
+        <translation>Servidor</translation>
+    </message>
+    <message>
+        <source>Role</source>
+        <translation>Rol</translation>
+    </message>
+    <message>
+        <source>Schema</source>
+        <translation>Esquema</translation>
+    </message>
+    <message>
+        <source>Version %1</source>
+        <translation>Versión %1</translation>
+    </message>
+    <message>
+        <source>Last exchange</source>
+        <translation>Último intercambio</translation>
+    </message>
+    <message>
+        <source>Still to be sent</source>
+        <translation>Pendiente de enviar</translation>
+    </message>
+    <message>
+        <source>Recordings</source>
+        <translation>Grabaciones</translation>
+    </message>
+    <message>
+        <source>No folder: they stay at this bench</source>
+        <translation>Sin carpeta: se quedan en este puesto</translation>
+    </message>
+    <message numerus="yes">
+        <source>&amp;Changed twice: %n…</source>
+        <translation>
+            <numerusform>Cambiado dos &amp;veces: %n…</numerusform>
+            <numerusform>Cambiados dos &amp;veces: %n…</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>odo::HubRunsModel</name>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 s</translation>
+    </message>
+    <message>
+        <source>counts</source>
+        <translation>cuenta</translation>
+    </message>
+    <message>
+        <source>doubtful</source>
+        <translation>dudoso</translation>
+    </message>
+    <message>
+        <source>does not count</source>
+        <translation>no cuenta</translation>
+    </message>
+    <message>
+        <source>another course</source>
+        <translation>otro recorrido</translation>
+    </message>
+    <message>
+        <source>Date</source>
+        <translation>Fecha</translation>
+    </message>
+    <message>
+        <source>Trial</source>
+        <translation>Ensayo</translation>
+    </message>
+    <message>
+        <source>Team</source>
+        <translation>Equipo</translation>
+    </message>
+    <message>
+        <source>Class</source>
+        <translation>Clase</translation>
+    </message>
+    <message>
+        <source>Robot</source>
+        <translation>Robot</translation>
+    </message>
+    <message>
+        <source>Task</source>
+        <translation>Tarea</translation>
+    </message>
+    <message>
+        <source>Duration</source>
+        <translation>Duración</translation>
+    </message>
+    <message>
+        <source>Standings</source>
+        <translation>Clasificación</translation>
+    </message>
+</context>
+<context>
+    <name>odo::HubRunsPanel</name>
+    <message>
+        <source>Trials of all benches</source>
+        <translation>Ensayos de todos los puestos</translation>
+    </message>
+    <message>
+        <source>Search trials and teams…</source>
+        <translation>Buscar ensayos y equipos…</translation>
+    </message>
+    <message>
+        <source>Search the hub</source>
+        <translation>Buscar en el servidor</translation>
+    </message>
+    <message>
+        <source>Three letters or more</source>
+        <translation>Tres letras o más</translation>
+    </message>
+    <message>
+        <source>Runs at the hub</source>
+        <translation>Recorridos en el servidor</translation>
+    </message>
+    <message>
+        <source>Searching…</source>
+        <translation>Buscando…</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n run(s)</source>
+        <translation>
+            <numerusform>%n recorrido</numerusform>
+            <numerusform>%n recorridos</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>the newest %n run(s)</source>
+        <translation>
+            <numerusform>el recorrido más reciente</numerusform>
+            <numerusform>los %n recorridos más recientes</numerusform>
         </translation>
     </message>
 </context>
@@ -13567,6 +14158,14 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <message>
         <source>C&amp;lass</source>
         <translation>C&amp;lase</translation>
+    </message>
+    <message>
+        <source>You and another bench changed the same things. Both versions are kept.</source>
+        <translation>Usted y otro puesto han cambiado lo mismo. Se conservan ambas versiones.</translation>
+    </message>
+    <message>
+        <source>Show both</source>
+        <translation>Mostrar ambas</translation>
     </message>
 </context>
 <context>
@@ -15833,6 +16432,14 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <message>
         <source>Saving…</source>
         <translation>Guardando…</translation>
+    </message>
+    <message>
+        <source>The school&apos;s hub</source>
+        <translation>El servidor de la escuela</translation>
+    </message>
+    <message>
+        <source>%1. Click for more about the school&apos;s hub</source>
+        <translation>%1. Haga clic para saber más del servidor de la escuela</translation>
     </message>
 </context>
 <context>
@@ -20273,6 +20880,13 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     </message>
 </context>
 <context>
+    <name>school.check_server</name>
+    <message>
+        <source>have the hub&apos;s administrator look at the server</source>
+        <translation>pida al administrador que revise el servidor</translation>
+    </message>
+</context>
+<context>
     <name>school.connect_first</name>
     <message>
         <source>connect it with odograph school connect P.odo postgresql://user@host/database</source>
@@ -20312,6 +20926,13 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <message>
         <source>media folder of the school</source>
         <translation>carpeta de medios de la escuela</translation>
+    </message>
+</context>
+<context>
+    <name>school.never_answers</name>
+    <message>
+        <source>the server takes connections and answers none</source>
+        <translation>el servidor acepta conexiones y no responde a ninguna</translation>
     </message>
 </context>
 <context>
@@ -20413,6 +21034,27 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     </message>
 </context>
 <context>
+    <name>school.password_place</name>
+    <message>
+        <source>put the right one into ~/.pgpass or PGPASSWORD</source>
+        <translation>introdúzcala aquí o guárdela en ~/.pgpass</translation>
+    </message>
+</context>
+<context>
+    <name>school.password_refused</name>
+    <message>
+        <source>the server does not accept this login with this password</source>
+        <translation>el servidor no acepta este usuario con esta contraseña</translation>
+    </message>
+</context>
+<context>
+    <name>school.password_wanted</name>
+    <message>
+        <source>the server asks for the password of the login</source>
+        <translation>el servidor pide la contraseña del usuario</translation>
+    </message>
+</context>
+<context>
     <name>school.publish_later</name>
     <message>
         <source>try again later; what was not sent yet is kept</source>
@@ -20462,6 +21104,20 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     </message>
 </context>
 <context>
+    <name>school.server_away</name>
+    <message>
+        <source>the server is away; trying again</source>
+        <translation>el servidor no responde; se intenta de nuevo</translation>
+    </message>
+</context>
+<context>
+    <name>school.silent</name>
+    <message>
+        <source>the server does not answer</source>
+        <translation>el servidor no responde</translation>
+    </message>
+</context>
+<context>
     <name>school.sslmode_choices</name>
     <message>
         <source>use disable, allow, prefer, require, verify-ca or verify-full</source>
@@ -20487,6 +21143,13 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <message>
         <source>update Odograph</source>
         <translation>actualice Odograph</translation>
+    </message>
+</context>
+<context>
+    <name>school.waiting</name>
+    <message>
+        <source>waiting for the server</source>
+        <translation>esperando al servidor</translation>
     </message>
 </context>
 <context>

@@ -646,6 +646,121 @@
     </message>
 </context>
 <context>
+    <name>Conflict</name>
+    <message>
+        <source>Name</source>
+        <translation>Nom</translation>
+    </message>
+    <message>
+        <source>Notes</source>
+        <translation>Notes</translation>
+    </message>
+    <message>
+        <source>Team</source>
+        <translation>Équipe</translation>
+    </message>
+    <message>
+        <source>Class</source>
+        <translation>Classe</translation>
+    </message>
+    <message>
+        <source>Task</source>
+        <translation>Épreuve</translation>
+    </message>
+    <message>
+        <source>Tasks</source>
+        <translation>Épreuves</translation>
+    </message>
+    <message>
+        <source>Tags</source>
+        <translation>Étiquettes</translation>
+    </message>
+    <message>
+        <source>Starred</source>
+        <translation>Avec étoile</translation>
+    </message>
+    <message>
+        <source>Archived</source>
+        <translation>Archivé</translation>
+    </message>
+    <message>
+        <source>In the bin</source>
+        <translation>Dans la corbeille</translation>
+    </message>
+    <message>
+        <source>Date</source>
+        <translation>Date</translation>
+    </message>
+    <message>
+        <source>Members</source>
+        <translation>Membres</translation>
+    </message>
+    <message>
+        <source>Pseudonym</source>
+        <translation>Pseudonyme</translation>
+    </message>
+    <message>
+        <source>Robot</source>
+        <translation>Robot</translation>
+    </message>
+    <message>
+        <source>Robots</source>
+        <translation>Robots</translation>
+    </message>
+    <message>
+        <source>Variables</source>
+        <translation>Variables</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>Valeur</translation>
+    </message>
+    <message>
+        <source>Analyses</source>
+        <translation>Analyses</translation>
+    </message>
+    <message>
+        <source>Metrics</source>
+        <translation>Grandeurs</translation>
+    </message>
+    <message>
+        <source>Gates</source>
+        <translation>Portes</translation>
+    </message>
+    <message>
+        <source>Zones</source>
+        <translation>Zones</translation>
+    </message>
+    <message>
+        <source>Scoring</source>
+        <translation>Barème</translation>
+    </message>
+    <message>
+        <source>(hidden)</source>
+        <translation>(masqué)</translation>
+    </message>
+    <message>
+        <source>yes</source>
+        <translation>oui</translation>
+    </message>
+    <message>
+        <source>no</source>
+        <translation>non</translation>
+    </message>
+    <message>
+        <source>Measured values</source>
+        <translation>Valeurs mesurées</translation>
+    </message>
+    <message>
+        <source>this version</source>
+        <translation>cette version</translation>
+    </message>
+    <message>
+        <source>another version</source>
+        <translation>une autre version</translation>
+    </message>
+</context>
+<context>
     <name>Explanation</name>
     <message>
         <source>smoothed by Kalman filter and RTS smoother, noise by maximum likelihood (Rauch, Tung, Striebel 1965; Bar-Shalom et al. 2001)</source>
@@ -1243,6 +1358,126 @@ La méthode suit S. Park, «&#xa0;Computational Vision for Automatic Tracking an
     <message>
         <source>Sectors, s</source>
         <translation>Secteurs, s</translation>
+    </message>
+</context>
+<context>
+    <name>Hub</name>
+    <message>
+        <source>Connected.</source>
+        <translation>Connecté.</translation>
+    </message>
+    <message>
+        <source>Everything had been sent.</source>
+        <translation>Tout était déjà envoyé.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n item(s) sent.</source>
+        <translation>
+            <numerusform>%n élément envoyé.</numerusform>
+            <numerusform>%n éléments envoyés.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Nothing new at the hub.</source>
+        <translation>Rien de nouveau sur le serveur.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n item(s) received.</source>
+        <translation>
+            <numerusform>%n élément reçu.</numerusform>
+            <numerusform>%n éléments reçus.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Recordings: %1 copied.</source>
+        <translation>Enregistrements&#xa0;: %1 copiés.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n more warning(s).</source>
+        <translation>
+            <numerusform>%n autre avertissement.</numerusform>
+            <numerusform>%n autres avertissements.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 at %2</source>
+        <translation>%1 sur %2</translation>
+    </message>
+    <message>
+        <source>Teacher: may change everything</source>
+        <translation>Enseignant&#xa0;: peut tout modifier</translation>
+    </message>
+    <message>
+        <source>Bench: publishes its own trials, reads those of others</source>
+        <translation>Poste&#xa0;: publie ses essais, lit ceux des autres</translation>
+    </message>
+    <message>
+        <source>Viewer: reads results only</source>
+        <translation>Lecteur&#xa0;: lit seulement les résultats</translation>
+    </message>
+    <message>
+        <source>Nothing: all is sent</source>
+        <translation>Rien&#xa0;: tout est envoyé</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n change(s)</source>
+        <translation>
+            <numerusform>%n modification</numerusform>
+            <numerusform>%n modifications</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>password needed</source>
+        <translation>mot de passe requis</translation>
+    </message>
+    <message>
+        <source>server away</source>
+        <translation>injoignable</translation>
+    </message>
+    <message>
+        <source>not accepted</source>
+        <translation>non accepté</translation>
+    </message>
+    <message>
+        <source>Hub: %1</source>
+        <translation>Serveur&#xa0;: %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>Hub: %n pending, %1</source>
+        <translation>
+            <numerusform>Serveur&#xa0;: %n en attente, %1</numerusform>
+            <numerusform>Serveur&#xa0;: %n en attente, %1</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Hub: publishing…</source>
+        <translation>Serveur&#xa0;: publication…</translation>
+    </message>
+    <message>
+        <source>Hub: pulling…</source>
+        <translation>Serveur&#xa0;: réception…</translation>
+    </message>
+    <message>
+        <source>Hub: all sent</source>
+        <translation>Serveur&#xa0;: tout est envoyé</translation>
+    </message>
+    <message numerus="yes">
+        <source>Hub: %n pending</source>
+        <translation>
+            <numerusform>Serveur&#xa0;: %n en attente</numerusform>
+            <numerusform>Serveur&#xa0;: %n en attente</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>no answer yet</source>
+        <translation>pas encore de réponse</translation>
+    </message>
+    <message numerus="yes">
+        <source>Hub: publishing, %n pending</source>
+        <translation>
+            <numerusform>Serveur : publication, %n en attente</numerusform>
+            <numerusform>Serveur : publication, %n en attente</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -11703,6 +11938,104 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
 </context>
 <context>
+    <name>odo::ConflictDialog</name>
+    <message>
+        <source>Changed here and elsewhere</source>
+        <translation>Modifié ici et ailleurs</translation>
+    </message>
+    <message>
+        <source>You and another bench changed these. Nothing is lost: the hub keeps the version that is not in force. To bring a value back, enter it here again.</source>
+        <translation>Vous et un autre poste avez modifié ceci. Rien n’est perdu&#xa0;: le serveur garde la version qui n’est pas en vigueur. Pour rétablir une valeur, saisissez-la de nouveau ici.</translation>
+    </message>
+    <message>
+        <source>What was changed twice</source>
+        <translation>Ce qui a été modifié deux fois</translation>
+    </message>
+    <message>
+        <source>Values that differ</source>
+        <translation>Valeurs qui diffèrent</translation>
+    </message>
+    <message>
+        <source>&amp;Remove all from this list</source>
+        <translation>&amp;Retirer tout de la liste</translation>
+    </message>
+    <message>
+        <source>The version of this project is in force.</source>
+        <translation>La version de ce projet est en vigueur.</translation>
+    </message>
+    <message>
+        <source>The version of the hub is in force. It comes with the next “Pull”.</source>
+        <translation>La version du serveur est en vigueur. Elle arrivera à la prochaine réception.</translation>
+    </message>
+    <message>
+        <source>What</source>
+        <translation>Quoi</translation>
+    </message>
+    <message>
+        <source>In this project</source>
+        <translation>Dans ce projet</translation>
+    </message>
+    <message>
+        <source>At the hub</source>
+        <translation>Sur le serveur</translation>
+    </message>
+</context>
+<context>
+    <name>odo::ConnectForm</name>
+    <message>
+        <source>Odograph keeps it until you close the program, and writes it nowhere</source>
+        <translation>Odograph le garde jusqu’à la fermeture du programme et ne l’écrit nulle part</translation>
+    </message>
+    <message>
+        <source>Password</source>
+        <translation>Mot de passe</translation>
+    </message>
+    <message>
+        <source>&amp;Browse…</source>
+        <translation>&amp;Parcourir…</translation>
+    </message>
+    <message>
+        <source>C&amp;onnect</source>
+        <translation>&amp;Connecter</translation>
+    </message>
+    <message>
+        <source>Connect this project to the school&apos;s hub. Odograph sends its trials, tasks and class lists there, and you receive those of the other benches. You can measure without the network; Odograph sends later what it could not send.</source>
+        <translation>Connectez ce projet au serveur de l’école. Odograph y envoie ses essais, ses épreuves et ses listes de classe, et vous recevez ceux des autres postes. Vous pouvez mesurer sans réseau&#xa0;; Odograph envoie plus tard ce qu’il n’a pas pu envoyer.</translation>
+    </message>
+    <message>
+        <source>Address of the hub</source>
+        <translation>Adresse du serveur</translation>
+    </message>
+    <message>
+        <source>empty: as in ~/.pgpass or PGPASSWORD</source>
+        <translation>vide&#xa0;: celui de ~/.pgpass ou PGPASSWORD</translation>
+    </message>
+    <message>
+        <source>optional: a folder that all benches can reach</source>
+        <translation>facultatif&#xa0;: un dossier accessible à tous les postes</translation>
+    </message>
+    <message>
+        <source>Folder for recordings</source>
+        <translation>Dossier des enregistrements</translation>
+    </message>
+    <message>
+        <source>Browse: %1</source>
+        <translation>Parcourir&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>&amp;Address:</source>
+        <translation>&amp;Adresse&#xa0;:</translation>
+    </message>
+    <message>
+        <source>&amp;Password:</source>
+        <translation>&amp;Mot de passe&#xa0;:</translation>
+    </message>
+    <message>
+        <source>&amp;Recordings:</source>
+        <translation>&amp;Enregistrements&#xa0;:</translation>
+    </message>
+</context>
+<context>
     <name>odo::CoveragePanel</name>
     <message>
         <source>Across</source>
@@ -12618,6 +12951,264 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <translation>
             <numerusform>%1 sur %n essai</numerusform>
             <numerusform>%1 sur %n essais</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>School hub</source>
+        <translation>Serveur de l’école</translation>
+    </message>
+</context>
+<context>
+    <name>odo::HubActions</name>
+    <message>
+        <source>School &amp;hub…</source>
+        <translation>Ser&amp;veur de l’école…</translation>
+    </message>
+</context>
+<context>
+    <name>odo::HubDialog</name>
+    <message>
+        <source>Cancel</source>
+        <translation>Annuler</translation>
+    </message>
+    <message>
+        <source>School hub</source>
+        <translation>Serveur de l’école</translation>
+    </message>
+    <message>
+        <source>What was done</source>
+        <translation>Ce qui a été fait</translation>
+    </message>
+    <message>
+        <source>Progress</source>
+        <translation>Progression</translation>
+    </message>
+    <message>
+        <source>Cancel the exchange with the hub</source>
+        <translation>Annuler l’échange avec le serveur</translation>
+    </message>
+    <message>
+        <source>Disconnect</source>
+        <translation>Déconnecter</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n change(s) are not sent yet. They stay in the project.</source>
+        <translation>
+            <numerusform>%n modification n’est pas encore envoyée. Elle reste dans le projet.</numerusform>
+            <numerusform>%n modifications ne sont pas encore envoyées. Elles restent dans le projet.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>&amp;Disconnect</source>
+        <translation>&amp;Déconnecter</translation>
+    </message>
+    <message>
+        <source>Connecting…</source>
+        <translation>Connexion…</translation>
+    </message>
+    <message>
+        <source>Asking the hub…</source>
+        <translation>Demande au serveur…</translation>
+    </message>
+    <message>
+        <source>The project is read-only here, so nothing can be sent or received.</source>
+        <translation>Le projet est ici en lecture seule&#xa0;: rien ne peut être envoyé ni reçu.</translation>
+    </message>
+</context>
+<context>
+    <name>odo::HubExchange</name>
+    <message>
+        <source>Disconnected. All trials stay in the project.</source>
+        <translation>Déconnecté. Tous les essais restent dans le projet.</translation>
+    </message>
+</context>
+<context>
+    <name>odo::HubPanel</name>
+    <message>
+        <source>Password of the hub</source>
+        <translation>Mot de passe du serveur</translation>
+    </message>
+    <message>
+        <source>Copy &amp;recordings, too</source>
+        <translation>Copier aussi les &amp;enregistrements</translation>
+    </message>
+    <message>
+        <source>&amp;Publish now</source>
+        <translation>&amp;Publier maintenant</translation>
+    </message>
+    <message>
+        <source>Pu&amp;ll now</source>
+        <translation>&amp;Recevoir maintenant</translation>
+    </message>
+    <message>
+        <source>&amp;Disconnect</source>
+        <translation>&amp;Déconnecter</translation>
+    </message>
+    <message>
+        <source>Send to the hub what is pending. Odograph also does this by itself.</source>
+        <translation>Envoyer au serveur ce qui est en attente. Odograph le fait aussi de lui-même.</translation>
+    </message>
+    <message>
+        <source>Receive class lists, tasks and the trials of other benches</source>
+        <translation>Recevoir les listes de classe, les épreuves et les essais des autres postes</translation>
+    </message>
+    <message>
+        <source>To and from the school&apos;s folder for recordings; this can take long</source>
+        <translation>Vers et depuis le dossier d’enregistrements de l’école&#xa0;; cela peut être long</translation>
+    </message>
+    <message>
+        <source>Log &amp;in</source>
+        <translation>&amp;S’identifier</translation>
+    </message>
+    <message>
+        <source>Pass&amp;word:</source>
+        <translation>M&amp;ot de passe&#xa0;:</translation>
+    </message>
+    <message>
+        <source>How the project is connected</source>
+        <translation>Comment le projet est connecté</translation>
+    </message>
+    <message>
+        <source>Connection</source>
+        <translation>Connexion</translation>
+    </message>
+    <message>
+        <source>not yet</source>
+        <translation>pas encore</translation>
+    </message>
+    <message>
+        <source>Hub</source>
+        <translation>Serveur</translation>
+    </message>
+    <message>
+        <source>Role</source>
+        <translation>Rôle</translation>
+    </message>
+    <message>
+        <source>Schema</source>
+        <translation>Schéma</translation>
+    </message>
+    <message>
+        <source>Version %1</source>
+        <translation>Version %1</translation>
+    </message>
+    <message>
+        <source>Last exchange</source>
+        <translation>Dernier échange</translation>
+    </message>
+    <message>
+        <source>Still to be sent</source>
+        <translation>Reste à envoyer</translation>
+    </message>
+    <message>
+        <source>Recordings</source>
+        <translation>Enregistrements</translation>
+    </message>
+    <message>
+        <source>No folder: they stay at this bench</source>
+        <translation>Aucun dossier&#xa0;: ils restent à ce poste</translation>
+    </message>
+    <message numerus="yes">
+        <source>&amp;Changed twice: %n…</source>
+        <translation>
+            <numerusform>Modifié deux &amp;fois&#xa0;: %n…</numerusform>
+            <numerusform>Modifiés deux &amp;fois&#xa0;: %n…</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>odo::HubRunsModel</name>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 s</translation>
+    </message>
+    <message>
+        <source>counts</source>
+        <translation>compte</translation>
+    </message>
+    <message>
+        <source>doubtful</source>
+        <translation>douteux</translation>
+    </message>
+    <message>
+        <source>does not count</source>
+        <translation>ne compte pas</translation>
+    </message>
+    <message>
+        <source>another course</source>
+        <translation>autre parcours</translation>
+    </message>
+    <message>
+        <source>Date</source>
+        <translation>Date</translation>
+    </message>
+    <message>
+        <source>Trial</source>
+        <translation>Essai</translation>
+    </message>
+    <message>
+        <source>Team</source>
+        <translation>Équipe</translation>
+    </message>
+    <message>
+        <source>Class</source>
+        <translation>Classe</translation>
+    </message>
+    <message>
+        <source>Robot</source>
+        <translation>Robot</translation>
+    </message>
+    <message>
+        <source>Task</source>
+        <translation>Épreuve</translation>
+    </message>
+    <message>
+        <source>Duration</source>
+        <translation>Durée</translation>
+    </message>
+    <message>
+        <source>Standings</source>
+        <translation>Classement</translation>
+    </message>
+</context>
+<context>
+    <name>odo::HubRunsPanel</name>
+    <message>
+        <source>Trials of all benches</source>
+        <translation>Essais de tous les postes</translation>
+    </message>
+    <message>
+        <source>Search trials and teams…</source>
+        <translation>Chercher des essais et des équipes…</translation>
+    </message>
+    <message>
+        <source>Search the hub</source>
+        <translation>Chercher sur le serveur</translation>
+    </message>
+    <message>
+        <source>Three letters or more</source>
+        <translation>Trois lettres ou plus</translation>
+    </message>
+    <message>
+        <source>Runs at the hub</source>
+        <translation>Parcours sur le serveur</translation>
+    </message>
+    <message>
+        <source>Searching…</source>
+        <translation>Recherche…</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n run(s)</source>
+        <translation>
+            <numerusform>%n parcours</numerusform>
+            <numerusform>%n parcours</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>the newest %n run(s)</source>
+        <translation>
+            <numerusform>le dernier parcours</numerusform>
+            <numerusform>les %n derniers parcours</numerusform>
         </translation>
     </message>
 </context>
@@ -13567,6 +14158,14 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>C&amp;lass</source>
         <translation>C&amp;lasse</translation>
+    </message>
+    <message>
+        <source>You and another bench changed the same things. Both versions are kept.</source>
+        <translation>Vous et un autre poste avez modifié la même chose. Les deux versions sont conservées.</translation>
+    </message>
+    <message>
+        <source>Show both</source>
+        <translation>Afficher les deux</translation>
     </message>
 </context>
 <context>
@@ -15833,6 +16432,14 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>Saving…</source>
         <translation>Enregistrement…</translation>
+    </message>
+    <message>
+        <source>The school&apos;s hub</source>
+        <translation>Le serveur de l’école</translation>
+    </message>
+    <message>
+        <source>%1. Click for more about the school&apos;s hub</source>
+        <translation>%1. Cliquez pour en savoir plus sur le serveur de l’école</translation>
     </message>
 </context>
 <context>
@@ -20273,6 +20880,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
 </context>
 <context>
+    <name>school.check_server</name>
+    <message>
+        <source>have the hub&apos;s administrator look at the server</source>
+        <translation>demandez à l’administrateur d’examiner le serveur</translation>
+    </message>
+</context>
+<context>
     <name>school.connect_first</name>
     <message>
         <source>connect it with odograph school connect P.odo postgresql://user@host/database</source>
@@ -20312,6 +20926,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>media folder of the school</source>
         <translation>dossier des médias de l’école</translation>
+    </message>
+</context>
+<context>
+    <name>school.never_answers</name>
+    <message>
+        <source>the server takes connections and answers none</source>
+        <translation>le serveur accepte les connexions et ne répond à aucune</translation>
     </message>
 </context>
 <context>
@@ -20413,6 +21034,27 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
 </context>
 <context>
+    <name>school.password_place</name>
+    <message>
+        <source>put the right one into ~/.pgpass or PGPASSWORD</source>
+        <translation>saisissez-le ici, ou mettez-le dans ~/.pgpass</translation>
+    </message>
+</context>
+<context>
+    <name>school.password_refused</name>
+    <message>
+        <source>the server does not accept this login with this password</source>
+        <translation>le serveur n’accepte pas cet identifiant avec ce mot de passe</translation>
+    </message>
+</context>
+<context>
+    <name>school.password_wanted</name>
+    <message>
+        <source>the server asks for the password of the login</source>
+        <translation>le serveur demande le mot de passe de l’identifiant</translation>
+    </message>
+</context>
+<context>
     <name>school.publish_later</name>
     <message>
         <source>try again later; what was not sent yet is kept</source>
@@ -20462,6 +21104,20 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
 </context>
 <context>
+    <name>school.server_away</name>
+    <message>
+        <source>the server is away; trying again</source>
+        <translation>le serveur est injoignable&#xa0;; nouvelle tentative</translation>
+    </message>
+</context>
+<context>
+    <name>school.silent</name>
+    <message>
+        <source>the server does not answer</source>
+        <translation>le serveur ne répond pas</translation>
+    </message>
+</context>
+<context>
     <name>school.sslmode_choices</name>
     <message>
         <source>use disable, allow, prefer, require, verify-ca or verify-full</source>
@@ -20487,6 +21143,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>update Odograph</source>
         <translation>mettez Odograph à jour</translation>
+    </message>
+</context>
+<context>
+    <name>school.waiting</name>
+    <message>
+        <source>waiting for the server</source>
+        <translation>attente du serveur</translation>
     </message>
 </context>
 <context>

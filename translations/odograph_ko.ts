@@ -641,6 +641,121 @@
     </message>
 </context>
 <context>
+    <name>Conflict</name>
+    <message>
+        <source>Name</source>
+        <translation>이름</translation>
+    </message>
+    <message>
+        <source>Notes</source>
+        <translation>메모</translation>
+    </message>
+    <message>
+        <source>Team</source>
+        <translation>팀</translation>
+    </message>
+    <message>
+        <source>Class</source>
+        <translation>학급</translation>
+    </message>
+    <message>
+        <source>Task</source>
+        <translation>과제</translation>
+    </message>
+    <message>
+        <source>Tasks</source>
+        <translation>과제</translation>
+    </message>
+    <message>
+        <source>Tags</source>
+        <translation>태그</translation>
+    </message>
+    <message>
+        <source>Starred</source>
+        <translation>별표</translation>
+    </message>
+    <message>
+        <source>Archived</source>
+        <translation>보관됨</translation>
+    </message>
+    <message>
+        <source>In the bin</source>
+        <translation>휴지통에 있음</translation>
+    </message>
+    <message>
+        <source>Date</source>
+        <translation>날짜</translation>
+    </message>
+    <message>
+        <source>Members</source>
+        <translation>팀원</translation>
+    </message>
+    <message>
+        <source>Pseudonym</source>
+        <translation>가명</translation>
+    </message>
+    <message>
+        <source>Robot</source>
+        <translation>로봇</translation>
+    </message>
+    <message>
+        <source>Robots</source>
+        <translation>로봇</translation>
+    </message>
+    <message>
+        <source>Variables</source>
+        <translation>변수</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>값</translation>
+    </message>
+    <message>
+        <source>Analyses</source>
+        <translation>분석</translation>
+    </message>
+    <message>
+        <source>Metrics</source>
+        <translation>지표</translation>
+    </message>
+    <message>
+        <source>Gates</source>
+        <translation>게이트</translation>
+    </message>
+    <message>
+        <source>Zones</source>
+        <translation>구역</translation>
+    </message>
+    <message>
+        <source>Scoring</source>
+        <translation>채점</translation>
+    </message>
+    <message>
+        <source>(hidden)</source>
+        <translation>(숨김)</translation>
+    </message>
+    <message>
+        <source>yes</source>
+        <translation>예</translation>
+    </message>
+    <message>
+        <source>no</source>
+        <translation>아니요</translation>
+    </message>
+    <message>
+        <source>Measured values</source>
+        <translation>측정값</translation>
+    </message>
+    <message>
+        <source>this version</source>
+        <translation>이 버전</translation>
+    </message>
+    <message>
+        <source>another version</source>
+        <translation>다른 버전</translation>
+    </message>
+</context>
+<context>
     <name>Explanation</name>
     <message>
         <source>smoothed by Kalman filter and RTS smoother, noise by maximum likelihood (Rauch, Tung, Striebel 1965; Bar-Shalom et al. 2001)</source>
@@ -1236,6 +1351,119 @@ GNU 일반 공중 사용 허가서(GPL) 버전 3 이상을 따르는 자유 소�
     <message>
         <source>Sectors, s</source>
         <translation>구간, s</translation>
+    </message>
+</context>
+<context>
+    <name>Hub</name>
+    <message>
+        <source>Connected.</source>
+        <translation>연결되었습니다.</translation>
+    </message>
+    <message>
+        <source>Everything had been sent.</source>
+        <translation>이미 모두 보냈습니다.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n item(s) sent.</source>
+        <translation>
+            <numerusform>%n개 항목을 보냈습니다.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Nothing new at the hub.</source>
+        <translation>허브에 새로운 것이 없습니다.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n item(s) received.</source>
+        <translation>
+            <numerusform>%n개 항목을 받았습니다.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Recordings: %1 copied.</source>
+        <translation>녹화: %1 복사했습니다.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n more warning(s).</source>
+        <translation>
+            <numerusform>경고 %n개가 더 있습니다.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 at %2</source>
+        <translation>%2의 %1</translation>
+    </message>
+    <message>
+        <source>Teacher: may change everything</source>
+        <translation>교사: 모두 바꿀 수 있음</translation>
+    </message>
+    <message>
+        <source>Bench: publishes its own trials, reads those of others</source>
+        <translation>측정대: 자기 시행을 게시하고 다른 시행을 읽음</translation>
+    </message>
+    <message>
+        <source>Viewer: reads results only</source>
+        <translation>열람자: 결과만 읽음</translation>
+    </message>
+    <message>
+        <source>Nothing: all is sent</source>
+        <translation>없음: 모두 보냄</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n change(s)</source>
+        <translation>
+            <numerusform>변경 %n개</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>password needed</source>
+        <translation>비밀번호 필요</translation>
+    </message>
+    <message>
+        <source>server away</source>
+        <translation>서버에 연결할 수 없음</translation>
+    </message>
+    <message>
+        <source>not accepted</source>
+        <translation>받아들여지지 않음</translation>
+    </message>
+    <message>
+        <source>Hub: %1</source>
+        <translation>허브: %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>Hub: %n pending, %1</source>
+        <translation>
+            <numerusform>허브: 대기 %n개, %1</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Hub: publishing…</source>
+        <translation>허브: 게시하는 중…</translation>
+    </message>
+    <message>
+        <source>Hub: pulling…</source>
+        <translation>허브: 받는 중…</translation>
+    </message>
+    <message>
+        <source>Hub: all sent</source>
+        <translation>허브: 모두 보냄</translation>
+    </message>
+    <message numerus="yes">
+        <source>Hub: %n pending</source>
+        <translation>
+            <numerusform>허브: 대기 %n개</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>no answer yet</source>
+        <translation>아직 응답 없음</translation>
+    </message>
+    <message numerus="yes">
+        <source>Hub: publishing, %n pending</source>
+        <translation>
+            <numerusform>허브: 게시하는 중, 대기 %n개</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -11686,6 +11914,104 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>odo::ConflictDialog</name>
+    <message>
+        <source>Changed here and elsewhere</source>
+        <translation>여기와 다른 곳에서 바뀜</translation>
+    </message>
+    <message>
+        <source>You and another bench changed these. Nothing is lost: the hub keeps the version that is not in force. To bring a value back, enter it here again.</source>
+        <translation>이 항목을 이곳과 다른 측정대에서 모두 바꾸었습니다. 잃는 것은 없습니다. 허브는 적용되지 않은 버전도 보관합니다. 값을 되돌리려면 여기에 다시 입력하세요.</translation>
+    </message>
+    <message>
+        <source>What was changed twice</source>
+        <translation>두 번 바뀐 것</translation>
+    </message>
+    <message>
+        <source>Values that differ</source>
+        <translation>서로 다른 값</translation>
+    </message>
+    <message>
+        <source>&amp;Remove all from this list</source>
+        <translation>목록에서 모두 제거(&amp;R)</translation>
+    </message>
+    <message>
+        <source>The version of this project is in force.</source>
+        <translation>이 프로젝트의 버전이 적용됩니다.</translation>
+    </message>
+    <message>
+        <source>The version of the hub is in force. It comes with the next “Pull”.</source>
+        <translation>허브의 버전이 적용됩니다. 다음에 받을 때 옵니다.</translation>
+    </message>
+    <message>
+        <source>What</source>
+        <translation>항목</translation>
+    </message>
+    <message>
+        <source>In this project</source>
+        <translation>이 프로젝트</translation>
+    </message>
+    <message>
+        <source>At the hub</source>
+        <translation>허브</translation>
+    </message>
+</context>
+<context>
+    <name>odo::ConnectForm</name>
+    <message>
+        <source>Odograph keeps it until you close the program, and writes it nowhere</source>
+        <translation>Odograph은 프로그램을 닫을 때까지만 기억하고 어디에도 쓰지 않습니다</translation>
+    </message>
+    <message>
+        <source>Password</source>
+        <translation>비밀번호</translation>
+    </message>
+    <message>
+        <source>&amp;Browse…</source>
+        <translation>찾아보기(&amp;B)…</translation>
+    </message>
+    <message>
+        <source>C&amp;onnect</source>
+        <translation>연결(&amp;O)</translation>
+    </message>
+    <message>
+        <source>Connect this project to the school&apos;s hub. Odograph sends its trials, tasks and class lists there, and you receive those of the other benches. You can measure without the network; Odograph sends later what it could not send.</source>
+        <translation>이 프로젝트를 학교 허브에 연결하세요. Odograph이 시행, 과제, 학급 명단을 그곳으로 보내고, 다른 측정대의 것을 받습니다. 네트워크 없이도 측정할 수 있으며, 보내지 못한 것은 나중에 보냅니다.</translation>
+    </message>
+    <message>
+        <source>Address of the hub</source>
+        <translation>허브 주소</translation>
+    </message>
+    <message>
+        <source>empty: as in ~/.pgpass or PGPASSWORD</source>
+        <translation>비움: ~/.pgpass 또는 PGPASSWORD의 것</translation>
+    </message>
+    <message>
+        <source>optional: a folder that all benches can reach</source>
+        <translation>선택: 모든 측정대가 쓸 수 있는 폴더</translation>
+    </message>
+    <message>
+        <source>Folder for recordings</source>
+        <translation>녹화 폴더</translation>
+    </message>
+    <message>
+        <source>Browse: %1</source>
+        <translation>찾아보기: %1</translation>
+    </message>
+    <message>
+        <source>&amp;Address:</source>
+        <translation>주소(&amp;A):</translation>
+    </message>
+    <message>
+        <source>&amp;Password:</source>
+        <translation>비밀번호(&amp;P):</translation>
+    </message>
+    <message>
+        <source>&amp;Recordings:</source>
+        <translation>녹화(&amp;R):</translation>
+    </message>
+</context>
+<context>
     <name>odo::CoveragePanel</name>
     <message>
         <source>Across</source>
@@ -12594,6 +12920,260 @@ Much more than expected means that a setting is wrong: the views are not synchro
         <source>%1 of %n trial(s)</source>
         <translation>
             <numerusform>시행 %n개 중 %1개</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>School hub</source>
+        <translation>학교 허브</translation>
+    </message>
+</context>
+<context>
+    <name>odo::HubActions</name>
+    <message>
+        <source>School &amp;hub…</source>
+        <translation>학교 허브(&amp;H)…</translation>
+    </message>
+</context>
+<context>
+    <name>odo::HubDialog</name>
+    <message>
+        <source>Cancel</source>
+        <translation>취소</translation>
+    </message>
+    <message>
+        <source>School hub</source>
+        <translation>학교 허브</translation>
+    </message>
+    <message>
+        <source>What was done</source>
+        <translation>작업 결과</translation>
+    </message>
+    <message>
+        <source>Progress</source>
+        <translation>진행 상황</translation>
+    </message>
+    <message>
+        <source>Cancel the exchange with the hub</source>
+        <translation>허브와의 교환 취소</translation>
+    </message>
+    <message>
+        <source>Disconnect</source>
+        <translation>연결 해제</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n change(s) are not sent yet. They stay in the project.</source>
+        <translation>
+            <numerusform>변경 %n개를 아직 보내지 않았습니다. 프로젝트에 남아 있습니다.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>&amp;Disconnect</source>
+        <translation>연결 해제(&amp;D)</translation>
+    </message>
+    <message>
+        <source>Connecting…</source>
+        <translation>연결하는 중…</translation>
+    </message>
+    <message>
+        <source>Asking the hub…</source>
+        <translation>허브에 요청하는 중…</translation>
+    </message>
+    <message>
+        <source>The project is read-only here, so nothing can be sent or received.</source>
+        <translation>이 프로젝트는 여기에서 읽기 전용이므로 보내거나 받을 수 없습니다.</translation>
+    </message>
+</context>
+<context>
+    <name>odo::HubExchange</name>
+    <message>
+        <source>Disconnected. All trials stay in the project.</source>
+        <translation>연결을 해제했습니다. 모든 시행은 프로젝트에 남아 있습니다.</translation>
+    </message>
+</context>
+<context>
+    <name>odo::HubPanel</name>
+    <message>
+        <source>Password of the hub</source>
+        <translation>허브 비밀번호</translation>
+    </message>
+    <message>
+        <source>Copy &amp;recordings, too</source>
+        <translation>녹화도 복사(&amp;R)</translation>
+    </message>
+    <message>
+        <source>&amp;Publish now</source>
+        <translation>지금 게시(&amp;P)</translation>
+    </message>
+    <message>
+        <source>Pu&amp;ll now</source>
+        <translation>지금 받기(&amp;L)</translation>
+    </message>
+    <message>
+        <source>&amp;Disconnect</source>
+        <translation>연결 해제(&amp;D)</translation>
+    </message>
+    <message>
+        <source>Send to the hub what is pending. Odograph also does this by itself.</source>
+        <translation>대기 중인 것을 허브로 보냅니다. Odograph이 스스로 보내기도 합니다.</translation>
+    </message>
+    <message>
+        <source>Receive class lists, tasks and the trials of other benches</source>
+        <translation>학급 명단, 과제, 다른 측정대의 시행 받기</translation>
+    </message>
+    <message>
+        <source>To and from the school&apos;s folder for recordings; this can take long</source>
+        <translation>학교의 녹화 폴더로 보내고 받습니다. 오래 걸릴 수 있습니다</translation>
+    </message>
+    <message>
+        <source>Log &amp;in</source>
+        <translation>로그인(&amp;I)</translation>
+    </message>
+    <message>
+        <source>Pass&amp;word:</source>
+        <translation>비밀번호(&amp;W):</translation>
+    </message>
+    <message>
+        <source>How the project is connected</source>
+        <translation>프로젝트의 연결 상태</translation>
+    </message>
+    <message>
+        <source>Connection</source>
+        <translation>연결</translation>
+    </message>
+    <message>
+        <source>not yet</source>
+        <translation>아직 없음</translation>
+    </message>
+    <message>
+        <source>Hub</source>
+        <translation>허브</translation>
+    </message>
+    <message>
+        <source>Role</source>
+        <translation>역할</translation>
+    </message>
+    <message>
+        <source>Schema</source>
+        <translation>스키마</translation>
+    </message>
+    <message>
+        <source>Version %1</source>
+        <translation>버전 %1</translation>
+    </message>
+    <message>
+        <source>Last exchange</source>
+        <translation>마지막 교환</translation>
+    </message>
+    <message>
+        <source>Still to be sent</source>
+        <translation>보낼 것</translation>
+    </message>
+    <message>
+        <source>Recordings</source>
+        <translation>녹화</translation>
+    </message>
+    <message>
+        <source>No folder: they stay at this bench</source>
+        <translation>폴더 없음: 이 측정대에 남음</translation>
+    </message>
+    <message numerus="yes">
+        <source>&amp;Changed twice: %n…</source>
+        <translation>
+            <numerusform>두 번 바뀜(&amp;C): %n…</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>odo::HubRunsModel</name>
+    <message>
+        <source>%1 s</source>
+        <translation>%1초</translation>
+    </message>
+    <message>
+        <source>counts</source>
+        <translation>반영됨</translation>
+    </message>
+    <message>
+        <source>doubtful</source>
+        <translation>의심스러움</translation>
+    </message>
+    <message>
+        <source>does not count</source>
+        <translation>반영되지 않음</translation>
+    </message>
+    <message>
+        <source>another course</source>
+        <translation>다른 코스</translation>
+    </message>
+    <message>
+        <source>Date</source>
+        <translation>날짜</translation>
+    </message>
+    <message>
+        <source>Trial</source>
+        <translation>시행</translation>
+    </message>
+    <message>
+        <source>Team</source>
+        <translation>팀</translation>
+    </message>
+    <message>
+        <source>Class</source>
+        <translation>학급</translation>
+    </message>
+    <message>
+        <source>Robot</source>
+        <translation>로봇</translation>
+    </message>
+    <message>
+        <source>Task</source>
+        <translation>과제</translation>
+    </message>
+    <message>
+        <source>Duration</source>
+        <translation>시간</translation>
+    </message>
+    <message>
+        <source>Standings</source>
+        <translation>순위</translation>
+    </message>
+</context>
+<context>
+    <name>odo::HubRunsPanel</name>
+    <message>
+        <source>Trials of all benches</source>
+        <translation>모든 측정대의 시행</translation>
+    </message>
+    <message>
+        <source>Search trials and teams…</source>
+        <translation>시행과 팀 검색…</translation>
+    </message>
+    <message>
+        <source>Search the hub</source>
+        <translation>허브 검색</translation>
+    </message>
+    <message>
+        <source>Three letters or more</source>
+        <translation>세 글자 이상</translation>
+    </message>
+    <message>
+        <source>Runs at the hub</source>
+        <translation>허브의 주행</translation>
+    </message>
+    <message>
+        <source>Searching…</source>
+        <translation>검색하는 중…</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n run(s)</source>
+        <translation>
+            <numerusform>주행 %n개</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>the newest %n run(s)</source>
+        <translation>
+            <numerusform>최근 주행 %n개</numerusform>
         </translation>
     </message>
 </context>
@@ -13542,6 +14122,14 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>C&amp;lass</source>
         <translation>학급(&amp;L)</translation>
+    </message>
+    <message>
+        <source>You and another bench changed the same things. Both versions are kept.</source>
+        <translation>이곳과 다른 측정대에서 같은 것을 바꾸었습니다. 두 버전을 모두 보관합니다.</translation>
+    </message>
+    <message>
+        <source>Show both</source>
+        <translation>둘 다 보기</translation>
     </message>
 </context>
 <context>
@@ -15801,6 +16389,14 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>Saving…</source>
         <translation>저장 중…</translation>
+    </message>
+    <message>
+        <source>The school&apos;s hub</source>
+        <translation>학교 허브</translation>
+    </message>
+    <message>
+        <source>%1. Click for more about the school&apos;s hub</source>
+        <translation>%1. 학교 허브에 대해 더 보려면 클릭</translation>
     </message>
 </context>
 <context>
@@ -20222,6 +20818,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>school.check_server</name>
+    <message>
+        <source>have the hub&apos;s administrator look at the server</source>
+        <translation>허브 관리자에게 서버를 확인해 달라고 하세요</translation>
+    </message>
+</context>
+<context>
     <name>school.connect_first</name>
     <message>
         <source>connect it with odograph school connect P.odo postgresql://user@host/database</source>
@@ -20261,6 +20864,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>media folder of the school</source>
         <translation>학교의 미디어 폴더</translation>
+    </message>
+</context>
+<context>
+    <name>school.never_answers</name>
+    <message>
+        <source>the server takes connections and answers none</source>
+        <translation>서버가 연결은 받지만 응답하지 않습니다</translation>
     </message>
 </context>
 <context>
@@ -20362,6 +20972,27 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>school.password_place</name>
+    <message>
+        <source>put the right one into ~/.pgpass or PGPASSWORD</source>
+        <translation>여기에 입력하거나 ~/.pgpass에 넣으세요</translation>
+    </message>
+</context>
+<context>
+    <name>school.password_refused</name>
+    <message>
+        <source>the server does not accept this login with this password</source>
+        <translation>서버가 이 비밀번호로는 이 로그인을 받아들이지 않습니다</translation>
+    </message>
+</context>
+<context>
+    <name>school.password_wanted</name>
+    <message>
+        <source>the server asks for the password of the login</source>
+        <translation>서버가 로그인 비밀번호를 요구합니다</translation>
+    </message>
+</context>
+<context>
     <name>school.publish_later</name>
     <message>
         <source>try again later; what was not sent yet is kept</source>
@@ -20411,6 +21042,20 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>school.server_away</name>
+    <message>
+        <source>the server is away; trying again</source>
+        <translation>서버에 연결할 수 없어 다시 시도하는 중</translation>
+    </message>
+</context>
+<context>
+    <name>school.silent</name>
+    <message>
+        <source>the server does not answer</source>
+        <translation>서버가 응답하지 않습니다</translation>
+    </message>
+</context>
+<context>
     <name>school.sslmode_choices</name>
     <message>
         <source>use disable, allow, prefer, require, verify-ca or verify-full</source>
@@ -20436,6 +21081,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>update Odograph</source>
         <translation>Odograph를 업데이트하세요</translation>
+    </message>
+</context>
+<context>
+    <name>school.waiting</name>
+    <message>
+        <source>waiting for the server</source>
+        <translation>서버를 기다리는 중</translation>
     </message>
 </context>
 <context>

@@ -641,6 +641,121 @@
     </message>
 </context>
 <context>
+    <name>Conflict</name>
+    <message>
+        <source>Name</source>
+        <translation>名称</translation>
+    </message>
+    <message>
+        <source>Notes</source>
+        <translation>备注</translation>
+    </message>
+    <message>
+        <source>Team</source>
+        <translation>小组</translation>
+    </message>
+    <message>
+        <source>Class</source>
+        <translation>班级</translation>
+    </message>
+    <message>
+        <source>Task</source>
+        <translation>任务</translation>
+    </message>
+    <message>
+        <source>Tasks</source>
+        <translation>任务</translation>
+    </message>
+    <message>
+        <source>Tags</source>
+        <translation>标签</translation>
+    </message>
+    <message>
+        <source>Starred</source>
+        <translation>星标</translation>
+    </message>
+    <message>
+        <source>Archived</source>
+        <translation>已归档</translation>
+    </message>
+    <message>
+        <source>In the bin</source>
+        <translation>在回收站中</translation>
+    </message>
+    <message>
+        <source>Date</source>
+        <translation>日期</translation>
+    </message>
+    <message>
+        <source>Members</source>
+        <translation>成员</translation>
+    </message>
+    <message>
+        <source>Pseudonym</source>
+        <translation>化名</translation>
+    </message>
+    <message>
+        <source>Robot</source>
+        <translation>机器人</translation>
+    </message>
+    <message>
+        <source>Robots</source>
+        <translation>机器人</translation>
+    </message>
+    <message>
+        <source>Variables</source>
+        <translation>变量</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>数值</translation>
+    </message>
+    <message>
+        <source>Analyses</source>
+        <translation>分析</translation>
+    </message>
+    <message>
+        <source>Metrics</source>
+        <translation>指标</translation>
+    </message>
+    <message>
+        <source>Gates</source>
+        <translation>计时门</translation>
+    </message>
+    <message>
+        <source>Zones</source>
+        <translation>区域</translation>
+    </message>
+    <message>
+        <source>Scoring</source>
+        <translation>评分</translation>
+    </message>
+    <message>
+        <source>(hidden)</source>
+        <translation>（已隐藏）</translation>
+    </message>
+    <message>
+        <source>yes</source>
+        <translation>是</translation>
+    </message>
+    <message>
+        <source>no</source>
+        <translation>否</translation>
+    </message>
+    <message>
+        <source>Measured values</source>
+        <translation>测量值</translation>
+    </message>
+    <message>
+        <source>this version</source>
+        <translation>此版本</translation>
+    </message>
+    <message>
+        <source>another version</source>
+        <translation>另一版本</translation>
+    </message>
+</context>
+<context>
     <name>Explanation</name>
     <message>
         <source>smoothed by Kalman filter and RTS smoother, noise by maximum likelihood (Rauch, Tung, Striebel 1965; Bar-Shalom et al. 2001)</source>
@@ -1236,6 +1351,119 @@ The method follows S. Park, “Computational Vision for Automatic Tracking and O
     <message>
         <source>Sectors, s</source>
         <translation>区段，s</translation>
+    </message>
+</context>
+<context>
+    <name>Hub</name>
+    <message>
+        <source>Connected.</source>
+        <translation>已连接。</translation>
+    </message>
+    <message>
+        <source>Everything had been sent.</source>
+        <translation>已全部发送过。</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n item(s) sent.</source>
+        <translation>
+            <numerusform>已发送 %n 项。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Nothing new at the hub.</source>
+        <translation>中心库中没有新内容。</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n item(s) received.</source>
+        <translation>
+            <numerusform>已接收 %n 项。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Recordings: %1 copied.</source>
+        <translation>录像：已复制 %1。</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n more warning(s).</source>
+        <translation>
+            <numerusform>另有 %n 条警告。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 at %2</source>
+        <translation>%2 上的 %1</translation>
+    </message>
+    <message>
+        <source>Teacher: may change everything</source>
+        <translation>教师：可更改一切</translation>
+    </message>
+    <message>
+        <source>Bench: publishes its own trials, reads those of others</source>
+        <translation>工作台：发布自己的试验，读取其他的试验</translation>
+    </message>
+    <message>
+        <source>Viewer: reads results only</source>
+        <translation>查看者：只读取结果</translation>
+    </message>
+    <message>
+        <source>Nothing: all is sent</source>
+        <translation>无：已全部发送</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n change(s)</source>
+        <translation>
+            <numerusform>%n 处更改</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>password needed</source>
+        <translation>需要密码</translation>
+    </message>
+    <message>
+        <source>server away</source>
+        <translation>服务器无法连接</translation>
+    </message>
+    <message>
+        <source>not accepted</source>
+        <translation>未被接受</translation>
+    </message>
+    <message>
+        <source>Hub: %1</source>
+        <translation>中心库：%1</translation>
+    </message>
+    <message numerus="yes">
+        <source>Hub: %n pending, %1</source>
+        <translation>
+            <numerusform>中心库：%n 项待发送，%1</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Hub: publishing…</source>
+        <translation>中心库：正在发布…</translation>
+    </message>
+    <message>
+        <source>Hub: pulling…</source>
+        <translation>中心库：正在接收…</translation>
+    </message>
+    <message>
+        <source>Hub: all sent</source>
+        <translation>中心库：已全部发送</translation>
+    </message>
+    <message numerus="yes">
+        <source>Hub: %n pending</source>
+        <translation>
+            <numerusform>中心库：%n 项待发送</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>no answer yet</source>
+        <translation>尚无回应</translation>
+    </message>
+    <message numerus="yes">
+        <source>Hub: publishing, %n pending</source>
+        <translation>
+            <numerusform>中心库：正在发布，%n 项待发送</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -11686,6 +11914,104 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>odo::ConflictDialog</name>
+    <message>
+        <source>Changed here and elsewhere</source>
+        <translation>此处和别处都更改过</translation>
+    </message>
+    <message>
+        <source>You and another bench changed these. Nothing is lost: the hub keeps the version that is not in force. To bring a value back, enter it here again.</source>
+        <translation>您和另一个工作台都更改了这些内容。不会丢失任何内容：中心库会保留未生效的版本。要恢复某个值，请在此重新输入。</translation>
+    </message>
+    <message>
+        <source>What was changed twice</source>
+        <translation>更改过两次的内容</translation>
+    </message>
+    <message>
+        <source>Values that differ</source>
+        <translation>不同的值</translation>
+    </message>
+    <message>
+        <source>&amp;Remove all from this list</source>
+        <translation>从列表中全部移除(&amp;R)</translation>
+    </message>
+    <message>
+        <source>The version of this project is in force.</source>
+        <translation>本项目的版本生效。</translation>
+    </message>
+    <message>
+        <source>The version of the hub is in force. It comes with the next “Pull”.</source>
+        <translation>中心库的版本生效。下次接收时会得到它。</translation>
+    </message>
+    <message>
+        <source>What</source>
+        <translation>内容</translation>
+    </message>
+    <message>
+        <source>In this project</source>
+        <translation>在本项目中</translation>
+    </message>
+    <message>
+        <source>At the hub</source>
+        <translation>在中心库中</translation>
+    </message>
+</context>
+<context>
+    <name>odo::ConnectForm</name>
+    <message>
+        <source>Odograph keeps it until you close the program, and writes it nowhere</source>
+        <translation>Odograph 会记住它直到您关闭程序，不会写入任何地方</translation>
+    </message>
+    <message>
+        <source>Password</source>
+        <translation>密码</translation>
+    </message>
+    <message>
+        <source>&amp;Browse…</source>
+        <translation>浏览(&amp;B)…</translation>
+    </message>
+    <message>
+        <source>C&amp;onnect</source>
+        <translation>连接(&amp;O)</translation>
+    </message>
+    <message>
+        <source>Connect this project to the school&apos;s hub. Odograph sends its trials, tasks and class lists there, and you receive those of the other benches. You can measure without the network; Odograph sends later what it could not send.</source>
+        <translation>将本项目连接到学校中心库。Odograph 会把其中的试验、任务和班级名单发送到那里，您也会收到其他工作台的内容。没有网络也可以测量；未能发送的内容 Odograph 会稍后发送。</translation>
+    </message>
+    <message>
+        <source>Address of the hub</source>
+        <translation>中心库地址</translation>
+    </message>
+    <message>
+        <source>empty: as in ~/.pgpass or PGPASSWORD</source>
+        <translation>留空：使用 ~/.pgpass 或 PGPASSWORD 中的密码</translation>
+    </message>
+    <message>
+        <source>optional: a folder that all benches can reach</source>
+        <translation>可选：所有工作台都能访问的文件夹</translation>
+    </message>
+    <message>
+        <source>Folder for recordings</source>
+        <translation>录像文件夹</translation>
+    </message>
+    <message>
+        <source>Browse: %1</source>
+        <translation>浏览：%1</translation>
+    </message>
+    <message>
+        <source>&amp;Address:</source>
+        <translation>地址(&amp;A)：</translation>
+    </message>
+    <message>
+        <source>&amp;Password:</source>
+        <translation>密码(&amp;P)：</translation>
+    </message>
+    <message>
+        <source>&amp;Recordings:</source>
+        <translation>录像(&amp;R)：</translation>
+    </message>
+</context>
+<context>
     <name>odo::CoveragePanel</name>
     <message>
         <source>Across</source>
@@ -12594,6 +12920,260 @@ Much more than expected means that a setting is wrong: the views are not synchro
         <source>%1 of %n trial(s)</source>
         <translation>
             <numerusform>%n 次试验中的 %1 次</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>School hub</source>
+        <translation>学校中心库</translation>
+    </message>
+</context>
+<context>
+    <name>odo::HubActions</name>
+    <message>
+        <source>School &amp;hub…</source>
+        <translation>学校中心库(&amp;H)…</translation>
+    </message>
+</context>
+<context>
+    <name>odo::HubDialog</name>
+    <message>
+        <source>Cancel</source>
+        <translation>取消</translation>
+    </message>
+    <message>
+        <source>School hub</source>
+        <translation>学校中心库</translation>
+    </message>
+    <message>
+        <source>What was done</source>
+        <translation>已完成的操作</translation>
+    </message>
+    <message>
+        <source>Progress</source>
+        <translation>进度</translation>
+    </message>
+    <message>
+        <source>Cancel the exchange with the hub</source>
+        <translation>取消与中心库的交换</translation>
+    </message>
+    <message>
+        <source>Disconnect</source>
+        <translation>断开连接</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n change(s) are not sent yet. They stay in the project.</source>
+        <translation>
+            <numerusform>尚有 %n 处更改未发送，它们仍保留在项目中。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>&amp;Disconnect</source>
+        <translation>断开连接(&amp;D)</translation>
+    </message>
+    <message>
+        <source>Connecting…</source>
+        <translation>正在连接…</translation>
+    </message>
+    <message>
+        <source>Asking the hub…</source>
+        <translation>正在询问中心库…</translation>
+    </message>
+    <message>
+        <source>The project is read-only here, so nothing can be sent or received.</source>
+        <translation>项目在此处为只读，因此无法发送或接收任何内容。</translation>
+    </message>
+</context>
+<context>
+    <name>odo::HubExchange</name>
+    <message>
+        <source>Disconnected. All trials stay in the project.</source>
+        <translation>已断开连接。所有试验仍保留在项目中。</translation>
+    </message>
+</context>
+<context>
+    <name>odo::HubPanel</name>
+    <message>
+        <source>Password of the hub</source>
+        <translation>中心库密码</translation>
+    </message>
+    <message>
+        <source>Copy &amp;recordings, too</source>
+        <translation>同时复制录像(&amp;R)</translation>
+    </message>
+    <message>
+        <source>&amp;Publish now</source>
+        <translation>立即发布(&amp;P)</translation>
+    </message>
+    <message>
+        <source>Pu&amp;ll now</source>
+        <translation>立即接收(&amp;L)</translation>
+    </message>
+    <message>
+        <source>&amp;Disconnect</source>
+        <translation>断开连接(&amp;D)</translation>
+    </message>
+    <message>
+        <source>Send to the hub what is pending. Odograph also does this by itself.</source>
+        <translation>将待发送的内容发送到中心库。Odograph 也会自动发送。</translation>
+    </message>
+    <message>
+        <source>Receive class lists, tasks and the trials of other benches</source>
+        <translation>接收班级名单、任务和其他工作台的试验</translation>
+    </message>
+    <message>
+        <source>To and from the school&apos;s folder for recordings; this can take long</source>
+        <translation>与学校的录像文件夹互相复制；可能需要较长时间</translation>
+    </message>
+    <message>
+        <source>Log &amp;in</source>
+        <translation>登录(&amp;I)</translation>
+    </message>
+    <message>
+        <source>Pass&amp;word:</source>
+        <translation>密码(&amp;W)：</translation>
+    </message>
+    <message>
+        <source>How the project is connected</source>
+        <translation>项目的连接情况</translation>
+    </message>
+    <message>
+        <source>Connection</source>
+        <translation>连接</translation>
+    </message>
+    <message>
+        <source>not yet</source>
+        <translation>尚未</translation>
+    </message>
+    <message>
+        <source>Hub</source>
+        <translation>中心库</translation>
+    </message>
+    <message>
+        <source>Role</source>
+        <translation>角色</translation>
+    </message>
+    <message>
+        <source>Schema</source>
+        <translation>架构</translation>
+    </message>
+    <message>
+        <source>Version %1</source>
+        <translation>版本 %1</translation>
+    </message>
+    <message>
+        <source>Last exchange</source>
+        <translation>上次交换</translation>
+    </message>
+    <message>
+        <source>Still to be sent</source>
+        <translation>待发送</translation>
+    </message>
+    <message>
+        <source>Recordings</source>
+        <translation>录像</translation>
+    </message>
+    <message>
+        <source>No folder: they stay at this bench</source>
+        <translation>无文件夹：保留在此工作台</translation>
+    </message>
+    <message numerus="yes">
+        <source>&amp;Changed twice: %n…</source>
+        <translation>
+            <numerusform>更改过两次(&amp;C)：%n…</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>odo::HubRunsModel</name>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 秒</translation>
+    </message>
+    <message>
+        <source>counts</source>
+        <translation>计入</translation>
+    </message>
+    <message>
+        <source>doubtful</source>
+        <translation>存疑</translation>
+    </message>
+    <message>
+        <source>does not count</source>
+        <translation>不计入</translation>
+    </message>
+    <message>
+        <source>another course</source>
+        <translation>其他路线</translation>
+    </message>
+    <message>
+        <source>Date</source>
+        <translation>日期</translation>
+    </message>
+    <message>
+        <source>Trial</source>
+        <translation>试验</translation>
+    </message>
+    <message>
+        <source>Team</source>
+        <translation>小组</translation>
+    </message>
+    <message>
+        <source>Class</source>
+        <translation>班级</translation>
+    </message>
+    <message>
+        <source>Robot</source>
+        <translation>机器人</translation>
+    </message>
+    <message>
+        <source>Task</source>
+        <translation>任务</translation>
+    </message>
+    <message>
+        <source>Duration</source>
+        <translation>时长</translation>
+    </message>
+    <message>
+        <source>Standings</source>
+        <translation>排名</translation>
+    </message>
+</context>
+<context>
+    <name>odo::HubRunsPanel</name>
+    <message>
+        <source>Trials of all benches</source>
+        <translation>所有工作台的试验</translation>
+    </message>
+    <message>
+        <source>Search trials and teams…</source>
+        <translation>搜索试验和小组…</translation>
+    </message>
+    <message>
+        <source>Search the hub</source>
+        <translation>搜索中心库</translation>
+    </message>
+    <message>
+        <source>Three letters or more</source>
+        <translation>至少三个字母</translation>
+    </message>
+    <message>
+        <source>Runs at the hub</source>
+        <translation>中心库中的行驶</translation>
+    </message>
+    <message>
+        <source>Searching…</source>
+        <translation>正在搜索…</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n run(s)</source>
+        <translation>
+            <numerusform>%n 次行驶</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>the newest %n run(s)</source>
+        <translation>
+            <numerusform>最近 %n 次行驶</numerusform>
         </translation>
     </message>
 </context>
@@ -13542,6 +14122,14 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>C&amp;lass</source>
         <translation>班级(&amp;L)</translation>
+    </message>
+    <message>
+        <source>You and another bench changed the same things. Both versions are kept.</source>
+        <translation>您和另一个工作台更改了相同的内容。两个版本都已保留。</translation>
+    </message>
+    <message>
+        <source>Show both</source>
+        <translation>显示两者</translation>
     </message>
 </context>
 <context>
@@ -15801,6 +16389,14 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>Saving…</source>
         <translation>正在保存…</translation>
+    </message>
+    <message>
+        <source>The school&apos;s hub</source>
+        <translation>学校中心库</translation>
+    </message>
+    <message>
+        <source>%1. Click for more about the school&apos;s hub</source>
+        <translation>%1。单击查看学校中心库的详情</translation>
     </message>
 </context>
 <context>
@@ -20222,6 +20818,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>school.check_server</name>
+    <message>
+        <source>have the hub&apos;s administrator look at the server</source>
+        <translation>请让中心库管理员检查服务器</translation>
+    </message>
+</context>
+<context>
     <name>school.connect_first</name>
     <message>
         <source>connect it with odograph school connect P.odo postgresql://user@host/database</source>
@@ -20261,6 +20864,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>media folder of the school</source>
         <translation>学校的媒体文件夹</translation>
+    </message>
+</context>
+<context>
+    <name>school.never_answers</name>
+    <message>
+        <source>the server takes connections and answers none</source>
+        <translation>服务器接受连接但不作任何回应</translation>
     </message>
 </context>
 <context>
@@ -20362,6 +20972,27 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>school.password_place</name>
+    <message>
+        <source>put the right one into ~/.pgpass or PGPASSWORD</source>
+        <translation>请在此输入，或将其放入 ~/.pgpass</translation>
+    </message>
+</context>
+<context>
+    <name>school.password_refused</name>
+    <message>
+        <source>the server does not accept this login with this password</source>
+        <translation>服务器不接受此登录名与此密码</translation>
+    </message>
+</context>
+<context>
+    <name>school.password_wanted</name>
+    <message>
+        <source>the server asks for the password of the login</source>
+        <translation>服务器要求此登录的密码</translation>
+    </message>
+</context>
+<context>
     <name>school.publish_later</name>
     <message>
         <source>try again later; what was not sent yet is kept</source>
@@ -20411,6 +21042,20 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>school.server_away</name>
+    <message>
+        <source>the server is away; trying again</source>
+        <translation>服务器无法连接；正在重试</translation>
+    </message>
+</context>
+<context>
+    <name>school.silent</name>
+    <message>
+        <source>the server does not answer</source>
+        <translation>服务器没有回应</translation>
+    </message>
+</context>
+<context>
     <name>school.sslmode_choices</name>
     <message>
         <source>use disable, allow, prefer, require, verify-ca or verify-full</source>
@@ -20436,6 +21081,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>update Odograph</source>
         <translation>请更新 Odograph</translation>
+    </message>
+</context>
+<context>
+    <name>school.waiting</name>
+    <message>
+        <source>waiting for the server</source>
+        <translation>正在等待服务器</translation>
     </message>
 </context>
 <context>

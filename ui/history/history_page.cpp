@@ -13,6 +13,7 @@
 #include "ui/models/background_task.h"
 #include "ui/models/shown_names.h"
 #include "ui/models/trial_model.h"
+#include "ui/school/hub_runs_panel.h"
 #include "ui/views/widgets/card.h"
 #include "ui/views/widgets/command_keys.h"
 #include "ui/views/widgets/theme.h"
@@ -56,8 +57,9 @@ HistoryPage::HistoryPage(Project &project, bool readOnly, QWidget *parent)
       m_filterBar(new TrialFilterBar(this)), m_marks(new MarkActions(project, *this)),
       m_pseudonyms(new QAction(tr("Teams by &pseudonym"), this)), m_table(new TrialTable(*m_trials, this)),
       m_columns(new TrialColumns(*m_trials, *m_table)), m_teams(new TeamsPanel(project, this)),
-      m_tabs(new QTabWidget(this)), m_detail(new TrialDetail(project, this)),
-      m_checker(new ProjectReader(project.file(), this)), m_readTimer(new QTimer(this))
+      m_hubRuns(new HubRunsPanel(this)), m_tabs(new QTabWidget(this)),
+      m_detail(new TrialDetail(project, this)), m_checker(new ProjectReader(project.file(), this)),
+      m_readTimer(new QTimer(this))
 {
     setObjectName(QStringLiteral("page"));
     m_trials->setEditable(!readOnly);
@@ -68,6 +70,8 @@ HistoryPage::HistoryPage(Project &project, bool readOnly, QWidget *parent)
     splitter->setChildrenCollapsible(false);
     m_tabs->addTab(makeTable(), tr("Tr&ials"));
     m_tabs->addTab(m_teams, tr("Tea&ms"));
+    m_tabs->addTab(m_hubRuns, tr("School hub"));
+    setHub(std::nullopt);
     m_tabs->setDocumentMode(true);
     m_tabs->setAccessibleName(tr("Trials or teams"));
     splitter->addWidget(m_tabs);
@@ -162,6 +166,12 @@ void HistoryPage::addTrialActions()
     m_table->addActions(work);
     m_listActions << m_columns->menuAction();
     m_listActions << m_marks->star() << m_marks->archive() << m_marks->bin() << m_marks->emptyBin() << work;
+}
+
+void HistoryPage::setHub(const std::optional<HubAddress> &hub)
+{
+    m_hubRuns->setHub(hub);
+    m_tabs->setTabVisible(m_tabs->indexOf(m_hubRuns), hub.has_value());
 }
 
 /// Only what is seen is computed.

@@ -3,11 +3,13 @@
 
 #include "core/base/error.h"
 #include "core/project/records.h"
+#include "core/school/hub_address.h"
 
 #include <QList>
 #include <QStringList>
 #include <QWidget>
 #include <memory>
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
@@ -22,6 +24,7 @@ namespace odo {
 
 struct BinContent;
 class Card;
+class HubRunsPanel;
 class MarkActions;
 class Project;
 class ProjectReader;
@@ -48,6 +51,8 @@ public:
     /// Reads the project, keeping the selection. Call it once the signals are connected, and after every
     /// change.
     void refresh();
+    /// The school's hub that the project is connected to, whose runs can be looked at as well; nullopt: none.
+    void setHub(const std::optional<HubAddress> &hub);
     /// At once, or as soon as it was read.
     void selectTrial(const QString &name);
     /// Stores what is being written now instead of in a moment.
@@ -119,6 +124,7 @@ private:
     TrialColumns *m_columns;
     Card *m_tableCard = nullptr;
     TeamsPanel *m_teams;
+    HubRunsPanel *m_hubRuns;
     QTabWidget *m_tabs;
     TrialDetail *m_detail;
     ProjectReader *m_checker;

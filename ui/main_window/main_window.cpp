@@ -11,6 +11,7 @@
 #include "ui/main_window/help/help_actions.h"
 #include "ui/main_window/internal/class_actions.h"
 #include "ui/main_window/internal/file_actions.h"
+#include "ui/main_window/internal/hub_actions.h"
 #include "ui/main_window/internal/report_actions.h"
 #include "ui/main_window/internal/start_actions.h"
 #include "ui/main_window/internal/trial_actions.h"
@@ -55,7 +56,8 @@ MainWindow::MainWindow()
     : m_recent(new RecentProjects(this)), m_workspace(new Workspace(this)),
       m_files(new FileActions(*m_workspace, *m_recent, *this)),
       m_trials(new TrialActions(*m_workspace, *this)), m_many(new HistoryActions(*m_workspace, *this)),
-      m_class(new ClassActions(*m_workspace, *this)), m_reports(new ReportActions(*m_workspace, *this)),
+      m_class(new ClassActions(*m_workspace, *this)), m_hub(new HubActions(*m_workspace, *this)),
+      m_reports(new ReportActions(*m_workspace, *this)),
       m_start(new StartActions(*m_workspace, *m_trials, *m_reports, *this)),
       m_undo(new UndoActions(*m_workspace, this)), m_views(new ViewActions(*this)),
       m_keys(new CommandKeys(this)), m_helpPanel(new HelpPanel),
@@ -73,6 +75,7 @@ MainWindow::MainWindow()
     setStatusBar(m_status);
     connectActions();
     connectJobs();
+    connectHub();
     showTitle();
     showState();
 }
@@ -80,6 +83,7 @@ MainWindow::MainWindow()
 MainWindow::~MainWindow()
 {
     closePages(); // before the workspace, whose project they use
+    m_hub->end();
 }
 
 void MainWindow::makeCentre()
@@ -121,6 +125,7 @@ void MainWindow::makeMenus()
     ofClass->addAction(m_many->roster());
     ofClass->addSeparator();
     ofClass->addAction(m_class->standings());
+    ofClass->addAction(m_hub->hub());
     m_menus = std::make_unique<PageMenus>(*menuBar(), *m_modeBar, *m_views, *m_trials);
     m_help->fillMenu(*menuBar()->addMenu(tr("&Help")));
     m_keys->adopt(*menuBar());
@@ -196,6 +201,22 @@ void MainWindow::connectJobs()
         m_messages->offer(tr("Restore the backup"), [this, project] { m_files->beginRestoring(project); });
     });
     connect(&m_status->job(), &JobIndicator::cancelRequested, m_workspace, &Workspace::cancel);
+}
+
+void MainWindow::connectHub()
+{
+    m_hub->setMayPublish([this] { return !isWorking(); });
+    connect(m_hub, &HubActions::changed, this, [this] {
+        m_status->showHub(m_hub->words());
+        if (m_pages && m_pages->isMade(Mode::History))
+            m_pages->history().setHub(m_hub->address());
+    });
+    connect(m_hub, &HubActions::received, this, &MainWindow::refreshPages);
+    connect(m_hub, &HubActions::conflictsFound, this, [this] {
+        m_messages->showWarning(tr("You and another bench changed the same things. Both versions are kept."));
+        m_messages->offer(tr("Show both"), [this] { m_hub->showConflicts(); });
+    });
+    connect(m_status, &StatusLine::hubRequested, m_hub, &HubActions::showDialog);
 }
 
 /// The file was deleted, renamed or replaced while it was open. What still runs on it ends first.
@@ -337,6 +358,7 @@ void MainWindow::addPage(Mode mode)
         break;
     case Mode::History: {
         HistoryPage *history = &m_pages->history();
+        history->setHub(m_hub->address());
         connect(history, &HistoryPage::teamNamesChanged, this, &MainWindow::showTitle);
         history->addEditAction(m_trials->editAction());
         connect(history, &HistoryPage::selectionChanged, this,

@@ -19,6 +19,7 @@ class FileActions;
 class HelpActions;
 class HelpPanel;
 class HistoryActions;
+class HubActions;
 class MessageBar;
 class ModeBar;
 class PageMenus;
@@ -78,6 +79,7 @@ private:
     void makeMenus();
     void connectActions();
     void connectJobs();
+    void connectHub();
     void closePages();
     void makePages();
     void connectPages();
@@ -105,6 +107,7 @@ private:
     TrialActions *m_trials;
     HistoryActions *m_many;
     ClassActions *m_class;
+    HubActions *m_hub;
     ReportActions *m_reports;
     StartActions *m_start;
     UndoActions *m_undo;

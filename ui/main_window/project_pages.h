@@ -63,6 +63,7 @@ public:
     TestbedPage &testbed();
     RecordPage &record();
     ReviewPage &review();
+    bool isMade(Mode mode) const { return m_pages.at(static_cast<std::size_t>(mode)) != nullptr; }
     const ReviewPage &review() const { return *m_review; } ///< that was made
     ComparePage &compare();
     HistoryPage &history();

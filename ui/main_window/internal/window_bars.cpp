@@ -192,18 +192,29 @@ QString analysisWords(const TrialScenePtr &trial)
 
 } // namespace
 
+namespace {
+constexpr int leastHubWidth = 80;
+}
+
 StatusLine::StatusLine(QWidget *parent)
     : QStatusBar(parent), m_saved(new QLabel), m_analysis(new QLabel), m_units(new QLabel),
-      m_job(new JobIndicator)
+      m_hub(new QToolButton), m_job(new JobIndicator)
 {
     m_units->setToolTip(tr("Units of lengths, speeds and times; change them in the preferences"));
     for (QLabel *label : {m_saved, m_analysis, m_units}) {
         label->setTextFormat(Qt::PlainText);
         label->setContentsMargins(8, 2, 8, 2);
     }
+    m_hub->setProperty("flat", true);
+    m_hub->setFocusPolicy(Qt::TabFocus);
+    m_hub->setMinimumWidth(leastHubWidth); // rather than a window that is too wide
+    m_hub->setAccessibleName(tr("The school's hub"));
+    m_hub->hide();
+    connect(m_hub, &QToolButton::clicked, this, &StatusLine::hubRequested);
     setSizeGripEnabled(false);
     setFixedHeight(m_job->sizeHint().height() + 6); // it must not jump when a job begins
     addWidget(m_saved);
+    addWidget(m_hub);
     addWidget(m_analysis);
     addPermanentWidget(m_job);
     addPermanentWidget(m_units);
@@ -227,6 +238,14 @@ void StatusLine::showUnits()
 {
     const ShownUnits &units = shownUnits();
     m_units->setText(QStringLiteral("%1 · %2 · s").arg(units.length.name, units.speed.name));
+}
+
+void StatusLine::showHub(const QString &words)
+{
+    m_hub->setText(words);
+    m_hub->setAccessibleName(words.isEmpty() ? tr("The school's hub") : words);
+    m_hub->setToolTip(tr("%1. Click for more about the school's hub").arg(words));
+    m_hub->setVisible(!words.isEmpty());
 }
 
 namespace {

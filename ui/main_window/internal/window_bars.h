@@ -14,6 +14,7 @@ class QActionGroup;
 class QLabel;
 class QProgressBar;
 class QPushButton;
+class QToolButton;
 class QTimer;
 class QVBoxLayout;
 
@@ -70,8 +71,8 @@ private:
 class JobIndicator;
 class Workspace;
 
-/// The foot of the window: whether all is saved, by what the trial on screen was analysed, the job that runs,
-/// and the units. GUI thread.
+/// The foot of the window: whether all is saved and sent to the school's hub, by what the trial on screen was
+/// analysed, the job that runs, and the units. GUI thread.
 class StatusLine : public QStatusBar
 {
     Q_OBJECT
@@ -82,9 +83,15 @@ public:
     void showState(const Workspace &workspace, const TrialScenePtr &trial);
     /// Those in force.
     void showUnits();
+    /// How the school's hub is; empty: the project has none.
+    void showHub(const QString &words);
+
+Q_SIGNALS:
+    void hubRequested(); ///< more about it
 
 private:
     QLabel *m_saved, *m_analysis, *m_units;
+    QToolButton *m_hub;
     JobIndicator *m_job;
 };
 
