@@ -12034,6 +12034,10 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <source>&amp;Recordings:</source>
         <translation>A&amp;ufnahmen:</translation>
     </message>
+    <message>
+        <source>postgresql://bench1@hub.school.example/school</source>
+        <translation>postgresql://messplatz1@hub.schule.example/schule</translation>
+    </message>
 </context>
 <context>
     <name>odo::CoveragePanel</name>
@@ -21036,7 +21040,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
 <context>
     <name>school.password_place</name>
     <message>
-        <source>put the right one into ~/.pgpass or PGPASSWORD</source>
+        <source>put the correct one into ~/.pgpass or PGPASSWORD</source>
         <translation>geben Sie es hier ein, oder legen Sie es in ~/.pgpass ab</translation>
     </message>
 </context>

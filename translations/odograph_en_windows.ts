@@ -109,7 +109,7 @@
 <context>
     <name>school.password_place</name>
     <message>
-        <source>put the right one into ~/.pgpass or PGPASSWORD</source>
+        <source>put the correct one into ~/.pgpass or PGPASSWORD</source>
         <translation>enter it here, or put it into ~/.pgpass</translation>
     </message>
 </context>

@@ -12034,6 +12034,10 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <source>&amp;Recordings:</source>
         <translation>&amp;Grabaciones:</translation>
     </message>
+    <message>
+        <source>postgresql://bench1@hub.school.example/school</source>
+        <translation>postgresql://puesto1@servidor.escuela.example/escuela</translation>
+    </message>
 </context>
 <context>
     <name>odo::CoveragePanel</name>
@@ -21036,7 +21040,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
 <context>
     <name>school.password_place</name>
     <message>
-        <source>put the right one into ~/.pgpass or PGPASSWORD</source>
+        <source>put the correct one into ~/.pgpass or PGPASSWORD</source>
         <translation>introdúzcala aquí o guárdela en ~/.pgpass</translation>
     </message>
 </context>

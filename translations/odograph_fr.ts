@@ -1475,8 +1475,8 @@ La méthode suit S. Park, «&#xa0;Computational Vision for Automatic Tracking an
     <message numerus="yes">
         <source>Hub: publishing, %n pending</source>
         <translation>
-            <numerusform>Serveur : publication, %n en attente</numerusform>
-            <numerusform>Serveur : publication, %n en attente</numerusform>
+            <numerusform>Serveur&#xa0;: publication, %n en attente</numerusform>
+            <numerusform>Serveur&#xa0;: publication, %n en attente</numerusform>
         </translation>
     </message>
 </context>
@@ -12034,6 +12034,10 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <source>&amp;Recordings:</source>
         <translation>&amp;Enregistrements&#xa0;:</translation>
     </message>
+    <message>
+        <source>postgresql://bench1@hub.school.example/school</source>
+        <translation>postgresql://poste1@serveur.ecole.example/ecole</translation>
+    </message>
 </context>
 <context>
     <name>odo::CoveragePanel</name>
@@ -21036,7 +21040,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>school.password_place</name>
     <message>
-        <source>put the right one into ~/.pgpass or PGPASSWORD</source>
+        <source>put the correct one into ~/.pgpass or PGPASSWORD</source>
         <translation>saisissez-le ici, ou mettez-le dans ~/.pgpass</translation>
     </message>
 </context>

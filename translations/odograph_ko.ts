@@ -12010,6 +12010,10 @@ Much more than expected means that a setting is wrong: the views are not synchro
         <source>&amp;Recordings:</source>
         <translation>녹화(&amp;R):</translation>
     </message>
+    <message>
+        <source>postgresql://bench1@hub.school.example/school</source>
+        <translation>postgresql://bench1@hub.school.example/school</translation>
+    </message>
 </context>
 <context>
     <name>odo::CoveragePanel</name>
@@ -20974,7 +20978,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
 <context>
     <name>school.password_place</name>
     <message>
-        <source>put the right one into ~/.pgpass or PGPASSWORD</source>
+        <source>put the correct one into ~/.pgpass or PGPASSWORD</source>
         <translation>여기에 입력하거나 ~/.pgpass에 넣으세요</translation>
     </message>
 </context>

@@ -141,7 +141,7 @@ const MessageText &passwordRefused()
 tl::unexpected<Error> needsPassword(Message subject, bool gotOne)
 {
     return fail(ErrorCode::NotFound, std::move(subject), gotOne ? passwordRefused() : passwordWanted(),
-                ODO_TEXT("school.password_place", "put the right one into ~/.pgpass or PGPASSWORD"));
+                ODO_TEXT("school.password_place", "put the correct one into ~/.pgpass or PGPASSWORD"));
 }
 
 bool isPasswordNeeded(const Error &error)

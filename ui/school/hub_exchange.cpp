@@ -76,7 +76,7 @@ void HubExchange::look()
 {
     const auto state = m_project->state();
     if (isRunning())
-        return lookAtWork();
+        return followWork();
     if (!state)
         return;
     const std::pair seen(state->byOthers, state->here);
@@ -96,7 +96,7 @@ void HubExchange::look()
     exchangeBy(HubState::Work::Publishing, WithRecordings::No);
 }
 
-void HubExchange::lookAtWork()
+void HubExchange::followWork()
 {
     const auto pending = m_state.pending;
     const bool wasSilent = std::exchange(m_state.isSilent, m_progress.hasExpired(longestSilence.count()));

@@ -90,7 +90,7 @@ private:
     using Exchange =
         std::function<Result<void>(Project &project, const JobControl &control, SchoolReport &report)>;
     void look();
-    void lookAtWork();
+    void followWork();
     void readState();
     bool isTime() const;
     void begin(HubState::Work work, Exchange exchange);

@@ -8,6 +8,7 @@
 #include <QAction>
 #include <QApplication>
 #include <QFileDialog>
+#include <QPointer>
 #include <QSet>
 #include <QSettings>
 #include <QStandardPaths>
@@ -61,8 +62,11 @@ int lookAtDialogs(MainWindow &window,
             }});
             command->trigger();
             waitFor(window);
-            for (QWidget *other : QApplication::topLevelWidgets()) // those that do not wait for an answer
-                if (auto *dialog = qobject_cast<QDialog *>(other); dialog && dialog->isVisible()) {
+            QList<QPointer<QWidget>> others; // one that was closed before may go meanwhile
+            for (QWidget *other : QApplication::topLevelWidgets())
+                others << other;
+            for (const QPointer<QWidget> &other : others) // those that do not wait for an answer
+                if (auto *dialog = qobject_cast<QDialog *>(other.data()); dialog && dialog->isVisible()) {
                     look(*command, *dialog);
                     dialog->close();
                 }

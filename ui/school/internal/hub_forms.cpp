@@ -49,7 +49,7 @@ ConnectForm::ConnectForm(QWidget *parent)
         "and you receive those of the other benches. You can measure without the network; Odograph sends "
         "later what it could not send."));
     intro->setWordWrap(true);
-    m_address->setPlaceholderText(QStringLiteral("postgresql://bench1@hub.school.example/school"));
+    m_address->setPlaceholderText(tr("postgresql://bench1@hub.school.example/school"));
     m_address->setAccessibleName(tr("Address of the hub"));
     m_address->setMinimumWidth(fieldLetters * m_address->fontMetrics().averageCharWidth());
     m_password->setPlaceholderText(tr("empty: as in ~/.pgpass or PGPASSWORD"));
