@@ -109,6 +109,7 @@ inline const QString address = QStringLiteral("address");
 inline const QString align = QStringLiteral("align");
 inline const QString at = QStringLiteral("at");
 inline const QString axes = QStringLiteral("axes");
+inline const QString bench = QStringLiteral("bench");
 inline const QString board = QStringLiteral("board");
 inline const QString entry = QStringLiteral("entry");
 inline const QString box = QStringLiteral("box");

@@ -13174,6 +13174,10 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <source>Standings</source>
         <translation>Rangliste</translation>
     </message>
+    <message>
+        <source>Bench</source>
+        <translation>Messplatz</translation>
+    </message>
 </context>
 <context>
     <name>odo::HubRunsPanel</name>
@@ -13214,6 +13218,14 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
             <numerusform>der neueste Lauf</numerusform>
             <numerusform>die neuesten %n Läufe</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Bench</source>
+        <translation>Messplatz</translation>
+    </message>
+    <message>
+        <source>All benches</source>
+        <translation>Alle Messplätze</translation>
     </message>
 </context>
 <context>

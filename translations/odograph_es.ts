@@ -13174,6 +13174,10 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <source>Standings</source>
         <translation>Clasificación</translation>
     </message>
+    <message>
+        <source>Bench</source>
+        <translation>Puesto</translation>
+    </message>
 </context>
 <context>
     <name>odo::HubRunsPanel</name>
@@ -13214,6 +13218,14 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
             <numerusform>el recorrido más reciente</numerusform>
             <numerusform>los %n recorridos más recientes</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Bench</source>
+        <translation>Puesto</translation>
+    </message>
+    <message>
+        <source>All benches</source>
+        <translation>Todos los puestos</translation>
     </message>
 </context>
 <context>

@@ -13174,6 +13174,10 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <source>Standings</source>
         <translation>Classement</translation>
     </message>
+    <message>
+        <source>Bench</source>
+        <translation>Poste</translation>
+    </message>
 </context>
 <context>
     <name>odo::HubRunsPanel</name>
@@ -13214,6 +13218,14 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
             <numerusform>le dernier parcours</numerusform>
             <numerusform>les %n derniers parcours</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Bench</source>
+        <translation>Poste</translation>
+    </message>
+    <message>
+        <source>All benches</source>
+        <translation>Tous les postes</translation>
     </message>
 </context>
 <context>

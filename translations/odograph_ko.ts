@@ -13141,6 +13141,10 @@ Much more than expected means that a setting is wrong: the views are not synchro
         <source>Standings</source>
         <translation>순위</translation>
     </message>
+    <message>
+        <source>Bench</source>
+        <translation>측정대</translation>
+    </message>
 </context>
 <context>
     <name>odo::HubRunsPanel</name>
@@ -13179,6 +13183,14 @@ Much more than expected means that a setting is wrong: the views are not synchro
         <translation>
             <numerusform>최근 주행 %n개</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Bench</source>
+        <translation>측정대</translation>
+    </message>
+    <message>
+        <source>All benches</source>
+        <translation>모든 측정대</translation>
     </message>
 </context>
 <context>

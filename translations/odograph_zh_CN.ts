@@ -13141,6 +13141,10 @@ Much more than expected means that a setting is wrong: the views are not synchro
         <source>Standings</source>
         <translation>排名</translation>
     </message>
+    <message>
+        <source>Bench</source>
+        <translation>工作台</translation>
+    </message>
 </context>
 <context>
     <name>odo::HubRunsPanel</name>
@@ -13179,6 +13183,14 @@ Much more than expected means that a setting is wrong: the views are not synchro
         <translation>
             <numerusform>最近 %n 次行驶</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Bench</source>
+        <translation>工作台</translation>
+    </message>
+    <message>
+        <source>All benches</source>
+        <translation>所有工作台</translation>
     </message>
 </context>
 <context>

@@ -148,11 +148,11 @@ QJsonObject runJson(const HubRun &run)
 {
     const auto text = [](const std::string &value) { return QString::fromStdString(value); };
     QJsonObject json{
-        {QStringLiteral("trial"), text(run.name)},       {QStringLiteral("uuid"), text(run.trial)},
-        {QStringLiteral("robot"), text(run.robot)},      {QStringLiteral("team"), text(run.team)},
-        {QStringLiteral("class"), text(run.className)},  {QStringLiteral("task"), text(run.task)},
-        {QStringLiteral("date"), dateText(run.held)},    {QStringLiteral("duration_s"), run.durationS},
-        {QStringLiteral("standing"), text(run.standing)}};
+        {QStringLiteral("trial"), text(run.name)},        {QStringLiteral("uuid"), text(run.trial)},
+        {QStringLiteral("robot"), text(run.robot)},       {QStringLiteral("team"), text(run.team)},
+        {QStringLiteral("class"), text(run.className)},   {QStringLiteral("task"), text(run.task)},
+        {QStringLiteral("date"), dateText(run.held)},     {QStringLiteral("duration_s"), run.durationS},
+        {QStringLiteral("standing"), text(run.standing)}, {QStringLiteral("bench"), text(run.bench)}};
     if (run.metric) {
         json[QStringLiteral("value")] = run.metric->value;
         json[QStringLiteral("unit")] = text(run.metric->unit);
@@ -176,7 +176,8 @@ Result<void> listRuns(const CommandCall &call)
 {
     const auto address = ODO_TRY(hubAddressAt(call, 1));
     const HubRunFilter filter{call.value(option::search), call.value(option::ofClass),
-                              call.value(option::team), call.value(option::task), call.value(option::metric)};
+                              call.value(option::team),   call.value(option::task),
+                              call.value(option::metric), call.value(option::bench)};
     constexpr std::size_t shortestSearch = 3; // letters, of which an index is made
     if (!filter.search.empty() && QString::fromStdString(filter.search).size() < qsizetype(shortestSearch))
         return call.wrongCall(ODO_TEXT("app.search_is_longer", "--search needs three letters at least"));
@@ -200,8 +201,8 @@ Result<void> runSchool(const QStringList &arguments, const CancelToken &cancel)
         {QStringLiteral("school"),
          QStringLiteral("init URL | connect P.odo URL [--media FOLDER] | publish P.odo [--recordings] | "
                         "pull P.odo [--recordings] | status P.odo | disconnect P.odo | list URL "
-                        "[--search TEXT] [--class CLASS] [--team TEAM] [--task TASK] [--metric METRIC] "
-                        "[--json]"),
+                        "[--search TEXT] [--class CLASS] [--team TEAM] [--task TASK] [--bench LOGIN] "
+                        "[--metric METRIC] [--json]"),
          2,
          3,
          {{option::search, QStringLiteral("Runs with this text in the name of the trial or of the team."),
@@ -210,6 +211,7 @@ Result<void> runSchool(const QStringList &arguments, const CancelToken &cancel)
           {option::team, QStringLiteral("Runs of this team, by the name that viewers see."),
            QStringLiteral("TEAM")},
           {option::task, QStringLiteral("Runs of this task."), QStringLiteral("TASK")},
+          {option::bench, QStringLiteral("Runs that this login published."), QStringLiteral("LOGIN")},
           {option::metric, QStringLiteral("The metric to list of each run."), QStringLiteral("METRIC")},
           {option::media, QStringLiteral("The school's folder of recordings."), QStringLiteral("FOLDER")},
           {option::recordings, QStringLiteral("Copy recordings to the media folder, or from it, too.")}}},
@@ -223,7 +225,8 @@ Result<void> runSchool(const QStringList &arguments, const CancelToken &cancel)
     if (call.isSet(option::recordings) && verb != QStringLiteral("publish") && verb != QStringLiteral("pull"))
         return call.wrongCall(
             ODO_TEXT("app.recordings_with_publish", "--recordings goes with publish and pull"));
-    for (const QString &one : {option::search, option::ofClass, option::team, option::task, option::metric})
+    for (const QString &one :
+         {option::search, option::ofClass, option::team, option::task, option::bench, option::metric})
         if (call.isSet(one) && verb != QStringLiteral("list"))
             return call.wrongCall(ODO_TEXT("app.goes_with_list", "--%1 goes with list")(one.toStdString()));
     if (verb == QStringLiteral("list") && count == 2)

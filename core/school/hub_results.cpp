@@ -120,6 +120,7 @@ HubRun runOf(const QSqlQuery &row, const std::string &metric)
     run.durationS = row.value(7).toDouble();
     run.standing = row.value(8).toString().toStdString();
     run.metric = metricOf(row, 9, metric);
+    run.bench = row.value(13).toString().toStdString();
     return run;
 }
 
@@ -246,6 +247,21 @@ Result<std::vector<HubRun>> HubResults::runs(const HubRunFilter &filter, int mos
     return ask(
         [filter, most, last, withNames = mayReadTrials()](SchoolHub &hub) {
             return readRuns(hub, filter, withNames, last ? &*last : nullptr, most);
+        },
+        control);
+}
+
+Result<std::vector<std::string>> HubResults::benches(const JobControl &control)
+{
+    if (!mayReadTrials())
+        return std::vector<std::string>();
+    return ask(
+        [](SchoolHub &hub) -> Result<std::vector<std::string>> {
+            auto rows = ODO_TRY(hub.run(hubQueries::benches()));
+            std::vector<std::string> all;
+            while (rows.next())
+                all.push_back(rows.value(0).toString().toStdString());
+            return all;
         },
         control);
 }

@@ -37,6 +37,8 @@ struct HubRunFilter
     std::string search; ///< a text in the name of the trial or of the team; of a viewer's in the latter
     std::string className, team, task;
     std::string metric; ///< of which the list has the value
+    /// The login that published them first; of those who may read more than results.
+    std::string bench = {};
 };
 
 /// A robot's run in a trial, as a list shows it.
@@ -50,6 +52,7 @@ struct HubRun
     double durationS = 0;
     std::string standing; ///< "pass", "doubtful", "bad", or "otherwise": by another course
     std::optional<Metric> metric;
+    std::string bench = {}; ///< the login that published it first; empty where the login may not read it
 };
 
 /// The results at a school's hub, which any of its roles may read. It changes nothing. On one thread at a
@@ -76,6 +79,9 @@ public:
     /// The newest runs first, a page of so many at most; after: the last one of the page before.
     Result<std::vector<HubRun>> runs(const HubRunFilter &filter, int most, const HubRun *after = nullptr,
                                      const JobControl &control = {});
+
+    /// The logins that published runs, in alphabetical order; none where the login may not read them.
+    Result<std::vector<std::string>> benches(const JobControl &control = {});
 
     /// Whether the login may read more of trials than their results.
     bool mayReadTrials() const { return m_role != "viewer"; }

@@ -56,7 +56,7 @@ private Q_SLOTS:
         QCOMPARE(results.error().code, ErrorCode::NotFound);
         const QString words = QString::fromStdString(results.error().message());
         QVERIFY2(
-            words.contains(QStringLiteral("its schema has version 1, and this Odograph needs 2; have its "
+            words.contains(QStringLiteral("its schema has version 1, and this Odograph needs 3; have its "
                                           "administrator run odograph school init")),
             qPrintable(words));
     }
@@ -66,7 +66,7 @@ private Q_SLOTS:
         for (int time = 0; time < 2; ++time) {
             const auto version = initialiseHub(hub("postgres"));
             QVERIFY2(version, version ? "" : version.error().message().c_str());
-            QCOMPARE(*version, 2);
+            QCOMPARE(*version, 3);
         }
         const auto results = HubResults::connect(hub("wall"));
         QVERIFY2(results, results ? "" : results.error().message().c_str());

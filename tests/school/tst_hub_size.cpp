@@ -98,6 +98,7 @@ class TestHubSize : public QObject
         const HubRunFilter rare{md5Digits(), "", "", "", ""}, frequent{"falcon", "", "", "", ""},
             old{"run 7", "", "", "", ""}, ofClass{"", nameOf("Class", 3), "", "", ""},
             ofTask{"", "", "", nameOf("Task", 0), ""}, ofTeam{"", "", nameOf("Falcon", 30), "", ""},
+            ofBench{"", "", "", "", "", "bench1"},
             trend{"", "", nameOf("Falcon", 30), nameOf("Task", 0), "gate_time"};
         return {{"standings of a task", hubQueries::standings(task())},
                 {"standings of a class in a task", hubQueries::standings(task(nameOf("Class", 3)))},
@@ -114,6 +115,9 @@ class TestHubSize : public QObject
                 {"filter by task", runs(ofTask, TextSearch::InAll)},
                 {"filter by task, a later page", runs(ofTask, TextSearch::InAll, &last)},
                 {"filter by team", runs(ofTeam, TextSearch::InAll)},
+                {"filter by bench", runs(ofBench, TextSearch::InAll)},
+                {"filter by bench, a later page", runs(ofBench, TextSearch::InAll, &last)},
+                {"benches", hubQueries::benches()},
                 {"newest runs", runs({}, TextSearch::InAll)},
                 {"newest runs, a later page", runs({}, TextSearch::InAll, &last)},
                 {"trend of a team in a task", runs(trend, TextSearch::InAll)},

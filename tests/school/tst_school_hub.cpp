@@ -66,7 +66,7 @@ private Q_SLOTS:
     {
         const ProgramRun again = call({"school", "init", url("postgres"), "--json"});
         QCOMPARE(again.exitStatus, 0);
-        QCOMPARE(again.json().value(QStringLiteral("schema_version")).toInt(), 2);
+        QCOMPARE(again.json().value(QStringLiteral("schema_version")).toInt(), 3);
     }
 
     void aTrialGetsFromOneBenchToTheTeacher()
@@ -76,7 +76,7 @@ private Q_SLOTS:
         connect(teacher, "anna");
         const QJsonObject before = json({"school", "status", bench, "--json"});
         QCOMPARE(before.value(QStringLiteral("role")).toString(), QStringLiteral("bench"));
-        QCOMPARE(before.value(QStringLiteral("schema_version")).toInt(), 2);
+        QCOMPARE(before.value(QStringLiteral("schema_version")).toInt(), 3);
         QVERIFY(before.value(QStringLiteral("last_sync")).isNull());
         QVERIFY(before.value(QStringLiteral("pending")).toInt() >= 1);
         const QJsonObject sent = json({"school", "publish", bench, "--json"});
@@ -331,12 +331,21 @@ private Q_SLOTS:
         const QJsonArray found = listed("bench1", "RUN 1");
         QCOMPARE(found.size(), 1);
         const QJsonObject run = found.at(0).toObject();
-        QCOMPARE(run.keys(), listOf({"class", "date", "duration_s", "robot", "sigma", "standing", "task",
-                                     "team", "trial", "unit", "uuid", "value"}));
+        QCOMPARE(run.keys(), listOf({"bench", "class", "date", "duration_s", "robot", "sigma", "standing",
+                                     "task", "team", "trial", "unit", "uuid", "value"}));
         QCOMPARE(run.value(QStringLiteral("trial")).toString(), QStringLiteral("Run 1"));
         QCOMPARE(run.value(QStringLiteral("robot")).toString(), QStringLiteral("red"));
+        QCOMPARE(run.value(QStringLiteral("bench")).toString(), QStringLiteral("bench1"));
         QCOMPARE(run.value(QStringLiteral("unit")).toString(), QStringLiteral("s"));
         QCOMPARE(listed("wall", "run 1").size(), 0); // a name that viewers may not read
+        const auto of = [&](const char *login) {
+            return json({"school", "list", url("bench1"), "--bench", login, "--json"})
+                .value(QStringLiteral("runs"))
+                .toArray()
+                .size();
+        };
+        QCOMPARE(of("bench1"), 1);
+        QCOMPARE(of("bench2"), 0);
         const ProgramRun words = call({"school", "list", url("wall")});
         QVERIFY2(words.exitStatus == 0 && words.out.startsWith("1 run\n"), words.out + words.err);
         QVERIFY(!words.out.contains("Run 1"));

@@ -8,6 +8,8 @@
 #include <memory>
 #include <optional>
 
+class QComboBox;
+class QLabel;
 class QLineEdit;
 class QTableView;
 class QTimer;
@@ -17,7 +19,8 @@ namespace odo {
 class Card;
 class HubRunsModel;
 
-/// The runs of all benches at the school's hub, the newest first, searched by text. Asks on a thread of its
+/// The runs of all benches at the school's hub, the newest first, searched by text and
+/// chosen by bench. Asks on a thread of its
 /// own whenever it is shown, a page at a time, and never waits. GUI thread.
 class HubRunsPanel : public QWidget
 {
@@ -36,18 +39,23 @@ Q_SIGNALS:
 
 protected:
     void showEvent(QShowEvent *event) override;
+    bool eventFilter(QObject *watched, QEvent *event) override;
 
 private:
     struct Answer;
     void askFirst();
     void askMore();
     void ask(bool isFirst);
+    void offerBenches(const std::vector<std::string> &benches);
+    void fit();
     void take(const std::optional<Error> &error);
 
     std::optional<HubAddress> m_hub;
     HubRunsModel *m_model;
     Card *m_card;
     QLineEdit *m_search;
+    QComboBox *m_bench;
+    QLabel *m_problem;
     QTableView *m_table;
     QTimer *m_typing;
     bool m_isNextFirst = false;            ///< asked again while an answer was awaited

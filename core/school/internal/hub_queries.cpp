@@ -39,48 +39,65 @@ struct Conditions
     }
 };
 
+/// A value of a column as the server compares it.
+QString placeholderOf(const QString &column)
+{
+    return column == QLatin1String("owner") ? QStringLiteral("CAST(? AS name)") : QStringLiteral("?");
+}
+
 /// A column that has one value only, but not by "=": an order by it first is then that of its own index and
 /// of no other. With "=" the server takes the index of all times where it thinks that the value is frequent,
 /// and goes through years of others if it was so long ago.
 void addLeading(Conditions &conditions, const QString &column, const std::string &value)
 {
-    conditions.texts << column + QStringLiteral(" BETWEEN ? AND ?");
+    conditions.texts << column + QStringLiteral(" BETWEEN %1 AND %1").arg(placeholderOf(column));
     conditions.values << textValue(value) << textValue(value);
 }
 
-/// The index by which a list is read: that of a class or of a task, or of all times; a team has few runs, so
-/// any will do.
-const char *leadingColumn(const HubRunFilter &filter)
+/// The index by which a list is read: that of a class, of a task or of a bench, or of all times; a team has
+/// few runs, so any will do.
+struct Leading
 {
-    return !filter.team.empty()        ? ""
-           : !filter.className.empty() ? "class"
-           : !filter.task.empty()      ? "task"
-                                       : "";
+    QString column;
+    const std::string *value = nullptr;
+};
+
+Leading leadingOf(const HubRunFilter &filter)
+{
+    if (!filter.team.empty())
+        return {};
+    if (!filter.className.empty())
+        return {QStringLiteral("class"), &filter.className};
+    if (!filter.task.empty())
+        return {QStringLiteral("task"), &filter.task};
+    if (!filter.bench.empty())
+        return {QStringLiteral("owner"), &filter.bench};
+    return {};
 }
 
 Conditions conditionsOf(const HubRunFilter &filter, const HubRun *after)
 {
     Conditions conditions;
-    const QString leading = QLatin1String(leadingColumn(filter));
+    const Leading leading = leadingOf(filter);
     for (const auto &[column, value] :
          {std::pair{"class", &filter.className}, std::pair{"shown_team", &filter.team},
-          std::pair{"task", &filter.task}}) {
+          std::pair{"task", &filter.task}, std::pair{"owner", &filter.bench}}) {
         const QString name = QLatin1String(column);
-        if (!value->empty() && name == leading)
+        if (!value->empty() && name == leading.column)
             addLeading(conditions, name, *value);
         else if (!value->empty())
-            conditions.add(name + QStringLiteral(" = ?"), {textValue(*value)});
+            conditions.add(name + QStringLiteral(" = ") + placeholderOf(name), {textValue(*value)});
     }
     if (!after)
         return conditions;
-    const bool isLed = !leading.isEmpty();
+    const bool isLed = leading.value != nullptr;
     if (isLed)
-        conditions.values << textValue(filter.className.empty() ? filter.task : filter.className);
+        conditions.values << textValue(*leading.value);
     conditions.add(
         QStringLiteral("(%1held, trial, robot) < (%2to_timestamp(CAST(? AS double precision) / "
                        "1000), CAST(? AS uuid), ?)")
-            .arg(isLed ? leading + QStringLiteral(", ") : QString(),
-                 isLed ? QStringLiteral("?, ") : QString()),
+            .arg(isLed ? leading.column + QStringLiteral(", ") : QString(),
+                 isLed ? placeholderOf(leading.column) + QStringLiteral(", ") : QString()),
         {qint64(after->held.time_since_epoch().count()), textValue(after->trial), textValue(after->robot)});
     return conditions;
 }
@@ -134,12 +151,15 @@ HubQuery metricNames(const StandingsChoice &choice)
 HubQuery runs(const HubRunFilter &filter, TextSearch search, bool withNames, const HubRun *after, int most)
 {
     const QString searched = withNames ? QStringLiteral("searched") : QStringLiteral("lower(shown_team)");
-    const QString leading = QLatin1String(leadingColumn(filter));
+    const QString leading = leadingOf(filter).column;
     const QString order = QStringLiteral("ORDER BY %1held DESC, trial DESC, robot DESC LIMIT ")
                               .arg(leading.isEmpty() ? leading : leading + QStringLiteral(" DESC, "));
-    const QString columns = QStringLiteral("SELECT trial, robot, %1 AS name, shown_team, class, task, held, "
-                                           "duration_s, standing, %2 AS searched FROM odograph.result ")
-                                .arg(withNames ? QStringLiteral("name") : QStringLiteral("''"), searched);
+    const QString columns =
+        QStringLiteral(
+            "SELECT trial, robot, %1 AS name, shown_team, class, task, held, duration_s, standing, "
+            "%2 AS searched, %3 AS owner FROM odograph.result ")
+            .arg(withNames ? QStringLiteral("name") : QStringLiteral("''"), searched,
+                 withNames ? QStringLiteral("owner") : QStringLiteral("''"));
     Conditions conditions = conditionsOf(filter, after);
     QString source;
     if (filter.search.empty()) {
@@ -156,10 +176,18 @@ HubQuery runs(const HubRunFilter &filter, TextSearch search, bool withNames, con
     return {QStringLiteral(
                 "SELECT r.trial, r.robot, r.name, shown_team, class, r.task, "
                 "CAST(extract(epoch FROM held) * 1000 AS bigint), duration_s, standing, unit, value, sigma, "
-                "at_least FROM (%1) r LEFT JOIN odograph.metric m ON m.trial = r.trial AND m.robot = r.robot "
-                "AND m.name = ? ORDER BY held DESC, r.trial DESC, r.robot DESC")
+                "at_least, r.owner FROM (%1) r LEFT JOIN odograph.metric m ON m.trial = r.trial AND "
+                "m.robot = r.robot AND m.name = ? ORDER BY held DESC, r.trial DESC, r.robot DESC")
                 .arg(source),
             conditions.values << most << textValue(filter.metric)};
+}
+
+HubQuery benches()
+{
+    return {QStringLiteral(
+        "WITH RECURSIVE one AS ((SELECT owner FROM odograph.result ORDER BY owner LIMIT 1) UNION ALL "
+        "SELECT (SELECT r.owner FROM odograph.result r WHERE r.owner > one.owner ORDER BY r.owner LIMIT 1) "
+        "FROM one WHERE one.owner IS NOT NULL) SELECT owner FROM one WHERE owner IS NOT NULL")};
 }
 
 HubQuery publish(const QVariantList &document)

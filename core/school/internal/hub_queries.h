@@ -36,9 +36,12 @@ HubQuery metricNames(const StandingsChoice &choice);
 /// cannot choose: where row security is on it takes every text as rare.
 enum class TextSearch { InNewest, InAll };
 /// The newest runs first: trial, robot, name (empty without names), shown_team, class, task, held in ms,
-/// duration_s, standing; and unit, value, sigma, at_least of the metric, NULL where it has none. after: the
-/// last one of the page before; null: the first page.
+/// duration_s, standing; unit, value, sigma, at_least of the metric, NULL where it has none; and owner (empty
+/// without names). after: the last one of the page before; null: the first page.
 HubQuery runs(const HubRunFilter &filter, TextSearch search, bool withNames, const HubRun *after, int most);
+
+/// The logins that published runs, without a look at each run.
+HubQuery benches();
 
 HubQuery publish(const QVariantList &document);
 HubQuery setStandings(const std::string &bench, const QString &standings);

@@ -21,7 +21,7 @@ namespace odo {
 
 namespace {
 
-constexpr std::array migrations{"01_hub", "02_standings"};
+constexpr std::array migrations{"01_hub", "02_standings", "03_benches"};
 
 QString migrationText(const char *name)
 {

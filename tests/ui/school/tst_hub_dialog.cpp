@@ -79,7 +79,7 @@ private Q_SLOTS:
         QVERIFY(says(*m_dialog, "Connected."));
         QVERIFY(says(*m_dialog, "bench1 at"));
         QVERIFY(says(*m_dialog, "Bench: publishes its own trials"));
-        QVERIFY(says(*m_dialog, "Version 2"));
+        QVERIFY(says(*m_dialog, "Version 3"));
         QVERIFY(m_exchange->state().pending >= 2);
         button(*m_dialog, "Publish now")->click();
         QVERIFY(m_dialog->findChild<QProgressBar *>()->isVisible());

@@ -51,6 +51,8 @@ QVariant HubRunsModel::data(const QModelIndex &index, int role) const
                                   QLocale::ShortFormat);
     case TrialColumn:
         return text(run.name);
+    case BenchColumn:
+        return text(run.bench);
     case TeamColumn:
         return text(run.team);
     case ClassColumn:
@@ -83,6 +85,8 @@ QVariant HubRunsModel::headerData(int section, Qt::Orientation orientation, int 
         return tr("Date");
     case TrialColumn:
         return tr("Trial");
+    case BenchColumn:
+        return tr("Bench");
     case TeamColumn:
         return tr("Team");
     case ClassColumn:

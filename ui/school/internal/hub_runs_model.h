@@ -16,6 +16,7 @@ public:
     enum Columns {
         DateColumn,
         TrialColumn,
+        BenchColumn,
         TeamColumn,
         ClassColumn,
         RobotColumn,
