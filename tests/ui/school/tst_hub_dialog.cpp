@@ -8,6 +8,7 @@
 #include "ui/school/hub_dialog.h"
 
 #include <QApplication>
+#include <QCheckBox>
 #include <QLineEdit>
 #include <QProgressBar>
 #include <QTest>
@@ -162,10 +163,13 @@ private Q_SLOTS:
         const QTemporaryDir folder;
         connectByHand("bench1");
         QVERIFY(says(*m_dialog, "No folder: they stay at this bench"));
+        const auto *offer = m_dialog->findChild<QCheckBox *>();
+        QVERIFY(!offer->isVisible());
         QVERIFY(m_exchange->disconnectFromHub());
         enter("Folder for recordings", folder.path());
         connectByHand("bench1");
         QVERIFY(says(*m_dialog, qPrintable(folder.path())));
+        QVERIFY(offer->isVisible());
     }
 };
 
