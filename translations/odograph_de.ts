@@ -21081,7 +21081,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <name>school.publishing</name>
     <message>
         <source>publishing</source>
-        <translation>veröffentlicht</translation>
+        <translation>wird veröffentlicht</translation>
     </message>
 </context>
 <context>
