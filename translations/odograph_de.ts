@@ -25341,6 +25341,13 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
 </context>
 <context>
+    <name>workflow.hardly_found</name>
+    <message>
+        <source>it found robot &apos;%1&apos; in only %2 of the frames in which it should be visible, and the other positions are not checked by a second view</source>
+        <translation>sie fand Roboter &apos;%1&apos; nur in %2 der Bilder, in denen er sichtbar sein müsste, und die anderen Positionen prüft keine zweite Sicht</translation>
+    </message>
+</context>
+<context>
     <name>workflow.hardly_possible</name>
     <message>
         <source>a robot hardly moves at %1 with %2; check units and scale</source>

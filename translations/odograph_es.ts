@@ -25341,6 +25341,13 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     </message>
 </context>
 <context>
+    <name>workflow.hardly_found</name>
+    <message>
+        <source>it found robot &apos;%1&apos; in only %2 of the frames in which it should be visible, and the other positions are not checked by a second view</source>
+        <translation>encontró el robot &apos;%1&apos; solo en %2 de los fotogramas en los que debería verse, y ninguna segunda vista comprueba las demás posiciones</translation>
+    </message>
+</context>
+<context>
     <name>workflow.hardly_possible</name>
     <message>
         <source>a robot hardly moves at %1 with %2; check units and scale</source>

@@ -25341,6 +25341,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
 </context>
 <context>
+    <name>workflow.hardly_found</name>
+    <message>
+        <source>it found robot &apos;%1&apos; in only %2 of the frames in which it should be visible, and the other positions are not checked by a second view</source>
+        <translation>elle n’a trouvé le robot &apos;%1&apos; que dans %2 des images où il devrait être visible, et aucune deuxième vue ne vérifie les autres positions</translation>
+    </message>
+</context>
+<context>
     <name>workflow.hardly_possible</name>
     <message>
         <source>a robot hardly moves at %1 with %2; check units and scale</source>

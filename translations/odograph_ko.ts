@@ -25279,6 +25279,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>workflow.hardly_found</name>
+    <message>
+        <source>it found robot &apos;%1&apos; in only %2 of the frames in which it should be visible, and the other positions are not checked by a second view</source>
+        <translation>로봇 &apos;%1&apos;이(가) 보여야 할 프레임의 %2에서만 찾았으며, 나머지 위치는 두 번째 뷰로 확인되지 않습니다</translation>
+    </message>
+</context>
+<context>
     <name>workflow.hardly_possible</name>
     <message>
         <source>a robot hardly moves at %1 with %2; check units and scale</source>

@@ -25279,6 +25279,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>workflow.hardly_found</name>
+    <message>
+        <source>it found robot &apos;%1&apos; in only %2 of the frames in which it should be visible, and the other positions are not checked by a second view</source>
+        <translation>在应当可见的帧中，只有 %2 找到了机器人“%1”，其余位置没有第二个视角来核对</translation>
+    </message>
+</context>
+<context>
     <name>workflow.hardly_possible</name>
     <message>
         <source>a robot hardly moves at %1 with %2; check units and scale</source>

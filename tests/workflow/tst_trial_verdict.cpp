@@ -90,6 +90,8 @@ private Q_SLOTS:
     {
         Example example;
         Profile &profile = example.profile();
+        for (Sample &sample : profile.samples)
+            sample.time *= 8;
         const double wholeS = toSeconds(profile.samples.back().time - profile.samples.front().time);
         profile.measuredS = wholeS * 2 / 3;
         QVERIFY(wholeS - profile.measuredS > 1.5);
@@ -112,6 +114,23 @@ private Q_SLOTS:
         QVERIFY(example.check("few_spikes").level == CheckLevel::Doubtful);
         example.profile().spikes.assign(used / 2, {});
         QVERIFY(example.check("few_spikes").level == CheckLevel::Bad);
+    }
+
+    /// Nothing checks the other view where it should have been seen.
+    void aViewThatHardlyFindsTheRobot()
+    {
+        Example example;
+        QVERIFY(example.check("views_agree").level == CheckLevel::Pass);
+        std::size_t at = 0;
+        for (Sample &sample : example.profile().samples)
+            if (++at % 4 != 0)
+                sample.views &= ~2U;
+        QVERIFY(example.check("views_agree").level == CheckLevel::Doubtful);
+        QCOMPARE(
+            example.check("views_agree").text.english(),
+            "view 'B' in trial 'Trial 1': it found robot '" + example.analyses.front().robotName +
+                "' in only 21 % of the frames in which it should be visible, and the other positions are "
+                "not checked by a second view");
     }
 
     /// By the σ of half of the positions, and the floor that they cover.

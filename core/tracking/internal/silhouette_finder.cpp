@@ -21,6 +21,7 @@ namespace {
 constexpr int mostSilhouettes = 16;
 constexpr double mostShare = 0.4;      // of the frame that robots cover
 constexpr double leastFragmentPx = 12; // of a part that is taken with a body
+constexpr double leastFilled = 0.15;   // of its hull: a cable that lies on the floor fills less, and is no robot
 constexpr int speckRadius = 1, gapRadius = 2;
 
 bool fits(const Frame &frame, const Background &background)
@@ -298,7 +299,8 @@ bool SilhouetteFinder::Impl::measure(BitMask region, const BitMask &edgePixels, 
     if (edge.points().size() < 3)
         return false;
     measureHull(silhouette, edge.points());
-    if (silhouette.moments.areaPx2 < leastFragmentPx)
+    if (silhouette.moments.areaPx2 < leastFragmentPx ||
+        region.count() < leastFilled * silhouette.moments.areaPx2)
         return false;
     silhouette.meanChroma = edge.meanChroma();
     silhouette.shadowDoubt = shadowDoubtOf(window, region, part);

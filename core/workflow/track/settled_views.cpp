@@ -200,9 +200,8 @@ Result<SettledViews> trackAndSettle(const std::vector<RegisteredView> &views,
     if (!best)
         return best;
     Background::Shadow shadow;
-    // Takes them for what they are where solids then explain the outlines better.
-    const auto tryShadows = [&](const Background::Shadow &tried, float ShadowDoubt::*share) {
-        const std::vector<Outlines> known = uncertainOutlines(views, robots, best->views, share);
+    // Takes them for what they are where solids then explain the outlines of these robots better.
+    const auto tryShadows = [&](const Background::Shadow &tried, std::vector<Outlines> &known) {
         if (known.empty() || control.isCancelled())
             return false;
         auto again = tracked(nextPart, [&](const JobControl &part) {
@@ -216,12 +215,15 @@ Result<SettledViews> trackAndSettle(const std::vector<RegisteredView> &views,
         if (!areBetter(now, known))
             return false;
         best = std::move(again);
+        known = std::move(now);
         shadow = tried;
         return true;
     };
-    tryShadows({shadow.darkest, Background::strongTint}, &ShadowDoubt::tinted);
+    std::vector<Outlines> tinted = uncertainOutlines(views, robots, best->views, &ShadowDoubt::tinted);
+    tryShadows({shadow.darkest, Background::strongTint}, tinted);
+    std::vector<Outlines> deep = uncertainOutlines(views, robots, best->views, &ShadowDoubt::deep);
     for (const float darkest : darkerShadows)
-        if (!tryShadows({darkest, shadow.tint}, &ShadowDoubt::deep))
+        if (!tryShadows({darkest, shadow.tint}, deep))
             break;
     if (control.isCancelled())
         return cancelled(trackingSubject());

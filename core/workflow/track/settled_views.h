@@ -35,10 +35,11 @@ struct SettledViews
     std::vector<NameAmbiguity> ambiguities;
 };
 
-/// trackViews and settleNames. On a plain floor a deep shadow and a dark side of a robot look alike in a
-/// single frame, but not in a whole run: a shadow does not turn with the robot, and has no height. Where much
-/// of the robots may be deep shadow, everything is tracked once or twice more, for darker shadows, and what
-/// solids explain best is kept. Touches no project. Errors: those of both.
+/// trackViews and settleNames. A tinted or deep shadow and a side of a robot look alike in a single frame,
+/// but not in a whole run: a shadow does not turn with the robot, and has no height. Where much of the robots
+/// may be tinted shadow, everything is tracked once more for such shadows, where it may be deep shadow once
+/// or twice more for darker ones, and what solids explain best is kept. Touches no project. Errors: those of
+/// both.
 Result<SettledViews> trackAndSettle(const std::vector<RegisteredView> &views,
                                     const std::vector<RobotRecord> &robots, const JobControl &control,
                                     const std::vector<PointedOutRobot> &pointedOut = {});

@@ -279,6 +279,43 @@ Result<void> checkRecording(Project &project, const AnalysisRecord &analysis, co
     return {};
 }
 
+/// A view that hardly ever found a robot which was in its image: nothing then checks what the others
+/// measured.
+Result<void> checkSharing(Project &project, const AnalysisRecord &analysis, const RecordingRecord &view,
+                          const std::string &trial, Checks &checks)
+{
+    constexpr double leastShare = 0.3, margin = 0.05; // of the positions; of the image
+    constexpr int leastPositions = 10;
+    const auto number = std::size_t(view.position);
+    if (number >= analysis.registrations.size() || analysis.registrations[number] == 0)
+        return {};
+    const auto registration = ODO_TRY(project.cameras().registration(analysis.registrations[number]));
+    const auto floorView = ODO_TRY(floorViewAt(project, registration, view));
+    if (!floorView)
+        return {};
+    const Eigen::Vector2d size(view.widthPx, view.heightPx);
+    const Eigen::AlignedBox2d image(margin * size, (1 - margin) * size);
+    int inImage = 0, found = 0;
+    for (const Sample &sample : analysis.profile.samples) {
+        const auto pixel = isUsed(sample)
+                               ? floorView->pixelFromWorld({sample.position->x(), sample.position->y(), 0})
+                               : std::nullopt;
+        if (!pixel || !image.contains(*pixel))
+            continue;
+        ++inImage;
+        found += int(sample.views >> view.position & 1U);
+    }
+    if (inImage >= leastPositions && found < leastShare * inImage)
+        checks.add(viewsAgree, CheckLevel::Doubtful,
+                   joined({viewInTrialSubject(view.cameraName, trial),
+                           ODO_TEXT("workflow.hardly_found",
+                                    "it found robot '%1' in only %2 of the frames in which it should be "
+                                    "visible, and the other positions are not checked by a second view")(
+                               Named::robot(analysis.robotName), percent(double(found) / inImage))},
+                          Join::Colon));
+    return {};
+}
+
 void passTheRest(bool isFilmed, std::size_t views, Checks &checks)
 {
     checks.pass(resultsIntact, ODO_TEXT("workflow.passed_results", "the stored results are as computed"));
@@ -363,6 +400,9 @@ Result<TrialVerdict> verdictOn(Project &project, const TrialRecord &trial,
         const auto registration =
             ODO_TRY(project.cameras().registration(analyses.front().registrations[view]));
         checkRegistration(registration, recordings[view]->cameraName, checks);
+        for (const AnalysisRecord &analysis : analyses)
+            if (used.size() > 1 && !analysis.profile.samples.empty())
+                ODO_TRY(checkSharing(project, analysis, *recordings[view], trial.name, checks));
     }
     for (std::size_t i = 0; used.size() > 1 && i < used.size(); ++i)
         checkSynchronisation(*recordings[used[i]], *recordings.front(), trial.name, checks);
