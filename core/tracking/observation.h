@@ -20,7 +20,7 @@ struct Ellipse
 
 /// Shares of an outline's pixels that would be floor in shadow if shadows were darker than was assumed, and
 /// if they were tinted (Background::Shadow).
-struct ShadowDoubt
+struct ShadowAmbiguity
 {
     float deep = 0, tinted = 0;
 };
@@ -43,7 +43,7 @@ struct Observation
     Eigen::Vector2d meanChroma = Eigen::Vector2d::Zero();
     /// Something thin that reaches out of it was left out: a cable, a mast. Not stored either.
     bool isTrimmed = false;
-    ShadowDoubt shadowDoubt = {}; ///< not stored
+    ShadowAmbiguity shadowAmbiguity = {}; ///< not stored
     /// How far the outline's convex hull reaches from the centre in each direction of the image
     /// (core/geometry/silhouette.h), px; empty where only its ellipse was measured.
     std::vector<float> supportPx = {};

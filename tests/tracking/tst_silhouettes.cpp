@@ -118,11 +118,12 @@ private Q_SLOTS:
                              light = seenWith(Background::Shadow().darkest, 0.6, red);
         QVERIFY2(leftEnd(grown) < low.x() - 18, qPrintable(QString::number(leftEnd(grown))));
         // 20 × 32 of 2368 pixels: 0.27
-        QVERIFY2(grown.shadowDoubt.deep > 0.15F, qPrintable(QString::number(grown.shadowDoubt.deep)));
+        QVERIFY2(grown.shadowAmbiguity.deep > 0.15F, qPrintable(QString::number(grown.shadowAmbiguity.deep)));
         // Its edge is told from the robot's to a pixel and a half, as that of a light one.
         for (const SeenSilhouette &seen : {alone, light}) {
             QVERIFY2(std::abs(leftEnd(seen) - low.x()) < 1.5, qPrintable(QString::number(leftEnd(seen))));
-            QVERIFY2(seen.shadowDoubt.deep < 0.03F, qPrintable(QString::number(seen.shadowDoubt.deep)));
+            QVERIFY2(seen.shadowAmbiguity.deep < 0.03F,
+                     qPrintable(QString::number(seen.shadowAmbiguity.deep)));
         }
     }
 
@@ -149,9 +150,11 @@ private Q_SLOTS:
                              alone = seenWith(Background::strongTint, blueShadow),
                              painted = seenWith(Background::strongTint, blue);
         QVERIFY2(leftEnd(grown) < low.x() - 18, qPrintable(QString::number(leftEnd(grown))));
-        QVERIFY2(grown.shadowDoubt.tinted > 0.15F, qPrintable(QString::number(grown.shadowDoubt.tinted)));
+        QVERIFY2(grown.shadowAmbiguity.tinted > 0.15F,
+                 qPrintable(QString::number(grown.shadowAmbiguity.tinted)));
         QVERIFY2(std::abs(leftEnd(alone) - low.x()) < 1.5, qPrintable(QString::number(leftEnd(alone))));
-        QVERIFY2(alone.shadowDoubt.tinted < 0.03F, qPrintable(QString::number(alone.shadowDoubt.tinted)));
+        QVERIFY2(alone.shadowAmbiguity.tinted < 0.03F,
+                 qPrintable(QString::number(alone.shadowAmbiguity.tinted)));
         QVERIFY2(leftEnd(painted) < low.x() - 18, qPrintable(QString::number(leftEnd(painted))));
     }
 

@@ -147,11 +147,11 @@ private Q_SLOTS:
             }
             return example.check("positions_precise").level;
         };
-        QVERIFY(set(0.035, 2) == CheckLevel::Pass);
-        QVERIFY(set(0.045, 2) == CheckLevel::Doubtful);
+        QVERIFY(set(0.075, 2) == CheckLevel::Pass);
+        QVERIFY(set(0.085, 2) == CheckLevel::Doubtful);
         QCOMPARE(example.check("positions_precise").text.english(),
                  "robot '" + example.analyses.front().robotName +
-                     "' in trial 'Trial 1': its positions are known to ±45 mm only, in a run over 2.0 m");
+                     "' in trial 'Trial 1': its positions are known to ±85 mm only, in a run over 2.0 m");
         QVERIFY(set(0.19, 2) == CheckLevel::Doubtful);
         QVERIFY(set(0.21, 2) == CheckLevel::Bad);
         QVERIFY(set(0.009, 0.05) == CheckLevel::Pass); // what hardly moves

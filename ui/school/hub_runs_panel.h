@@ -19,9 +19,8 @@ namespace odo {
 class Card;
 class HubRunsModel;
 
-/// The runs of all benches at the school's hub, the newest first, searched by text and
-/// chosen by bench. Asks on a thread of its
-/// own whenever it is shown, a page at a time, and never waits. GUI thread.
+/// The runs of all benches at the school's hub, the newest first, searched by text and chosen by bench. Asks
+/// on a thread of its own whenever it is shown, a page at a time, and never waits. GUI thread.
 class HubRunsPanel : public QWidget
 {
     Q_OBJECT

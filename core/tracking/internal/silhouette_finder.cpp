@@ -21,7 +21,7 @@ namespace {
 constexpr int mostSilhouettes = 16;
 constexpr double mostShare = 0.4;      // of the frame that robots cover
 constexpr double leastFragmentPx = 12; // of a part that is taken with a body
-constexpr double leastFilled = 0.15;   // of its hull: a cable that lies on the floor fills less, and is no robot
+constexpr double leastFilled = 0.15;   // of its hull: a cable on the floor fills less
 constexpr int speckRadius = 1, gapRadius = 2;
 
 bool fits(const Frame &frame, const Background &background)
@@ -153,7 +153,7 @@ BitMask cutAppendages(BitMask &region, const BitMask &edge)
 }
 
 /// Of a few of a region's pixels. Black is no shadow.
-ShadowDoubt shadowDoubtOf(const ComparedWindow &w, const BitMask &region, const PixelRect &part)
+ShadowAmbiguity shadowAmbiguityOf(const ComparedWindow &w, const BitMask &region, const PixelRect &part)
 {
     constexpr int step = 4;                                                              // pixels
     constexpr float deepest = 0.15F, lightest = 0.95F, surelyTinted = 1.5F, sameHue = 3; // code values
@@ -303,7 +303,7 @@ bool SilhouetteFinder::Impl::measure(BitMask region, const BitMask &edgePixels, 
         region.count() < leastFilled * silhouette.moments.areaPx2)
         return false;
     silhouette.meanChroma = edge.meanChroma();
-    silhouette.shadowDoubt = shadowDoubtOf(window, region, part);
+    silhouette.shadowAmbiguity = shadowAmbiguityOf(window, region, part);
     silhouette.clearShare = double((clear.cropped(part) & region).count()) / double(region.count());
     const int right = background.y.width - 2, bottom = background.y.height - 2;
     silhouette.touchesBorder =

@@ -23,7 +23,7 @@ struct SeenSilhouette
     Chroma meanChroma = Chroma::Zero();
     int shadowPiece = 0;   ///< one connected piece of the foreground, with its shadows, has one number
     double clearShare = 1; ///< of its pixels: that cannot be a shadow on the floor
-    ShadowDoubt shadowDoubt;
+    ShadowAmbiguity shadowAmbiguity;
     bool isTrimmed = false; ///< something was left out that reaches out of it or is near it: a cable, a mast
     bool touchesBorder = false; ///< cut by the frame's edge, or by that of the searched area
 };

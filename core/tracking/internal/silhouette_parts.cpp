@@ -151,14 +151,14 @@ SeenSilhouette joined(const std::vector<SeenSilhouette> &seen, const std::vector
         whole.isTrimmed |= one.isTrimmed;
         whole.meanChroma += one.moments.areaPx2 * one.meanChroma;
         whole.clearShare += one.moments.areaPx2 * one.clearShare;
-        whole.shadowDoubt.deep += float(one.moments.areaPx2) * one.shadowDoubt.deep;
-        whole.shadowDoubt.tinted += float(one.moments.areaPx2) * one.shadowDoubt.tinted;
+        whole.shadowAmbiguity.deep += float(one.moments.areaPx2) * one.shadowAmbiguity.deep;
+        whole.shadowAmbiguity.tinted += float(one.moments.areaPx2) * one.shadowAmbiguity.tinted;
         area += one.moments.areaPx2;
     }
     whole.meanChroma /= area;
     whole.clearShare /= area;
-    whole.shadowDoubt.deep /= float(area);
-    whole.shadowDoubt.tinted /= float(area);
+    whole.shadowAmbiguity.deep /= float(area);
+    whole.shadowAmbiguity.tinted /= float(area);
     measureHull(whole, std::move(points));
     return whole;
 }

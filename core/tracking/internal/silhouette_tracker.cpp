@@ -139,7 +139,7 @@ void SilhouetteTracker::Impl::accept(Followed &robot, const SeenSilhouette &silh
     observation.supportPx = silhouette.supportPx;
     observation.meanChroma = silhouette.meanChroma;
     observation.isTrimmed = silhouette.isTrimmed;
-    observation.shadowDoubt = silhouette.shadowDoubt;
+    observation.shadowAmbiguity = silhouette.shadowAmbiguity;
     if (silhouette.clearShare < leastFirstClear) { // the robot and its shadow look alike
         const double shift = shadowShift * robot.radiusPx();
         observation.centreCovariancePx2 += Eigen::Matrix2d::Identity() * shift * shift;

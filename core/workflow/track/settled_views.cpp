@@ -114,10 +114,10 @@ namespace {
 
 // each is tried where the one before it is better than what was known
 constexpr float darkerShadows[] = {0.20F, 0.15F};
-constexpr double leastDoubt = 0.1;    // share of a robot's pixels, over the frames
-constexpr double goodMisfit = 0.5;    // a quarter of a pixel
-constexpr double clearlyLess = 0.98;  // of the misfit
-constexpr double nearlyAsOften = 0.9; // of the frames in which it was found
+constexpr double leastAmbiguity = 0.1; // share of a robot's pixels, over the frames
+constexpr double goodMisfit = 0.5;     // a quarter of a pixel
+constexpr double clearlyLess = 0.98;   // of the misfit
+constexpr double nearlyAsOften = 0.9;  // of the frames in which it was found
 constexpr double firstPart = 0.7, nextPart = 0.1;
 
 /// What was tracked of one robot.
@@ -129,13 +129,14 @@ struct Outlines
 };
 
 /// The mean of what may be shadow of a robot; 0 where it was measured by its colour.
-double meanDoubt(const std::vector<TrackedView> &tracked, std::size_t robot, float ShadowDoubt::*share)
+double meanAmbiguity(const std::vector<TrackedView> &tracked, std::size_t robot,
+                     float ShadowAmbiguity::*share)
 {
     double found = 0, sum = 0;
     for (const TrackedView &view : tracked) {
         for (const Observation &one : view.series[robot].observations) {
             found += one.found;
-            sum += one.found ? double(one.shadowDoubt.*share) : 0;
+            sum += one.found ? double(one.shadowAmbiguity.*share) : 0;
         }
     }
     return sum / std::max(1.0, found);
@@ -156,11 +157,11 @@ Outlines outlinesOf(const std::vector<RegisteredView> &views, const std::vector<
 /// Robots of which much may be such a shadow, and whose outlines are not explained well already.
 std::vector<Outlines> uncertainOutlines(const std::vector<RegisteredView> &views,
                                         const std::vector<RobotRecord> &robots,
-                                        std::vector<TrackedView> &tracked, float ShadowDoubt::*share)
+                                        std::vector<TrackedView> &tracked, float ShadowAmbiguity::*share)
 {
     std::vector<Outlines> uncertain;
     for (std::size_t r = 0; r < robots.size(); ++r) {
-        if (meanDoubt(tracked, r, share) <= leastDoubt)
+        if (meanAmbiguity(tracked, r, share) <= leastAmbiguity)
             continue;
         Outlines outlines = outlinesOf(views, robots, tracked, r);
         if (outlines.misfit.value_or(0) > goodMisfit)
@@ -219,9 +220,9 @@ Result<SettledViews> trackAndSettle(const std::vector<RegisteredView> &views,
         shadow = tried;
         return true;
     };
-    std::vector<Outlines> tinted = uncertainOutlines(views, robots, best->views, &ShadowDoubt::tinted);
+    std::vector<Outlines> tinted = uncertainOutlines(views, robots, best->views, &ShadowAmbiguity::tinted);
     tryShadows({shadow.darkest, Background::strongTint}, tinted);
-    std::vector<Outlines> deep = uncertainOutlines(views, robots, best->views, &ShadowDoubt::deep);
+    std::vector<Outlines> deep = uncertainOutlines(views, robots, best->views, &ShadowAmbiguity::deep);
     for (const float darkest : darkerShadows)
         if (!tryShadows({darkest, shadow.tint}, deep))
             break;

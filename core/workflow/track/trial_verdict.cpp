@@ -27,7 +27,7 @@ constexpr double badGaps = 0.5;                           // of the time between
 constexpr double longFrame = 4, longFrameS = 0.2;         // of the usual interval, and at least
 constexpr double fastestMps = 15, hardestMps2 = 100;      // no classroom robot
 // σ of the positions: of the distance between the farthest of them, and at least
-constexpr double doubtfulSigma = 0.02, badSigma = 0.1, leastDoubtfulM = 0.01, leastBadM = 0.05;
+constexpr double doubtfulSigma = 0.04, badSigma = 0.1, leastDoubtfulM = 0.01, leastBadM = 0.05;
 constexpr const char *resultsIntact = "results_intact", *viewsAgree = "views_agree",
                      *timeMeasured = "time_measured", *synchronised = "synchronised",
                      *framesRegular = "frames_regular", *framesDecoded = "frames_decoded",
