@@ -185,7 +185,8 @@ void TestImportTrialDialog::aVideoWithoutTimesNeedsItsRate()
     files.at(0)->setPath(QStringLiteral("a.mp4"));
     QVERIFY(canImport() && given->isEnabled() && !given->isChecked() && !m_dialog->settings().rate);
     files.at(1)->setPath(bare);
-    QVERIFY(given->isChecked() && !given->isEnabled() && rate->isEnabled());
+    QTRY_VERIFY(given->isChecked());
+    QVERIFY(!given->isEnabled() && rate->isEnabled());
     QCOMPARE(rate->text(), QStringLiteral("not entered"));
     QVERIFY(!canImport());
     rate->setValue(30);
@@ -233,7 +234,7 @@ void TestImportTrialDialog::imagesNeedTheirRate()
         QVERIFY(file.open(QIODevice::WriteOnly));
     }
     m_dialog->findChildren<PathField *>().at(0)->setPath(folder.path());
-    QVERIFY(m_dialog->findChild<QCheckBox *>()->isChecked());
+    QTRY_VERIFY(m_dialog->findChild<QCheckBox *>()->isChecked());
     QVERIFY(!test::button(*m_dialog, "Import")->isEnabled());
     field<QDoubleSpinBox>("Camera's real rate")->setValue(30);
     QVERIFY(test::button(*m_dialog, "Import")->isEnabled());

@@ -158,16 +158,43 @@ QWidget *ImportTrialDialog::makeRate()
     return m_rate;
 }
 
-void ImportTrialDialog::findMissingTimes(std::size_t row)
+/// One file after the other, on a thread of its own: a file may be on a slow disk, or in a network.
+void ImportTrialDialog::findMissingTimes()
 {
-    m_videos[row].lacksTimes = lacksTimes(m_videos[row].file->path());
+    const auto row = std::ranges::find_if(
+        m_videos, [](const VideoRow &one) { return one.lookedInto != one.file->path(); });
+    if (row == m_videos.end() || m_look.isRunning())
+        return requireRate();
+    const std::filesystem::path file = row->file->path();
+    const auto found = std::make_shared<bool>(false);
+    connect(
+        &m_look, &BackgroundTask::finished, this,
+        [this, file, found] {
+            for (VideoRow &one : m_videos) {
+                if (one.file->path() != file)
+                    continue;
+                one.lookedInto = file;
+                one.hasNoTimes = *found;
+            }
+            findMissingTimes();
+        },
+        Qt::SingleShotConnection);
+    m_look.start([file, found](const JobControl &) -> Result<void> {
+        *found = !file.empty() && VideoReader::lacksTimes(file);
+        return {};
+    });
     requireRate();
+}
+
+bool ImportTrialDialog::VideoRow::lacksTimes() const
+{
+    return hasNoTimes && lookedInto == file->path();
 }
 
 /// Where some video lacks its times, the rate must be given, and is not proposed.
 void ImportTrialDialog::requireRate()
 {
-    const auto lacking = std::ranges::find(m_videos, true, &VideoRow::lacksTimes);
+    const auto lacking = std::ranges::find_if(m_videos, &VideoRow::lacksTimes);
     const bool isNeeded = lacking != m_videos.end();
     if (isNeeded == !m_givenRate->isEnabled()) {
         updateButtons();
@@ -228,13 +255,11 @@ void ImportTrialDialog::addVideo(const QString &camera, const QString &file)
     badge->setAccessibleName(tr("Registration of the camera of view %1").arg(number));
     m_videoGrid->addWidget(badge, number, 1);
     m_videoGrid->addWidget(path, number, 2);
-    const std::size_t row = m_videos.size();
     m_videos.push_back({name, badge, path});
-    findMissingTimes(row);
     m_steps->addView();
     connect(name, &QComboBox::editTextChanged, this, &ImportTrialDialog::updateButtons);
-    connect(path, &PathField::changed, this, [this, row] { findMissingTimes(row); });
-    updateButtons();
+    connect(path, &PathField::changed, this, &ImportTrialDialog::findMissingTimes);
+    findMissingTimes();
 }
 
 Badge ImportTrialDialog::badgeOf(const QString &camera) const

@@ -2,11 +2,13 @@
 #pragma once
 
 #include "core/workflow/import/import_trial_job.h"
+#include "ui/models/background_task.h"
 #include "ui/models/number_text.h"
 
 #include <QComboBox>
 #include <QDialog>
 #include <QWidget>
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -71,14 +73,17 @@ private:
         QComboBox *camera;
         BadgeLabel *badge;
         PathField *file;
-        bool lacksTimes = false;
+        std::filesystem::path lookedInto = {}; ///< for its times
+        bool hasNoTimes = false;
+
+        bool lacksTimes() const;
     };
     QWidget *makeVideos();
     QWidget *makeRate();
     void orderTabs();
     void proposeRobots(int team);
     void updateButtons();
-    void findMissingTimes(std::size_t row);
+    void findMissingTimes();
     void requireRate();
 
     Badge badgeOf(const QString &camera) const;
@@ -97,6 +102,7 @@ private:
     QDoubleSpinBox *m_rate;
     QLabel *m_rateReason; ///< why it must be given; hidden where it need not
     QDialogButtonBox *m_buttons;
+    BackgroundTask m_look; ///< into a file; last, so that it ends first
 };
 
 class ElidedLabel;
