@@ -180,7 +180,7 @@ void ImportTrialDialog::findMissingTimes()
         },
         Qt::SingleShotConnection);
     m_look.start([file, found](const JobControl &) -> Result<void> {
-        *found = !file.empty() && VideoReader::lacksTimes(file);
+        *found = lacksTimes(file);
         return {};
     });
     requireRate();
