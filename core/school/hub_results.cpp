@@ -214,14 +214,11 @@ Result<std::unique_ptr<HubResults>> HubResults::connect(const HubAddress &addres
 {
     auto thread = std::make_unique<HubThread>(address);
     const auto open = [address](std::unique_ptr<SchoolHub> &hub) -> Result<std::string> {
-        auto made = ODO_TRY(SchoolHub::connect(address));
-        const auto version = ODO_TRY(made->schemaVersion());
-        ODO_TRY(made->checkSchema(version));
-        auto role = ODO_TRY(made->role());
-        ODO_TRY(made->run({QStringLiteral("SET default_transaction_read_only = on")}));
-        ODO_TRY(made->run({QStringLiteral("SET statement_timeout = '15s'")}));
-        hub = std::move(made);
-        return role;
+        auto ready = ODO_TRY(connectReady(address));
+        ODO_TRY(ready.hub->run({QStringLiteral("SET default_transaction_read_only = on")}));
+        ODO_TRY(ready.hub->run({QStringLiteral("SET statement_timeout = '15s'")}));
+        hub = std::move(ready.hub);
+        return std::move(ready.role);
     };
     auto role = ODO_TRY(thread->call<Result<std::string>>(open, control, [] {}));
     return std::unique_ptr<HubResults>(new HubResults(std::move(thread), std::move(role)));

@@ -3,11 +3,10 @@
 
 #include "core/project/project.h"
 #include "core/project/project_words.h"
+#include "ui/models/number_text.h"
 #include "ui/models/shown_message.h"
 
 #include <QCoreApplication>
-#include <QDateTime>
-#include <QLocale>
 
 namespace odo {
 
@@ -51,8 +50,7 @@ QVariant ChangeModel::cell(int index, int column, int role) const
     const ChangeEntry &change = m_changes[m_shown[static_cast<std::size_t>(index)]];
     switch (column) {
     case DateColumn:
-        return QLocale().toString(QDateTime::fromMSecsSinceEpoch(change.made.time_since_epoch().count()),
-                                  QLocale::ShortFormat);
+        return shortDate(change.made);
     case KindColumn:
         return kindWord(change.kind);
     default:

@@ -41,13 +41,12 @@ HubDialog::HubDialog(HubExchange &exchange, QWidget *parent)
     m_progress->setRange(0, steps);
     m_progress->setTextVisible(false);
     m_progress->setAccessibleName(tr("Progress"));
-    QSizePolicy kept = m_progress->sizePolicy();
-    kept.setRetainSizeWhenHidden(true);
-    m_progress->setSizePolicy(kept);
     m_cancel->setAccessibleName(tr("Cancel the exchange with the hub"));
-    kept = m_cancel->sizePolicy();
-    kept.setRetainSizeWhenHidden(true);
-    m_cancel->setSizePolicy(kept);
+    for (QWidget *one : std::initializer_list<QWidget *>{m_progress, m_cancel}) {
+        QSizePolicy kept = one->sizePolicy();
+        kept.setRetainSizeWhenHidden(true);
+        one->setSizePolicy(kept);
+    }
     auto *progress = new QHBoxLayout;
     progress->addWidget(m_progress, 1);
     progress->addWidget(m_cancel);

@@ -20,12 +20,9 @@ Result<void> HubSession::open()
     m_isOpen = false;
     const auto connectAnew = [address = m_address](std::unique_ptr<SchoolHub> &hub) -> Result<Opened> {
         hub.reset();
-        auto made = ODO_TRY(SchoolHub::connect(address));
-        const auto version = ODO_TRY(made->schemaVersion());
-        ODO_TRY(made->checkSchema(version));
-        auto role = ODO_TRY(made->role());
-        hub = std::move(made);
-        return Opened{std::move(role), version};
+        auto ready = ODO_TRY(connectReady(address));
+        hub = std::move(ready.hub);
+        return Opened{std::move(ready.role), ready.version};
     };
     auto opened = ODO_TRY(ask<Result<Opened>>(connectAnew));
     m_isOpen = true;

@@ -351,4 +351,13 @@ Result<void> SchoolHub::makeDatabase(const HubAddress &address)
     return server->runAll(QStringLiteral("CREATE DATABASE %1").arg(name));
 }
 
+Result<ReadyHub> connectReady(const HubAddress &address)
+{
+    auto hub = ODO_TRY(SchoolHub::connect(address));
+    const auto version = ODO_TRY(hub->schemaVersion());
+    ODO_TRY(hub->checkSchema(version));
+    auto role = ODO_TRY(hub->role());
+    return ReadyHub{std::move(hub), std::move(role), version};
+}
+
 } // namespace odo

@@ -96,4 +96,15 @@ private:
 /// What to do where the server is away for a while.
 Message tryLater();
 
+/// A connection to a hub whose schema this program uses, and what the login is there.
+struct ReadyHub
+{
+    std::unique_ptr<SchoolHub> hub;
+    std::string role;
+    int version = 0; ///< of the schema
+};
+
+/// Errors: those of SchoolHub::connect, checkSchema and role.
+Result<ReadyHub> connectReady(const HubAddress &address);
+
 } // namespace odo

@@ -190,11 +190,9 @@ QString analysisWords(const TrialScenePtr &trial)
     return words;
 }
 
-} // namespace
-
-namespace {
 constexpr int leastHubWidth = 80;
-}
+
+} // namespace
 
 StatusLine::StatusLine(QWidget *parent)
     : QStatusBar(parent), m_saved(new QLabel), m_analysis(new QLabel), m_units(new QLabel),

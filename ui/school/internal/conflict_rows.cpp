@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/school/internal/conflict_rows.h"
 
+#include "ui/models/number_text.h"
 #include "ui/models/shown_names.h"
 
 #include <QCoreApplication>
-#include <QDateTime>
 #include <QJsonArray>
 #include <QJsonObject>
 #include <QLocale>
@@ -67,8 +67,7 @@ QString valueWords(const QJsonValue &value, const QString &key, Meant meant)
     if (value.isBool())
         return value.toBool() ? ConflictWords::tr("yes") : ConflictWords::tr("no");
     if (key.endsWith(QLatin1String("_ms")) && value.isDouble())
-        return QLocale().toString(QDateTime::fromMSecsSinceEpoch(qint64(value.toDouble())),
-                                  QLocale::ShortFormat);
+        return shortDate(Instant(std::chrono::milliseconds(qint64(value.toDouble()))));
     QString text = value.isDouble() ? QLocale().toString(value.toDouble(), 'g', 10) : value.toString();
     text.replace(u'\n', u' ');
     return text.size() > longestValue ? text.left(longestValue - 1) + u'…' : text;

@@ -8,14 +8,12 @@
 #include "ui/views/widgets/labels.h"
 
 #include <QCheckBox>
-#include <QDateTime>
 #include <QDir>
 #include <QFileDialog>
 #include <QFormLayout>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QLineEdit>
-#include <QLocale>
 #include <QPushButton>
 #include <QScrollArea>
 #include <QVBoxLayout>
@@ -178,11 +176,7 @@ void HubPanel::showState(const HubExchange &exchange)
     if (!state.link)
         return;
     const SchoolLink &link = *state.link;
-    const QString last =
-        link.lastSync ? QLocale().toString(
-                            QDateTime::fromMSecsSinceEpoch(qint64(link.lastSync->time_since_epoch().count())),
-                            QLocale::ShortFormat)
-                      : tr("not yet");
+    const QString last = link.lastSync ? shortDate(*link.lastSync) : tr("not yet");
     const QList<Fact> facts{{tr("Hub"), hubName(link), hubBadge(state)},
                             {tr("Role"), roleWords(link.role), {}},
                             {tr("Schema"), tr("Version %1").arg(link.schemaVersion), {}},

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/school/internal/hub_runs_model.h"
 
-#include <QDateTime>
+#include "ui/models/number_text.h"
+
 #include <QLocale>
 #include <utility>
 
@@ -47,8 +48,7 @@ QVariant HubRunsModel::data(const QModelIndex &index, int role) const
     };
     switch (index.column()) {
     case DateColumn:
-        return QLocale().toString(QDateTime::fromMSecsSinceEpoch(qint64(run.held.time_since_epoch().count())),
-                                  QLocale::ShortFormat);
+        return shortDate(run.held);
     case TrialColumn:
         return text(run.name);
     case BenchColumn:
