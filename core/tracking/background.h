@@ -32,6 +32,8 @@ struct Background
         /// by how much its chroma is off for each code value of luma that the shadow takes, at most: the
         /// light that is left may be of another colour, as that of a window beside a lamp
         float tint = 0;
+        /// whether all that one shadow connects is one body: sides of a robot may look like floor in shadow
+        bool connects = false;
     };
 
     FrameFormat format;

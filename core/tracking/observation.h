@@ -18,11 +18,12 @@ struct Ellipse
     double angleRad = 0; ///< of the major axis from the image's x axis towards y (down)
 };
 
-/// Shares of an outline's pixels that would be floor in shadow if shadows were darker than was assumed, and
-/// if they were tinted (Background::Shadow).
+/// What would be different if shadows were other than was assumed (Background::Shadow): shares of an
+/// outline's pixels that would be floor in shadow if shadows were darker, and if they were tinted, and the
+/// share of the outline that would be new if a shadow connected parts of a robot.
 struct ShadowAmbiguity
 {
-    float deep = 0, tinted = 0;
+    float deep = 0, tinted = 0, apart = 0;
 };
 
 /// What one view saw of one robot in one frame. Never edited once stored.

@@ -136,10 +136,36 @@ private Q_SLOTS:
         QVERIFY(!seen[2].isTrimmed);
     }
 
+    /// A lid and wheels below a side that looks like floor in shadow; a second body has its own shadow.
+    void whatOneShadowConnectsIsJoined()
+    {
+        std::vector<SeenSilhouette> seen{body(), rectangle(200, 100, 230, 130, 2),
+                                         rectangle(100, 140, 110, 150, 1), rectangle(130, 140, 140, 150, 1)};
+        joinByShadow(seen);
+        QCOMPARE(seen.size(), std::size_t(2));
+        QVERIFY(std::abs(seen[0].moments.areaPx2 - 40 * 50) < 1e-6);
+        QCOMPARE(seen[0].regions, 1);
+        QCOMPARE(seen[0].shadowPiece, 1);
+        QCOMPARE(seen[1].moments.areaPx2, 900.0);
+    }
+
+    void theShareApartIsNoted()
+    {
+        std::vector<SeenSilhouette> seen{body(), rectangle(200, 100, 230, 130, 2),
+                                         rectangle(100, 140, 110, 150, 1), rectangle(130, 140, 140, 150, 1)};
+        noteApart(seen);
+        QCOMPARE(seen.size(), std::size_t(4));
+        QVERIFY(std::abs(double(seen[0].shadowAmbiguity.apart) - 0.4) < 1e-6); // 1200 of 2000 px²
+        QCOMPARE(seen[1].shadowAmbiguity.apart, 0.0F);
+        QVERIFY(std::abs(double(seen[3].shadowAmbiguity.apart) - 0.95) < 1e-6); // 100 of them
+    }
+
     void withoutFragmentsNothingIsJoined()
     {
         std::vector<SeenSilhouette> none;
         joinFragments(none);
+        joinByShadow(none);
+        noteApart(none);
         QVERIFY(none.empty());
         std::vector<SeenSilhouette> one{body()};
         joinFragments(one);

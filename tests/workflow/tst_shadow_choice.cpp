@@ -54,6 +54,19 @@ private Q_SLOTS:
                  qPrintable(metrics->words()));
     }
 
+    /// In each frame its sides look like floor in shadow, and its lid and its wheels like several things.
+    void aWhiteRobotOnAWhiteFloorIsWhole()
+    {
+        SimulatedScene scene = plainFloor({226, 226, 224}, 0.3);
+        scene.floor.colour = {240, 240, 238};
+        scene.robots.front().parts.push_back(
+            {SimulatedShape::Box, {253, 253, 252}, {-0.02, 0, 0.09}, {0.12, 0.1, 0.03}});
+        const auto metrics = measuredScene(scene);
+        QVERIFY2(metrics.has_value(), metrics ? "" : metrics.error().message().c_str());
+        QVERIFY2(metrics->foundShare > 0.99 && metrics->rmsM < 0.006 && metrics->insideShare > 0.8,
+                 qPrintable(metrics->words()));
+    }
+
     /// A dark robot on the same floor looks like such a shadow in each frame.
     void aDarkRobotStaysWhole()
     {

@@ -342,7 +342,10 @@ const std::vector<SeenSilhouette> &SilhouetteFinder::find(const Frame &frame)
         d.takeGroup(frame, group);
     const auto areaOf = [](const SeenSilhouette &one) { return one.moments.areaPx2; };
     std::ranges::sort(d.found, std::greater<>(), areaOf);
+    if (d.background.shadow.connects)
+        joinByShadow(d.found);
     joinFragments(d.found);
+    noteApart(d.found);
     noteBeside(d.found);
     std::erase_if(d.found, [&](const SeenSilhouette &one) { return areaOf(one) < leastAreaPx; });
     std::ranges::sort(d.found, std::greater<>(), areaOf);

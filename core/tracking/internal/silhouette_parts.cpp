@@ -53,6 +53,16 @@ bool mayBelongTogether(const SeenSilhouette &a, const SeenSilhouette &b)
     return gapPx(a.box, b.box) < mostGap * std::sqrt(std::min(a.moments.areaPx2, b.moments.areaPx2));
 }
 
+/// A silhouette and those behind it that its shadow connects with it.
+std::vector<std::size_t> sharingShadow(const std::vector<SeenSilhouette> &seen, std::size_t first)
+{
+    std::vector<std::size_t> sharing;
+    for (std::size_t i = first; i < seen.size(); ++i)
+        if (seen[i].shadowPiece == seen[first].shadowPiece)
+            sharing.push_back(i);
+    return sharing;
+}
+
 } // namespace
 
 void measureHull(SeenSilhouette &silhouette, std::vector<Eigen::Vector2d> edgePoints)
@@ -95,6 +105,33 @@ void joinFragments(std::vector<SeenSilhouette> &seen)
             seen[i] = std::move(*least);
             seen.erase(seen.begin() + std::ptrdiff_t(part));
         }
+    }
+}
+
+void joinByShadow(std::vector<SeenSilhouette> &seen)
+{
+    for (std::size_t i = 0; i < seen.size(); ++i) {
+        const std::vector<std::size_t> parts = sharingShadow(seen, i);
+        if (parts.size() == 1)
+            continue;
+        SeenSilhouette whole = joined(seen, parts);
+        whole.regions = 1;
+        whole.shadowPiece = seen[i].shadowPiece;
+        for (std::size_t k = parts.size() - 1; k > 0; --k)
+            seen.erase(seen.begin() + std::ptrdiff_t(parts[k]));
+        seen[i] = std::move(whole);
+    }
+}
+
+void noteApart(std::vector<SeenSilhouette> &seen)
+{
+    for (std::size_t i = 0; i < seen.size(); ++i) {
+        const std::vector<std::size_t> parts = sharingShadow(seen, i);
+        if (parts.size() == 1 || seen[i].shadowAmbiguity.apart > 0)
+            continue;
+        const double wholePx2 = joined(seen, parts).moments.areaPx2;
+        for (const std::size_t part : parts)
+            seen[part].shadowAmbiguity.apart = float(1 - seen[part].moments.areaPx2 / wholePx2);
     }
 }
 

@@ -15,6 +15,11 @@ void measureHull(SeenSilhouette &silhouette, std::vector<Eigen::Vector2d> edgePo
 /// behind a side that looks like the floor. seen: the largest first, and so are they left.
 void joinFragments(std::vector<SeenSilhouette> &seen);
 
+/// Joins those that one shadow connects: sides of a robot may look like floor in shadow.
+void joinByShadow(std::vector<SeenSilhouette> &seen);
+/// Notes of each what share it would gain by that (ShadowAmbiguity::apart).
+void noteApart(std::vector<SeenSilhouette> &seen);
+
 /// Silhouettes that may be parts of one body, of which what lies between looks like the floor: those that are
 /// so near one another for their size, in groups of two or more, as indices. Pure.
 std::vector<std::vector<std::size_t>> groupsOfParts(const std::vector<SeenSilhouette> &seen);

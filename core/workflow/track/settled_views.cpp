@@ -128,18 +128,45 @@ struct Outlines
     std::optional<double> misfit; ///< of the solid that explains their outlines best
 };
 
-/// The mean of what may be shadow of a robot; 0 where it was measured by its colour.
+/// The mean of one kind of ambiguity of a robot's outlines; 0 where it was measured by its colour.
+class MeanAmbiguity
+{
+public:
+    explicit MeanAmbiguity(float ShadowAmbiguity::*share) : m_share(share) {}
+    void add(const std::vector<Observation> &observations)
+    {
+        for (const Observation &one : observations) {
+            m_found += one.found;
+            m_sum += one.found ? double(one.shadowAmbiguity.*m_share) : 0;
+        }
+    }
+    double value() const { return m_sum / std::max(1.0, m_found); }
+
+private:
+    float ShadowAmbiguity::*m_share;
+    double m_found = 0, m_sum = 0;
+};
+
 double meanAmbiguity(const std::vector<TrackedView> &tracked, std::size_t robot,
                      float ShadowAmbiguity::*share)
 {
-    double found = 0, sum = 0;
-    for (const TrackedView &view : tracked) {
-        for (const Observation &one : view.series[robot].observations) {
-            found += one.found;
-            sum += one.found ? double(one.shadowAmbiguity.*share) : 0;
-        }
-    }
-    return sum / std::max(1.0, found);
+    MeanAmbiguity mean(share);
+    for (const TrackedView &view : tracked)
+        mean.add(view.series[robot].observations);
+    return mean.value();
+}
+
+/// Whether what was followed in some view is in parts that a shadow connects: any of it may be the robot.
+bool isInParts(const std::vector<TrackedView> &tracked)
+{
+    return std::ranges::any_of(tracked, [](const TrackedView &view) {
+        MeanAmbiguity mean(&ShadowAmbiguity::apart);
+        for (const ObservationSeries &series : view.series)
+            mean.add(series.observations);
+        for (const std::vector<Observation> &other : view.others)
+            mean.add(other);
+        return mean.value() > leastAmbiguity;
+    });
 }
 
 Outlines outlinesOf(const std::vector<RegisteredView> &views, const std::vector<RobotRecord> &robots,
@@ -171,14 +198,16 @@ std::vector<Outlines> uncertainOutlines(const std::vector<RegisteredView> &views
 }
 
 /// Whether solids explain the outlines of these robots clearly better than before, and nothing of them was
-/// lost.
+/// lost. A few outlines are easily explained, so more of them may be explained less well.
 bool areBetter(const std::vector<Outlines> &now, const std::vector<Outlines> &before)
 {
-    double gain = 0; // of the logarithm of the misfit
+    double gain = 0; // of the logarithms
     for (std::size_t i = 0; i < now.size(); ++i) {
         if (!now[i].misfit || now[i].found < nearlyAsOften * before[i].found)
             return false;
-        gain += std::log(*before[i].misfit / *now[i].misfit) / double(now.size());
+        gain += std::log(now[i].found * before[i].misfit.value_or(worstShapeMisfit) /
+                         (std::max(1.0, before[i].found) * *now[i].misfit)) /
+                double(now.size());
     }
     return gain > -std::log(clearlyLess);
 }
@@ -190,8 +219,10 @@ Result<SettledViews> trackAndSettle(const std::vector<RegisteredView> &views,
                                     const std::vector<PointedOutRobot> &pointedOut)
 {
     double done = 0; // of the job
+    bool inParts = false;
     const auto tracked = [&](double part, const auto &track) -> Result<SettledViews> {
         auto seen = ODO_TRY(track(partOf(control, done, done + part)));
+        inParts = isInParts(seen);
         done += part;
         control.report(done, ODO_TEXT("workflow.settling_names", "assigning names to the robots"));
         auto ambiguities = ODO_TRY(settleNames(views, robots, seen, pointedOut));
@@ -220,11 +251,16 @@ Result<SettledViews> trackAndSettle(const std::vector<RegisteredView> &views,
         shadow = tried;
         return true;
     };
+    std::vector<Outlines> ofParts;
+    for (std::size_t r = 0; inParts && r < robots.size(); ++r)
+        if (!namedRobot(robots[r]).colour)
+            ofParts.push_back(outlinesOf(views, robots, best->views, r));
+    tryShadows({shadow.darkest, shadow.tint, true}, ofParts);
     std::vector<Outlines> tinted = uncertainOutlines(views, robots, best->views, &ShadowAmbiguity::tinted);
-    tryShadows({shadow.darkest, Background::strongTint}, tinted);
+    tryShadows({shadow.darkest, Background::strongTint, shadow.connects}, tinted);
     std::vector<Outlines> deep = uncertainOutlines(views, robots, best->views, &ShadowAmbiguity::deep);
     for (const float darkest : darkerShadows)
-        if (!tryShadows({darkest, shadow.tint}, deep))
+        if (!tryShadows({darkest, shadow.tint, shadow.connects}, deep))
             break;
     if (control.isCancelled())
         return cancelled(trackingSubject());

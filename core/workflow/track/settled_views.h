@@ -36,9 +36,10 @@ struct SettledViews
 };
 
 /// trackViews and settleNames. A tinted or deep shadow and a side of a robot look alike in a single frame,
-/// but not in a whole run: a shadow does not turn with the robot, and has no height. Where much of the robots
-/// may be tinted shadow, everything is tracked once more for such shadows, where it may be deep shadow once
-/// or twice more for darker ones, and what solids explain best is kept. Touches no project. Errors: those of
+/// but not in a whole run: a shadow does not turn with the robot, and has no height. Where
+/// shadows connect what was followed, everything is tracked once more as if they connected parts of one body;
+/// where much of the robots may be tinted shadow, once more for such shadows; where it may be deep shadow,
+/// once or twice more for darker ones. What solids explain best is kept. Touches no project. Errors: those of
 /// both.
 Result<SettledViews> trackAndSettle(const std::vector<RegisteredView> &views,
                                     const std::vector<RobotRecord> &robots, const JobControl &control,
