@@ -43,6 +43,27 @@ Painter chequeredFloor()
     return floor;
 }
 
+/// Squares of 8 pixels in two colours, as far as a rectangle reaches.
+void chequer(Painter &floor, const PixelRect &where, RgbColour one, RgbColour other)
+{
+    constexpr int side = 8;
+    for (int y = where.y0; y < where.y1; y += side)
+        for (int x = where.x0; x < where.x1; x += side)
+            floor.rectangle({x - 0.5, y - 0.5}, {x + side - 0.5, y + side - 0.5},
+                            (x + y) / side % 2 == 0 ? one : other);
+}
+
+/// By how much a codec may err in the chroma beside a pixel: a twentieth of what it varies by in its patch.
+double codedAt(const ComparedWindow &w, int x, int y)
+{
+    double most = 0;
+    for (const int py : {std::max(0, y - 3), std::min(w.height() - 1, y + 3)})
+        for (const int px : {std::max(0, x - 3), std::min(w.width() - 1, x + 3)})
+            most = std::max({most, std::abs(double(w.behind(px, py).u) - double(w.behind(x, y).u)),
+                             std::abs(double(w.behind(px, py).v) - double(w.behind(x, y).v))});
+    return 0.05 * most;
+}
+
 enum class Verdict { Shade, OtherHue, Flat, Unclear };
 
 /// What a pixel that is as dark as in a shadow is, by all such pixels of the 7 x 7 around it; unclear where
@@ -73,7 +94,8 @@ Verdict verdictOf(const ComparedWindow &w, int x, int y)
     const double luma = double(w.seen(x, y).luma), u = double(here.u), v = double(here.v),
                  darker = std::clamp(1 - luma / double(here.luma), 0.0, 0.2),
                  purer = std::clamp((offU * u + offV * v) / (n * (u * u + v * v)), 0.0, darker),
-                 off = std::max(std::abs(offU / n - purer * u), std::abs(offV / n - purer * v));
+                 off = std::max(std::abs(offU / n - purer * u), std::abs(offV / n - purer * v)) -
+                       codedAt(w, x, y);
     const double variance = seen2 / n - seen * seen / (n * n),
                  varianceBehind = behind2 / n - behind * behind / (n * n);
     const double flat = 0.25 * varianceBehind - variance,
@@ -212,6 +234,48 @@ private Q_SLOTS:
             const double share = double(shade.shade().count()) / (50 * 40);
             QVERIFY2(isShadow ? share > 0.9 : share < 0.2,
                      qPrintable(QStringLiteral("%1 %2").arg(isShadow).arg(share)));
+        }
+    }
+
+    /// A ramp by three code values a sample: the noise has 0.08 of what it rises by over two samples.
+    void theChromasNoiseGrowsWithItsSlope()
+    {
+        Background background = backgroundOf(Painter(format, {80, 80, 80}));
+        for (int x = 0; x < background.u.width; ++x)
+            for (int y = 0; y < background.u.height; ++y)
+                background.u.values[std::size_t(y * background.u.width + x)] =
+                    std::uint8_t(60 + 3 * (x % 40));
+        const double noise2 = 1 + 0.08 * 0.08 * 6 * 6;
+        QVERIFY(std::abs(double(noise2At(background.u, 1, 20, 50)) - noise2) < 1e-4);
+        QVERIFY(std::abs(double(noise2At(background.u, 0.5F, 20, 50)) - 1 - (noise2 - 1) / 4) < 1e-4);
+        QCOMPARE(noise2At(background.v, 1, 20, 50), 1.0F);
+        // of the noisier plane
+        const int inverse = BackgroundNoise(background).chromaRow(50)[20];
+        QVERIFY(std::abs(inverse - BackgroundNoise::unit / std::sqrt(noise2)) < 1);
+    }
+
+    /// A codec leaves errors where the floor's colours change: there a shadow may be a little off in its
+    /// chroma, and on a floor of one colour it may not.
+    void aCodedPatternMayBeOffInItsShadow()
+    {
+        const PixelRect shaded{96, 80, 160, 128};
+        for (const bool hasPattern : {true, false}) {
+            const RgbColour red{150, 90, 90}, blue{90, 90, 150}, middle{110, 110, 110};
+            Painter floor(format, middle);
+            if (hasPattern)
+                chequer(floor, image, red, blue);
+            Painter painter = floor;
+            // 0.7 of the light, and 3 code values of Cb more
+            chequer(painter, shaded, hasPattern ? RgbColour{103, 62, 69} : RgbColour{75, 76, 83},
+                    hasPattern ? RgbColour{61, 62, 111} : RgbColour{75, 76, 83});
+            const Background background = backgroundOf(floor);
+            const Frame frame = frameOf(painter, 0);
+            const ComparedFrame compared(frame, background);
+            FloorShade shade;
+            shade.find(compared.window);
+            const double share = double(shade.shade().count()) / (64 * 48);
+            QVERIFY2(hasPattern ? share > 0.75 : share < 0.2,
+                     qPrintable(QStringLiteral("%1 %2").arg(hasPattern).arg(share)));
         }
     }
 

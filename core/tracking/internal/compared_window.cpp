@@ -290,8 +290,8 @@ float ComparedWindow::chromaNoise2(int x, int y) const
 {
     const int cx = (m_rect.x0 + x) >> m_background.format.chromaShiftX,
               cy = (m_rect.y0 + y) >> m_background.format.chromaShiftY;
-    return squared(float(std::max(m_background.u.sigmaRow(cy)[cx], m_background.v.sigmaRow(cy)[cx])) *
-                   Background::sigmaUnit);
+    return std::max(noise2At(m_background.u, m_gain.factor, cx, cy),
+                    noise2At(m_background.v, m_gain.factor, cx, cy));
 }
 
 void ComparedWindow::compareRows(const DifferenceWindow &part)

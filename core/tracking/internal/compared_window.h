@@ -135,7 +135,7 @@ public:
     /// Variances of the background.
     float lumaNoise2(int x, int y) const
     {
-        return lumaNoise2At(m_background.y, m_gain.factor, m_rect.x0 + x, m_rect.y0 + y);
+        return noise2At(m_background.y, m_gain.factor, m_rect.x0 + x, m_rect.y0 + y);
     }
     float chromaNoise2(int x, int y) const;
 

@@ -242,17 +242,17 @@ bool DifferenceLattice::differs(std::size_t inImage, std::size_t inRow) const
 
 namespace {
 
-// of the luma's slope: what coding and a lens that breathes move, pixels
+// of a plane's slope: what coding and a lens that breathes move, samples
 constexpr float textureJitter = 0.08F;
 
-/// Of a row of luma and those above and below it.
+/// Of a row of samples and those above and below it.
 struct NoiseRows
 {
     const std::uint8_t *here, *above, *below, *sigma;
 
-    NoiseRows(const Background::Plane &luma, int y)
-        : here(luma.row(y)), above(luma.row(std::max(0, y - 1))),
-          below(luma.row(std::min(luma.height - 1, y + 1))), sigma(luma.sigmaRow(y))
+    NoiseRows(const Background::Plane &plane, int y)
+        : here(plane.row(y)), above(plane.row(std::max(0, y - 1))),
+          below(plane.row(std::min(plane.height - 1, y + 1))), sigma(plane.sigmaRow(y))
     {
     }
     float at(int x, int left, int right, float jitter2) const
@@ -270,10 +270,10 @@ std::int16_t inverseOf(float sigma)
 
 } // namespace
 
-float lumaNoise2At(const Background::Plane &luma, float factor, int x, int y)
+float noise2At(const Background::Plane &plane, float factor, int x, int y)
 {
-    return NoiseRows(luma, y).at(x, std::max(0, x - 1), std::min(luma.width - 1, x + 1),
-                                 squared(textureJitter * factor));
+    return NoiseRows(plane, y).at(x, std::max(0, x - 1), std::min(plane.width - 1, x + 1),
+                                  squared(textureJitter * factor));
 }
 
 BackgroundNoise::BackgroundNoise(const Background &background)
@@ -287,11 +287,14 @@ BackgroundNoise::BackgroundNoise(const Background &background)
         for (int x = 1; x < m_lumaWidth - 1; ++x)
             into[x] = inverseOf(std::sqrt(rows.at(x, x - 1, x + 1, squared(textureJitter))));
         for (const int x : {0, m_lumaWidth - 1})
-            into[x] = inverseOf(std::sqrt(lumaNoise2At(background.y, 1, x, y)));
+            into[x] = inverseOf(std::sqrt(noise2At(background.y, 1, x, y)));
     }
-    for (std::size_t i = 0; i < m_chroma.size(); ++i)
-        m_chroma[i] = inverseOf(float(std::max(background.u.sigmas[i], background.v.sigmas[i])) *
-                                Background::sigmaUnit);
+    for (int y = 0; y < background.u.height; ++y) {
+        std::int16_t *into = m_chroma.data() + std::ptrdiff_t(y) * m_chromaWidth;
+        for (int x = 0; x < m_chromaWidth; ++x)
+            into[x] = inverseOf(
+                std::sqrt(std::max(noise2At(background.u, 1, x, y), noise2At(background.v, 1, x, y))));
+    }
 }
 
 } // namespace odo

@@ -72,8 +72,8 @@ private:
 };
 
 /// The noise of a background as pixels are compared with it, by its inverse: unit / sigma, sigma in code
-/// values. For luma including what coding and a breathing lens move at the image's slopes. In the
-/// background's own light. Pure.
+/// values, including what coding and a breathing lens move at the image's slopes. In the background's own
+/// light. Pure.
 class BackgroundNoise
 {
 public:
@@ -89,8 +89,8 @@ private:
     std::vector<std::int16_t> m_luma, m_chroma;
 };
 
-/// The variance of a background's luma at a pixel, with what its slopes make, in another light.
-float lumaNoise2At(const Background::Plane &luma, float factor, int x, int y);
+/// The variance of one plane of a background at a sample, with what its slopes make, in another light.
+float noise2At(const Background::Plane &plane, float factor, int x, int y);
 
 /// When a pixel differs from its background: by at least one of these steps, and by more than this sum of
 /// squares in units of the noise.

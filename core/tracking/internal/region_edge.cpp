@@ -21,6 +21,7 @@ constexpr int flatness = 4;        // the variance of the texture behind against
 constexpr double clearTexture = 6; // its variance against the noise's
 // code values, of a patch's mean chroma against that of the floor in shadow
 constexpr float otherHue = 2.2F;
+constexpr double codedChroma = 0.05; // of the chroma's variation about a pixel: by which a codec errs
 constexpr double mostMirrored = 0.2; // of a floor's luma: what it mirrors of the room
 constexpr float logUnit = 1024;      // of the fixed-point sums: finer than the steps of code values
 constexpr int hueUnit = 256;
@@ -64,10 +65,24 @@ constexpr auto mostOff = [] {
     return most;
 }();
 
-/// Whether the summed chroma of n pixels is off that of the floor in shadow by more than its own, and than
-/// shadows are tinted. A glossy
-/// floor mirrors neutral light of the room; where a dark robot is mirrored instead, that is missing, and the
-/// floor's hue is purer than in shadow.
+/// How much the background's chroma varies about a pixel, as far as its patch reaches.
+float chromaTexture(const ComparedWindow &window, int x, int y)
+{
+    const PixelColour here = window.behind(x, y);
+    float most = 0;
+    for (const int cy : {std::max(0, y - patchReach), std::min(window.height() - 1, y + patchReach)}) {
+        for (const int cx : {std::max(0, x - patchReach), std::min(window.width() - 1, x + patchReach)}) {
+            const PixelColour corner = window.behind(cx, cy);
+            most = std::max({most, std::abs(corner.u - here.u), std::abs(corner.v - here.v)});
+        }
+    }
+    return most;
+}
+
+/// Whether the summed chroma of n pixels is off that of the floor in shadow by more than its own, than
+/// shadows are tinted, and than a codec errs where the floor's chroma varies. A glossy floor mirrors neutral
+/// light of the room; where a dark robot is mirrored instead, that is missing, and the floor's hue is purer
+/// than in shadow.
 bool isOtherHue(const ComparedWindow &window, std::size_t n, std::int64_t offU, std::int64_t offV, int x,
                 int y)
 {
@@ -78,9 +93,10 @@ bool isOtherHue(const ComparedWindow &window, std::size_t n, std::int64_t offU, 
     const double darker = 1 - double(seen.luma) / std::max(1.0, double(behind.luma)),
                  purer = std::clamp(off.dot(hue) / std::max(1.0, hue.squaredNorm()), 0.0,
                                     std::clamp(darker, 0.0, mostMirrored));
-    const double tint =
-        hueUnit * double(n) * window.shadow().tint * std::max(0.0, double(behind.luma) - double(seen.luma));
-    return (off - purer * hue).cwiseAbs().maxCoeff() > double(mostOff[n]) + tint;
+    const double tint = window.shadow().tint * std::max(0.0, double(behind.luma) - double(seen.luma)),
+                 coded = codedChroma * double(chromaTexture(window, x, y));
+    return (off - purer * hue).cwiseAbs().maxCoeff() >
+           double(mostOff[n]) + hueUnit * double(n) * (tint + coded);
 }
 
 } // namespace

@@ -116,7 +116,7 @@ namespace {
 constexpr float darkerShadows[] = {0.20F, 0.15F};
 constexpr double leastAmbiguity = 0.1; // share of a robot's pixels, over the frames
 constexpr double goodMisfit = 0.5;     // a quarter of a pixel
-constexpr double clearlyLess = 0.98;   // of the misfit
+constexpr double clearlyLess = 0.9;    // of the misfit
 constexpr double nearlyAsOften = 0.9;  // of the frames in which it was found
 constexpr double firstPart = 0.7, nextPart = 0.1;
 
@@ -251,16 +251,24 @@ Result<SettledViews> trackAndSettle(const std::vector<RegisteredView> &views,
         shadow = tried;
         return true;
     };
+    const auto uncertain = [&](float ShadowAmbiguity::*share) {
+        return uncertainOutlines(views, robots, best->views, share);
+    };
+    const auto with = [&shadow](auto Background::Shadow::*what, auto value) {
+        Background::Shadow tried = shadow;
+        tried.*what = value;
+        return tried;
+    };
     std::vector<Outlines> ofParts;
     for (std::size_t r = 0; inParts && r < robots.size(); ++r)
         if (!namedRobot(robots[r]).colour)
             ofParts.push_back(outlinesOf(views, robots, best->views, r));
-    tryShadows({shadow.darkest, shadow.tint, true}, ofParts);
-    std::vector<Outlines> tinted = uncertainOutlines(views, robots, best->views, &ShadowAmbiguity::tinted);
-    tryShadows({shadow.darkest, Background::strongTint, shadow.connects}, tinted);
-    std::vector<Outlines> deep = uncertainOutlines(views, robots, best->views, &ShadowAmbiguity::deep);
+    tryShadows(with(&Background::Shadow::connects, true), ofParts);
+    std::vector<Outlines> tinted = uncertain(&ShadowAmbiguity::tinted);
+    tryShadows(with(&Background::Shadow::tint, Background::strongTint), tinted);
+    std::vector<Outlines> deep = uncertain(&ShadowAmbiguity::deep);
     for (const float darkest : darkerShadows)
-        if (!tryShadows({darkest, shadow.tint, shadow.connects}, deep))
+        if (!tryShadows(with(&Background::Shadow::darkest, darkest), deep))
             break;
     if (control.isCancelled())
         return cancelled(trackingSubject());
