@@ -228,10 +228,8 @@ bool isContradictedWithout(const FusedTrack &plain, std::vector<ViewTrack> views
     return contradiction.has_value();
 }
 
-} // namespace
-
-Result<MeasuredRobot> measureRobot(const std::vector<ViewTrack> &views, const RobotShape &shape,
-                                   const AnalysisOptions &options)
+Result<MeasuredRobot> measureAs(const std::vector<ViewTrack> &views, const RobotShape &shape,
+                                const AnalysisOptions &options)
 {
     const std::vector<Nanoseconds> times = timesOf(views.front());
     auto placed = ODO_TRY(positionRobot(views, times, shape));
@@ -261,6 +259,32 @@ Result<MeasuredRobot> measureRobot(const std::vector<ViewTrack> &views, const Ro
     applyOverrides(track.samples, options.overrides);
     return MeasuredRobot{std::move(track), settings.measurement, placed.heightM,
                          placed.estimated, placed.clearanceM,    std::move(contradiction)};
+}
+
+} // namespace
+
+Result<MeasuredRobot> measureRobot(const std::vector<ViewTrack> &views, const RobotShape &shape,
+                                   const AnalysisOptions &options)
+{
+    constexpr double sameHeight = 0.95;
+    auto asTold = ODO_TRY(measureAs(views, shape, options));
+    if (!asTold.contradiction || !shape.heightM || shape.heightVaries)
+        return asTold;
+    RobotShape free = shape;
+    free.heightM.reset();
+    const bool isSizeTold = shape.lengthM || shape.widthM;
+    for (int i = 0; i < (isSizeTold ? 2 : 1); ++i) {
+        auto freely = measureAs(views, free, options);
+        // a robot is lower than told where its top is a thing that the outlines hardly show
+        if (freely && !freely->contradiction && sameHeight * freely->heightM <= *shape.heightM) {
+            freely->heightM = *shape.heightM;
+            freely->heightEstimated = false;
+            return std::move(*freely);
+        }
+        free.lengthM.reset();
+        free.widthM.reset();
+    }
+    return asTold;
 }
 
 } // namespace odo

@@ -21,8 +21,11 @@ struct MeasuredRobot
     std::optional<ViewsContradiction> contradiction;
 };
 
-/// Projects the views onto the floor, settles what makes them contradict each other, and joins them. At least
-/// one is registered. Pure. Errors: those of positionRobot, and views that are exchanged.
+/// Projects the views onto the floor, settles what makes them contradict each other, and joins them. Where
+/// they contradict each other with the given height, and agree without it on a form that is no higher, the
+/// height is of something at the robot's top that its outlines hardly show (a mast, a button): then the form
+/// is found without it. At least one view is registered. Pure. Errors: those of positionRobot, and views that
+/// are exchanged.
 Result<MeasuredRobot> measureRobot(const std::vector<ViewTrack> &views, const RobotShape &shape,
                                    const AnalysisOptions &options);
 
