@@ -45,6 +45,7 @@ std::span<const NamedCommand> allCommands()
          runScoreboard, false},
         {"snapshot", "save an image of the window", runSnapshot, true},
         {"target", "write a board or floor markers for printing", runTarget, true},
+        {"backup", "make, list, show and restore backups of a project", runBackup, false},
         {"check", "check a project and its recordings", runCheck, false},
     };
     return commands;

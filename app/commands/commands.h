@@ -27,6 +27,7 @@ Result<void> runCheckPosition(const QStringList &arguments, const CancelToken &c
 Result<void> runRegister(const QStringList &arguments, const CancelToken &cancel);
 Result<void> runReprocess(const QStringList &arguments, const CancelToken &cancel);
 Result<void> runRevisions(const QStringList &arguments, const CancelToken &cancel);
+Result<void> runBackup(const QStringList &arguments, const CancelToken &cancel);
 Result<void> runTask(const QStringList &arguments, const CancelToken &cancel);
 Result<void> runTrial(const QStringList &arguments, const CancelToken &cancel);
 Result<void> runEvaluate(const QStringList &arguments, const CancelToken &cancel);

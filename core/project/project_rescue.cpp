@@ -11,6 +11,7 @@
 #include "core/project/internal/words.h"
 #include "core/project/names.h"
 #include "core/project/project.h"
+#include "core/project/recording_rows.h"
 #include "core/project/write_ahead_log.h"
 
 #include <algorithm>
@@ -44,24 +45,42 @@ bool isSound(const std::filesystem::path &backup)
 
 } // namespace
 
+std::filesystem::path backupFolderOf(const std::filesystem::path &project)
+{
+    const std::filesystem::path real = realProjectFile(project);
+    return real.parent_path() / (real.stem().string() + ".backups");
+}
+
+std::vector<std::filesystem::path> backupFilesOf(const std::filesystem::path &project)
+{
+    const std::string start = project.filename().string() + ".bak-",
+                      realStart = realProjectFile(project).filename().string() + ".bak-";
+    std::vector<std::pair<std::filesystem::file_time_type, std::filesystem::path>> backups;
+    const auto collect = [&backups](const std::filesystem::path &folder, const std::string &beginning) {
+        std::error_code problem;
+        for (const std::string &name : files::namesIn(folder, problem)) {
+            if (!name.starts_with(beginning) ||
+                !isBackupNumber(std::string_view(name).substr(beginning.size())))
+                continue;
+            const auto written = files::lastWritten(folder / name, problem);
+            if (!problem)
+                backups.emplace_back(written, folder / name);
+        }
+    };
+    collect(project.has_parent_path() ? project.parent_path() : std::filesystem::path("."), start);
+    collect(backupFolderOf(project), realStart);
+    std::ranges::sort(backups, std::greater());
+    std::vector<std::filesystem::path> files;
+    for (auto &backup : backups)
+        files.push_back(std::move(backup.second));
+    return files;
+}
+
 std::optional<std::filesystem::path> soundBackupOf(const std::filesystem::path &project)
 {
-    const std::string start = project.filename().string() + ".bak-";
-    const std::filesystem::path folder =
-        project.has_parent_path() ? project.parent_path() : std::filesystem::path(".");
-    std::vector<std::pair<std::filesystem::file_time_type, std::filesystem::path>> backups;
-    std::error_code problem;
-    for (const std::string &name : files::namesIn(folder, problem)) {
-        if (!name.starts_with(start) || !isBackupNumber(std::string_view(name).substr(start.size())))
-            continue;
-        const auto written = files::lastWritten(folder / name, problem);
-        if (!problem)
-            backups.emplace_back(written, folder / name);
-    }
-    std::ranges::sort(backups, std::greater());
-    const auto sound =
-        std::ranges::find_if(backups, [](const auto &backup) { return isSound(backup.second); });
-    return sound == backups.end() ? std::nullopt : std::optional(sound->second);
+    const std::vector<std::filesystem::path> backups = backupFilesOf(project);
+    const auto sound = std::ranges::find_if(backups, &isSound);
+    return sound == backups.end() ? std::nullopt : std::optional(*sound);
 }
 
 Result<void> worthOpening(const std::filesystem::path &project)
@@ -173,39 +192,64 @@ private:
 
 } // namespace
 
+ReplacingCopy::ReplacingCopy(std::filesystem::path project, Message advice,
+                             std::unique_ptr<TemporaryFolder> folder)
+    : m_project(std::move(project)), m_advice(std::move(advice)), m_folder(std::move(folder))
+{
+}
+
+ReplacingCopy::~ReplacingCopy() = default;
+
+std::filesystem::path ReplacingCopy::file() const
+{
+    return m_folder->path() / m_project.filename();
+}
+
+Result<std::unique_ptr<ReplacingCopy>> ReplacingCopy::make(const std::filesystem::path &backup,
+                                                           const std::filesystem::path &project)
+{
+    const Message what = projectSubject(project.filename()), advice = adviceToCopy(backup);
+    const std::filesystem::path real = realProjectFile(project); // a link stays one
+    auto folder = TemporaryFolder::make(real.parent_path(), what);
+    if (!folder)
+        return fail(folder.error().code, what, folder.error().why, advice);
+    std::unique_ptr<ReplacingCopy> copy(new ReplacingCopy(real, advice, std::move(*folder)));
+    const auto source = ProjectConnection::open(backup, DatabaseAccess::Immutable);
+    if (!source)
+        return fail(source.error().code, what, source.error().why, advice);
+    if (auto copied = copyDatabase(**source, copy->file()); !copied)
+        return fail(copied.error().code, what, copied.error().why, advice);
+    return copy;
+}
+
+Result<void> ReplacingCopy::replaceProject(const std::filesystem::path &kept)
+{
+    const auto refused = [this](const std::error_code &problem) {
+        return fail(ErrorCode::Io, projectSubject(m_project.filename()), writingFailed(problem), m_advice);
+    };
+    KeptAside aside(m_project, kept);
+    if (const std::error_code problem = aside.take())
+        return refused(problem);
+    syncToDisk(
+        m_project.parent_path()); // some file systems cannot sync a folder: both files are safe already
+    if (const std::error_code problem = renamed(file(), m_project))
+        return refused(problem);
+    aside.keep();
+    syncToDisk(m_project.parent_path());
+    return {};
+}
+
 Result<RestoredBackup> restoreBackup(const std::filesystem::path &project)
 {
-    const Message what = projectSubject(project.filename());
     const auto backup = soundBackupOf(project);
     if (!backup)
-        return fail(ErrorCode::NotFound, what,
+        return fail(ErrorCode::NotFound, projectSubject(project.filename()),
                     ODO_TEXT("project.no_sound_backup", "no intact backup was found beside it"),
                     restoreFile());
-    const auto refused = [&](ErrorCode code, const Message &why) {
-        return fail(code, what, why, adviceToCopy(*backup));
-    };
-    std::error_code problem;
-    std::filesystem::path real = files::realPath(project, problem); // a link stays one
-    if (problem)
-        real = project;
-    const auto folder = TemporaryFolder::make(real.parent_path(), what);
-    if (!folder)
-        return refused(folder.error().code, folder.error().why);
-    const std::filesystem::path fresh = (*folder)->path() / real.filename();
-    const auto source = ProjectConnection::open(*backup, DatabaseAccess::Immutable);
-    if (!source)
-        return refused(source.error().code, source.error().why);
-    if (auto copied = copyDatabase(**source, fresh); !copied)
-        return refused(copied.error().code, copied.error().why);
-    KeptAside aside(real, freeName(besideFile(real, ".damaged")));
-    if (const std::error_code failed = aside.take())
-        return refused(ErrorCode::Io, writingFailed(failed));
-    syncToDisk(real.parent_path()); // some file systems cannot sync a folder: both files are safe already
-    if (const std::error_code failed = renamed(fresh, real))
-        return refused(ErrorCode::Io, writingFailed(failed));
-    aside.keep();
-    syncToDisk(real.parent_path());
-    return RestoredBackup{*backup, aside.kept()};
+    const std::filesystem::path kept = freeName(besideFile(realProjectFile(project), ".damaged"));
+    const auto copy = ODO_TRY(ReplacingCopy::make(*backup, project));
+    ODO_TRY(copy->replaceProject(kept));
+    return RestoredBackup{*backup, kept};
 }
 
 namespace {

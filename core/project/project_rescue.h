@@ -5,13 +5,26 @@
 #include "core/base/message.h"
 
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace odo {
 
-/// The newest of the backups that migrations have left beside a project ("<name>.odo.bak-<version>") in which
-/// SQLite finds nothing wrong. Any thread; reads them wholly, up to the first that is sound.
+class TemporaryFolder;
+
+/// "<name>.backups" beside a project, links followed: the folder of its backups by date
+/// (core/workflow/backups.h).
+std::filesystem::path backupFolderOf(const std::filesystem::path &project);
+
+/// The backups of a project, newest first by when their files were written: those that migrations have left
+/// beside it ("<name>.odo.bak-<version>"), and those by date in its folder of backups
+/// ("<name>.odo.bak-20261130.174512"). Any thread; quick.
+std::vector<std::filesystem::path> backupFilesOf(const std::filesystem::path &project);
+
+/// The newest of them in which SQLite finds nothing wrong. Any thread; reads them wholly, up to the first
+/// that is sound.
 std::optional<std::filesystem::path> soundBackupOf(const std::filesystem::path &project);
 
 /// Whether a window has anything to show of a file: the header of a project, or a sound backup of it that can
@@ -39,6 +52,30 @@ struct RestoredBackup
 /// thread; reads and writes the whole file. Errors: NotFound without a sound backup; those of writing, and
 /// all is as before.
 Result<RestoredBackup> restoreBackup(const std::filesystem::path &project);
+
+/// A copy of a backup in a temporary folder beside a project, whose place it is to take. Removed unless it
+/// did. Any thread, one at a time.
+class ReplacingCopy
+{
+public:
+    /// Reads and writes the whole file. Errors: those of writing; InvalidInput for a backup that is damaged.
+    static Result<std::unique_ptr<ReplacingCopy>> make(const std::filesystem::path &backup,
+                                                       const std::filesystem::path &project);
+    ~ReplacingCopy();
+    ReplacingCopy(const ReplacingCopy &) = delete;
+    ReplacingCopy &operator=(const ReplacingCopy &) = delete;
+
+    std::filesystem::path file() const;
+    /// Once. The project, with what SQLite has beside it, gets the other name, in the same file system:
+    /// killed at any moment, its own name has the one or the other behind it. Nobody has it open. Quick.
+    Result<void> replaceProject(const std::filesystem::path &kept);
+
+private:
+    ReplacingCopy(std::filesystem::path project, Message advice, std::unique_ptr<TemporaryFolder> folder);
+    const std::filesystem::path m_project;
+    const Message m_advice;
+    const std::unique_ptr<TemporaryFolder> m_folder;
+};
 
 class Project;
 

@@ -7,9 +7,11 @@
 #include "core/project/project_rescue.h"
 #include "core/project/recording_rows.h"
 #include "core/project/repositories.h"
+#include "core/workflow/backups.h"
 #include "core/workflow/job.h"
 #include "core/workflow/record/completed_recordings.h"
 #include "ui/main_window/internal/project_watch.h"
+#include "ui/main_window/preferences/backup_plan.h"
 #include "ui/models/background_task.h"
 #include "ui/models/shown_message.h"
 
@@ -24,6 +26,11 @@ namespace {
 tl::unexpected<Error> busy(Message what)
 {
     return fail(ErrorCode::InvalidInput, std::move(what), anotherJobRuns(), waitOrCancel());
+}
+
+Message restoringBackup()
+{
+    return ODO_TEXT("ui.restoring_backup", "Restoring the backup");
 }
 
 } // namespace
@@ -126,6 +133,8 @@ Result<void> Workspace::show(Ready ready)
         return tl::unexpected(project.error());
     }
     adopt(std::move(*project), std::move(lock));
+    if (m_lock)
+        backUp();
     if (!ready.words.isEmpty())
         Q_EMIT messageReady(ready.words);
     if (ready.isCutOff)
@@ -219,12 +228,17 @@ std::optional<std::filesystem::path> Workspace::movedTo() const
 Result<void> Workspace::reopen()
 {
     const std::filesystem::path file = m_project->file();
+    close();
+    m_lock.reset();
+    return open(file);
+}
+
+void Workspace::close()
+{
     Q_EMIT aboutToClose();
     m_runner.reset();
     m_watch.reset();
     m_project.reset();
-    m_lock.reset();
-    return open(file);
 }
 
 void Workspace::finishJob(const std::optional<Error> &error)
@@ -336,14 +350,68 @@ Result<void> Workspace::beginRestoring(const std::filesystem::path &file, Done w
         *restored = ODO_TRY(restoreBackup(file));
         return file;
     };
-    return makeAndOpen(make, ODO_TEXT("ui.restoring_backup", "Restoring the backup"),
-                       [this, restored, whenOpen = std::move(whenOpen)] {
-                           Q_EMIT messageReady(
-                               tr("The backup was restored. The damaged file is kept as “%1”.")
-                                   .arg(QString::fromStdString(restored->damaged.filename().string())));
-                           if (whenOpen)
-                               whenOpen();
-                       });
+    return makeAndOpen(make, restoringBackup(), [this, restored, whenOpen = std::move(whenOpen)] {
+        Q_EMIT messageReady(tr("The backup was restored. The damaged file is kept as “%1”.")
+                                .arg(QString::fromStdString(restored->damaged.filename().string())));
+        if (whenOpen)
+            whenOpen();
+    });
+}
+
+Result<void> Workspace::beginGoingBack(const std::filesystem::path &backup)
+{
+    const Message words = restoringBackup();
+    if (isBusy())
+        return busy(words);
+    const auto copy = std::make_shared<std::unique_ptr<ReplacingCopy>>();
+    m_making = std::make_unique<BackgroundTask>();
+    connect(m_making.get(), &BackgroundTask::finished, this,
+            [this, copy, words](const std::optional<Error> &error) {
+                const std::optional<Error> outcome =
+                    !error && m_making->isCancelled() ? cancelled(words).value() : error;
+                finishJob(outcome);
+                if (!outcome)
+                    completeRestoring(**copy);
+            });
+    m_making->start([copy, backup, file = m_project->file()](const JobControl &) -> Result<void> {
+        *copy = ODO_TRY(prepareGoingBack(backup, file));
+        return {};
+    });
+    Q_EMIT jobStarted(shownWords(words));
+    return {};
+}
+
+void Workspace::completeRestoring(ReplacingCopy &copy)
+{
+    Ready ready{m_project->file(), nullptr, true};
+    m_project->emptyLog(); // so the file by itself is what the project was
+    close();
+    const auto kept = finishGoingBack(copy, ready.file, backupTime());
+    if (kept)
+        ready.words = tr("The backup was restored. What the project was before is kept as “%1”.")
+                          .arg(QString::fromStdString(kept->filename().string()));
+    else
+        Q_EMIT jobFailed(kept.error()); // all is as before
+    if (const Result<void> shown = show(std::move(ready)); !shown)
+        Q_EMIT jobFailed(shown.error());
+}
+
+void Workspace::backUp()
+{
+    const BackupPlan plan = chosenBackupPlan();
+    if (!plan.isDaily)
+        return;
+    auto *task = new BackgroundTask(this);
+    connect(task, &BackgroundTask::finished, this, [this, task](const std::optional<Error> &error) {
+        if (error)
+            Q_EMIT messageReady(errorLine(*error));
+        task->deleteLater();
+    });
+    task->start([file = m_project->file(), plan](const JobControl &) -> Result<void> {
+        const auto project = ODO_TRY(Project::open(file, Project::Access::ReadOnly));
+        ODO_TRY(backUpIfDue(*project, plan, backupTime()));
+        return {};
+    });
 }
 
 void Workspace::cancel()

@@ -18,6 +18,7 @@ class Job;
 class JobRunner;
 class Project;
 class ProjectWatch;
+class ReplacingCopy;
 class WindowLock;
 
 /// The project that the window shows, if any, and the one job that may run on it. GUI thread.
@@ -57,6 +58,9 @@ public:
     /// Puts a copy of its newest sound backup in the place of a damaged project, which is kept beside it, and
     /// opens that. As makeAndOpen.
     Result<void> beginRestoring(const std::filesystem::path &file, Done whenOpen);
+    /// Restores one of the backups of the open project; what it was until then becomes a backup. A copy of
+    /// the backup is made on a thread of its own, and only then is the project closed and opened again.
+    Result<void> beginGoingBack(const std::filesystem::path &backup);
     void cancel();
     /// For a project whose file was deleted, renamed or replaced: copies what is in it to a new file beside
     /// it, and opens that. Gives the new file.
@@ -97,6 +101,10 @@ private:
     std::filesystem::path openHere() const;
     static Error offeringABackup(Error error, const std::filesystem::path &file, Made &made);
     Result<void> show(Ready ready);
+    void completeRestoring(ReplacingCopy &copy);
+    void close();
+    /// As the preferences ask for it, in the background: it is no job.
+    void backUp();
     void recoverTrials();
     void makeHashes();
     void finishJob(const std::optional<Error> &error);

@@ -6,6 +6,7 @@
 #include "core/workflow/calibrate/calibration_images.h"
 #include "core/workflow/demo.h"
 #include "core/workflow/project_copy.h"
+#include "ui/main_window/internal/backups_dialog.h"
 #include "ui/main_window/internal/import_tracks_dialog.h"
 #include "ui/main_window/internal/transfer_actions.h"
 #include "ui/main_window/workspace.h"
@@ -65,30 +66,32 @@ FileActions::FileActions(Workspace &workspace, RecentProjects &recent, QWidget &
       m_like(new QAction(tr("New project from t&his one…"), this)),
       m_open(new QAction(themeIcon(QStringLiteral("open")), tr("&Open project…"), this)),
       m_demo(new QAction(themeIcon(QStringLiteral("demo")), tr("Open &demo lesson…"), this)),
-      m_copy(new QAction(tr("Save a &copy as…"), this)), m_quit(new QAction(tr("&Quit"), this)),
-      m_transfer(new TransferActions(workspace, window))
+      m_copy(new QAction(tr("Save a &copy as…"), this)), m_backups(new QAction(tr("&Backups…"), this)),
+      m_quit(new QAction(tr("&Quit"), this)), m_transfer(new TransferActions(workspace, window))
 {
     nameCommands({{m_new, "newProject"},
                   {m_like, "newProjectLike"},
                   {m_open, "openProject"},
                   {m_demo, "demo"},
                   {m_copy, "saveCopy"},
+                  {m_backups, "backups"},
                   {m_quit, "quit"}});
     m_new->setShortcut(QKeySequence::New);
     m_open->setShortcut(QKeySequence::Open);
     m_copy->setShortcut(QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_S));
     m_quit->setShortcut(QKeySequence(Qt::CTRL | Qt::Key_Q));
     m_like->setToolTip(tr("With its cameras, marker layouts, robots and tasks, without people and trials"));
-    for (QAction *action : {m_like, m_copy})
+    for (QAction *action : {m_like, m_copy, m_backups})
         action->setEnabled(false);
     connect(m_new, &QAction::triggered, this, &FileActions::askNew);
     connect(m_open, &QAction::triggered, this, &FileActions::askOpen);
     connect(m_demo, &QAction::triggered, this, &FileActions::askDemo);
     connect(m_copy, &QAction::triggered, this, &FileActions::askCopy);
     connect(m_quit, &QAction::triggered, &m_window, &QWidget::close);
+    connect(m_backups, &QAction::triggered, this, &FileActions::showBackups);
     connect(m_like, &QAction::triggered, this, &FileActions::askLike);
     connect(&m_workspace, &Workspace::opened, this, [this] {
-        for (QAction *action : {m_like, m_copy})
+        for (QAction *action : {m_like, m_copy, m_backups})
             action->setEnabled(true);
     });
     connect(m_transfer, &TransferActions::failed, this, &FileActions::failed);
@@ -107,6 +110,7 @@ void FileActions::fillMenu(QMenu &menu, const QList<QAction *> &further)
     menu.addAction(m_demo);
     menu.addSeparator();
     menu.addAction(m_copy);
+    menu.addAction(m_backups);
     m_transfer->fillMenu(menu);
     menu.addSeparator();
     menu.addActions(further);
@@ -293,6 +297,14 @@ void FileActions::askCopy()
             Q_EMIT done(
                 tr("Copy saved as %1. Its videos stay where they are.").arg(QDir::toNativeSeparators(file)));
         }));
+}
+
+void FileActions::showBackups()
+{
+    const std::filesystem::path project = m_workspace.project()->file();
+    BackupsDialog dialog(project, m_workspace.isReadOnly(), &m_window);
+    if (dialog.exec() == QDialog::Accepted)
+        showFailure(m_workspace.beginGoingBack(dialog.chosen()));
 }
 
 void FileActions::showFailure(const Result<void> &result)

@@ -64,13 +64,14 @@ private:
     /// Offers the demo lesson that exists; false: another one is to be made.
     bool wantsDemoThere(const QString &file);
     void askCopy();
+    void showBackups();
     void fillRecent();
     void showFailure(const Result<void> &result);
 
     Workspace &m_workspace;
     RecentProjects &m_recent;
     QWidget &m_window;
-    QAction *m_new, *m_like, *m_open, *m_demo, *m_copy, *m_quit;
+    QAction *m_new, *m_like, *m_open, *m_demo, *m_copy, *m_backups, *m_quit;
     TransferActions *m_transfer;
     QMenu *m_recentMenu = nullptr;
 };

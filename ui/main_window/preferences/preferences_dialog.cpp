@@ -2,6 +2,7 @@
 #include "ui/main_window/preferences/preferences_dialog.h"
 
 #include "ui/main_window/language.h"
+#include "ui/main_window/preferences/backup_plan.h"
 #include "ui/main_window/preferences/command_keys.h"
 #include "ui/models/number_text.h"
 #include "ui/models/shown_message.h"
@@ -90,6 +91,7 @@ GeneralPage::GeneralPage(Theme theme, QWidget *parent) : QWidget(parent)
     form->addRow(tr("&Colours of maps"), makeScales());
     form->addRow(QString(), quietWords(tr("Both remain readable for people with red-green colour blindness "
                                           "and in black-and-white prints.")));
+    addBackups(*form);
 }
 
 void GeneralPage::applySettings()
@@ -97,6 +99,29 @@ void GeneralPage::applySettings()
     const QSettings settings;
     setShownUnitSystem(unitSystemFromWord(settings.value(unitsKey).toString()));
     setShownColourScale(colourScaleFromWord(settings.value(scaleKey).toString()));
+}
+
+void GeneralPage::addBackups(QFormLayout &form)
+{
+    const BackupPlan plan = chosenBackupPlan();
+    auto *daily = new QCheckBox(tr("&Back up a project on each day you open it"));
+    daily->setChecked(plan.isDaily);
+    daily->setObjectName(QStringLiteral("dailyBackups"));
+    auto *days = new QSpinBox;
+    days->setObjectName(QStringLiteral("backupDays"));
+    days->setRange(BackupPlan::fewestDays, BackupPlan::mostDays);
+    days->setValue(plan.daysKept);
+    days->setEnabled(plan.isDaily);
+    form.addRow(QString(), daily);
+    form.addRow(tr("&Days to keep backups"), days);
+    form.addRow(QString(), quietWords(tr("Backups are beside the project and contain everything except the "
+                                         "videos: File ▸ Backups… shows and restores them.")));
+    const auto store = [daily, days] {
+        days->setEnabled(daily->isChecked());
+        chooseBackupPlan({daily->isChecked(), days->value()});
+    };
+    connect(daily, &QCheckBox::toggled, this, store);
+    connect(days, &QSpinBox::valueChanged, this, store);
 }
 
 QComboBox *GeneralPage::makeUnits()

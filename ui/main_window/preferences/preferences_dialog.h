@@ -57,6 +57,7 @@ Q_SIGNALS:
 
 private:
     QComboBox *makeLanguages();
+    void addBackups(QFormLayout &form);
     QComboBox *makeUnits();
     QComboBox *makeThemes(Theme theme);
     QComboBox *makeScales();
