@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/analysis/quantity_curve.h"
 
+#include "core/analysis/internal/derived_curves.h"
 #include "core/analysis/motion_stretches.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -83,8 +85,24 @@ std::optional<CurveValue> measuredHeading(const Profile &profile, std::size_t i,
 
 } // namespace
 
+std::span<const Quantity> allQuantities()
+{
+    static constexpr std::array all{
+        Quantity::Speed,     Quantity::Acceleration, Quantity::Heading,
+        Quantity::TurnRate,  Quantity::PositionX,    Quantity::PositionY,
+        Quantity::VelocityX, Quantity::VelocityY,    Quantity::LateralAcceleration,
+        Quantity::Jerk,      Quantity::Distance,     Quantity::Displacement};
+    return all;
+}
+
 Values quantityValues(const Profile &profile, Quantity quantity)
 {
+    if (quantity == Quantity::Jerk)
+        return jerkValues(profile);
+    if (quantity == Quantity::Distance)
+        return distanceValues(profile);
+    if (quantity == Quantity::Displacement)
+        return displacementValues(profile);
     Values values(profile.points.size());
     const auto headings =
         quantity == Quantity::Heading ? headingsOf(profile) : std::vector<std::optional<Heading>>();
@@ -112,6 +130,19 @@ Values quantityValues(const Profile &profile, Quantity quantity)
         case Quantity::PositionY:
             values[i] = {point.position.y(), point.sigmaYM};
             break;
+        case Quantity::VelocityX:
+            values[i] = {point.velocity.x(), point.sigmaSpeedMps};
+            break;
+        case Quantity::VelocityY:
+            values[i] = {point.velocity.y(), point.sigmaSpeedMps};
+            break;
+        case Quantity::LateralAcceleration:
+            values[i] = lateralAccelerationOf(point);
+            break;
+        case Quantity::Jerk:
+        case Quantity::Distance:
+        case Quantity::Displacement:
+            break; // of more than one point
         }
     }
     return values;
@@ -122,6 +153,9 @@ Values measuredValues(const Profile &profile, Quantity quantity)
     Values values(profile.samples.size());
     const auto headings =
         quantity == Quantity::Heading ? headingsOf(profile) : std::vector<std::optional<Heading>>();
+    const auto first = std::ranges::find_if(profile.samples, isUsed);
+    const Eigen::Vector2d start =
+        first == profile.samples.end() ? Eigen::Vector2d(Eigen::Vector2d::Zero()) : *first->position;
     for (std::size_t i = 0; i < values.size(); ++i) {
         const Sample &sample = profile.samples[i];
         const int axis = quantity == Quantity::PositionX ? 0 : 1;
@@ -136,7 +170,19 @@ Values measuredValues(const Profile &profile, Quantity quantity)
         case Quantity::Heading:
             values[i] = measuredHeading(profile, i, headings[i]);
             break;
+        case Quantity::VelocityX:
+        case Quantity::VelocityY:
+            if (const auto velocity = areUsed(profile, i, 1) ? measuredVelocity(profile, i) : std::nullopt)
+                values[i] = {quantity == Quantity::VelocityX ? velocity->x() : velocity->y(), 0};
+            break;
+        case Quantity::Displacement:
+            if (isUsed(sample))
+                values[i] = {(*sample.position - start).norm(), 0};
+            break;
         case Quantity::TurnRate:
+        case Quantity::LateralAcceleration:
+        case Quantity::Jerk:
+        case Quantity::Distance:
             break;
         case Quantity::PositionX:
         case Quantity::PositionY:

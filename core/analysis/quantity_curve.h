@@ -12,7 +12,26 @@
 namespace odo {
 
 /// What a chart shows of a profile, and what is counted and fitted over a range of it.
-enum class Quantity { Speed, Acceleration, Heading, TurnRate, PositionX, PositionY };
+enum class Quantity {
+    Speed,
+    Acceleration,
+    Heading,
+    TurnRate,
+    PositionX,
+    PositionY,
+    VelocityX,
+    VelocityY,
+    LateralAcceleration,
+    Jerk,
+    Distance,     ///< travelled
+    Displacement, ///< straight from where the robot was first seen
+};
+/// All of them, in the order in which they are offered.
+std::span<const Quantity> allQuantities();
+
+/// A jerk is the mean over this time, or over as little more as the samples are apart: that of one instant
+/// has no finite σ, for the smoother assumes a white jerk.
+inline constexpr double jerkSpanS = 0.2;
 
 /// A value of a quantity with its σ.
 struct CurveValue
@@ -23,14 +42,21 @@ struct CurveValue
 /// The smoothed values of a quantity at all points of a profile, as many as there are points; nullopt where
 /// it has none. World frame, SI. Speed: |v|. Acceleration: along the path, a·v/|v|, so that braking is
 /// negative; |a| while it stands still. Heading: headingsOf; one that is kept has a σ of 0. Turn rate:
-/// turnRateOf. Position: σ with the calibration's part. Pure.
+/// turnRateOf. Position: σ with the calibration's part. Velocity: along X and Y, each with the σ of the
+/// speed. Lateral acceleration: (vx·ay − vy·ax)/|v|, positive to the left; none where the robot stands; σ² =
+/// σₐ² + (a·v/|v|)²σᵥ²/|v|². Jerk: (a(t₂) − a(t₁))/(t₂ − t₁) along the path, t₁ and t₂ jerkSpanS/2 before and
+/// after without a gap between, its length while the robot stands; σ² = (σ₁² + σ₂² − 2ρσ₁σ₂)/(t₂ − t₁)² with
+/// errorCorrelation of the acceleration. Distance: distanceTravelled; σ of the ends of its motions, of errors
+/// across a path that turns, and of the calibration's scale, without what the robot may have done while it
+/// was not measured. Displacement: σ of both positions along the line between, and of the scale. Pure.
 std::vector<std::optional<CurveValue>> quantityValues(const Profile &profile, Quantity quantity);
 
 /// The same out of the positions before smoothing, by the differences that Tracker uses: speed and heading of
 /// (x₊₁ − x₋₁)/2Δt, acceleration of (2x₊₂ − x₊₁ − 2x − x₋₁ + 2x₋₂)/7Δt² along the smoothed path, a position
-/// as it was measured; of a body that was measured the heading of that. nullopt where one of the samples that
-/// it takes is rejected or missing, for a heading of the motion at standstill, and everywhere for the turn
-/// rate, which is nothing but noise. No σ (0) but for positions,
+/// as it was measured; of a body that was measured the heading of that; a velocity as for the speed; of the
+/// displacement from the first position that is used. nullopt where one of the samples that it takes is
+/// rejected or missing, for a heading of the motion at standstill, and everywhere for the turn rate, the
+/// lateral acceleration, the jerk, which are nothing but noise, and the distance. No σ (0) but for positions,
 /// whose σ is the measurement's own, without the calibration's part.
 std::vector<std::optional<CurveValue>> measuredValues(const Profile &profile, Quantity quantity);
 

@@ -64,10 +64,13 @@ Eigen::Vector2d errorDirection(const ProfilePoint &point, Quantity quantity)
 {
     if (isPosition(quantity))
         return quantity == Quantity::PositionX ? Eigen::Vector2d::UnitX() : Eigen::Vector2d::UnitY();
+    if (quantity == Quantity::VelocityX || quantity == Quantity::VelocityY)
+        return quantity == Quantity::VelocityX ? Eigen::Vector2d::UnitX() : Eigen::Vector2d::UnitY();
     const double speed = point.velocity.norm();
     const Eigen::Vector2d along =
         speed > 0 ? Eigen::Vector2d(point.velocity / speed) : Eigen::Vector2d::UnitX();
-    return isAngle(quantity) ? Eigen::Vector2d(-along.y(), along.x()) : along;
+    const bool isAcross = isAngle(quantity) || quantity == Quantity::LateralAcceleration;
+    return isAcross ? Eigen::Vector2d(-along.y(), along.x()) : along;
 }
 
 double medianOf(const std::vector<CurvePoint> &points, const std::vector<double> &shares)
@@ -128,13 +131,19 @@ ErrorCourse errorCourseOf(Quantity quantity)
 {
     switch (quantity) {
     case Quantity::Speed:
+    case Quantity::VelocityX:
+    case Quantity::VelocityY:
     case Quantity::Heading: // the part across the path of the same velocity
         return ErrorCourse::Velocity;
     case Quantity::Acceleration:
+    case Quantity::LateralAcceleration:
     case Quantity::TurnRate:
+    case Quantity::Jerk: // rougher still: what is averaged of it is the difference of two accelerations
         return ErrorCourse::Acceleration;
     case Quantity::PositionX:
     case Quantity::PositionY:
+    case Quantity::Distance:
+    case Quantity::Displacement:
         break;
     }
     return ErrorCourse::Position;
@@ -158,6 +167,8 @@ std::vector<CurvePoint> pointsWithin(const Profile &profile, Quantity quantity, 
             point.integralSigma = body->sigmaRad;
         } else if (isAngle(quantity))
             point.integralSigma /= std::max(measured.point->sigmaSpeedMps, measured.point->speedMps);
+        else if (quantity == Quantity::Jerk) // of the acceleration
+            point.integralSigma = measured.point->sigmaAccelMps2;
         points.push_back(point);
     }
     return points;

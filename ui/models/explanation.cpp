@@ -163,6 +163,38 @@ CurveWords curveWords(Quantity quantity)
                                      "heading. Elsewhere (vx·ay − vy·ax)/|v|² of the smoothed curve."),
                 ExplanationWords::tr("of the body: σ of the smoothed heading's rate; of the direction of "
                                      "motion: σ² = σa²/|v|² + |a|²σv²/|v|⁴, first order")};
+    case Quantity::VelocityX:
+    case Quantity::VelocityY:
+        return {quantity == Quantity::VelocityX ? ExplanationWords::tr("Velocity X")
+                                                : ExplanationWords::tr("Velocity Y"),
+                ExplanationWords::tr("the velocity of the smoothed curve at this frame along that axis"),
+                ofVelocity};
+    case Quantity::LateralAcceleration:
+        return {
+            ExplanationWords::tr("Lateral acceleration"),
+            ExplanationWords::tr("(vx·ay − vy·ax)/|v| of the smoothed curve at this frame: across the "
+                                 "path, positive to the left"),
+            ExplanationWords::tr("σ² = σa² + (a·v/|v|)²σv²/|v|², first order: of the acceleration, and of "
+                                 "the direction of motion")};
+    case Quantity::Jerk:
+        return {
+            ExplanationWords::tr("Jerk"),
+            ExplanationWords::tr("(a(t₂) − a(t₁))/(t₂ − t₁) along the path, from the smoothed "
+                                 "accelerations half of %1 before and after this frame; its length "
+                                 "while the robot stands still")
+                .arg(secondsText(fromSeconds(jerkSpanS))),
+            ExplanationWords::tr("σ² = (σ₁² + σ₂² − 2ρσ₁σ₂)/(t₂ − t₁)², ρ the correlation of both errors")};
+    case Quantity::Distance:
+        return {ExplanationWords::tr("Distance travelled"),
+                ExplanationWords::tr("the integral of the smoothed speed over the time in which the robot "
+                                     "moves, up to this frame"),
+                ExplanationWords::tr("of the positions at the ends of each motion, of errors across the path "
+                                     "where it turns, and of the calibration's scale; without what the robot "
+                                     "may have done while it was not measured")};
+    case Quantity::Displacement:
+        return {ExplanationWords::tr("Distance from the start"),
+                ExplanationWords::tr("the straight line from the first smoothed position to this frame's"),
+                ExplanationWords::tr("of both positions along that line, and of the calibration's scale")};
     case Quantity::PositionX:
     case Quantity::PositionY:
         break;

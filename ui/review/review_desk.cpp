@@ -20,8 +20,8 @@ const QString outlinesKey = QStringLiteral("review/silhouettes");
 /// All of them, beginning with this one.
 QList<Quantity> quantitiesFrom(Quantity first)
 {
-    QList<Quantity> all{Quantity::Speed,    Quantity::Acceleration, Quantity::Heading,
-                        Quantity::TurnRate, Quantity::PositionX,    Quantity::PositionY};
+    const std::span<const Quantity> offered = allQuantities();
+    QList<Quantity> all(offered.begin(), offered.end());
     all.move(all.indexOf(first), 0);
     return all;
 }

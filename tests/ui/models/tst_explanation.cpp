@@ -57,8 +57,7 @@ private Q_SLOTS:
     void aCurveIsExplainedWhereTheCursorStands()
     {
         const Profile &profile = m_scene->robots[0].analysis->profile;
-        for (const Quantity quantity : {Quantity::Speed, Quantity::Acceleration, Quantity::Heading,
-                                        Quantity::TurnRate, Quantity::PositionX, Quantity::PositionY}) {
+        for (const Quantity quantity : allQuantities()) {
             const Explanation told =
                 explainCurve(*m_scene, 0, quantity, profile.samples[100].time, QStringLiteral("1 m/s"));
             QVERIFY(!told.formula.isEmpty() && !told.uncertainty.isEmpty());

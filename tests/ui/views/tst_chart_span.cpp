@@ -209,9 +209,7 @@ private Q_SLOTS:
         Timeline timeline;
         ChartSpan span(timeline);
         timeline.setFrameTimes(m_scene->frameTimes());
-        ProfileChart chart(timeline, span,
-                           {Quantity::Speed, Quantity::Acceleration, Quantity::Heading, Quantity::TurnRate,
-                            Quantity::PositionX, Quantity::PositionY});
+        ProfileChart chart(timeline, span, {allQuantities().begin(), allQuantities().end()});
         chart.resize(700, 260);
         chart.setScene(m_scene);
         auto *choice = chart.findChild<QComboBox *>();

@@ -201,17 +201,37 @@ bool isAngle(Quantity quantity)
     return quantity == Quantity::Heading || quantity == Quantity::TurnRate;
 }
 
+/// How many times its unit is over a second.
+int timesDerived(Quantity quantity)
+{
+    switch (quantity) {
+    case Quantity::Speed:
+    case Quantity::TurnRate:
+    case Quantity::VelocityX:
+    case Quantity::VelocityY:
+        return 1;
+    case Quantity::Acceleration:
+    case Quantity::LateralAcceleration:
+        return 2;
+    case Quantity::Jerk:
+        return 3;
+    default:
+        return 0;
+    }
+}
+
 /// The unit of a quantity over seconds to a power of 0, 1 or 2.
 QString unitOver(Quantity quantity, int power)
 {
-    static const QString powers[] = {
-        {}, QStringLiteral("/s"), QStringLiteral("/s²"), QStringLiteral("/s³"), QStringLiteral("/s⁴")};
+    static const QString powers[] = {{},
+                                     QStringLiteral("/s"),
+                                     QStringLiteral("/s²"),
+                                     QStringLiteral("/s³"),
+                                     QStringLiteral("/s⁴"),
+                                     QStringLiteral("/s⁵")};
     // "cm/s" as a person wants it, without what it is over.
     const QString base = curveUnit(quantity).section(u'/', 0, 0);
-    if (quantity == Quantity::Acceleration)
-        return base + powers[2 + power];
-    const bool isRate = quantity == Quantity::Speed || quantity == Quantity::TurnRate;
-    return base + powers[(isRate ? 1 : 0) + power];
+    return base + powers[timesDerived(quantity) + power];
 }
 
 QString valueText(Quantity quantity, const CurveValue &value, int power = 0)

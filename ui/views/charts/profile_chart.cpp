@@ -164,9 +164,18 @@ std::string tellingMetric(Quantity quantity)
         return "max_accel";
     case Quantity::TurnRate:
         return "max_turn_rate";
+    case Quantity::Distance:
+        return "path_length";
     default:
         return {};
     }
+}
+
+/// Of others the raw differences are nothing but noise.
+bool hasMeasuredPoints(Quantity quantity)
+{
+    return quantity != Quantity::TurnRate && quantity != Quantity::LateralAcceleration &&
+           quantity != Quantity::Jerk && quantity != Quantity::Distance;
 }
 
 } // namespace
@@ -184,6 +193,18 @@ QString quantityName(Quantity quantity)
         return ProfileChart::tr("Turn rate");
     case Quantity::PositionX:
         return ProfileChart::tr("Position X");
+    case Quantity::VelocityX:
+        return ProfileChart::tr("Velocity X");
+    case Quantity::VelocityY:
+        return ProfileChart::tr("Velocity Y");
+    case Quantity::LateralAcceleration:
+        return ProfileChart::tr("Lateral acceleration");
+    case Quantity::Jerk:
+        return ProfileChart::tr("Jerk");
+    case Quantity::Distance:
+        return ProfileChart::tr("Distance travelled");
+    case Quantity::Displacement:
+        return ProfileChart::tr("Distance from the start");
     case Quantity::PositionY:
         break;
     }
@@ -281,7 +302,7 @@ void ProfileChart::describe()
     QStringList remark{curveUnit(m_quantity)};
     if (analysed)
         remark += tr("smoothed ±95 %");
-    if (analysed && m_quantity != Quantity::TurnRate)
+    if (analysed && hasMeasuredPoints(m_quantity))
         remark += tr("measured points");
     if (m_quantity == Quantity::Speed && analysed)
         remark += spikes == 1 ? tr("1 spike") : tr("%1 spikes").arg(spikes);
@@ -292,6 +313,10 @@ void ProfileChart::describe()
             showsBody ? tr("of the body, anticlockwise from X") : tr("of the motion, anticlockwise from X");
     if (m_quantity == Quantity::TurnRate && analysed)
         remark += tr("anticlockwise positive");
+    if (m_quantity == Quantity::LateralAcceleration && analysed)
+        remark += tr("to the left positive");
+    if (m_quantity == Quantity::Jerk && analysed)
+        remark += tr("along the path, mean over %1").arg(secondsText(fromSeconds(jerkSpanS)));
     if (m_area->hasUncertainIntervals())
         remark += tr("shaded: hidden, ambiguous or not measured");
     setRemark(remark.join(QStringLiteral(" · ")));

@@ -178,9 +178,20 @@ ShownUnit unitOf(Quantity quantity)
     constexpr double degrees = 180 / std::numbers::pi;
     switch (quantity) {
     case Quantity::Speed:
+    case Quantity::VelocityX:
+    case Quantity::VelocityY:
         return shownUnits().speed;
     case Quantity::Acceleration:
+    case Quantity::LateralAcceleration:
         return shownUnits().acceleration;
+    case Quantity::Jerk: {
+        ShownUnit unit = shownUnits().acceleration;
+        unit.name.replace(QStringLiteral("²"), QStringLiteral("³"));
+        return unit;
+    }
+    case Quantity::Distance:
+    case Quantity::Displacement:
+        return shownUnits().distance;
     case Quantity::Heading:
         return {QStringLiteral("°"), degrees};
     case Quantity::TurnRate:
@@ -238,9 +249,10 @@ ValueRange valueRange(const std::vector<ChartCurve> &curves, Quantity quantity)
             high = std::max(high, double(point.value));
         }
     const double room = 0.25 * std::max(1e-3, high - low);
-    // A speed is not negative, whatever its σ.
-    const double least = quantity == Quantity::Speed ? std::max(0.0, low - room) : low - room,
-                 most = high + room;
+    // A speed or a distance is not negative, whatever its σ.
+    const bool isLength =
+        quantity == Quantity::Speed || quantity == Quantity::Distance || quantity == Quantity::Displacement;
+    const double least = isLength ? std::max(0.0, low - room) : low - room, most = high + room;
     for (const CurveRun *run : runs)
         for (const BandPoint &point : run->points) {
             low = std::min(low, std::max(point.low(), least));

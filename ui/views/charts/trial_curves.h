@@ -110,8 +110,8 @@ std::vector<double> sampleTimes(const Profile &profile);
 /// press the lines flat; 0 is contained unless they are positions.
 ValueRange valueRange(const std::vector<ChartCurve> &curves, Quantity quantity);
 
-/// measuredValues at the positions of the samples, in the unit of curveUnit, without bands; empty for the
-/// turn rate.
+/// measuredValues at the positions of the samples, in the unit of curveUnit, without bands; empty where
+/// nothing but noise could be shown.
 CurveRun measuredPoints(const Profile &profile, Quantity quantity, const std::vector<double> &positions);
 
 /// The spikes of a curve of speed, where they were measured or else where the curve is; empty for every other
