@@ -3,12 +3,12 @@
 
 #include "core/analysis/gate_passages.h"
 #include "core/analysis/internal/path_following.h"
+#include "core/analysis/internal/zone_stretches.h"
 #include "core/analysis/metrics.h"
 #include "core/analysis/motion_stretches.h"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
 #include <optional>
 
@@ -179,176 +179,14 @@ TaskMetrics measureTask(const Task &task, const std::vector<Sample> &samples,
 
 namespace {
 
-using Eigen::Vector2d;
-
-constexpr double sigmasToBreach = sureSigmas;
-constexpr double leastDepthM = 0.0005;
-
-/// The point of a zone's outline that is nearest.
-Vector2d nearestOnEdge(const Zone &zone, const Vector2d &point)
+ZoneSide forbiddenSide(const Zone &zone)
 {
-    Vector2d nearest = zone.corners.front();
-    double least = std::numeric_limits<double>::infinity();
-    for (std::size_t i = 0; i < zone.corners.size(); ++i) {
-        const Vector2d &from = zone.corners[i], along = zone.corners[(i + 1) % zone.corners.size()] - from;
-        const double share = std::clamp((point - from).dot(along) / along.squaredNorm(), 0.0, 1.0);
-        const Vector2d here = from + share * along;
-        if (const double distance = (point - here).squaredNorm(); distance < least) {
-            least = distance;
-            nearest = here;
-        }
-    }
-    return nearest;
-}
-
-/// By the edges that a ray to the right crosses (Shimrat 1962).
-bool isWithin(const Zone &zone, const Vector2d &point)
-{
-    bool within = false;
-    for (std::size_t i = 0; i < zone.corners.size(); ++i) {
-        const Vector2d &a = zone.corners[i], &b = zone.corners[(i + 1) % zone.corners.size()];
-        if ((a.y() > point.y()) == (b.y() > point.y()))
-            continue;
-        if (point.x() < a.x() + (point.y() - a.y()) / (b.y() - a.y()) * (b.x() - a.x()))
-            within = !within;
-    }
-    return within;
-}
-
-/// How a position of the track relates to a zone's rule.
-struct Standing
-{
-    double timeS = 0;
-    double beyondM = 0;           ///< above zero: the rule is broken by so much
-    double ownM = 0, commonM = 0; ///< σ across the nearest edge
-    bool joined = false;
-};
-
-std::vector<Standing> standingsOf(const Zone &zone, const std::vector<MeasuredPosition> &positions)
-{
-    std::vector<Standing> standings;
-    for (const MeasuredPosition &position : positions) {
-        const Vector2d &point = position.point->position;
-        const Vector2d across = point - nearestOnEdge(zone, point);
-        const double depth = isWithin(zone, point) ? across.norm() : -across.norm();
-        const Vector2d direction = across.norm() > 0 ? Vector2d(across.normalized()) : Vector2d(1, 0);
-        standings.push_back({position.timeS, zone.rule == ZoneRule::StayOutside ? depth : -depth,
-                             sigmaAlong(position.own, direction), sigmaAlong(position.common, direction),
-                             position.joined});
-    }
-    return standings;
-}
-
-/// A stretch beyond a shifted edge.
-struct Stretch
-{
-    double fromS = 0, toS = 0;
-    std::size_t deepest = 0;
-    double beginVariance = 0, endVariance = 0; ///< s², of its two moments by the track's own noise
-    bool sure = false;
-};
-
-/// The moment between two standings at which the shifted edge is crossed, and its variance.
-double edgeCrossing(const Standing &a, const Standing &b, double shiftM, double &variance)
-{
-    const double rise = b.beyondM - a.beyondM, share = (shiftM - a.beyondM) / rise;
-    const double step = b.timeS - a.timeS;
-    const double ownM = (1 - share) * a.ownM + share * b.ownM;
-    // A track that touches the edge without speed across it is not known to better than the frames around,
-    // times a few.
-    const double sigmaS = std::min(ownM * step / std::abs(rise), 10 * step);
-    variance = sigmaS * sigmaS;
-    return a.timeS + share * step;
-}
-
-/// How far beyond an edge is surely beyond it.
-double sureDepthM(const Standing &standing)
-{
-    return std::max(leastDepthM, sigmasToBreach * standing.ownM);
-}
-
-/// Where the track is beyond an edge that lies by shift further out. A stretch ends where the robot surely is
-/// back: a robot that is parked on the edge, to and fro by noise, breaks the rule once.
-std::vector<Stretch> stretchesBeyond(const std::vector<Standing> &standings, double shiftM)
-{
-    std::vector<Stretch> stretches;
-    std::optional<Stretch> open;
-    bool isWithin = false; // it may have come back from the open one
-    const auto close = [&] {
-        if (open->sure)
-            stretches.push_back(*open);
-        open.reset();
-    };
-    for (std::size_t i = 0; i < standings.size(); ++i) {
-        const Standing &here = standings[i];
-        const double beyondM = here.beyondM - shiftM;
-        const Standing *before = i > 0 && here.joined ? &standings[i - 1] : nullptr;
-        if (open && !before) {
-            if (!isWithin)
-                open->toS = standings[i - 1].timeS;
-            close();
-        }
-        if (beyondM > 0 && !open) {
-            open = Stretch{here.timeS, here.timeS, i};
-            if (before)
-                open->fromS = edgeCrossing(*before, here, shiftM, open->beginVariance);
-        } else if (beyondM <= 0 && open && !isWithin) {
-            open->toS = edgeCrossing(*before, here, shiftM, open->endVariance);
-        }
-        isWithin = beyondM <= 0;
-        if (!open)
-            continue;
-        if (here.beyondM > standings[open->deepest].beyondM)
-            open->deepest = i;
-        open->sure = open->sure || beyondM > sureDepthM(here);
-        if (beyondM < -sureDepthM(here))
-            close();
-    }
-    if (open) {
-        if (!isWithin)
-            open->toS = standings.back().timeS;
-        close();
-    }
-    return stretches;
-}
-
-double timeOf(const std::vector<Stretch> &stretches)
-{
-    double time = 0;
-    for (const Stretch &stretch : stretches)
-        time += stretch.toS - stretch.fromS;
-    return time;
-}
-
-double commonSigmaM(const std::vector<Standing> &standings)
-{
-    double largest = 0;
-    for (const Standing &standing : standings)
-        largest = std::max(largest, standing.commonM);
-    return largest;
-}
-
-/// The track's own, where the robot may be on the edge.
-double ownSigmaM(const std::vector<Standing> &standings)
-{
-    double largest = 0;
-    for (const Standing &standing : standings)
-        if (std::abs(standing.beyondM) <= sigmasToBreach * standing.ownM)
-            largest = std::max(largest, standing.ownM);
-    return largest;
-}
-
-/// By how much the time changes, to either side, when the edge is shifted.
-double changeOfTime(const std::vector<Standing> &standings, double shiftM)
-{
-    return std::abs(timeOf(stretchesBeyond(standings, -shiftM)) -
-                    timeOf(stretchesBeyond(standings, shiftM))) /
-           2;
+    return zone.rule == ZoneRule::StayOutside ? ZoneSide::Inside : ZoneSide::Outside;
 }
 
 } // namespace
 
-double depthWithin(const Zone &zone, const Vector2d &point)
+double depthWithin(const Zone &zone, const Eigen::Vector2d &point)
 {
     const double distance = (point - nearestOnEdge(zone, point)).norm();
     return isWithin(zone, point) ? distance : -distance;
@@ -360,7 +198,7 @@ std::vector<ZoneBreach> findZoneBreaches(const std::vector<Zone> &zones, const s
     const std::vector<MeasuredPosition> positions = measuredPositions(samples, points);
     std::vector<ZoneBreach> breaches;
     for (const Zone &zone : zones) {
-        const std::vector<Standing> standings = standingsOf(zone, positions);
+        const std::vector<Standing> standings = standingsOf(zone, forbiddenSide(zone), positions);
         for (const Stretch &stretch : stretchesBeyond(standings, 0)) {
             const Standing &deepest = standings[stretch.deepest];
             breaches.push_back({zone.name, fromSeconds(stretch.fromS), fromSeconds(stretch.toS),
@@ -381,20 +219,14 @@ std::vector<Metric> measureZones(const std::vector<Zone> &zones, const std::vect
     std::size_t count = 0;
     double timeS = 0, ends = 0, common = 0;
     for (const Zone &zone : zones) {
-        const std::vector<Standing> standings = standingsOf(zone, positions);
+        const std::vector<Standing> standings = standingsOf(zone, forbiddenSide(zone), positions);
         const std::vector<Stretch> stretches = stretchesBeyond(standings, 0);
         count += stretches.size();
         timeS += timeOf(stretches);
-        double crossings = 0, variance = 0;
-        for (const Stretch &stretch : stretches) {
-            crossings += (stretch.beginVariance > 0) + (stretch.endVariance > 0);
-            variance += stretch.beginVariance + stretch.endVariance;
-        }
-        // Of a robot that is parked on an edge its crossings say too little.
-        ends += std::max(variance, std::pow(changeOfTime(standings, ownSigmaM(standings)), 2) /
-                                       std::max(1.0, crossings));
+        const StretchTimeSigma sigma = sigmaOfTime(standings, stretches);
+        ends += sigma.ownVariance;
         // One calibration shifts the track against all zones: their parts go together.
-        common += changeOfTime(standings, commonSigmaM(standings));
+        common += sigma.commonS;
     }
     const std::vector<ZoneBreach> breaches = findZoneBreaches(zones, samples, points);
     const auto deepest = std::ranges::max_element(breaches, {}, &ZoneBreach::depthM);

@@ -9,6 +9,7 @@
 #include "ui/models/scene_uncertainty.h"
 #include "ui/models/shown_message.h"
 #include "ui/models/shown_names.h"
+#include "ui/models/trial_lines.h"
 #include "ui/models/verdict_mark.h"
 #include "ui/report/internal/report_painting.h"
 #include "ui/report/internal/run_painting.h"
@@ -160,9 +161,13 @@ QStringList provenanceLines(const TrialContent &content, std::size_t robot)
         return lines;
     const AnalysisRecord &analysis = *scene.robots[robot].analysis;
     QStringList parts;
-    for (std::size_t view = 1; view < scene.views.size(); ++view)
+    const SyncPassport passport = passportOf(scene);
+    for (std::size_t view = 1; view < scene.views.size(); ++view) {
+        const QString cost = costText(passport, view);
         parts << ReportMethodWords::tr("%1 %2").arg(literalName(scene.views[view].camera),
-                                                    stepText(scene.views[view].recording));
+                                                    stepText(scene.views[view].recording)) +
+                     (cost.isEmpty() ? QString() : QStringLiteral(" (%1)").arg(cost));
+    }
     parts << ReportMethodWords::tr("smoother: %1").arg(smootherText(analysis.options.smoother));
     parts << ReportMethodWords::tr("analysed %1, Odograph %2")
                  .arg(shortDate(analysis.made), literalName(analysis.softwareVersion));

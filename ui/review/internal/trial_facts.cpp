@@ -9,6 +9,7 @@
 #include "ui/models/results.h"
 #include "ui/models/shown_message.h"
 #include "ui/models/shown_names.h"
+#include "ui/models/trial_lines.h"
 #include "ui/models/verdict_mark.h"
 
 #include <QCoreApplication>
@@ -289,14 +290,16 @@ QString pathText(const Profile &profile)
     return lines.join(u'\n');
 }
 
-/// Where the first robot was beyond zones; empty where the task has none or it was measured by another
-/// course.
+/// Where the first robot was beyond zones, and when it was in each; empty where the task has none or it was
+/// measured by another course.
 QString zonesText(const TrialScene &scene)
 {
     if (!scene.task || scene.task->zones.empty() || isMeasuredOtherwise(scene, 0))
         return {};
-    const QStringList lines = zoneBreachLines(scene, 0);
-    return lines.isEmpty() ? TrialFactsWords::tr("kept") : lines.join(u'\n');
+    QStringList lines = zoneBreachLines(scene, 0);
+    if (lines.isEmpty())
+        lines << TrialFactsWords::tr("kept");
+    return (lines + zoneVisitLines(scene, 0)).join(u'\n');
 }
 
 /// How far the results can be relied on, and the reasons why not.
@@ -377,6 +380,11 @@ QList<Fact> trialFacts(const TrialScene &scene)
         add(TrialFactsWords::tr("Imported"), importText(source));
     for (std::size_t view = 1; view < scene.views.size(); ++view)
         facts.append(stepFact(scene.views[view]));
+    if (const QStringList lines = passportLines(passportOf(scene)); !lines.isEmpty())
+        facts.append({TrialFactsWords::tr("In millimetres"),
+                      lines.join(u'\n'),
+                      {},
+                      explainPassport(scene, lines.join(u'\n'))});
     if (!scene.robots.empty() && scene.robots.front().analysis) {
         const AnalysisRecord &analysis = *scene.robots.front().analysis;
         facts += gateFacts(scene);
