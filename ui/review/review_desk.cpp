@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/review/review_desk.h"
 
+#include "ui/review/internal/interval_panel.h"
 #include "ui/views/charts/chart_span.h"
 #include "ui/views/charts/profile_chart.h"
 #include "ui/views/image/camera_view.h"
@@ -33,17 +34,20 @@ ReviewDesk::ReviewDesk(Timeline &timeline, QWidget *parent)
       m_span(new ChartSpan(timeline, this)),
       m_speed(new ProfileChart(timeline, *m_span, quantitiesFrom(Quantity::Speed))),
       m_acceleration(new ProfileChart(timeline, *m_span, quantitiesFrom(Quantity::Acceleration))),
+      m_intervals(new IntervalPanel),
       m_outlines(new QAction(tr("&Silhouettes of the robots"), this)),
       m_loupe(new QAction(tr("Lo&upe on the robot"), this))
 {
     middle().addWidget(m_map);
     addDock(m_speed, QStringLiteral("speedDock"), m_speed->title(), 31);
     addDock(m_acceleration, QStringLiteral("accelerationDock"), m_acceleration->title(), 28);
+    addDock(m_intervals, QStringLiteral("intervalDock"), m_intervals->title(), 25, Shown::OnRequest);
     for (ProfileChart *chart : {m_speed, m_acceleration})
         connect(chart, &ProfileChart::quantityChanged, this, &ReviewDesk::quantitiesChanged);
     for (ProfileChart *chart : {m_speed, m_acceleration})
         connect(chart, &ProfileChart::settled, this, &ReviewDesk::settled);
     connect(m_map, &FloorMap::settled, this, &ReviewDesk::settled);
+    connect(m_intervals, &IntervalPanel::settled, this, &ReviewDesk::settled);
     m_outlines->setObjectName(QStringLiteral("silhouettes"));
     m_outlines->setToolTip(tr("Outline the detected robots in each view"));
     m_outlines->setShortcut(QKeySequence(Qt::Key_S));
@@ -193,6 +197,7 @@ void ReviewDesk::setScene(const TrialScenePtr &scene)
     m_map->setScene(scene);
     m_speed->setScene(scene);
     m_acceleration->setScene(scene);
+    m_intervals->setScene(scene);
     if (changed)
         equaliseViews();
 }
@@ -200,6 +205,7 @@ void ReviewDesk::setScene(const TrialScenePtr &scene)
 bool ReviewDesk::isSettled() const
 {
     return m_map->isSettled() && m_speed->isSettled() && m_acceleration->isSettled() &&
+           m_intervals->isSettled() &&
            std::all_of(m_views.begin(), m_views.end(),
                        [](const CameraView *view) { return view->isSettled(); });
 }

@@ -18,6 +18,7 @@ namespace odo {
 class CameraView;
 class ChartSpan;
 class FloorMap;
+class IntervalPanel;
 class FloorReadOut;
 class ProfileChart;
 class Timeline;
@@ -71,6 +72,7 @@ private:
     FloorMap *m_map;
     ChartSpan *m_span;
     ProfileChart *m_speed, *m_acceleration;
+    IntervalPanel *m_intervals;
     bool m_isPointing = false;
     ImageOverlay m_overlay;
     QAction *m_outlines; ///< kept in the settings

@@ -59,7 +59,7 @@ void DockGrip::paintEvent(QPaintEvent *)
 namespace {
 
 /// Raised when docks come or go: an arrangement of another version is not restored.
-constexpr int layoutVersion = 1;
+constexpr int layoutVersion = 2;
 constexpr int gap = 8;
 constexpr int imageWidth = 350, mapWidth = 320;
 
@@ -86,14 +86,14 @@ DockDesk::DockDesk(const QString &mode, QWidget *parent)
     setCentralWidget(m_images);
 }
 
-void DockDesk::addDock(QWidget *content, const QString &name, const QString &title, int percent)
+void DockDesk::addDock(QWidget *content, const QString &name, const QString &title, int percent, Shown shown)
 {
     auto *dock = new QDockWidget(title, this);
     dock->setObjectName(name);
     dock->setWidget(content);
     dock->setTitleBarWidget(new DockGrip(dock));
     content->setMinimumSize(220, 90);
-    m_docks.push_back({dock, percent});
+    m_docks.push_back({dock, percent, shown});
 }
 
 void DockDesk::saveLayout() const
@@ -151,7 +151,7 @@ void DockDesk::resetLayout()
     for (const Dock &dock : m_docks) {
         dock.widget->setFloating(false);
         addDockWidget(Qt::BottomDockWidgetArea, dock.widget);
-        dock.widget->show();
+        dock.widget->setVisible(dock.shown == Shown::AtFirst);
         if (above)
             splitDockWidget(above, dock.widget, Qt::Vertical);
         above = dock.widget;

@@ -32,6 +32,7 @@ public:
     void toggleEnlarged(QWidget *pane);
 
 protected:
+    enum class Shown { AtFirst, OnRequest };
     /// What is side by side in the middle.
     QSplitter &middle() const { return *m_images; }
     /// All is as before one was enlarged.
@@ -40,7 +41,8 @@ protected:
     void equaliseViews();
     /// Below those before it. name: for the arrangement that is kept; percent: of the desk's height, at
     /// first.
-    void addDock(QWidget *content, const QString &name, const QString &title, int percent);
+    void addDock(QWidget *content, const QString &name, const QString &title, int percent,
+                 Shown shown = Shown::AtFirst);
 
     void showEvent(QShowEvent *event) override;
     void resizeEvent(QResizeEvent *event) override;
@@ -50,6 +52,7 @@ private:
     {
         QDockWidget *widget;
         int percent;
+        Shown shown;
     };
     void restoreLayout();
 
