@@ -3,6 +3,7 @@
 #include "app/command_call.h"
 #include "app/commands/commands.h"
 #include "app/commands/trial_commands.h"
+#include "core/analysis/smoothing/cutoff_residuals.h"
 #include "core/analysis/zone_visits.h"
 #include "core/exchange/trial_json.h"
 #include "core/project/repositories.h"
@@ -107,6 +108,31 @@ Result<std::vector<ZoneVisits>> zoneVisitsOf(Project &project, const AnalysisRec
         return std::vector<ZoneVisits>();
     const auto task = ODO_TRY(project.tasks().get(analysis.task));
     return findZoneVisits(task.task.zones, analysis.profile.samples, analysis.profile.points);
+}
+
+/// How strongly the curve is smoothed, and what other cut-offs would take away.
+QJsonObject smoothingJson(const CutoffAnalysis &analysis)
+{
+    QJsonObject json;
+    const auto add = [&json](const QString &name, const QString &unit, const std::optional<CurveValue> &value,
+                             double factor) {
+        json.insert(name + unit, value ? QJsonValue(factor * value->value) : QJsonValue());
+        json.insert(name + QStringLiteral("_sigma") + unit,
+                    value ? QJsonValue(factor * value->sigma) : QJsonValue());
+    };
+    const QString hertz = QStringLiteral("_hz"), millimetres = QStringLiteral("_mm");
+    add(QStringLiteral("cutoff"), hertz, analysis.automaticHz, 1);
+    add(QStringLiteral("residual"), millimetres, analysis.automaticResidualM, toMillimetres(1));
+    add(QStringLiteral("noise"), millimetres, analysis.noiseM, toMillimetres(1));
+    add(QStringLiteral("residual_analysis_cutoff"), hertz, analysis.chosenHz, 1);
+    json.insert(QStringLiteral("stated_noise_mm"), toMillimetres(analysis.statedNoiseM));
+    QJsonArray residuals;
+    for (const CutoffResidual &each : analysis.residuals)
+        residuals.append(QJsonObject{{QStringLiteral("cutoff_hz"), each.cutoffHz},
+                                     {QStringLiteral("residual_mm"), toMillimetres(each.residualM)},
+                                     {QStringLiteral("sigma_mm"), toMillimetres(each.sigmaM)}});
+    json.insert(QStringLiteral("residuals"), residuals);
+    return json;
 }
 
 QJsonArray zonesJson(const std::vector<ZoneVisits> &zones)
@@ -251,6 +277,7 @@ Result<void> runShow(const QStringList &arguments, const CancelToken &cancel)
         insertTaskAnswers(robot, analysis.profile);
         const auto zones = ODO_TRY(zoneVisitsOf(project, analysis));
         robot.insert(QStringLiteral("zones"), zonesJson(zones));
+        robot.insert(QStringLiteral("smoothing"), smoothingJson(cutoffAnalysis(analysis.profile)));
         if (accuracy)
             robot.insert(QStringLiteral("truth"), truthJson(*accuracy));
         robots.insert(QString::fromStdString(analysis.robotName), robot);

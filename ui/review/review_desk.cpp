@@ -2,6 +2,7 @@
 #include "ui/review/review_desk.h"
 
 #include "ui/review/internal/interval_panel.h"
+#include "ui/review/internal/smoothing_panel.h"
 #include "ui/views/charts/chart_span.h"
 #include "ui/views/charts/profile_chart.h"
 #include "ui/views/image/camera_view.h"
@@ -34,7 +35,7 @@ ReviewDesk::ReviewDesk(Timeline &timeline, QWidget *parent)
       m_span(new ChartSpan(timeline, this)),
       m_speed(new ProfileChart(timeline, *m_span, quantitiesFrom(Quantity::Speed))),
       m_acceleration(new ProfileChart(timeline, *m_span, quantitiesFrom(Quantity::Acceleration))),
-      m_intervals(new IntervalPanel),
+      m_intervals(new IntervalPanel), m_smoothing(new SmoothingPanel),
       m_outlines(new QAction(tr("&Silhouettes of the robots"), this)),
       m_loupe(new QAction(tr("Lo&upe on the robot"), this))
 {
@@ -42,12 +43,14 @@ ReviewDesk::ReviewDesk(Timeline &timeline, QWidget *parent)
     addDock(m_speed, QStringLiteral("speedDock"), m_speed->title(), 31);
     addDock(m_acceleration, QStringLiteral("accelerationDock"), m_acceleration->title(), 28);
     addDock(m_intervals, QStringLiteral("intervalDock"), m_intervals->title(), 25, Shown::OnRequest);
+    addDock(m_smoothing, QStringLiteral("smoothingDock"), m_smoothing->title(), 25, Shown::OnRequest);
     for (ProfileChart *chart : {m_speed, m_acceleration})
         connect(chart, &ProfileChart::quantityChanged, this, &ReviewDesk::quantitiesChanged);
     for (ProfileChart *chart : {m_speed, m_acceleration})
         connect(chart, &ProfileChart::settled, this, &ReviewDesk::settled);
     connect(m_map, &FloorMap::settled, this, &ReviewDesk::settled);
     connect(m_intervals, &IntervalPanel::settled, this, &ReviewDesk::settled);
+    connect(m_smoothing, &SmoothingPanel::settled, this, &ReviewDesk::settled);
     m_outlines->setObjectName(QStringLiteral("silhouettes"));
     m_outlines->setToolTip(tr("Outline the detected robots in each view"));
     m_outlines->setShortcut(QKeySequence(Qt::Key_S));
@@ -198,6 +201,7 @@ void ReviewDesk::setScene(const TrialScenePtr &scene)
     m_speed->setScene(scene);
     m_acceleration->setScene(scene);
     m_intervals->setScene(scene);
+    m_smoothing->setScene(scene);
     if (changed)
         equaliseViews();
 }
@@ -205,7 +209,7 @@ void ReviewDesk::setScene(const TrialScenePtr &scene)
 bool ReviewDesk::isSettled() const
 {
     return m_map->isSettled() && m_speed->isSettled() && m_acceleration->isSettled() &&
-           m_intervals->isSettled() &&
+           m_intervals->isSettled() && m_smoothing->isSettled() &&
            std::all_of(m_views.begin(), m_views.end(),
                        [](const CameraView *view) { return view->isSettled(); });
 }

@@ -19,6 +19,7 @@ class CameraView;
 class ChartSpan;
 class FloorMap;
 class IntervalPanel;
+class SmoothingPanel;
 class FloorReadOut;
 class ProfileChart;
 class Timeline;
@@ -73,6 +74,7 @@ private:
     ChartSpan *m_span;
     ProfileChart *m_speed, *m_acceleration;
     IntervalPanel *m_intervals;
+    SmoothingPanel *m_smoothing;
     bool m_isPointing = false;
     ImageOverlay m_overlay;
     QAction *m_outlines; ///< kept in the settings

@@ -1,0 +1,241 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/review/internal/smoothing_panel.h"
+
+#include "ui/models/number_text.h"
+#include "ui/views/charts/chart_axis.h"
+#include "ui/views/widgets/theme.h"
+
+#include <QHelpEvent>
+#include <QLabel>
+#include <QPainter>
+#include <QPainterPath>
+#include <QScrollArea>
+#include <QToolTip>
+#include <QVBoxLayout>
+#include <algorithm>
+#include <cmath>
+
+namespace odo {
+
+namespace {
+
+constexpr int cutoffAxisHeight = 18, residualAxisWidth = 58, plotEndRoom = 10;
+
+QString hertzText(const CurveValue &value)
+{
+    return numberText(value.value, value.sigma, QStringLiteral("Hz")).text();
+}
+
+QString residualText(const CurveValue &metres)
+{
+    const ShownUnit &unit = shownUnits().length;
+    return numberText(unit.perSi * metres.value, unit.perSi * metres.sigma, unit.name).text();
+}
+
+} // namespace
+
+QString smoothingText(const RobotSmoothing &smoothing)
+{
+    const CutoffAnalysis &analysis = smoothing.analysis;
+    const QString robot = QString::fromStdString(smoothing.robot);
+    if (analysis.residuals.empty())
+        return SmoothingPanel::tr("%1: measured for less than a second").arg(robot);
+    QStringList lines;
+    if (analysis.automaticHz && analysis.automaticResidualM)
+        lines << SmoothingPanel::tr("%1: smoothed automatically like a filter with a cut-off of %2; what it "
+                                    "takes away is %3 of each coordinate")
+                     .arg(robot, hertzText(*analysis.automaticHz),
+                          residualText(*analysis.automaticResidualM));
+    else
+        lines << SmoothingPanel::tr("%1: the smoother states no cut-off").arg(robot);
+    if (analysis.noiseM)
+        lines << SmoothingPanel::tr("Noise of the measurements by their residuals: %1; stated: %2")
+                     .arg(residualText(*analysis.noiseM), lengthText(analysis.statedNoiseM));
+    if (analysis.chosenHz)
+        lines << SmoothingPanel::tr("Cut-off by residual analysis: %1").arg(hertzText(*analysis.chosenHz));
+    else
+        lines << SmoothingPanel::tr(
+            "Residual analysis gives no cut-off: the residuals are not those of noise.");
+    return lines.join(u'\n');
+}
+
+ResidualPlot::ResidualPlot(CutoffAnalysis analysis, QWidget *parent)
+    : QWidget(parent), m_analysis(std::move(analysis))
+{
+    setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
+    setAccessibleName(tr("Residual against the cut-off"));
+    for (const CutoffResidual &each : m_analysis.residuals)
+        m_mostM = std::max(m_mostM, each.residualM);
+    // The lowest cut-offs take away the motion itself: a few times the noise is shown.
+    constexpr double timesNoise = 4;
+    if (m_analysis.noiseM)
+        m_mostM = std::min(m_mostM, timesNoise * m_analysis.noiseM->value);
+}
+
+QRectF ResidualPlot::plot() const
+{
+    return QRectF(rect()).adjusted(residualAxisWidth, 6, -plotEndRoom, -cutoffAxisHeight);
+}
+
+QPointF ResidualPlot::at(double hz, double residualM) const
+{
+    const QRectF area = plot();
+    const double most = m_analysis.residuals.back().cutoffHz;
+    return {area.left() + hz / most * area.width(),
+            area.bottom() - (m_mostM > 0 ? residualM / m_mostM : 0) * area.height()};
+}
+
+void ResidualPlot::paintEvent(QPaintEvent *)
+{
+    if (m_analysis.residuals.empty())
+        return;
+    QPainter painter(this);
+    painter.setRenderHint(QPainter::Antialiasing);
+    const ThemeColours colours = ThemeColours::of(palette());
+    const QRectF area = plot();
+    QFont small = font();
+    small.setPointSizeF(0.85 * small.pointSizeF());
+    painter.setFont(small);
+    const AxisTicks across = niceTicks(0, m_analysis.residuals.back().cutoffHz, 6);
+    const ShownUnit &unit = shownUnits().length;
+    const AxisTicks up = niceTicks(0, unit.perSi * m_mostM, 3);
+    for (const double value : across.values()) {
+        const double x = at(value, 0).x();
+        painter.setPen(colours.grid);
+        painter.drawLine(QPointF(x, area.top()), QPointF(x, area.bottom()));
+        painter.setPen(colours.muted);
+        painter.drawText(QRectF(x - 40, area.bottom() + 1, 80, cutoffAxisHeight), Qt::AlignCenter,
+                         across.label(value) + QStringLiteral(" Hz"));
+    }
+    for (const double value : up.values()) {
+        const double y = at(0, value / unit.perSi).y();
+        painter.setPen(colours.grid);
+        painter.drawLine(QPointF(area.left(), y), QPointF(area.right(), y));
+        painter.setPen(colours.muted);
+        painter.drawText(QRectF(0, y - 9, residualAxisWidth - 6, 18), Qt::AlignRight | Qt::AlignVCenter,
+                         up.label(value) + u' ' + unit.name);
+    }
+    painter.setClipRect(area.adjusted(-1, -1, 1, 1));
+    if (m_analysis.noiseM) {
+        painter.setPen(QPen(colours.muted, 1.5, Qt::DashLine));
+        painter.drawLine(at(0, m_analysis.noiseM->value),
+                         at(m_analysis.residuals.back().cutoffHz, m_analysis.noiseM->value));
+    }
+    QPainterPath line;
+    for (const CutoffResidual &each : m_analysis.residuals) {
+        const QPointF point = at(each.cutoffHz, each.residualM);
+        line.isEmpty() ? line.moveTo(point) : line.lineTo(point);
+    }
+    painter.setPen(QPen(seriesColour(0, palette()), 2));
+    painter.drawPath(line);
+    const auto mark = [&](const std::optional<CurveValue> &hz, const QString &words, Qt::PenStyle style,
+                          double share) {
+        if (!hz || hz->value > m_analysis.residuals.back().cutoffHz)
+            return;
+        const double x = at(hz->value, 0).x();
+        painter.setPen(QPen(colours.text, 1.5, style));
+        painter.drawLine(QPointF(x, area.top()), QPointF(x, area.bottom()));
+        painter.drawText(QRectF(x + 5, area.top() + share * area.height(), area.right() - x, 18),
+                         Qt::AlignLeft | Qt::AlignVCenter, words);
+    };
+    mark(m_analysis.automaticHz, tr("automatic"), Qt::SolidLine, 0);
+    mark(m_analysis.chosenHz, tr("residual analysis"), Qt::DotLine, 0.2);
+}
+
+QString ResidualPlot::wordsAt(double x) const
+{
+    const QRectF area = plot();
+    if (m_analysis.residuals.empty() || x < area.left() || x > area.right())
+        return {};
+    const double hz = (x - area.left()) / area.width() * m_analysis.residuals.back().cutoffHz;
+    const auto nearest = std::ranges::min_element(
+        m_analysis.residuals, {}, [hz](const CutoffResidual &each) { return std::abs(each.cutoffHz - hz); });
+    return tr("a filter of %1 takes away %2")
+        .arg(numberText(nearest->cutoffHz, std::nullopt, QStringLiteral("Hz")).text(),
+             residualText({nearest->residualM, nearest->sigmaM}));
+}
+
+bool ResidualPlot::event(QEvent *event)
+{
+    if (event->type() != QEvent::ToolTip)
+        return QWidget::event(event);
+    const auto *help = static_cast<QHelpEvent *>(event);
+    QToolTip::showText(help->globalPos(), wordsAt(help->pos().x()), this);
+    return true;
+}
+
+SmoothingPanel::SmoothingPanel(QWidget *parent) : Card(tr("Smoothing"), parent), m_robots(new QWidget)
+{
+    setRemark(tr("residual of a Butterworth filter, by its cut-off"));
+    auto *layout = new QVBoxLayout(m_robots);
+    layout->setContentsMargins(10, 6, 10, 6);
+    layout->setSpacing(4);
+    auto *scroll = new QScrollArea;
+    scroll->setFrameShape(QFrame::NoFrame);
+    scroll->setWidgetResizable(true);
+    scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    scroll->setAccessibleName(tr("Smoothing of the robots"));
+    scroll->setWidget(m_robots);
+    setContent(scroll);
+    connect(&m_task, &BackgroundTask::finished, this, &SmoothingPanel::finish);
+}
+
+void SmoothingPanel::setScene(TrialScenePtr scene)
+{
+    m_scene = std::move(scene);
+    m_isStale = true;
+    begin();
+}
+
+void SmoothingPanel::showEvent(QShowEvent *event)
+{
+    Card::showEvent(event);
+    begin();
+}
+
+void SmoothingPanel::begin()
+{
+    if (!m_isStale || !isVisible() || m_task.isRunning())
+        return;
+    m_isStale = false;
+    m_made = std::make_shared<std::vector<RobotSmoothing>>();
+    m_task.start([made = m_made, scene = m_scene](const JobControl &) -> Result<void> {
+        for (std::size_t i = 0; scene && i < scene->robots.size(); ++i)
+            if (const auto &analysis = scene->robots[i].analysis)
+                made->push_back({scene->robots[i].robot.name, cutoffAnalysis(analysis->profile)});
+        return {};
+    });
+}
+
+void SmoothingPanel::finish()
+{
+    if (m_isStale)
+        return begin();
+    showRobots(*m_made);
+    Q_EMIT settled();
+}
+
+void SmoothingPanel::showRobots(const std::vector<RobotSmoothing> &robots)
+{
+    QLayout *layout = m_robots->layout();
+    while (QLayoutItem *item = layout->takeAt(0)) {
+        delete item->widget();
+        delete item;
+    }
+    QStringList spoken;
+    for (const RobotSmoothing &robot : robots) {
+        auto *words = new QLabel(smoothingText(robot));
+        words->setTextFormat(Qt::PlainText);
+        words->setWordWrap(true);
+        words->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
+        layout->addWidget(words);
+        if (!robot.analysis.residuals.empty())
+            layout->addWidget(new ResidualPlot(robot.analysis));
+        spoken << words->text();
+    }
+    if (robots.empty())
+        layout->addWidget(new QLabel(tr("No curve yet: track the trial.")));
+    setAccessibleDescription(spoken.join(u'\n'));
+}
+
+} // namespace odo
