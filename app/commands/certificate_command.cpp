@@ -3,6 +3,7 @@
 #include "app/command_call.h"
 #include "app/command_output.h"
 #include "app/commands/commands.h"
+#include "core/base/platform/sleep_inhibitor.h"
 #include "ui/report/certificate_report.h"
 #include "ui/report/report_output.h"
 
@@ -163,6 +164,7 @@ Result<void> runCertificate(const QStringList &arguments, const CancelToken &can
     ReportJob job(certificateReport({call.value(option::task), call.value(option::robot)}, options,
                                     [&](const CertificateContentPtr &made) { content = made; }),
                   std::move(pages));
+    const auto awake = SleepInhibitor::take("simulating a set-up");
     ODO_TRY(runToEnd(job, *project, call.control()));
     QJsonObject json = certificateJson(*content);
     QString text = certificateText(*content);

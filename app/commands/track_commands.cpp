@@ -3,6 +3,7 @@
 #include "app/command_call.h"
 #include "app/commands/commands.h"
 #include "core/analysis/metrics.h"
+#include "core/base/platform/sleep_inhibitor.h"
 #include "core/base/units.h"
 #include "core/project/repositories.h"
 #include "core/workflow/track/reanalysis.h"
@@ -245,6 +246,7 @@ Result<void> runTrack(const QStringList &arguments, const CancelToken &cancel)
     settings.guidance = std::move(guidance);
     const auto project = ODO_TRY(call.openProject(0, Project::Access::ReadWrite));
     TrackJob job(call.text(1), std::move(settings));
+    const auto awake = SleepInhibitor::take("tracking");
     ODO_TRY(runToEnd(job, *project, call.control()));
     const TrackOutcome &outcome = job.outcome();
     QJsonObject robots;

@@ -7,6 +7,7 @@
 #include "core/analysis/metrics.h"
 #include "core/base/error.h"
 #include "core/base/percentile.h"
+#include "core/base/platform/sleep_inhibitor.h"
 #include "core/project/names.h"
 #include "core/project/repositories.h"
 #include "core/workflow/import/import_trial_job.h"
@@ -316,6 +317,7 @@ Result<void> runRecord(const QStringList &arguments, const CancelToken &cancel)
     auto settings = ODO_TRY(recordSettings(call));
     const auto project = ODO_TRY(call.openProject(0, Project::Access::ReadWrite));
     settings.warn = CommandCall::warn;
+    const auto awake = SleepInhibitor::take("recording");
     const auto job = ODO_TRY(recordTrial(*project, settings, call.control()));
     const LiveTrial &recorded = *job;
     const PairStatistics &pairs = recorded.outcome().pairs;

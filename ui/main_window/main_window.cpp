@@ -9,6 +9,7 @@
 #include "ui/compare/compare_page.h"
 #include "ui/history/history_page.h"
 #include "ui/main_window/help/help_actions.h"
+#include "ui/main_window/internal/awake_watch.h"
 #include "ui/main_window/internal/class_actions.h"
 #include "ui/main_window/internal/file_actions.h"
 #include "ui/main_window/internal/hub_actions.h"
@@ -206,6 +207,7 @@ void MainWindow::connectJobs()
 void MainWindow::connectHub()
 {
     m_hub->setMayPublish([this] { return !isWorking(); });
+    new AwakeWatch([this] { return isWorking(); }, this);
     connect(m_hub, &HubActions::changed, this, [this] {
         m_status->showHub(m_hub->words());
         if (m_pages && m_pages->isMade(Mode::History))
