@@ -966,6 +966,66 @@
         <source>of the direction of motion</source>
         <translation>der Bewegungsrichtung</translation>
     </message>
+    <message>
+        <source>Velocity X</source>
+        <translation>Geschwindigkeit X</translation>
+    </message>
+    <message>
+        <source>Velocity Y</source>
+        <translation>Geschwindigkeit Y</translation>
+    </message>
+    <message>
+        <source>the velocity of the smoothed curve at this frame along that axis</source>
+        <translation>die Geschwindigkeit der geglätteten Kurve bei diesem Bild entlang dieser Achse</translation>
+    </message>
+    <message>
+        <source>Lateral acceleration</source>
+        <translation>Querbeschleunigung</translation>
+    </message>
+    <message>
+        <source>(vx·ay − vy·ax)/|v| of the smoothed curve at this frame: across the path, positive to the left</source>
+        <translation>(vx·ay − vy·ax)/|v| der geglätteten Kurve bei diesem Bild: quer zur Bahn, nach links positiv</translation>
+    </message>
+    <message>
+        <source>σ² = σa² + (a·v/|v|)²σv²/|v|², first order: of the acceleration, and of the direction of motion</source>
+        <translation>σ² = σa² + (a·v/|v|)²σv²/|v|², erste Ordnung: von der Beschleunigung und von der Bewegungsrichtung</translation>
+    </message>
+    <message>
+        <source>Jerk</source>
+        <translation>Ruck</translation>
+    </message>
+    <message>
+        <source>(a(t₂) − a(t₁))/(t₂ − t₁) along the path, from the smoothed accelerations half of %1 before and after this frame; its length while the robot stands still</source>
+        <translation>(a(t₂) − a(t₁))/(t₂ − t₁) längs der Bahn, aus den geglätteten Beschleunigungen eine Hälfte von %1 vor und nach diesem Bild; ihr Betrag, solange der Roboter steht</translation>
+    </message>
+    <message>
+        <source>σ² = (σ₁² + σ₂² − 2ρσ₁σ₂)/(t₂ − t₁)², ρ the correlation of both errors</source>
+        <translation>σ² = (σ₁² + σ₂² − 2ρσ₁σ₂)/(t₂ − t₁)², ρ die Korrelation beider Fehler</translation>
+    </message>
+    <message>
+        <source>Distance travelled</source>
+        <translation>Zurückgelegter Weg</translation>
+    </message>
+    <message>
+        <source>the integral of the smoothed speed over the time in which the robot moves, up to this frame</source>
+        <translation>das Integral der geglätteten Geschwindigkeit über die Zeit, in der sich der Roboter bewegt, bis zu diesem Bild</translation>
+    </message>
+    <message>
+        <source>of the positions at the ends of each motion, of errors across the path where it turns, and of the calibration&apos;s scale; without what the robot may have done while it was not measured</source>
+        <translation>von den Positionen an den Enden jeder Bewegung, von Fehlern quer zur Bahn, wo sie sich krümmt, und vom Maßstab der Kalibrierung; ohne das, was der Roboter getan haben kann, solange er nicht gemessen wurde</translation>
+    </message>
+    <message>
+        <source>Distance from the start</source>
+        <translation>Abstand vom Start</translation>
+    </message>
+    <message>
+        <source>the straight line from the first smoothed position to this frame&apos;s</source>
+        <translation>die gerade Strecke von der ersten geglätteten Position zu der bei diesem Bild</translation>
+    </message>
+    <message>
+        <source>of both positions along that line, and of the calibration&apos;s scale</source>
+        <translation>von beiden Positionen entlang dieser Strecke und vom Maßstab der Kalibrierung</translation>
+    </message>
 </context>
 <context>
     <name>ExplanationDialog</name>
@@ -2769,6 +2829,60 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <source>Class</source>
         <translation>Klasse</translation>
     </message>
+    <message>
+        <source>In millimetres</source>
+        <translation>In Millimetern</translation>
+    </message>
+</context>
+<context>
+    <name>TrialLines</name>
+    <message>
+        <source>What the synchronisation is worth</source>
+        <translation>Was die Synchronität wert ist</translation>
+    </message>
+    <message>
+        <source>σ of the time anywhere in the recording, of the offset and of the clock rate over its length, times the run&apos;s top speed. The remaining time error τ is that of d² = d₀² + τ²v² between the views&apos; distance d and the speed v: least squares over means of half a second.</source>
+        <translation>σ der Zeit irgendwo in der Aufnahme, vom Zeitversatz und vom Uhrengang über ihre Länge, mal der Höchstgeschwindigkeit des Versuchs. Der übrige Zeitfehler τ ist der von d² = d₀² + τ²v² zwischen dem Abstand d der Sichten und der Geschwindigkeit v: kleinste Quadrate über Mittel von einer halben Sekunde.</translation>
+    </message>
+    <message>
+        <source>of τ: by the scatter of those means. Blur grows with the speed, too, so τ is at most as stated.</source>
+        <translation>von τ: aus der Streuung dieser Mittel. Auch Unschärfe wächst mit der Geschwindigkeit, daher ist τ höchstens so groß wie angegeben.</translation>
+    </message>
+    <message>
+        <source>view %1: %2 frames</source>
+        <translation>Sicht %1: %2 Bilder</translation>
+    </message>
+    <message>
+        <source>±%1 at the top speed</source>
+        <translation>±%1 bei der Höchstgeschwindigkeit</translation>
+    </message>
+    <message>
+        <source>%1: never inside</source>
+        <translation>%1: nie darin</translation>
+    </message>
+    <message>
+        <source>%1: inside for at least %2</source>
+        <translation>%1: mindestens %2 darin</translation>
+    </message>
+    <message>
+        <source>%1: inside for %2</source>
+        <translation>%1: %2 darin</translation>
+    </message>
+    <message>
+        <source>, from the start</source>
+        <translation>, von Anfang an</translation>
+    </message>
+    <message numerus="yes">
+        <source>, entered %n time(s)</source>
+        <translation>
+            <numerusform>, %n-mal hineingefahren</numerusform>
+            <numerusform>, %n-mal hineingefahren</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>, first after %1</source>
+        <translation>, zuerst nach %1</translation>
+    </message>
 </context>
 <context>
     <name>TrialReport</name>
@@ -4249,6 +4363,20 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>zone &apos;%1&apos;</source>
         <translation>Zone &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>backup.disk_nearly_full</name>
+    <message>
+        <source>the disk has only %1 left</source>
+        <translation>auf dem Datenträger sind nur noch %1 frei</translation>
+    </message>
+</context>
+<context>
+    <name>backup.of_project</name>
+    <message>
+        <source>backup of &apos;%1&apos;</source>
+        <translation>Sicherungskopie von „%1“</translation>
     </message>
 </context>
 <context>
@@ -10826,6 +10954,116 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
 </context>
 <context>
+    <name>odo::BackupsDialog</name>
+    <message>
+        <source>What restoring would change</source>
+        <translation>Was das Wiederherstellen ändern würde</translation>
+    </message>
+    <message>
+        <source>Message</source>
+        <translation>Meldung</translation>
+    </message>
+    <message>
+        <source>&amp;Back up now</source>
+        <translation>&amp;Jetzt sichern</translation>
+    </message>
+    <message>
+        <source>&amp;Restore this backup</source>
+        <translation>Diese &amp;wiederherstellen</translation>
+    </message>
+    <message>
+        <source>Backups</source>
+        <translation>Sicherungskopien</translation>
+    </message>
+    <message>
+        <source>Folder of the backups</source>
+        <translation>Ordner der Sicherungskopien</translation>
+    </message>
+    <message>
+        <source>Backups are in %1. They contain everything except the videos.</source>
+        <translation>Die Sicherungskopien sind in %1. Sie enthalten alles außer den Videos.</translation>
+    </message>
+    <message numerus="yes">
+        <source>One is made each day on which you open the project, and kept for %n day(s).</source>
+        <translation>
+            <numerusform>An jedem Tag, an dem Sie das Projekt öffnen, entsteht eine; sie bleibt %n Tag.</numerusform>
+            <numerusform>An jedem Tag, an dem Sie das Projekt öffnen, entsteht eine; sie bleibt %n Tage.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Daily backups are switched off in the preferences.</source>
+        <translation>Tägliche Sicherungskopien sind in den Einstellungen abgeschaltet.</translation>
+    </message>
+    <message>
+        <source>&amp;Open folder</source>
+        <translation>&amp;Ordner öffnen</translation>
+    </message>
+    <message>
+        <source>Date</source>
+        <translation>Datum</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>Größe</translation>
+    </message>
+    <message>
+        <source>Changes since this backup</source>
+        <translation>Änderungen seit dieser Sicherungskopie</translation>
+    </message>
+    <message>
+        <source>%1, before an update</source>
+        <translation>%1, vor einer Umstellung</translation>
+    </message>
+    <message>
+        <source>No backup yet.</source>
+        <translation>Noch keine Sicherungskopie.</translation>
+    </message>
+    <message>
+        <source>Reading the backup…</source>
+        <translation>Die Sicherungskopie wird gelesen …</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n trial(s) in this backup.</source>
+        <translation>
+            <numerusform>%n Versuch in dieser Sicherungskopie.</numerusform>
+            <numerusform>%n Versuche in dieser Sicherungskopie.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Without: %1</source>
+        <translation>Ohne: %1</translation>
+    </message>
+    <message>
+        <source>With, though deleted since: %1</source>
+        <translation>Mit, seither gelöscht: %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n of its video(s) no longer exist.</source>
+        <translation>
+            <numerusform>%n seiner Videos gibt es nicht mehr.</numerusform>
+            <numerusform>%n seiner Videos gibt es nicht mehr.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Restoring it discards no changes.</source>
+        <translation>Sie wiederherzustellen verwirft keine Änderungen.</translation>
+    </message>
+    <message numerus="yes">
+        <source>Restoring it discards %n change(s) made since:</source>
+        <translation>
+            <numerusform>Sie wiederherzustellen verwirft %n spätere Änderung:</numerusform>
+            <numerusform>Sie wiederherzustellen verwirft %n spätere Änderungen:</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>It brings back %n change(s).</source>
+        <translation>
+            <numerusform>Sie bringt %n Änderung zurück.</numerusform>
+            <numerusform>Sie bringt %n Änderungen zurück.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>odo::Badge</name>
     <message>
         <source>not registered</source>
@@ -12397,6 +12635,10 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <source>&amp;Create another…</source>
         <translation>&amp;Weitere anlegen…</translation>
     </message>
+    <message>
+        <source>&amp;Backups…</source>
+        <translation>&amp;Sicherungskopien…</translation>
+    </message>
 </context>
 <context>
     <name>odo::FilmStrip</name>
@@ -12719,6 +12961,18 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>Viridis</source>
         <translation>Viridis</translation>
+    </message>
+    <message>
+        <source>&amp;Back up a project on each day you open it</source>
+        <translation>Projekt an jedem Tag s&amp;ichern, an dem es geöffnet wird</translation>
+    </message>
+    <message>
+        <source>&amp;Days to keep backups</source>
+        <translation>&amp;Kopien behalten (Tage)</translation>
+    </message>
+    <message>
+        <source>Backups are beside the project and contain everything except the videos: File ▸ Backups… shows and restores them.</source>
+        <translation>Sicherungskopien liegen neben dem Projekt und enthalten alles außer den Videos: Datei ▸ Sicherungskopien… zeigt sie und stellt sie wieder her.</translation>
     </message>
 </context>
 <context>
@@ -13516,6 +13770,70 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>Trial %1</source>
         <translation>Versuch %1</translation>
+    </message>
+</context>
+<context>
+    <name>odo::IntervalHistogram</name>
+    <message>
+        <source>Histogram of the frame intervals</source>
+        <translation>Histogramm der Bildabstände</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 to %2: %n interval(s)</source>
+        <translation>
+            <numerusform>%1 bis %2: %n Abstand</numerusform>
+            <numerusform>%1 bis %2: %n Abstände</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>odo::IntervalPanel</name>
+    <message>
+        <source>%1: fewer than two frames</source>
+        <translation>%1: weniger als zwei Bilder</translation>
+    </message>
+    <message>
+        <source>%1: frames are %2 apart (%3 frames/s), from %4 to %5</source>
+        <translation>%1: Bilder im Abstand von %2 (%3 Bilder/s), von %4 bis %5</translation>
+    </message>
+    <message>
+        <source>jitter %1</source>
+        <translation>Schwankung %1</translation>
+    </message>
+    <message>
+        <source>no frame missing</source>
+        <translation>kein Bild fehlt</translation>
+    </message>
+    <message>
+        <source>%1 of %2 frames repeat the one before</source>
+        <translation>%1 von %2 Bildern wiederholen das vorige</translation>
+    </message>
+    <message>
+        <source>no frame repeated</source>
+        <translation>kein Bild wiederholt</translation>
+    </message>
+    <message>
+        <source>Frame intervals</source>
+        <translation>Bildabstände</translation>
+    </message>
+    <message>
+        <source>bars by the logarithm of their number</source>
+        <translation>Balken nach dem Logarithmus ihrer Anzahl</translation>
+    </message>
+    <message>
+        <source>Frame intervals of the views</source>
+        <translation>Bildabstände der Sichten</translation>
+    </message>
+    <message>
+        <source>This trial has no videos.</source>
+        <translation>Dieser Versuch hat keine Videos.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 missing in %n gap(s)</source>
+        <translation>
+            <numerusform>%1 fehlen an %n Stelle</numerusform>
+            <numerusform>%1 fehlen an %n Stellen</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -14689,6 +15007,38 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <source>shaded: hidden, ambiguous or not measured</source>
         <translation>schattiert: verdeckt, zweifelhaft oder nicht gemessen</translation>
     </message>
+    <message>
+        <source>Velocity X</source>
+        <translation>Geschwindigkeit X</translation>
+    </message>
+    <message>
+        <source>Velocity Y</source>
+        <translation>Geschwindigkeit Y</translation>
+    </message>
+    <message>
+        <source>Lateral acceleration</source>
+        <translation>Querbeschleunigung</translation>
+    </message>
+    <message>
+        <source>Jerk</source>
+        <translation>Ruck</translation>
+    </message>
+    <message>
+        <source>Distance travelled</source>
+        <translation>Zurückgelegter Weg</translation>
+    </message>
+    <message>
+        <source>Distance from the start</source>
+        <translation>Abstand vom Start</translation>
+    </message>
+    <message>
+        <source>to the left positive</source>
+        <translation>nach links positiv</translation>
+    </message>
+    <message>
+        <source>along the path, mean over %1</source>
+        <translation>längs der Bahn, Mittel über %1</translation>
+    </message>
 </context>
 <context>
     <name>odo::RangeActions</name>
@@ -15193,6 +15543,25 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>Kept: the new analysis of %1 is the current one.</source>
         <translation>Behalten: Die neue Auswertung von %1 ist die aktuelle.</translation>
+    </message>
+</context>
+<context>
+    <name>odo::ResidualPlot</name>
+    <message>
+        <source>Residual against the cut-off</source>
+        <translation>Residuum über der Grenzfrequenz</translation>
+    </message>
+    <message>
+        <source>automatic</source>
+        <translation>selbsttätig</translation>
+    </message>
+    <message>
+        <source>residual analysis</source>
+        <translation>Residuenanalyse</translation>
+    </message>
+    <message>
+        <source>a filter of %1 takes away %2</source>
+        <translation>ein Filter von %1 nimmt %2 weg</translation>
     </message>
 </context>
 <context>
@@ -16063,6 +16432,49 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>not set yet</source>
         <translation>noch nicht gesetzt</translation>
+    </message>
+</context>
+<context>
+    <name>odo::SmoothingPanel</name>
+    <message>
+        <source>%1: measured for less than a second</source>
+        <translation>%1: weniger als eine Sekunde gemessen</translation>
+    </message>
+    <message>
+        <source>%1: smoothed automatically like a filter with a cut-off of %2; what it takes away is %3 of each coordinate</source>
+        <translation>%1: selbsttätig geglättet wie durch ein Filter mit einer Grenzfrequenz von %2; es nimmt %3 von jeder Koordinate weg</translation>
+    </message>
+    <message>
+        <source>%1: the smoother states no cut-off</source>
+        <translation>%1: die Glättung nennt keine Grenzfrequenz</translation>
+    </message>
+    <message>
+        <source>Noise of the measurements by their residuals: %1; stated: %2</source>
+        <translation>Rauschen der Messungen nach ihren Residuen: %1; angegeben: %2</translation>
+    </message>
+    <message>
+        <source>Cut-off by residual analysis: %1</source>
+        <translation>Grenzfrequenz nach der Residuenanalyse: %1</translation>
+    </message>
+    <message>
+        <source>Residual analysis gives no cut-off: the residuals are not those of noise.</source>
+        <translation>Die Residuenanalyse ergibt keine Grenzfrequenz: die Residuen sind nicht die von Rauschen.</translation>
+    </message>
+    <message>
+        <source>Smoothing</source>
+        <translation>Glättung</translation>
+    </message>
+    <message>
+        <source>residual of a Butterworth filter, by its cut-off</source>
+        <translation>Residuum eines Butterworth-Filters über seiner Grenzfrequenz</translation>
+    </message>
+    <message>
+        <source>Smoothing of the robots</source>
+        <translation>Glättung der Roboter</translation>
+    </message>
+    <message>
+        <source>No curve yet: track the trial.</source>
+        <translation>Noch keine Kurve: verfolgen Sie den Versuch.</translation>
     </message>
 </context>
 <context>
@@ -18385,6 +18797,10 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>“%1” was written before you cancelled. It was not opened.</source>
         <translation>„%1“ war schon geschrieben, als Sie abgebrochen haben. Geöffnet wurde es nicht.</translation>
+    </message>
+    <message>
+        <source>The backup was restored. What the project was before is kept as “%1”.</source>
+        <translation>Die Sicherungskopie ist wiederhergestellt. Der vorige Stand des Projekts bleibt als „%1“ erhalten.</translation>
     </message>
 </context>
 <context>
@@ -21201,6 +21617,62 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>rendering %1</source>
         <translation>Rechnen von %1</translation>
+    </message>
+</context>
+<context>
+    <name>sync.cost</name>
+    <message>
+        <source>View %1: its times are known to ±%2, which is ±%3 at the top speed of %4</source>
+        <translation>Sicht %1: ihre Zeiten sind auf ±%2 bekannt, das sind ±%3 bei der Höchstgeschwindigkeit von %4</translation>
+    </message>
+</context>
+<context>
+    <name>sync.cost_of_error</name>
+    <message>
+        <source>View %1: nothing has measured its time offset; an error of %2 would shift the robot by %3 at the top speed of %4</source>
+        <translation>Sicht %1: ihr Zeitversatz wurde nicht gemessen; ein Fehler von %2 würde den Roboter bei der Höchstgeschwindigkeit von %4 um %3 verschieben</translation>
+    </message>
+</context>
+<context>
+    <name>sync.drift</name>
+    <message>
+        <source>Its clock runs %1 ±%2 faster than the first view&apos;s</source>
+        <translation>Ihre Uhr geht %1 ±%2 schneller als die der ersten Sicht</translation>
+    </message>
+</context>
+<context>
+    <name>sync.known_to</name>
+    <message>
+        <source>View %1: its times are known to ±%2</source>
+        <translation>Sicht %1: ihre Zeiten sind auf ±%2 bekannt</translation>
+    </message>
+</context>
+<context>
+    <name>sync.no_residual</name>
+    <message>
+        <source>The views&apos; disagreement does not grow with the speed: a remaining time error is at most %1, or %2 at the top speed</source>
+        <translation>Der Abstand der Sichten wächst nicht mit der Geschwindigkeit: ein übriger Zeitfehler ist höchstens %1, das sind %2 bei der Höchstgeschwindigkeit</translation>
+    </message>
+</context>
+<context>
+    <name>sync.not_measured</name>
+    <message>
+        <source>View %1: nothing has measured its time offset</source>
+        <translation>Sicht %1: ihr Zeitversatz wurde nicht gemessen</translation>
+    </message>
+</context>
+<context>
+    <name>sync.pairing</name>
+    <message>
+        <source>Its frames are %1 on average and at most %2 from the first view&apos;s; positions are interpolated to the same times</source>
+        <translation>Ihre Bilder sind im Mittel %1 und höchstens %2 von denen der ersten Sicht entfernt; Positionen werden auf dieselben Zeiten interpoliert</translation>
+    </message>
+</context>
+<context>
+    <name>sync.residual</name>
+    <message>
+        <source>The views disagree the more the faster the robot is, as a time error of %1 ±%2 would make them: %3 at the top speed</source>
+        <translation>Die Sichten weichen umso mehr voneinander ab, je schneller der Roboter ist, wie bei einem Zeitfehler von %1 ±%2: %3 bei der Höchstgeschwindigkeit</translation>
     </message>
 </context>
 <context>

@@ -176,12 +176,60 @@
     </message>
 </context>
 <context>
+    <name>TrialLines</name>
+    <message numerus="yes">
+        <source>, entered %n time(s)</source>
+        <translation>
+            <numerusform>, entered %n time</numerusform>
+            <numerusform>, entered %n times</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>TrialReport</name>
     <message numerus="yes">
         <source>… and %n more</source>
         <translation>
             <numerusform>… and %n more</numerusform>
             <numerusform>… and %n more</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>odo::BackupsDialog</name>
+    <message numerus="yes">
+        <source>One is made each day on which you open the project, and kept for %n day(s).</source>
+        <translation>
+            <numerusform>One is made each day on which you open the project, and kept for %n day.</numerusform>
+            <numerusform>One is made each day on which you open the project, and kept for %n days.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n trial(s) in this backup.</source>
+        <translation>
+            <numerusform>%n trial in this backup.</numerusform>
+            <numerusform>%n trials in this backup.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n of its video(s) no longer exist.</source>
+        <translation>
+            <numerusform>%n of its videos no longer exists.</numerusform>
+            <numerusform>%n of its videos no longer exist.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Restoring it discards %n change(s) made since:</source>
+        <translation>
+            <numerusform>Restoring it discards %n change made since:</numerusform>
+            <numerusform>Restoring it discards %n changes made since:</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>It brings back %n change(s).</source>
+        <translation>
+            <numerusform>It brings back %n change.</numerusform>
+            <numerusform>It brings back %n changes.</numerusform>
         </translation>
     </message>
 </context>
@@ -294,6 +342,26 @@
         <translation>
             <numerusform>the newest run</numerusform>
             <numerusform>the newest %n runs</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>odo::IntervalHistogram</name>
+    <message numerus="yes">
+        <source>%1 to %2: %n interval(s)</source>
+        <translation>
+            <numerusform>%1 to %2: %n interval</numerusform>
+            <numerusform>%1 to %2: %n intervals</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>odo::IntervalPanel</name>
+    <message numerus="yes">
+        <source>%1 missing in %n gap(s)</source>
+        <translation>
+            <numerusform>%1 missing in %n gap</numerusform>
+            <numerusform>%1 missing in %n gaps</numerusform>
         </translation>
     </message>
 </context>

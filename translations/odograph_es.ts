@@ -966,6 +966,66 @@
         <source>of the direction of motion</source>
         <translation>de la dirección del movimiento</translation>
     </message>
+    <message>
+        <source>Velocity X</source>
+        <translation>Velocidad X</translation>
+    </message>
+    <message>
+        <source>Velocity Y</source>
+        <translation>Velocidad Y</translation>
+    </message>
+    <message>
+        <source>the velocity of the smoothed curve at this frame along that axis</source>
+        <translation>la velocidad de la curva suavizada en este fotograma a lo largo de ese eje</translation>
+    </message>
+    <message>
+        <source>Lateral acceleration</source>
+        <translation>Aceleración lateral</translation>
+    </message>
+    <message>
+        <source>(vx·ay − vy·ax)/|v| of the smoothed curve at this frame: across the path, positive to the left</source>
+        <translation>(vx·ay − vy·ax)/|v| de la curva suavizada en este fotograma: transversal a la trayectoria, positiva a la izquierda</translation>
+    </message>
+    <message>
+        <source>σ² = σa² + (a·v/|v|)²σv²/|v|², first order: of the acceleration, and of the direction of motion</source>
+        <translation>σ² = σa² + (a·v/|v|)²σv²/|v|², primer orden: de la aceleración y de la dirección del movimiento</translation>
+    </message>
+    <message>
+        <source>Jerk</source>
+        <translation>Sobreaceleración</translation>
+    </message>
+    <message>
+        <source>(a(t₂) − a(t₁))/(t₂ − t₁) along the path, from the smoothed accelerations half of %1 before and after this frame; its length while the robot stands still</source>
+        <translation>(a(t₂) − a(t₁))/(t₂ − t₁) a lo largo de la trayectoria, de las aceleraciones suavizadas la mitad de %1 antes y después de este fotograma; su módulo mientras el robot está parado</translation>
+    </message>
+    <message>
+        <source>σ² = (σ₁² + σ₂² − 2ρσ₁σ₂)/(t₂ − t₁)², ρ the correlation of both errors</source>
+        <translation>σ² = (σ₁² + σ₂² − 2ρσ₁σ₂)/(t₂ − t₁)², ρ la correlación de ambos errores</translation>
+    </message>
+    <message>
+        <source>Distance travelled</source>
+        <translation>Distancia recorrida</translation>
+    </message>
+    <message>
+        <source>the integral of the smoothed speed over the time in which the robot moves, up to this frame</source>
+        <translation>la integral de la velocidad suavizada en el tiempo en que el robot se mueve, hasta este fotograma</translation>
+    </message>
+    <message>
+        <source>of the positions at the ends of each motion, of errors across the path where it turns, and of the calibration&apos;s scale; without what the robot may have done while it was not measured</source>
+        <translation>de las posiciones en los extremos de cada movimiento, de los errores transversales donde la trayectoria gira y de la escala de la calibración; sin lo que el robot haya podido hacer mientras no se medía</translation>
+    </message>
+    <message>
+        <source>Distance from the start</source>
+        <translation>Distancia al inicio</translation>
+    </message>
+    <message>
+        <source>the straight line from the first smoothed position to this frame&apos;s</source>
+        <translation>la línea recta de la primera posición suavizada a la de este fotograma</translation>
+    </message>
+    <message>
+        <source>of both positions along that line, and of the calibration&apos;s scale</source>
+        <translation>de ambas posiciones a lo largo de esa línea y de la escala de la calibración</translation>
+    </message>
 </context>
 <context>
     <name>ExplanationDialog</name>
@@ -2769,6 +2829,60 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <source>Class</source>
         <translation>Clase</translation>
     </message>
+    <message>
+        <source>In millimetres</source>
+        <translation>En milímetros</translation>
+    </message>
+</context>
+<context>
+    <name>TrialLines</name>
+    <message>
+        <source>What the synchronisation is worth</source>
+        <translation>Lo que vale la sincronía</translation>
+    </message>
+    <message>
+        <source>σ of the time anywhere in the recording, of the offset and of the clock rate over its length, times the run&apos;s top speed. The remaining time error τ is that of d² = d₀² + τ²v² between the views&apos; distance d and the speed v: least squares over means of half a second.</source>
+        <translation>σ del tiempo en cualquier punto de la grabación, del desfase y de la marcha del reloj en toda su duración, por la velocidad máxima del ensayo. El error de tiempo restante τ es el de d² = d₀² + τ²v² entre la distancia d de las vistas y la velocidad v: mínimos cuadrados sobre medias de medio segundo.</translation>
+    </message>
+    <message>
+        <source>of τ: by the scatter of those means. Blur grows with the speed, too, so τ is at most as stated.</source>
+        <translation>de τ: por la dispersión de esas medias. El desenfoque también crece con la velocidad, así que τ es como mucho lo indicado.</translation>
+    </message>
+    <message>
+        <source>view %1: %2 frames</source>
+        <translation>vista %1: %2 fotogramas</translation>
+    </message>
+    <message>
+        <source>±%1 at the top speed</source>
+        <translation>±%1 a la velocidad máxima</translation>
+    </message>
+    <message>
+        <source>%1: never inside</source>
+        <translation>%1: nunca dentro</translation>
+    </message>
+    <message>
+        <source>%1: inside for at least %2</source>
+        <translation>%1: dentro al menos %2</translation>
+    </message>
+    <message>
+        <source>%1: inside for %2</source>
+        <translation>%1: dentro %2</translation>
+    </message>
+    <message>
+        <source>, from the start</source>
+        <translation>, desde el inicio</translation>
+    </message>
+    <message numerus="yes">
+        <source>, entered %n time(s)</source>
+        <translation>
+            <numerusform>, %n entrada</numerusform>
+            <numerusform>, %n entradas</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>, first after %1</source>
+        <translation>, la primera tras %1</translation>
+    </message>
 </context>
 <context>
     <name>TrialReport</name>
@@ -4249,6 +4363,20 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <message>
         <source>zone &apos;%1&apos;</source>
         <translation>zona &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>backup.disk_nearly_full</name>
+    <message>
+        <source>the disk has only %1 left</source>
+        <translation>al disco solo le quedan %1</translation>
+    </message>
+</context>
+<context>
+    <name>backup.of_project</name>
+    <message>
+        <source>backup of &apos;%1&apos;</source>
+        <translation>copia de seguridad de «%1»</translation>
     </message>
 </context>
 <context>
@@ -10826,6 +10954,116 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     </message>
 </context>
 <context>
+    <name>odo::BackupsDialog</name>
+    <message>
+        <source>What restoring would change</source>
+        <translation>Qué cambiaría al restaurar</translation>
+    </message>
+    <message>
+        <source>Message</source>
+        <translation>Mensaje</translation>
+    </message>
+    <message>
+        <source>&amp;Back up now</source>
+        <translation>&amp;Hacer copia ahora</translation>
+    </message>
+    <message>
+        <source>&amp;Restore this backup</source>
+        <translation>&amp;Restaurar esta copia</translation>
+    </message>
+    <message>
+        <source>Backups</source>
+        <translation>Copias de seguridad</translation>
+    </message>
+    <message>
+        <source>Folder of the backups</source>
+        <translation>Carpeta de las copias</translation>
+    </message>
+    <message>
+        <source>Backups are in %1. They contain everything except the videos.</source>
+        <translation>Las copias están en %1. Contienen todo salvo los vídeos.</translation>
+    </message>
+    <message numerus="yes">
+        <source>One is made each day on which you open the project, and kept for %n day(s).</source>
+        <translation>
+            <numerusform>Se hace una cada día que abre el proyecto y se conserva %n día.</numerusform>
+            <numerusform>Se hace una cada día que abre el proyecto y se conserva %n días.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Daily backups are switched off in the preferences.</source>
+        <translation>Las copias diarias están desactivadas en las preferencias.</translation>
+    </message>
+    <message>
+        <source>&amp;Open folder</source>
+        <translation>&amp;Abrir carpeta</translation>
+    </message>
+    <message>
+        <source>Date</source>
+        <translation>Fecha</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>Tamaño</translation>
+    </message>
+    <message>
+        <source>Changes since this backup</source>
+        <translation>Cambios desde esta copia</translation>
+    </message>
+    <message>
+        <source>%1, before an update</source>
+        <translation>%1, antes de una actualización</translation>
+    </message>
+    <message>
+        <source>No backup yet.</source>
+        <translation>Aún no hay copias.</translation>
+    </message>
+    <message>
+        <source>Reading the backup…</source>
+        <translation>Leyendo la copia…</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n trial(s) in this backup.</source>
+        <translation>
+            <numerusform>%n ensayo en esta copia.</numerusform>
+            <numerusform>%n ensayos en esta copia.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Without: %1</source>
+        <translation>Sin: %1</translation>
+    </message>
+    <message>
+        <source>With, though deleted since: %1</source>
+        <translation>Con, borrados después: %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n of its video(s) no longer exist.</source>
+        <translation>
+            <numerusform>%n de sus vídeos ya no existe.</numerusform>
+            <numerusform>%n de sus vídeos ya no existen.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Restoring it discards no changes.</source>
+        <translation>Restaurarla no descarta ningún cambio.</translation>
+    </message>
+    <message numerus="yes">
+        <source>Restoring it discards %n change(s) made since:</source>
+        <translation>
+            <numerusform>Restaurarla descarta %n cambio posterior:</numerusform>
+            <numerusform>Restaurarla descarta %n cambios posteriores:</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>It brings back %n change(s).</source>
+        <translation>
+            <numerusform>Recupera %n cambio.</numerusform>
+            <numerusform>Recupera %n cambios.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>odo::Badge</name>
     <message>
         <source>not registered</source>
@@ -12397,6 +12635,10 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <source>&amp;Create another…</source>
         <translation>&amp;Crear otra…</translation>
     </message>
+    <message>
+        <source>&amp;Backups…</source>
+        <translation>Copias de se&amp;guridad…</translation>
+    </message>
 </context>
 <context>
     <name>odo::FilmStrip</name>
@@ -12719,6 +12961,18 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <message>
         <source>Viridis</source>
         <translation>Viridis</translation>
+    </message>
+    <message>
+        <source>&amp;Back up a project on each day you open it</source>
+        <translation>Hacer una co&amp;pia del proyecto cada día que se abre</translation>
+    </message>
+    <message>
+        <source>&amp;Days to keep backups</source>
+        <translation>&amp;Días que se conservan</translation>
+    </message>
+    <message>
+        <source>Backups are beside the project and contain everything except the videos: File ▸ Backups… shows and restores them.</source>
+        <translation>Las copias están junto al proyecto y contienen todo salvo los vídeos: Archivo ▸ Copias de seguridad… las muestra y restaura.</translation>
     </message>
 </context>
 <context>
@@ -13516,6 +13770,70 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <message>
         <source>Trial %1</source>
         <translation>Ensayo %1</translation>
+    </message>
+</context>
+<context>
+    <name>odo::IntervalHistogram</name>
+    <message>
+        <source>Histogram of the frame intervals</source>
+        <translation>Histograma de los intervalos entre fotogramas</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 to %2: %n interval(s)</source>
+        <translation>
+            <numerusform>%1 a %2: %n intervalo</numerusform>
+            <numerusform>%1 a %2: %n intervalos</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>odo::IntervalPanel</name>
+    <message>
+        <source>%1: fewer than two frames</source>
+        <translation>%1: menos de dos fotogramas</translation>
+    </message>
+    <message>
+        <source>%1: frames are %2 apart (%3 frames/s), from %4 to %5</source>
+        <translation>%1: fotogramas cada %2 (%3 fotogramas/s), de %4 a %5</translation>
+    </message>
+    <message>
+        <source>jitter %1</source>
+        <translation>fluctuación %1</translation>
+    </message>
+    <message>
+        <source>no frame missing</source>
+        <translation>no falta ningún fotograma</translation>
+    </message>
+    <message>
+        <source>%1 of %2 frames repeat the one before</source>
+        <translation>%1 de %2 fotogramas repiten el anterior</translation>
+    </message>
+    <message>
+        <source>no frame repeated</source>
+        <translation>ningún fotograma repetido</translation>
+    </message>
+    <message>
+        <source>Frame intervals</source>
+        <translation>Intervalos entre fotogramas</translation>
+    </message>
+    <message>
+        <source>bars by the logarithm of their number</source>
+        <translation>barras según el logaritmo de su número</translation>
+    </message>
+    <message>
+        <source>Frame intervals of the views</source>
+        <translation>Intervalos entre fotogramas de las vistas</translation>
+    </message>
+    <message>
+        <source>This trial has no videos.</source>
+        <translation>Este ensayo no tiene vídeos.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 missing in %n gap(s)</source>
+        <translation>
+            <numerusform>faltan %1 en %n lugar</numerusform>
+            <numerusform>faltan %1 en %n lugares</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -14689,6 +15007,38 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <source>shaded: hidden, ambiguous or not measured</source>
         <translation>sombreado: oculto, en duda o sin medir</translation>
     </message>
+    <message>
+        <source>Velocity X</source>
+        <translation>Velocidad X</translation>
+    </message>
+    <message>
+        <source>Velocity Y</source>
+        <translation>Velocidad Y</translation>
+    </message>
+    <message>
+        <source>Lateral acceleration</source>
+        <translation>Aceleración lateral</translation>
+    </message>
+    <message>
+        <source>Jerk</source>
+        <translation>Sobreaceleración</translation>
+    </message>
+    <message>
+        <source>Distance travelled</source>
+        <translation>Distancia recorrida</translation>
+    </message>
+    <message>
+        <source>Distance from the start</source>
+        <translation>Distancia al inicio</translation>
+    </message>
+    <message>
+        <source>to the left positive</source>
+        <translation>positiva a la izquierda</translation>
+    </message>
+    <message>
+        <source>along the path, mean over %1</source>
+        <translation>a lo largo de la trayectoria, media en %1</translation>
+    </message>
 </context>
 <context>
     <name>odo::RangeActions</name>
@@ -15193,6 +15543,25 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <message>
         <source>Kept: the new analysis of %1 is the current one.</source>
         <translation>Conservado: el nuevo análisis de %1 es el actual.</translation>
+    </message>
+</context>
+<context>
+    <name>odo::ResidualPlot</name>
+    <message>
+        <source>Residual against the cut-off</source>
+        <translation>Residuo según el corte</translation>
+    </message>
+    <message>
+        <source>automatic</source>
+        <translation>automático</translation>
+    </message>
+    <message>
+        <source>residual analysis</source>
+        <translation>análisis de residuos</translation>
+    </message>
+    <message>
+        <source>a filter of %1 takes away %2</source>
+        <translation>un filtro de %1 quita %2</translation>
     </message>
 </context>
 <context>
@@ -16063,6 +16432,49 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <message>
         <source>not set yet</source>
         <translation>aún sin colocar</translation>
+    </message>
+</context>
+<context>
+    <name>odo::SmoothingPanel</name>
+    <message>
+        <source>%1: measured for less than a second</source>
+        <translation>%1: medido menos de un segundo</translation>
+    </message>
+    <message>
+        <source>%1: smoothed automatically like a filter with a cut-off of %2; what it takes away is %3 of each coordinate</source>
+        <translation>%1: suavizado automáticamente como con un filtro de corte %2; quita %3 de cada coordenada</translation>
+    </message>
+    <message>
+        <source>%1: the smoother states no cut-off</source>
+        <translation>%1: el suavizado no indica ningún corte</translation>
+    </message>
+    <message>
+        <source>Noise of the measurements by their residuals: %1; stated: %2</source>
+        <translation>Ruido de las medidas según sus residuos: %1; indicado: %2</translation>
+    </message>
+    <message>
+        <source>Cut-off by residual analysis: %1</source>
+        <translation>Corte según el análisis de residuos: %1</translation>
+    </message>
+    <message>
+        <source>Residual analysis gives no cut-off: the residuals are not those of noise.</source>
+        <translation>El análisis de residuos no da ningún corte: los residuos no son los de un ruido.</translation>
+    </message>
+    <message>
+        <source>Smoothing</source>
+        <translation>Suavizado</translation>
+    </message>
+    <message>
+        <source>residual of a Butterworth filter, by its cut-off</source>
+        <translation>residuo de un filtro Butterworth según su corte</translation>
+    </message>
+    <message>
+        <source>Smoothing of the robots</source>
+        <translation>Suavizado de los robots</translation>
+    </message>
+    <message>
+        <source>No curve yet: track the trial.</source>
+        <translation>Aún no hay curva: rastree el ensayo.</translation>
     </message>
 </context>
 <context>
@@ -18385,6 +18797,10 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <message>
         <source>“%1” was written before you cancelled. It was not opened.</source>
         <translation>«%1» ya estaba escrito cuando se canceló. No se abrió.</translation>
+    </message>
+    <message>
+        <source>The backup was restored. What the project was before is kept as “%1”.</source>
+        <translation>La copia de seguridad se ha restaurado. El estado anterior del proyecto se conserva como «%1».</translation>
     </message>
 </context>
 <context>
@@ -21201,6 +21617,62 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <message>
         <source>rendering %1</source>
         <translation>generación de %1</translation>
+    </message>
+</context>
+<context>
+    <name>sync.cost</name>
+    <message>
+        <source>View %1: its times are known to ±%2, which is ±%3 at the top speed of %4</source>
+        <translation>Vista %1: sus tiempos se conocen con ±%2, es decir, ±%3 a la velocidad máxima de %4</translation>
+    </message>
+</context>
+<context>
+    <name>sync.cost_of_error</name>
+    <message>
+        <source>View %1: nothing has measured its time offset; an error of %2 would shift the robot by %3 at the top speed of %4</source>
+        <translation>Vista %1: nada ha medido su desfase; un error de %2 desplazaría el robot %3 a la velocidad máxima de %4</translation>
+    </message>
+</context>
+<context>
+    <name>sync.drift</name>
+    <message>
+        <source>Its clock runs %1 ±%2 faster than the first view&apos;s</source>
+        <translation>Su reloj va %1 ±%2 más rápido que el de la primera vista</translation>
+    </message>
+</context>
+<context>
+    <name>sync.known_to</name>
+    <message>
+        <source>View %1: its times are known to ±%2</source>
+        <translation>Vista %1: sus tiempos se conocen con ±%2</translation>
+    </message>
+</context>
+<context>
+    <name>sync.no_residual</name>
+    <message>
+        <source>The views&apos; disagreement does not grow with the speed: a remaining time error is at most %1, or %2 at the top speed</source>
+        <translation>El desacuerdo de las vistas no crece con la velocidad: el error de tiempo restante es como mucho %1, o %2 a la velocidad máxima</translation>
+    </message>
+</context>
+<context>
+    <name>sync.not_measured</name>
+    <message>
+        <source>View %1: nothing has measured its time offset</source>
+        <translation>Vista %1: nada ha medido su desfase</translation>
+    </message>
+</context>
+<context>
+    <name>sync.pairing</name>
+    <message>
+        <source>Its frames are %1 on average and at most %2 from the first view&apos;s; positions are interpolated to the same times</source>
+        <translation>Sus fotogramas están a %1 de media y como mucho a %2 de los de la primera vista; las posiciones se interpolan a los mismos tiempos</translation>
+    </message>
+</context>
+<context>
+    <name>sync.residual</name>
+    <message>
+        <source>The views disagree the more the faster the robot is, as a time error of %1 ±%2 would make them: %3 at the top speed</source>
+        <translation>Las vistas discrepan más cuanto más rápido va el robot, como con un error de tiempo de %1 ±%2: %3 a la velocidad máxima</translation>
     </message>
 </context>
 <context>

@@ -966,6 +966,66 @@
         <source>of the direction of motion</source>
         <translation>de la direction du mouvement</translation>
     </message>
+    <message>
+        <source>Velocity X</source>
+        <translation>Vitesse X</translation>
+    </message>
+    <message>
+        <source>Velocity Y</source>
+        <translation>Vitesse Y</translation>
+    </message>
+    <message>
+        <source>the velocity of the smoothed curve at this frame along that axis</source>
+        <translation>la vitesse de la courbe lissée à cette image selon cet axe</translation>
+    </message>
+    <message>
+        <source>Lateral acceleration</source>
+        <translation>Accélération latérale</translation>
+    </message>
+    <message>
+        <source>(vx·ay − vy·ax)/|v| of the smoothed curve at this frame: across the path, positive to the left</source>
+        <translation>(vx·ay − vy·ax)/|v| de la courbe lissée à cette image : en travers de la trajectoire, positive à gauche</translation>
+    </message>
+    <message>
+        <source>σ² = σa² + (a·v/|v|)²σv²/|v|², first order: of the acceleration, and of the direction of motion</source>
+        <translation>σ² = σa² + (a·v/|v|)²σv²/|v|², premier ordre : de l’accélération et de la direction du mouvement</translation>
+    </message>
+    <message>
+        <source>Jerk</source>
+        <translation>À-coup</translation>
+    </message>
+    <message>
+        <source>(a(t₂) − a(t₁))/(t₂ − t₁) along the path, from the smoothed accelerations half of %1 before and after this frame; its length while the robot stands still</source>
+        <translation>(a(t₂) − a(t₁))/(t₂ − t₁) le long de la trajectoire, des accélérations lissées une moitié de %1 avant et après cette image ; sa norme tant que le robot est à l’arrêt</translation>
+    </message>
+    <message>
+        <source>σ² = (σ₁² + σ₂² − 2ρσ₁σ₂)/(t₂ − t₁)², ρ the correlation of both errors</source>
+        <translation>σ² = (σ₁² + σ₂² − 2ρσ₁σ₂)/(t₂ − t₁)², ρ la corrélation des deux erreurs</translation>
+    </message>
+    <message>
+        <source>Distance travelled</source>
+        <translation>Distance parcourue</translation>
+    </message>
+    <message>
+        <source>the integral of the smoothed speed over the time in which the robot moves, up to this frame</source>
+        <translation>l’intégrale de la vitesse lissée sur le temps où le robot se déplace, jusqu’à cette image</translation>
+    </message>
+    <message>
+        <source>of the positions at the ends of each motion, of errors across the path where it turns, and of the calibration&apos;s scale; without what the robot may have done while it was not measured</source>
+        <translation>des positions aux extrémités de chaque mouvement, des erreurs transversales là où la trajectoire tourne et de l’échelle de l’étalonnage ; sans ce que le robot a pu faire pendant qu’il n’était pas mesuré</translation>
+    </message>
+    <message>
+        <source>Distance from the start</source>
+        <translation>Distance au départ</translation>
+    </message>
+    <message>
+        <source>the straight line from the first smoothed position to this frame&apos;s</source>
+        <translation>la ligne droite de la première position lissée à celle de cette image</translation>
+    </message>
+    <message>
+        <source>of both positions along that line, and of the calibration&apos;s scale</source>
+        <translation>des deux positions selon cette ligne et de l’échelle de l’étalonnage</translation>
+    </message>
 </context>
 <context>
     <name>ExplanationDialog</name>
@@ -2769,6 +2829,60 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <source>Class</source>
         <translation>Classe</translation>
     </message>
+    <message>
+        <source>In millimetres</source>
+        <translation>En millimètres</translation>
+    </message>
+</context>
+<context>
+    <name>TrialLines</name>
+    <message>
+        <source>What the synchronisation is worth</source>
+        <translation>Ce que vaut la synchronisation</translation>
+    </message>
+    <message>
+        <source>σ of the time anywhere in the recording, of the offset and of the clock rate over its length, times the run&apos;s top speed. The remaining time error τ is that of d² = d₀² + τ²v² between the views&apos; distance d and the speed v: least squares over means of half a second.</source>
+        <translation>σ du temps en tout point de l’enregistrement, du décalage et de la marche de l’horloge sur sa durée, multiplié par la vitesse maximale de l’essai. L’erreur de temps restante τ est celle de d² = d₀² + τ²v² entre la distance d des vues et la vitesse v : moindres carrés sur des moyennes d’une demi-seconde.</translation>
+    </message>
+    <message>
+        <source>of τ: by the scatter of those means. Blur grows with the speed, too, so τ is at most as stated.</source>
+        <translation>de τ : par la dispersion de ces moyennes. Le flou augmente aussi avec la vitesse, donc τ est au plus la valeur indiquée.</translation>
+    </message>
+    <message>
+        <source>view %1: %2 frames</source>
+        <translation>vue %1 : %2 images</translation>
+    </message>
+    <message>
+        <source>±%1 at the top speed</source>
+        <translation>±%1 à la vitesse maximale</translation>
+    </message>
+    <message>
+        <source>%1: never inside</source>
+        <translation>%1 : jamais dedans</translation>
+    </message>
+    <message>
+        <source>%1: inside for at least %2</source>
+        <translation>%1 : dedans au moins %2</translation>
+    </message>
+    <message>
+        <source>%1: inside for %2</source>
+        <translation>%1 : dedans %2</translation>
+    </message>
+    <message>
+        <source>, from the start</source>
+        <translation>, dès le début</translation>
+    </message>
+    <message numerus="yes">
+        <source>, entered %n time(s)</source>
+        <translation>
+            <numerusform>, %n entrée</numerusform>
+            <numerusform>, %n entrées</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>, first after %1</source>
+        <translation>, la première après %1</translation>
+    </message>
 </context>
 <context>
     <name>TrialReport</name>
@@ -4249,6 +4363,20 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>zone &apos;%1&apos;</source>
         <translation>zone &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>backup.disk_nearly_full</name>
+    <message>
+        <source>the disk has only %1 left</source>
+        <translation>il ne reste que %1 sur le disque</translation>
+    </message>
+</context>
+<context>
+    <name>backup.of_project</name>
+    <message>
+        <source>backup of &apos;%1&apos;</source>
+        <translation>copie de sauvegarde de « %1 »</translation>
     </message>
 </context>
 <context>
@@ -10826,6 +10954,116 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
 </context>
 <context>
+    <name>odo::BackupsDialog</name>
+    <message>
+        <source>What restoring would change</source>
+        <translation>Ce que changerait la restauration</translation>
+    </message>
+    <message>
+        <source>Message</source>
+        <translation>Message</translation>
+    </message>
+    <message>
+        <source>&amp;Back up now</source>
+        <translation>Sauvegarder &amp;maintenant</translation>
+    </message>
+    <message>
+        <source>&amp;Restore this backup</source>
+        <translation>&amp;Restaurer cette copie</translation>
+    </message>
+    <message>
+        <source>Backups</source>
+        <translation>Copies de sauvegarde</translation>
+    </message>
+    <message>
+        <source>Folder of the backups</source>
+        <translation>Dossier des copies</translation>
+    </message>
+    <message>
+        <source>Backups are in %1. They contain everything except the videos.</source>
+        <translation>Les copies sont dans %1. Elles contiennent tout sauf les vidéos.</translation>
+    </message>
+    <message numerus="yes">
+        <source>One is made each day on which you open the project, and kept for %n day(s).</source>
+        <translation>
+            <numerusform>Une copie est faite chaque jour où vous ouvrez le projet, et conservée %n jour.</numerusform>
+            <numerusform>Une copie est faite chaque jour où vous ouvrez le projet, et conservée %n jours.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Daily backups are switched off in the preferences.</source>
+        <translation>Les copies quotidiennes sont désactivées dans les préférences.</translation>
+    </message>
+    <message>
+        <source>&amp;Open folder</source>
+        <translation>&amp;Ouvrir le dossier</translation>
+    </message>
+    <message>
+        <source>Date</source>
+        <translation>Date</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>Taille</translation>
+    </message>
+    <message>
+        <source>Changes since this backup</source>
+        <translation>Modifications depuis cette copie</translation>
+    </message>
+    <message>
+        <source>%1, before an update</source>
+        <translation>%1, avant une mise à jour</translation>
+    </message>
+    <message>
+        <source>No backup yet.</source>
+        <translation>Pas encore de copie.</translation>
+    </message>
+    <message>
+        <source>Reading the backup…</source>
+        <translation>Lecture de la copie…</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n trial(s) in this backup.</source>
+        <translation>
+            <numerusform>%n essai dans cette copie.</numerusform>
+            <numerusform>%n essais dans cette copie.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Without: %1</source>
+        <translation>Sans : %1</translation>
+    </message>
+    <message>
+        <source>With, though deleted since: %1</source>
+        <translation>Avec, supprimés depuis : %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n of its video(s) no longer exist.</source>
+        <translation>
+            <numerusform>%n de ses vidéos n’existe plus.</numerusform>
+            <numerusform>%n de ses vidéos n’existent plus.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Restoring it discards no changes.</source>
+        <translation>La restaurer n’annule aucune modification.</translation>
+    </message>
+    <message numerus="yes">
+        <source>Restoring it discards %n change(s) made since:</source>
+        <translation>
+            <numerusform>La restaurer annule %n modification faite depuis :</numerusform>
+            <numerusform>La restaurer annule %n modifications faites depuis :</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>It brings back %n change(s).</source>
+        <translation>
+            <numerusform>Elle rétablit %n modification.</numerusform>
+            <numerusform>Elle rétablit %n modifications.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>odo::Badge</name>
     <message>
         <source>not registered</source>
@@ -12397,6 +12635,10 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <source>&amp;Create another…</source>
         <translation>&amp;En créer une autre…</translation>
     </message>
+    <message>
+        <source>&amp;Backups…</source>
+        <translation>Copies de &amp;sauvegarde…</translation>
+    </message>
 </context>
 <context>
     <name>odo::FilmStrip</name>
@@ -12719,6 +12961,18 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>Viridis</source>
         <translation>Viridis</translation>
+    </message>
+    <message>
+        <source>&amp;Back up a project on each day you open it</source>
+        <translation>Sau&amp;vegarder un projet chaque jour où il est ouvert</translation>
+    </message>
+    <message>
+        <source>&amp;Days to keep backups</source>
+        <translation>&amp;Jours de conservation</translation>
+    </message>
+    <message>
+        <source>Backups are beside the project and contain everything except the videos: File ▸ Backups… shows and restores them.</source>
+        <translation>Les copies sont à côté du projet et contiennent tout sauf les vidéos : Fichier ▸ Copies de sauvegarde… les montre et les restaure.</translation>
     </message>
 </context>
 <context>
@@ -13516,6 +13770,70 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>Trial %1</source>
         <translation>Essai %1</translation>
+    </message>
+</context>
+<context>
+    <name>odo::IntervalHistogram</name>
+    <message>
+        <source>Histogram of the frame intervals</source>
+        <translation>Histogramme des intervalles entre images</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 to %2: %n interval(s)</source>
+        <translation>
+            <numerusform>%1 à %2 : %n intervalle</numerusform>
+            <numerusform>%1 à %2 : %n intervalles</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>odo::IntervalPanel</name>
+    <message>
+        <source>%1: fewer than two frames</source>
+        <translation>%1 : moins de deux images</translation>
+    </message>
+    <message>
+        <source>%1: frames are %2 apart (%3 frames/s), from %4 to %5</source>
+        <translation>%1 : images espacées de %2 (%3 images/s), de %4 à %5</translation>
+    </message>
+    <message>
+        <source>jitter %1</source>
+        <translation>gigue %1</translation>
+    </message>
+    <message>
+        <source>no frame missing</source>
+        <translation>aucune image manquante</translation>
+    </message>
+    <message>
+        <source>%1 of %2 frames repeat the one before</source>
+        <translation>%1 images sur %2 répètent la précédente</translation>
+    </message>
+    <message>
+        <source>no frame repeated</source>
+        <translation>aucune image répétée</translation>
+    </message>
+    <message>
+        <source>Frame intervals</source>
+        <translation>Intervalles entre images</translation>
+    </message>
+    <message>
+        <source>bars by the logarithm of their number</source>
+        <translation>barres selon le logarithme de leur nombre</translation>
+    </message>
+    <message>
+        <source>Frame intervals of the views</source>
+        <translation>Intervalles entre images des vues</translation>
+    </message>
+    <message>
+        <source>This trial has no videos.</source>
+        <translation>Cet essai n’a pas de vidéos.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 missing in %n gap(s)</source>
+        <translation>
+            <numerusform>%1 manquantes en %n endroit</numerusform>
+            <numerusform>%1 manquantes en %n endroits</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -14689,6 +15007,38 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <source>shaded: hidden, ambiguous or not measured</source>
         <translation>ombré&#xa0;: caché, en doute ou non mesuré</translation>
     </message>
+    <message>
+        <source>Velocity X</source>
+        <translation>Vitesse X</translation>
+    </message>
+    <message>
+        <source>Velocity Y</source>
+        <translation>Vitesse Y</translation>
+    </message>
+    <message>
+        <source>Lateral acceleration</source>
+        <translation>Accélération latérale</translation>
+    </message>
+    <message>
+        <source>Jerk</source>
+        <translation>À-coup</translation>
+    </message>
+    <message>
+        <source>Distance travelled</source>
+        <translation>Distance parcourue</translation>
+    </message>
+    <message>
+        <source>Distance from the start</source>
+        <translation>Distance au départ</translation>
+    </message>
+    <message>
+        <source>to the left positive</source>
+        <translation>positive à gauche</translation>
+    </message>
+    <message>
+        <source>along the path, mean over %1</source>
+        <translation>le long de la trajectoire, moyenne sur %1</translation>
+    </message>
 </context>
 <context>
     <name>odo::RangeActions</name>
@@ -15193,6 +15543,25 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>Kept: the new analysis of %1 is the current one.</source>
         <translation>Gardé&#xa0;: la nouvelle analyse de %1 est l’actuelle.</translation>
+    </message>
+</context>
+<context>
+    <name>odo::ResidualPlot</name>
+    <message>
+        <source>Residual against the cut-off</source>
+        <translation>Résidu selon la coupure</translation>
+    </message>
+    <message>
+        <source>automatic</source>
+        <translation>automatique</translation>
+    </message>
+    <message>
+        <source>residual analysis</source>
+        <translation>analyse des résidus</translation>
+    </message>
+    <message>
+        <source>a filter of %1 takes away %2</source>
+        <translation>un filtre de %1 retire %2</translation>
     </message>
 </context>
 <context>
@@ -16063,6 +16432,49 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>not set yet</source>
         <translation>pas encore placé</translation>
+    </message>
+</context>
+<context>
+    <name>odo::SmoothingPanel</name>
+    <message>
+        <source>%1: measured for less than a second</source>
+        <translation>%1 : mesuré moins d’une seconde</translation>
+    </message>
+    <message>
+        <source>%1: smoothed automatically like a filter with a cut-off of %2; what it takes away is %3 of each coordinate</source>
+        <translation>%1 : lissé automatiquement comme par un filtre de coupure %2 ; il retire %3 à chaque coordonnée</translation>
+    </message>
+    <message>
+        <source>%1: the smoother states no cut-off</source>
+        <translation>%1 : le lissage n’indique pas de coupure</translation>
+    </message>
+    <message>
+        <source>Noise of the measurements by their residuals: %1; stated: %2</source>
+        <translation>Bruit des mesures d’après leurs résidus : %1 ; indiqué : %2</translation>
+    </message>
+    <message>
+        <source>Cut-off by residual analysis: %1</source>
+        <translation>Coupure d’après l’analyse des résidus : %1</translation>
+    </message>
+    <message>
+        <source>Residual analysis gives no cut-off: the residuals are not those of noise.</source>
+        <translation>L’analyse des résidus ne donne pas de coupure : les résidus ne sont pas ceux d’un bruit.</translation>
+    </message>
+    <message>
+        <source>Smoothing</source>
+        <translation>Lissage</translation>
+    </message>
+    <message>
+        <source>residual of a Butterworth filter, by its cut-off</source>
+        <translation>résidu d’un filtre de Butterworth selon sa coupure</translation>
+    </message>
+    <message>
+        <source>Smoothing of the robots</source>
+        <translation>Lissage des robots</translation>
+    </message>
+    <message>
+        <source>No curve yet: track the trial.</source>
+        <translation>Pas encore de courbe : suivez l’essai.</translation>
     </message>
 </context>
 <context>
@@ -18385,6 +18797,10 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>“%1” was written before you cancelled. It was not opened.</source>
         <translation>«&#xa0;%1&#xa0;» était déjà écrit lors de l’annulation. Il n’a pas été ouvert.</translation>
+    </message>
+    <message>
+        <source>The backup was restored. What the project was before is kept as “%1”.</source>
+        <translation>La copie de sauvegarde a été restaurée. L’état précédent du projet est conservé sous « %1 ».</translation>
     </message>
 </context>
 <context>
@@ -21201,6 +21617,62 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>rendering %1</source>
         <translation>calcul de %1</translation>
+    </message>
+</context>
+<context>
+    <name>sync.cost</name>
+    <message>
+        <source>View %1: its times are known to ±%2, which is ±%3 at the top speed of %4</source>
+        <translation>Vue %1 : ses temps sont connus à ±%2 près, soit ±%3 à la vitesse maximale de %4</translation>
+    </message>
+</context>
+<context>
+    <name>sync.cost_of_error</name>
+    <message>
+        <source>View %1: nothing has measured its time offset; an error of %2 would shift the robot by %3 at the top speed of %4</source>
+        <translation>Vue %1 : son décalage n’a pas été mesuré ; une erreur de %2 déplacerait le robot de %3 à la vitesse maximale de %4</translation>
+    </message>
+</context>
+<context>
+    <name>sync.drift</name>
+    <message>
+        <source>Its clock runs %1 ±%2 faster than the first view&apos;s</source>
+        <translation>Son horloge avance de %1 ±%2 par rapport à celle de la première vue</translation>
+    </message>
+</context>
+<context>
+    <name>sync.known_to</name>
+    <message>
+        <source>View %1: its times are known to ±%2</source>
+        <translation>Vue %1 : ses temps sont connus à ±%2 près</translation>
+    </message>
+</context>
+<context>
+    <name>sync.no_residual</name>
+    <message>
+        <source>The views&apos; disagreement does not grow with the speed: a remaining time error is at most %1, or %2 at the top speed</source>
+        <translation>Le désaccord des vues n’augmente pas avec la vitesse : l’erreur de temps restante est d’au plus %1, soit %2 à la vitesse maximale</translation>
+    </message>
+</context>
+<context>
+    <name>sync.not_measured</name>
+    <message>
+        <source>View %1: nothing has measured its time offset</source>
+        <translation>Vue %1 : son décalage n’a pas été mesuré</translation>
+    </message>
+</context>
+<context>
+    <name>sync.pairing</name>
+    <message>
+        <source>Its frames are %1 on average and at most %2 from the first view&apos;s; positions are interpolated to the same times</source>
+        <translation>Ses images sont à %1 en moyenne et au plus à %2 de celles de la première vue ; les positions sont interpolées aux mêmes temps</translation>
+    </message>
+</context>
+<context>
+    <name>sync.residual</name>
+    <message>
+        <source>The views disagree the more the faster the robot is, as a time error of %1 ±%2 would make them: %3 at the top speed</source>
+        <translation>Les vues divergent d’autant plus que le robot est rapide, comme avec une erreur de temps de %1 ±%2 : %3 à la vitesse maximale</translation>
     </message>
 </context>
 <context>

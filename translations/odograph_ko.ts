@@ -961,6 +961,66 @@
         <source>of the direction of motion</source>
         <translation>움직임 방향의 값</translation>
     </message>
+    <message>
+        <source>Velocity X</source>
+        <translation>속도 X</translation>
+    </message>
+    <message>
+        <source>Velocity Y</source>
+        <translation>속도 Y</translation>
+    </message>
+    <message>
+        <source>the velocity of the smoothed curve at this frame along that axis</source>
+        <translation>이 프레임에서 평활화된 곡선의 그 축 방향 속도</translation>
+    </message>
+    <message>
+        <source>Lateral acceleration</source>
+        <translation>횡가속도</translation>
+    </message>
+    <message>
+        <source>(vx·ay − vy·ax)/|v| of the smoothed curve at this frame: across the path, positive to the left</source>
+        <translation>이 프레임에서 평활화된 곡선의 (vx·ay − vy·ax)/|v|: 경로에 수직, 왼쪽이 양</translation>
+    </message>
+    <message>
+        <source>σ² = σa² + (a·v/|v|)²σv²/|v|², first order: of the acceleration, and of the direction of motion</source>
+        <translation>σ² = σa² + (a·v/|v|)²σv²/|v|², 1차: 가속도와 운동 방향에서</translation>
+    </message>
+    <message>
+        <source>Jerk</source>
+        <translation>저크</translation>
+    </message>
+    <message>
+        <source>(a(t₂) − a(t₁))/(t₂ − t₁) along the path, from the smoothed accelerations half of %1 before and after this frame; its length while the robot stands still</source>
+        <translation>경로 방향 (a(t₂) − a(t₁))/(t₂ − t₁): 이 프레임 앞뒤로 %1의 절반 떨어진 평활화된 가속도에서; 로봇이 서 있는 동안은 그 크기</translation>
+    </message>
+    <message>
+        <source>σ² = (σ₁² + σ₂² − 2ρσ₁σ₂)/(t₂ − t₁)², ρ the correlation of both errors</source>
+        <translation>σ² = (σ₁² + σ₂² − 2ρσ₁σ₂)/(t₂ − t₁)², ρ는 두 오차의 상관</translation>
+    </message>
+    <message>
+        <source>Distance travelled</source>
+        <translation>이동 거리</translation>
+    </message>
+    <message>
+        <source>the integral of the smoothed speed over the time in which the robot moves, up to this frame</source>
+        <translation>이 프레임까지 로봇이 움직이는 시간 동안 평활화된 속력의 적분</translation>
+    </message>
+    <message>
+        <source>of the positions at the ends of each motion, of errors across the path where it turns, and of the calibration&apos;s scale; without what the robot may have done while it was not measured</source>
+        <translation>각 운동의 양 끝 위치, 경로가 굽은 곳의 수직 오차, 보정의 축척에서; 측정되지 않은 동안 로봇이 한 일은 제외</translation>
+    </message>
+    <message>
+        <source>Distance from the start</source>
+        <translation>시작점까지의 거리</translation>
+    </message>
+    <message>
+        <source>the straight line from the first smoothed position to this frame&apos;s</source>
+        <translation>첫 평활화된 위치에서 이 프레임의 위치까지의 직선</translation>
+    </message>
+    <message>
+        <source>of both positions along that line, and of the calibration&apos;s scale</source>
+        <translation>그 직선을 따른 두 위치와 보정의 축척에서</translation>
+    </message>
 </context>
 <context>
     <name>ExplanationDialog</name>
@@ -2748,6 +2808,59 @@ Much more than expected means that a setting is wrong: the views are not synchro
         <source>Class</source>
         <translation>학급</translation>
     </message>
+    <message>
+        <source>In millimetres</source>
+        <translation>밀리미터로</translation>
+    </message>
+</context>
+<context>
+    <name>TrialLines</name>
+    <message>
+        <source>What the synchronisation is worth</source>
+        <translation>동기화의 영향</translation>
+    </message>
+    <message>
+        <source>σ of the time anywhere in the recording, of the offset and of the clock rate over its length, times the run&apos;s top speed. The remaining time error τ is that of d² = d₀² + τ²v² between the views&apos; distance d and the speed v: least squares over means of half a second.</source>
+        <translation>녹화 전체에서 시간의 σ(시간차와 클록 속도에 의한 것)에 시행의 최고 속력을 곱한 값. 남은 시간 오차 τ는 뷰 사이 거리 d와 속력 v의 관계 d² = d₀² + τ²v²에서 얻음: 0.5초 평균에 대한 최소제곱.</translation>
+    </message>
+    <message>
+        <source>of τ: by the scatter of those means. Blur grows with the speed, too, so τ is at most as stated.</source>
+        <translation>τ의 σ: 이 평균들의 흩어짐에서. 흐림도 속력에 따라 커지므로 τ는 많아야 표시된 값임.</translation>
+    </message>
+    <message>
+        <source>view %1: %2 frames</source>
+        <translation>뷰 %1: 프레임 %2개</translation>
+    </message>
+    <message>
+        <source>±%1 at the top speed</source>
+        <translation>최고 속력에서 ±%1</translation>
+    </message>
+    <message>
+        <source>%1: never inside</source>
+        <translation>%1: 들어간 적 없음</translation>
+    </message>
+    <message>
+        <source>%1: inside for at least %2</source>
+        <translation>%1: 안에 적어도 %2</translation>
+    </message>
+    <message>
+        <source>%1: inside for %2</source>
+        <translation>%1: 안에 %2</translation>
+    </message>
+    <message>
+        <source>, from the start</source>
+        <translation>, 처음부터</translation>
+    </message>
+    <message numerus="yes">
+        <source>, entered %n time(s)</source>
+        <translation>
+            <numerusform>, %n번 들어감</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>, first after %1</source>
+        <translation>, 처음은 %1 후</translation>
+    </message>
 </context>
 <context>
     <name>TrialReport</name>
@@ -4227,6 +4340,20 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>zone &apos;%1&apos;</source>
         <translation>구역 &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>backup.disk_nearly_full</name>
+    <message>
+        <source>the disk has only %1 left</source>
+        <translation>디스크에 %1만 남았습니다</translation>
+    </message>
+</context>
+<context>
+    <name>backup.of_project</name>
+    <message>
+        <source>backup of &apos;%1&apos;</source>
+        <translation>&apos;%1&apos;의 백업</translation>
     </message>
 </context>
 <context>
@@ -10804,6 +10931,111 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>odo::BackupsDialog</name>
+    <message>
+        <source>What restoring would change</source>
+        <translation>복원하면 바뀌는 것</translation>
+    </message>
+    <message>
+        <source>Message</source>
+        <translation>메시지</translation>
+    </message>
+    <message>
+        <source>&amp;Back up now</source>
+        <translation>지금 백업(&amp;B)</translation>
+    </message>
+    <message>
+        <source>&amp;Restore this backup</source>
+        <translation>이 백업 복원(&amp;R)</translation>
+    </message>
+    <message>
+        <source>Backups</source>
+        <translation>백업</translation>
+    </message>
+    <message>
+        <source>Folder of the backups</source>
+        <translation>백업 폴더</translation>
+    </message>
+    <message>
+        <source>Backups are in %1. They contain everything except the videos.</source>
+        <translation>백업은 %1에 있습니다. 비디오를 제외한 모든 것이 들어 있습니다.</translation>
+    </message>
+    <message numerus="yes">
+        <source>One is made each day on which you open the project, and kept for %n day(s).</source>
+        <translation>
+            <numerusform>프로젝트를 여는 날마다 하나씩 만들고 %n일 동안 보관합니다.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Daily backups are switched off in the preferences.</source>
+        <translation>매일 백업이 환경설정에서 꺼져 있습니다.</translation>
+    </message>
+    <message>
+        <source>&amp;Open folder</source>
+        <translation>폴더 열기(&amp;O)</translation>
+    </message>
+    <message>
+        <source>Date</source>
+        <translation>날짜</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>크기</translation>
+    </message>
+    <message>
+        <source>Changes since this backup</source>
+        <translation>이 백업 이후의 변경</translation>
+    </message>
+    <message>
+        <source>%1, before an update</source>
+        <translation>%1, 업데이트 전</translation>
+    </message>
+    <message>
+        <source>No backup yet.</source>
+        <translation>아직 백업이 없습니다.</translation>
+    </message>
+    <message>
+        <source>Reading the backup…</source>
+        <translation>백업을 읽는 중…</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n trial(s) in this backup.</source>
+        <translation>
+            <numerusform>이 백업에는 시행이 %n개 있습니다.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Without: %1</source>
+        <translation>없는 것: %1</translation>
+    </message>
+    <message>
+        <source>With, though deleted since: %1</source>
+        <translation>이후 삭제되었으나 들어 있는 것: %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n of its video(s) no longer exist.</source>
+        <translation>
+            <numerusform>비디오 %n개가 더 이상 없습니다.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Restoring it discards no changes.</source>
+        <translation>복원해도 버려지는 변경이 없습니다.</translation>
+    </message>
+    <message numerus="yes">
+        <source>Restoring it discards %n change(s) made since:</source>
+        <translation>
+            <numerusform>복원하면 이후의 변경 %n건이 버려집니다:</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>It brings back %n change(s).</source>
+        <translation>
+            <numerusform>변경 %n건이 되돌아옵니다.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>odo::Badge</name>
     <message>
         <source>not registered</source>
@@ -12372,6 +12604,10 @@ Much more than expected means that a setting is wrong: the views are not synchro
         <source>&amp;Create another…</source>
         <translation>새로 만들기(&amp;C)…</translation>
     </message>
+    <message>
+        <source>&amp;Backups…</source>
+        <translation>백업(&amp;B)…</translation>
+    </message>
 </context>
 <context>
     <name>odo::FilmStrip</name>
@@ -12694,6 +12930,18 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>Viridis</source>
         <translation>Viridis</translation>
+    </message>
+    <message>
+        <source>&amp;Back up a project on each day you open it</source>
+        <translation>프로젝트를 여는 날마다 백업(&amp;B)</translation>
+    </message>
+    <message>
+        <source>&amp;Days to keep backups</source>
+        <translation>백업 보관 일수(&amp;D)</translation>
+    </message>
+    <message>
+        <source>Backups are beside the project and contain everything except the videos: File ▸ Backups… shows and restores them.</source>
+        <translation>백업은 프로젝트 옆에 있으며 비디오를 제외한 모든 것이 들어 있습니다: 파일 ▸ 백업…에서 보고 복원합니다.</translation>
     </message>
 </context>
 <context>
@@ -13481,6 +13729,68 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>Trial %1</source>
         <translation>시행 %1</translation>
+    </message>
+</context>
+<context>
+    <name>odo::IntervalHistogram</name>
+    <message>
+        <source>Histogram of the frame intervals</source>
+        <translation>프레임 간격 히스토그램</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 to %2: %n interval(s)</source>
+        <translation>
+            <numerusform>%1~%2: 간격 %n개</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>odo::IntervalPanel</name>
+    <message>
+        <source>%1: fewer than two frames</source>
+        <translation>%1: 프레임이 둘 미만</translation>
+    </message>
+    <message>
+        <source>%1: frames are %2 apart (%3 frames/s), from %4 to %5</source>
+        <translation>%1: 프레임 간격 %2(%3 프레임/s), %4~%5</translation>
+    </message>
+    <message>
+        <source>jitter %1</source>
+        <translation>지터 %1</translation>
+    </message>
+    <message>
+        <source>no frame missing</source>
+        <translation>빠진 프레임 없음</translation>
+    </message>
+    <message>
+        <source>%1 of %2 frames repeat the one before</source>
+        <translation>프레임 %2개 중 %1개가 앞 프레임의 반복</translation>
+    </message>
+    <message>
+        <source>no frame repeated</source>
+        <translation>반복된 프레임 없음</translation>
+    </message>
+    <message>
+        <source>Frame intervals</source>
+        <translation>프레임 간격</translation>
+    </message>
+    <message>
+        <source>bars by the logarithm of their number</source>
+        <translation>막대는 개수의 로그</translation>
+    </message>
+    <message>
+        <source>Frame intervals of the views</source>
+        <translation>뷰별 프레임 간격</translation>
+    </message>
+    <message>
+        <source>This trial has no videos.</source>
+        <translation>이 시행에는 비디오가 없습니다.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 missing in %n gap(s)</source>
+        <translation>
+            <numerusform>%n곳에서 %1개 빠짐</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -14652,6 +14962,38 @@ Much more than expected means that a setting is wrong: the views are not synchro
         <source>shaded: hidden, ambiguous or not measured</source>
         <translation>음영: 가려짐, 불확실 또는 측정되지 않음</translation>
     </message>
+    <message>
+        <source>Velocity X</source>
+        <translation>속도 X</translation>
+    </message>
+    <message>
+        <source>Velocity Y</source>
+        <translation>속도 Y</translation>
+    </message>
+    <message>
+        <source>Lateral acceleration</source>
+        <translation>횡가속도</translation>
+    </message>
+    <message>
+        <source>Jerk</source>
+        <translation>저크</translation>
+    </message>
+    <message>
+        <source>Distance travelled</source>
+        <translation>이동 거리</translation>
+    </message>
+    <message>
+        <source>Distance from the start</source>
+        <translation>시작점까지의 거리</translation>
+    </message>
+    <message>
+        <source>to the left positive</source>
+        <translation>왼쪽이 양</translation>
+    </message>
+    <message>
+        <source>along the path, mean over %1</source>
+        <translation>경로 방향, %1 평균</translation>
+    </message>
 </context>
 <context>
     <name>odo::RangeActions</name>
@@ -15152,6 +15494,25 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>Kept: the new analysis of %1 is the current one.</source>
         <translation>유지했습니다. %1의 새 분석이 현재 분석입니다.</translation>
+    </message>
+</context>
+<context>
+    <name>odo::ResidualPlot</name>
+    <message>
+        <source>Residual against the cut-off</source>
+        <translation>차단 주파수에 따른 잔차</translation>
+    </message>
+    <message>
+        <source>automatic</source>
+        <translation>자동</translation>
+    </message>
+    <message>
+        <source>residual analysis</source>
+        <translation>잔차 분석</translation>
+    </message>
+    <message>
+        <source>a filter of %1 takes away %2</source>
+        <translation>%1 필터는 %2을(를) 제거</translation>
     </message>
 </context>
 <context>
@@ -16022,6 +16383,49 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>not set yet</source>
         <translation>아직 지정 안 됨</translation>
+    </message>
+</context>
+<context>
+    <name>odo::SmoothingPanel</name>
+    <message>
+        <source>%1: measured for less than a second</source>
+        <translation>%1: 1초 미만 측정됨</translation>
+    </message>
+    <message>
+        <source>%1: smoothed automatically like a filter with a cut-off of %2; what it takes away is %3 of each coordinate</source>
+        <translation>%1: 차단 주파수 %2의 필터처럼 자동 평활화; 각 좌표에서 %3을(를) 제거</translation>
+    </message>
+    <message>
+        <source>%1: the smoother states no cut-off</source>
+        <translation>%1: 평활화에 차단 주파수가 없음</translation>
+    </message>
+    <message>
+        <source>Noise of the measurements by their residuals: %1; stated: %2</source>
+        <translation>잔차에 따른 측정 잡음: %1; 표시값: %2</translation>
+    </message>
+    <message>
+        <source>Cut-off by residual analysis: %1</source>
+        <translation>잔차 분석에 따른 차단 주파수: %1</translation>
+    </message>
+    <message>
+        <source>Residual analysis gives no cut-off: the residuals are not those of noise.</source>
+        <translation>잔차 분석으로 차단 주파수를 얻지 못함: 잔차가 잡음의 것이 아닙니다.</translation>
+    </message>
+    <message>
+        <source>Smoothing</source>
+        <translation>평활화</translation>
+    </message>
+    <message>
+        <source>residual of a Butterworth filter, by its cut-off</source>
+        <translation>버터워스 필터의 차단 주파수별 잔차</translation>
+    </message>
+    <message>
+        <source>Smoothing of the robots</source>
+        <translation>로봇별 평활화</translation>
+    </message>
+    <message>
+        <source>No curve yet: track the trial.</source>
+        <translation>아직 곡선이 없음: 시행을 추적하세요.</translation>
     </message>
 </context>
 <context>
@@ -18323,6 +18727,10 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>“%1” was written before you cancelled. It was not opened.</source>
         <translation>취소하기 전에 “%1”이(가) 이미 기록되었습니다. 열지는 않았습니다.</translation>
+    </message>
+    <message>
+        <source>The backup was restored. What the project was before is kept as “%1”.</source>
+        <translation>백업이 복원되었습니다. 이전 상태는 “%1”(으)로 보관됩니다.</translation>
     </message>
 </context>
 <context>
@@ -21139,6 +21547,62 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>rendering %1</source>
         <translation>%1 렌더링</translation>
+    </message>
+</context>
+<context>
+    <name>sync.cost</name>
+    <message>
+        <source>View %1: its times are known to ±%2, which is ±%3 at the top speed of %4</source>
+        <translation>뷰 %1: 시간이 ±%2까지 알려져 있으며, 최고 속력 %4에서 ±%3에 해당합니다</translation>
+    </message>
+</context>
+<context>
+    <name>sync.cost_of_error</name>
+    <message>
+        <source>View %1: nothing has measured its time offset; an error of %2 would shift the robot by %3 at the top speed of %4</source>
+        <translation>뷰 %1: 시간차가 측정되지 않았습니다; 오차 %2는 최고 속력 %4에서 로봇을 %3 옮깁니다</translation>
+    </message>
+</context>
+<context>
+    <name>sync.drift</name>
+    <message>
+        <source>Its clock runs %1 ±%2 faster than the first view&apos;s</source>
+        <translation>이 뷰의 클록은 첫 뷰보다 %1 ±%2 빠릅니다</translation>
+    </message>
+</context>
+<context>
+    <name>sync.known_to</name>
+    <message>
+        <source>View %1: its times are known to ±%2</source>
+        <translation>뷰 %1: 시간이 ±%2까지 알려져 있습니다</translation>
+    </message>
+</context>
+<context>
+    <name>sync.no_residual</name>
+    <message>
+        <source>The views&apos; disagreement does not grow with the speed: a remaining time error is at most %1, or %2 at the top speed</source>
+        <translation>뷰 사이의 불일치가 속력에 따라 커지지 않습니다: 남은 시간 오차는 많아야 %1, 최고 속력에서 %2입니다</translation>
+    </message>
+</context>
+<context>
+    <name>sync.not_measured</name>
+    <message>
+        <source>View %1: nothing has measured its time offset</source>
+        <translation>뷰 %1: 시간차가 측정되지 않았습니다</translation>
+    </message>
+</context>
+<context>
+    <name>sync.pairing</name>
+    <message>
+        <source>Its frames are %1 on average and at most %2 from the first view&apos;s; positions are interpolated to the same times</source>
+        <translation>이 뷰의 프레임은 첫 뷰의 프레임과 평균 %1, 최대 %2 떨어져 있습니다; 위치는 같은 시각으로 보간됩니다</translation>
+    </message>
+</context>
+<context>
+    <name>sync.residual</name>
+    <message>
+        <source>The views disagree the more the faster the robot is, as a time error of %1 ±%2 would make them: %3 at the top speed</source>
+        <translation>로봇이 빠를수록 뷰 사이의 불일치가 커지며, 이는 시간 오차 %1 ±%2에 해당합니다: 최고 속력에서 %3</translation>
     </message>
 </context>
 <context>

@@ -961,6 +961,66 @@
         <source>of the direction of motion</source>
         <translation>运动方向的值</translation>
     </message>
+    <message>
+        <source>Velocity X</source>
+        <translation>速度 X</translation>
+    </message>
+    <message>
+        <source>Velocity Y</source>
+        <translation>速度 Y</translation>
+    </message>
+    <message>
+        <source>the velocity of the smoothed curve at this frame along that axis</source>
+        <translation>该帧处平滑曲线沿该轴的速度</translation>
+    </message>
+    <message>
+        <source>Lateral acceleration</source>
+        <translation>横向加速度</translation>
+    </message>
+    <message>
+        <source>(vx·ay − vy·ax)/|v| of the smoothed curve at this frame: across the path, positive to the left</source>
+        <translation>该帧处平滑曲线的 (vx·ay − vy·ax)/|v|：垂直于路径，向左为正</translation>
+    </message>
+    <message>
+        <source>σ² = σa² + (a·v/|v|)²σv²/|v|², first order: of the acceleration, and of the direction of motion</source>
+        <translation>σ² = σa² + (a·v/|v|)²σv²/|v|²，一阶：来自加速度和运动方向</translation>
+    </message>
+    <message>
+        <source>Jerk</source>
+        <translation>加加速度</translation>
+    </message>
+    <message>
+        <source>(a(t₂) − a(t₁))/(t₂ − t₁) along the path, from the smoothed accelerations half of %1 before and after this frame; its length while the robot stands still</source>
+        <translation>沿路径方向 (a(t₂) − a(t₁))/(t₂ − t₁)：取该帧前后各 %1 一半处的平滑加速度；机器人静止时为其大小</translation>
+    </message>
+    <message>
+        <source>σ² = (σ₁² + σ₂² − 2ρσ₁σ₂)/(t₂ − t₁)², ρ the correlation of both errors</source>
+        <translation>σ² = (σ₁² + σ₂² − 2ρσ₁σ₂)/(t₂ − t₁)²，ρ 为两个误差的相关系数</translation>
+    </message>
+    <message>
+        <source>Distance travelled</source>
+        <translation>行驶距离</translation>
+    </message>
+    <message>
+        <source>the integral of the smoothed speed over the time in which the robot moves, up to this frame</source>
+        <translation>到该帧为止机器人运动期间平滑速度的积分</translation>
+    </message>
+    <message>
+        <source>of the positions at the ends of each motion, of errors across the path where it turns, and of the calibration&apos;s scale; without what the robot may have done while it was not measured</source>
+        <translation>来自每段运动两端的位置、路径转弯处的横向误差和标定的尺度；不含未测量期间机器人可能的运动</translation>
+    </message>
+    <message>
+        <source>Distance from the start</source>
+        <translation>到起点的距离</translation>
+    </message>
+    <message>
+        <source>the straight line from the first smoothed position to this frame&apos;s</source>
+        <translation>从第一个平滑位置到该帧位置的直线</translation>
+    </message>
+    <message>
+        <source>of both positions along that line, and of the calibration&apos;s scale</source>
+        <translation>来自两个位置沿该直线的误差和标定的尺度</translation>
+    </message>
 </context>
 <context>
     <name>ExplanationDialog</name>
@@ -2748,6 +2808,59 @@ Much more than expected means that a setting is wrong: the views are not synchro
         <source>Class</source>
         <translation>班级</translation>
     </message>
+    <message>
+        <source>In millimetres</source>
+        <translation>以毫米计</translation>
+    </message>
+</context>
+<context>
+    <name>TrialLines</name>
+    <message>
+        <source>What the synchronisation is worth</source>
+        <translation>同步的影响</translation>
+    </message>
+    <message>
+        <source>σ of the time anywhere in the recording, of the offset and of the clock rate over its length, times the run&apos;s top speed. The remaining time error τ is that of d² = d₀² + τ²v² between the views&apos; distance d and the speed v: least squares over means of half a second.</source>
+        <translation>录像中任一时刻的时间 σ（来自时间差和时钟速率）乘以该次试验的最大速度。剩余时间误差 τ 由视图间距离 d 与速度 v 的关系 d² = d₀² + τ²v² 得出：对半秒均值作最小二乘。</translation>
+    </message>
+    <message>
+        <source>of τ: by the scatter of those means. Blur grows with the speed, too, so τ is at most as stated.</source>
+        <translation>τ 的 σ：由这些均值的离散得出。模糊也随速度增大，因此 τ 至多为所示值。</translation>
+    </message>
+    <message>
+        <source>view %1: %2 frames</source>
+        <translation>视图 %1：%2 帧</translation>
+    </message>
+    <message>
+        <source>±%1 at the top speed</source>
+        <translation>最大速度下 ±%1</translation>
+    </message>
+    <message>
+        <source>%1: never inside</source>
+        <translation>%1：从未进入</translation>
+    </message>
+    <message>
+        <source>%1: inside for at least %2</source>
+        <translation>%1：在内至少 %2</translation>
+    </message>
+    <message>
+        <source>%1: inside for %2</source>
+        <translation>%1：在内 %2</translation>
+    </message>
+    <message>
+        <source>, from the start</source>
+        <translation>，从一开始</translation>
+    </message>
+    <message numerus="yes">
+        <source>, entered %n time(s)</source>
+        <translation>
+            <numerusform>，进入 %n 次</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>, first after %1</source>
+        <translation>，首次在 %1 后</translation>
+    </message>
 </context>
 <context>
     <name>TrialReport</name>
@@ -4227,6 +4340,20 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>zone &apos;%1&apos;</source>
         <translation>区域“%1”</translation>
+    </message>
+</context>
+<context>
+    <name>backup.disk_nearly_full</name>
+    <message>
+        <source>the disk has only %1 left</source>
+        <translation>磁盘只剩 %1</translation>
+    </message>
+</context>
+<context>
+    <name>backup.of_project</name>
+    <message>
+        <source>backup of &apos;%1&apos;</source>
+        <translation>“%1”的备份</translation>
     </message>
 </context>
 <context>
@@ -10804,6 +10931,111 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>odo::BackupsDialog</name>
+    <message>
+        <source>What restoring would change</source>
+        <translation>恢复会改变的内容</translation>
+    </message>
+    <message>
+        <source>Message</source>
+        <translation>消息</translation>
+    </message>
+    <message>
+        <source>&amp;Back up now</source>
+        <translation>立即备份(&amp;B)</translation>
+    </message>
+    <message>
+        <source>&amp;Restore this backup</source>
+        <translation>恢复此备份(&amp;R)</translation>
+    </message>
+    <message>
+        <source>Backups</source>
+        <translation>备份</translation>
+    </message>
+    <message>
+        <source>Folder of the backups</source>
+        <translation>备份文件夹</translation>
+    </message>
+    <message>
+        <source>Backups are in %1. They contain everything except the videos.</source>
+        <translation>备份位于 %1，包含除视频之外的全部内容。</translation>
+    </message>
+    <message numerus="yes">
+        <source>One is made each day on which you open the project, and kept for %n day(s).</source>
+        <translation>
+            <numerusform>每天首次打开项目时创建一份，保留 %n 天。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Daily backups are switched off in the preferences.</source>
+        <translation>每日备份已在首选项中关闭。</translation>
+    </message>
+    <message>
+        <source>&amp;Open folder</source>
+        <translation>打开文件夹(&amp;O)</translation>
+    </message>
+    <message>
+        <source>Date</source>
+        <translation>日期</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>大小</translation>
+    </message>
+    <message>
+        <source>Changes since this backup</source>
+        <translation>此备份之后的更改</translation>
+    </message>
+    <message>
+        <source>%1, before an update</source>
+        <translation>%1，更新之前</translation>
+    </message>
+    <message>
+        <source>No backup yet.</source>
+        <translation>尚无备份。</translation>
+    </message>
+    <message>
+        <source>Reading the backup…</source>
+        <translation>正在读取备份…</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n trial(s) in this backup.</source>
+        <translation>
+            <numerusform>此备份中有 %n 次试验。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Without: %1</source>
+        <translation>不含：%1</translation>
+    </message>
+    <message>
+        <source>With, though deleted since: %1</source>
+        <translation>含此后已删除的：%1</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n of its video(s) no longer exist.</source>
+        <translation>
+            <numerusform>其中 %n 个视频已不存在。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Restoring it discards no changes.</source>
+        <translation>恢复它不会丢弃任何更改。</translation>
+    </message>
+    <message numerus="yes">
+        <source>Restoring it discards %n change(s) made since:</source>
+        <translation>
+            <numerusform>恢复它会丢弃此后的 %n 项更改：</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>It brings back %n change(s).</source>
+        <translation>
+            <numerusform>它会恢复 %n 项更改。</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>odo::Badge</name>
     <message>
         <source>not registered</source>
@@ -12372,6 +12604,10 @@ Much more than expected means that a setting is wrong: the views are not synchro
         <source>&amp;Create another…</source>
         <translation>另建一份(&amp;C)…</translation>
     </message>
+    <message>
+        <source>&amp;Backups…</source>
+        <translation>备份(&amp;B)…</translation>
+    </message>
 </context>
 <context>
     <name>odo::FilmStrip</name>
@@ -12694,6 +12930,18 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>Viridis</source>
         <translation>Viridis</translation>
+    </message>
+    <message>
+        <source>&amp;Back up a project on each day you open it</source>
+        <translation>每天首次打开项目时备份(&amp;B)</translation>
+    </message>
+    <message>
+        <source>&amp;Days to keep backups</source>
+        <translation>备份保留天数(&amp;D)</translation>
+    </message>
+    <message>
+        <source>Backups are beside the project and contain everything except the videos: File ▸ Backups… shows and restores them.</source>
+        <translation>备份位于项目旁边，包含除视频之外的全部内容：可在“文件 ▸ 备份…”中查看和恢复。</translation>
     </message>
 </context>
 <context>
@@ -13481,6 +13729,68 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>Trial %1</source>
         <translation>试验 %1</translation>
+    </message>
+</context>
+<context>
+    <name>odo::IntervalHistogram</name>
+    <message>
+        <source>Histogram of the frame intervals</source>
+        <translation>帧间隔直方图</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 to %2: %n interval(s)</source>
+        <translation>
+            <numerusform>%1 至 %2：%n 个间隔</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>odo::IntervalPanel</name>
+    <message>
+        <source>%1: fewer than two frames</source>
+        <translation>%1：不足两帧</translation>
+    </message>
+    <message>
+        <source>%1: frames are %2 apart (%3 frames/s), from %4 to %5</source>
+        <translation>%1：帧间隔 %2（%3 帧/s），从 %4 到 %5</translation>
+    </message>
+    <message>
+        <source>jitter %1</source>
+        <translation>抖动 %1</translation>
+    </message>
+    <message>
+        <source>no frame missing</source>
+        <translation>无缺帧</translation>
+    </message>
+    <message>
+        <source>%1 of %2 frames repeat the one before</source>
+        <translation>%2 帧中有 %1 帧重复前一帧</translation>
+    </message>
+    <message>
+        <source>no frame repeated</source>
+        <translation>无重复帧</translation>
+    </message>
+    <message>
+        <source>Frame intervals</source>
+        <translation>帧间隔</translation>
+    </message>
+    <message>
+        <source>bars by the logarithm of their number</source>
+        <translation>条形高度按数量的对数</translation>
+    </message>
+    <message>
+        <source>Frame intervals of the views</source>
+        <translation>各视图的帧间隔</translation>
+    </message>
+    <message>
+        <source>This trial has no videos.</source>
+        <translation>此试验没有视频。</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 missing in %n gap(s)</source>
+        <translation>
+            <numerusform>%n 处缺 %1 帧</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -14652,6 +14962,38 @@ Much more than expected means that a setting is wrong: the views are not synchro
         <source>shaded: hidden, ambiguous or not measured</source>
         <translation>阴影：被遮挡、存疑或未测量</translation>
     </message>
+    <message>
+        <source>Velocity X</source>
+        <translation>速度 X</translation>
+    </message>
+    <message>
+        <source>Velocity Y</source>
+        <translation>速度 Y</translation>
+    </message>
+    <message>
+        <source>Lateral acceleration</source>
+        <translation>横向加速度</translation>
+    </message>
+    <message>
+        <source>Jerk</source>
+        <translation>加加速度</translation>
+    </message>
+    <message>
+        <source>Distance travelled</source>
+        <translation>行驶距离</translation>
+    </message>
+    <message>
+        <source>Distance from the start</source>
+        <translation>到起点的距离</translation>
+    </message>
+    <message>
+        <source>to the left positive</source>
+        <translation>向左为正</translation>
+    </message>
+    <message>
+        <source>along the path, mean over %1</source>
+        <translation>沿路径方向，%1 内平均</translation>
+    </message>
 </context>
 <context>
     <name>odo::RangeActions</name>
@@ -15152,6 +15494,25 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>Kept: the new analysis of %1 is the current one.</source>
         <translation>已保留：%1 的新分析成为当前分析。</translation>
+    </message>
+</context>
+<context>
+    <name>odo::ResidualPlot</name>
+    <message>
+        <source>Residual against the cut-off</source>
+        <translation>残差随截止频率的变化</translation>
+    </message>
+    <message>
+        <source>automatic</source>
+        <translation>自动</translation>
+    </message>
+    <message>
+        <source>residual analysis</source>
+        <translation>残差分析</translation>
+    </message>
+    <message>
+        <source>a filter of %1 takes away %2</source>
+        <translation>%1 的滤波器去除 %2</translation>
     </message>
 </context>
 <context>
@@ -16022,6 +16383,49 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>not set yet</source>
         <translation>尚未放置</translation>
+    </message>
+</context>
+<context>
+    <name>odo::SmoothingPanel</name>
+    <message>
+        <source>%1: measured for less than a second</source>
+        <translation>%1：测量不足一秒</translation>
+    </message>
+    <message>
+        <source>%1: smoothed automatically like a filter with a cut-off of %2; what it takes away is %3 of each coordinate</source>
+        <translation>%1：自动平滑，相当于截止频率 %2 的滤波器；它从每个坐标去除 %3</translation>
+    </message>
+    <message>
+        <source>%1: the smoother states no cut-off</source>
+        <translation>%1：该平滑方法没有截止频率</translation>
+    </message>
+    <message>
+        <source>Noise of the measurements by their residuals: %1; stated: %2</source>
+        <translation>由残差得出的测量噪声：%1；标称：%2</translation>
+    </message>
+    <message>
+        <source>Cut-off by residual analysis: %1</source>
+        <translation>残差分析得出的截止频率：%1</translation>
+    </message>
+    <message>
+        <source>Residual analysis gives no cut-off: the residuals are not those of noise.</source>
+        <translation>残差分析得不出截止频率：残差不像噪声。</translation>
+    </message>
+    <message>
+        <source>Smoothing</source>
+        <translation>平滑</translation>
+    </message>
+    <message>
+        <source>residual of a Butterworth filter, by its cut-off</source>
+        <translation>巴特沃斯滤波器的残差（按截止频率）</translation>
+    </message>
+    <message>
+        <source>Smoothing of the robots</source>
+        <translation>各机器人的平滑</translation>
+    </message>
+    <message>
+        <source>No curve yet: track the trial.</source>
+        <translation>还没有曲线：请跟踪该试验。</translation>
     </message>
 </context>
 <context>
@@ -18323,6 +18727,10 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>“%1” was written before you cancelled. It was not opened.</source>
         <translation>取消之前“%1”已经写入。没有打开它。</translation>
+    </message>
+    <message>
+        <source>The backup was restored. What the project was before is kept as “%1”.</source>
+        <translation>备份已恢复。项目之前的状态保留为“%1”。</translation>
     </message>
 </context>
 <context>
@@ -21139,6 +21547,62 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>rendering %1</source>
         <translation>渲染 %1</translation>
+    </message>
+</context>
+<context>
+    <name>sync.cost</name>
+    <message>
+        <source>View %1: its times are known to ±%2, which is ±%3 at the top speed of %4</source>
+        <translation>视图 %1：其时间已知到 ±%2，在最大速度 %4 下相当于 ±%3</translation>
+    </message>
+</context>
+<context>
+    <name>sync.cost_of_error</name>
+    <message>
+        <source>View %1: nothing has measured its time offset; an error of %2 would shift the robot by %3 at the top speed of %4</source>
+        <translation>视图 %1：其时间差未经测量；%2 的误差在最大速度 %4 下会使机器人偏移 %3</translation>
+    </message>
+</context>
+<context>
+    <name>sync.drift</name>
+    <message>
+        <source>Its clock runs %1 ±%2 faster than the first view&apos;s</source>
+        <translation>其时钟比第一个视图快 %1 ±%2</translation>
+    </message>
+</context>
+<context>
+    <name>sync.known_to</name>
+    <message>
+        <source>View %1: its times are known to ±%2</source>
+        <translation>视图 %1：其时间已知到 ±%2</translation>
+    </message>
+</context>
+<context>
+    <name>sync.no_residual</name>
+    <message>
+        <source>The views&apos; disagreement does not grow with the speed: a remaining time error is at most %1, or %2 at the top speed</source>
+        <translation>视图间的不一致不随速度增大：剩余时间误差至多 %1，在最大速度下为 %2</translation>
+    </message>
+</context>
+<context>
+    <name>sync.not_measured</name>
+    <message>
+        <source>View %1: nothing has measured its time offset</source>
+        <translation>视图 %1：其时间差未经测量</translation>
+    </message>
+</context>
+<context>
+    <name>sync.pairing</name>
+    <message>
+        <source>Its frames are %1 on average and at most %2 from the first view&apos;s; positions are interpolated to the same times</source>
+        <translation>其帧与第一个视图的帧平均相差 %1，至多 %2；位置会插值到相同时刻</translation>
+    </message>
+</context>
+<context>
+    <name>sync.residual</name>
+    <message>
+        <source>The views disagree the more the faster the robot is, as a time error of %1 ±%2 would make them: %3 at the top speed</source>
+        <translation>机器人越快，视图间不一致越大，相当于 %1 ±%2 的时间误差：在最大速度下为 %3</translation>
     </message>
 </context>
 <context>
