@@ -13785,6 +13785,13 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
             <numerusform>%1 bis %2: %n Abstände</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>longer than %1: %n interval(s)</source>
+        <translation>
+            <numerusform>länger als %1: %n Abstand</numerusform>
+            <numerusform>länger als %1: %n Abstände</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>odo::IntervalPanel</name>

@@ -354,6 +354,13 @@
             <numerusform>%1 to %2: %n intervals</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>longer than %1: %n interval(s)</source>
+        <translation>
+            <numerusform>longer than %1: %n interval</numerusform>
+            <numerusform>longer than %1: %n intervals</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>odo::IntervalPanel</name>

@@ -13785,6 +13785,13 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
             <numerusform>%1 a %2: %n intervalos</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>longer than %1: %n interval(s)</source>
+        <translation>
+            <numerusform>más de %1: %n intervalo</numerusform>
+            <numerusform>más de %1: %n intervalos</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>odo::IntervalPanel</name>

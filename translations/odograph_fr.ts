@@ -13785,6 +13785,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
             <numerusform>%1 à %2 : %n intervalles</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>longer than %1: %n interval(s)</source>
+        <translation>
+            <numerusform>plus de %1 : %n intervalle</numerusform>
+            <numerusform>plus de %1 : %n intervalles</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>odo::IntervalPanel</name>

@@ -13743,6 +13743,12 @@ Much more than expected means that a setting is wrong: the views are not synchro
             <numerusform>%1 至 %2：%n 个间隔</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>longer than %1: %n interval(s)</source>
+        <translation>
+            <numerusform>长于 %1：%n 个间隔</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>odo::IntervalPanel</name>

@@ -10,7 +10,7 @@ namespace odo {
 
 namespace {
 
-constexpr double longestShown = 4; ///< usual intervals
+constexpr double longestShown = 4.5; ///< usual intervals
 
 /// The next larger of 1, 2 and 5 times a power of ten, from a microsecond on.
 Nanoseconds roundWidth(double nanoseconds)
@@ -25,10 +25,12 @@ Nanoseconds roundWidth(double nanoseconds)
 void addBins(const std::vector<Nanoseconds> &intervals, FrameIntervals &result)
 {
     const auto longest = static_cast<std::int64_t>(longestShown * static_cast<double>(result.usual.count()));
-    const Nanoseconds last = std::min(result.longest, Nanoseconds(longest));
+    // A tenth of the usual interval to either side, so what hardly varies does not fill the axis.
+    const Nanoseconds shortest = std::min(result.shortest, result.usual * 9 / 10);
+    const Nanoseconds last = std::max(std::min(result.longest, Nanoseconds(longest)), result.usual * 11 / 10);
     const Nanoseconds width =
-        roundWidth(static_cast<double>((last - result.shortest).count()) / (mostIntervalBins - 2));
-    const std::int64_t first = result.shortest.count() / width.count();
+        roundWidth(static_cast<double>((last - shortest).count()) / (mostIntervalBins - 2));
+    const std::int64_t first = shortest.count() / width.count();
     const auto count = static_cast<std::size_t>(last.count() / width.count() - first + 1);
     result.bins.resize(count);
     for (std::size_t i = 0; i < count; ++i) {

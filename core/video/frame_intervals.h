@@ -28,8 +28,8 @@ struct FrameIntervals
     /// whole number of usual ones, less one.
     std::int64_t gaps = 0, missing = 0;
     std::int64_t repeated = 0; ///< of no length: two frames have one time
-    /// At most mostIntervalBins of equal width, a round number, and without empty ones at the ends; those
-    /// that are longer than four usual ones are in `longer`.
+    /// At most mostIntervalBins of equal width, a round number, from the shortest to the longest, and at
+    /// least from 0.9 to 1.1 of the usual one; those that are longer than 4.5 usual ones are in `longer`.
     std::vector<IntervalBin> bins;
     std::int64_t longer = 0;
 };

@@ -68,7 +68,7 @@ private Q_SLOTS:
         const QString all = words.join(u'\n');
         QVERIFY2(all.contains(QStringLiteral("frames are 33.3")), qPrintable(all));
         QVERIFY2(all.contains(QStringLiteral("120 of 240 frames repeat the one before")), qPrintable(all));
-        QVERIFY2(all.contains(QStringLiteral("4 missing in 2 gaps")), qPrintable(all));
+        QVERIFY2(all.contains(QStringLiteral("4 missing in 2 gap(s)")), qPrintable(all));
         QCOMPARE(all.count(QStringLiteral("no frame missing")), 1);
         QCOMPARE(panel.findChildren<IntervalHistogram *>().size(), 2);
         QCOMPARE(panel.accessibleDescription(), all);
@@ -100,13 +100,21 @@ private Q_SLOTS:
             }
             return most;
         };
-        QVERIFY2(heightAt(0, 60) > 55, qPrintable(QString::number(heightAt(0, 60))));
+        // 600 px: from 18 to 40.5 ms within 580, 0.5 ms a bar; 20 ms at 62, 40 ms at 577
+        QVERIFY2(heightAt(50, 80) > 55, qPrintable(QString::number(heightAt(50, 80))));
         QVERIFY2(heightAt(540, 600) >= 2, qPrintable(QString::number(heightAt(540, 600))));
-        QVERIFY(heightAt(540, 600) < heightAt(0, 60) / 2);
+        QVERIFY(heightAt(540, 600) < heightAt(50, 80) / 2);
         QCOMPARE(heightAt(200, 400), 0);
-        QHelpEvent help(QEvent::ToolTip, {14, 40}, histogram.mapToGlobal(QPoint(14, 40)));
+        QHelpEvent help(QEvent::ToolTip, {66, 40}, histogram.mapToGlobal(QPoint(66, 40)));
         QApplication::sendEvent(&histogram, &help);
-        QVERIFY2(QToolTip::text().contains(QStringLiteral("998 intervals")), qPrintable(QToolTip::text()));
+        QVERIFY2(QToolTip::text().contains(QStringLiteral("998 interval(s)")), qPrintable(QToolTip::text()));
+        times.push_back(times.back() + 3s); // longer than the axis: a bar behind it
+        IntervalHistogram paused(frameIntervals(times));
+        paused.resize(600, 90);
+        QHelpEvent behind(QEvent::ToolTip, {584, 40}, paused.mapToGlobal(QPoint(584, 40)));
+        QApplication::sendEvent(&paused, &behind);
+        QVERIFY2(QToolTip::text().startsWith(QStringLiteral("longer than")), qPrintable(QToolTip::text()));
+        paused.grab();
         IntervalHistogram none(frameIntervals({}));
         none.resize(100, 60);
         none.grab(); // nothing to paint, and nothing happens

@@ -30,6 +30,7 @@ namespace odo {
 namespace {
 
 constexpr int shownNames = 5; ///< of trials; the list of changes has the rest
+constexpr int leftWidth = 290, rightWidth = 500;
 
 QLabel *wrappedLabel(const QString &name)
 {
@@ -91,6 +92,7 @@ BackupsDialog::BackupsDialog(const std::filesystem::path &project, bool readOnly
     halves->setStretchFactor(0, 2);
     halves->setStretchFactor(1, 3);
     halves->setChildrenCollapsible(false);
+    halves->setSizes({leftWidth, rightWidth});
     auto *buttons = new QDialogButtonBox(QDialogButtonBox::Close);
     buttons->addButton(m_make, QDialogButtonBox::ActionRole);
     buttons->addButton(open, QDialogButtonBox::ActionRole);
@@ -129,7 +131,9 @@ void BackupsDialog::refresh()
                                                  : tr("%1, before an update").arg(shortDate(backup.made)));
         date->setToolTip(textOf(backup.file).toHtmlEscaped());
         m_list->setItem(row, 0, date);
-        m_list->setItem(row, 1, new QTableWidgetItem(QLocale().formattedDataSize(qint64(backup.bytes))));
+        m_list->setItem(row, 1,
+                        new QTableWidgetItem(
+                            QLocale().formattedDataSize(qint64(backup.bytes), 1, QLocale::DataSizeSIFormat)));
     }
     m_list->resizeColumnToContents(0);
     if (!m_backups.empty())

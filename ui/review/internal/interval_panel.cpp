@@ -20,7 +20,7 @@ namespace odo {
 namespace {
 
 constexpr double inMilliseconds = 1e3;
-constexpr int axisHeight = 18, sideRoom = 10;
+constexpr int axisHeight = 18, sideRoom = 10, longerGap = 8, longerWidth = 12;
 
 QString millisecondsText(double seconds, std::optional<double> sigmaS = std::nullopt)
 {
@@ -85,13 +85,14 @@ QString intervalText(const ViewIntervals &view)
 IntervalHistogram::IntervalHistogram(FrameIntervals intervals, QWidget *parent)
     : QWidget(parent), m_intervals(std::move(intervals))
 {
-    setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
+    setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
     setAccessibleName(tr("Histogram of the frame intervals"));
 }
 
 QRectF IntervalHistogram::plot() const
 {
-    return QRectF(rect()).adjusted(sideRoom, 4, -sideRoom, -axisHeight);
+    const double end = m_intervals.longer > 0 ? sideRoom + longerGap + longerWidth : sideRoom;
+    return QRectF(rect()).adjusted(sideRoom, 4, -end, -axisHeight);
 }
 
 void IntervalHistogram::paintEvent(QPaintEvent *)
@@ -105,7 +106,7 @@ void IntervalHistogram::paintEvent(QPaintEvent *)
     const double low = inMilliseconds * toSeconds(m_intervals.bins.front().from),
                  high = inMilliseconds * toSeconds(m_intervals.bins.back().to);
     const auto xOf = [&](double ms) { return area.left() + (ms - low) / (high - low) * area.width(); };
-    std::int64_t most = 1;
+    std::int64_t most = std::max<std::int64_t>(1, m_intervals.longer);
     for (const IntervalBin &bin : m_intervals.bins)
         most = std::max(most, bin.count);
     painter.setPen(colours.grid);
@@ -115,20 +116,27 @@ void IntervalHistogram::paintEvent(QPaintEvent *)
     painter.setFont(small);
     const AxisTicks ticks = niceTicks(low, high, 6);
     painter.setPen(colours.muted);
-    for (const double value : ticks.values())
-        painter.drawText(QRectF(xOf(value) - 40, area.bottom() + 1, 80, axisHeight), Qt::AlignCenter,
+    constexpr double labelWidth = 80;
+    for (const double value : ticks.values()) {
+        const double left = std::clamp(xOf(value) - labelWidth / 2, 0.0, width() - labelWidth);
+        painter.drawText(QRectF(left, area.bottom() + 1, labelWidth, axisHeight), Qt::AlignCenter,
                          ticks.label(value) + QStringLiteral(" ms"));
-    painter.setPen(Qt::NoPen);
-    painter.setBrush(seriesColour(0, palette()));
-    for (const IntervalBin &bin : m_intervals.bins) {
-        if (bin.count == 0)
-            continue;
-        // By the logarithm, so one interval of ten thousand is still seen.
-        const double share = std::log1p(double(bin.count)) / std::log1p(double(most));
-        const double left = xOf(inMilliseconds * toSeconds(bin.from)),
-                     right = xOf(inMilliseconds * toSeconds(bin.to));
+    }
+    // By the logarithm, so one interval of ten thousand is still seen.
+    const auto drawBar = [&](double left, double right, std::int64_t count) {
+        const double share = std::log1p(double(count)) / std::log1p(double(most));
         const double height = std::max(2.0, share * area.height());
-        painter.drawRect(QRectF(left, area.bottom() - height, std::max(1.0, right - left - 1), height));
+        painter.fillRect(QRectF(left, area.bottom() - height, std::max(1.0, right - left - 1), height),
+                         painter.brush());
+    };
+    painter.setBrush(seriesColour(0, palette()));
+    for (const IntervalBin &bin : m_intervals.bins)
+        if (bin.count > 0)
+            drawBar(xOf(inMilliseconds * toSeconds(bin.from)), xOf(inMilliseconds * toSeconds(bin.to)),
+                    bin.count);
+    if (m_intervals.longer > 0) { // hatched, at the end: it has no length on this axis
+        painter.setBrush(QBrush(colours.spike, Qt::BDiagPattern));
+        drawBar(area.right() + longerGap, area.right() + longerGap + longerWidth, m_intervals.longer);
     }
 }
 
@@ -137,6 +145,9 @@ QString IntervalHistogram::wordsAt(double x) const
     const QRectF area = plot();
     if (m_intervals.bins.empty() || area.width() <= 0)
         return {};
+    if (m_intervals.longer > 0 && x > area.right())
+        return tr("longer than %1: %n interval(s)", nullptr, static_cast<int>(m_intervals.longer))
+            .arg(millisecondsText(toSeconds(m_intervals.bins.back().to)));
     const double share = (x - area.left()) / area.width();
     const auto index = static_cast<std::ptrdiff_t>(std::floor(share * double(m_intervals.bins.size())));
     if (index < 0 || index >= static_cast<std::ptrdiff_t>(m_intervals.bins.size()))
@@ -158,6 +169,7 @@ bool IntervalHistogram::event(QEvent *event)
 IntervalPanel::IntervalPanel(QWidget *parent) : Card(tr("Frame intervals"), parent), m_views(new QWidget)
 {
     setRemark(tr("bars by the logarithm of their number"));
+    m_views->setObjectName(QStringLiteral("cardBody"));
     auto *layout = new QVBoxLayout(m_views);
     layout->setContentsMargins(10, 6, 10, 6);
     layout->setSpacing(4);
@@ -202,7 +214,7 @@ void IntervalPanel::finish()
 
 void IntervalPanel::showViews(const std::vector<ViewIntervals> &views)
 {
-    QLayout *layout = m_views->layout();
+    auto *layout = static_cast<QVBoxLayout *>(m_views->layout());
     while (QLayoutItem *item = layout->takeAt(0)) {
         delete item->widget();
         delete item;
@@ -220,6 +232,7 @@ void IntervalPanel::showViews(const std::vector<ViewIntervals> &views)
     }
     if (views.empty())
         layout->addWidget(new QLabel(tr("This trial has no videos.")));
+    layout->addStretch(1);
     setAccessibleDescription(spoken.join(u'\n'));
 }
 

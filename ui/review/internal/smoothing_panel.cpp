@@ -8,7 +8,7 @@
 #include <QHelpEvent>
 #include <QLabel>
 #include <QPainter>
-#include <QPainterPath>
+#include <QPolygonF>
 #include <QScrollArea>
 #include <QToolTip>
 #include <QVBoxLayout>
@@ -62,7 +62,7 @@ QString smoothingText(const RobotSmoothing &smoothing)
 ResidualPlot::ResidualPlot(CutoffAnalysis analysis, QWidget *parent)
     : QWidget(parent), m_analysis(std::move(analysis))
 {
-    setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
+    setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
     setAccessibleName(tr("Residual against the cut-off"));
     for (const CutoffResidual &each : m_analysis.residuals)
         m_mostM = std::max(m_mostM, each.residualM);
@@ -121,13 +121,11 @@ void ResidualPlot::paintEvent(QPaintEvent *)
         painter.drawLine(at(0, m_analysis.noiseM->value),
                          at(m_analysis.residuals.back().cutoffHz, m_analysis.noiseM->value));
     }
-    QPainterPath line;
-    for (const CutoffResidual &each : m_analysis.residuals) {
-        const QPointF point = at(each.cutoffHz, each.residualM);
-        line.isEmpty() ? line.moveTo(point) : line.lineTo(point);
-    }
+    QPolygonF line;
+    for (const CutoffResidual &each : m_analysis.residuals)
+        line << at(each.cutoffHz, each.residualM);
     painter.setPen(QPen(seriesColour(0, palette()), 2));
-    painter.drawPath(line);
+    painter.drawPolyline(line);
     const auto mark = [&](const std::optional<CurveValue> &hz, const QString &words, Qt::PenStyle style,
                           double share) {
         if (!hz || hz->value > m_analysis.residuals.back().cutoffHz)
@@ -167,6 +165,7 @@ bool ResidualPlot::event(QEvent *event)
 SmoothingPanel::SmoothingPanel(QWidget *parent) : Card(tr("Smoothing"), parent), m_robots(new QWidget)
 {
     setRemark(tr("residual of a Butterworth filter, by its cut-off"));
+    m_robots->setObjectName(QStringLiteral("cardBody"));
     auto *layout = new QVBoxLayout(m_robots);
     layout->setContentsMargins(10, 6, 10, 6);
     layout->setSpacing(4);
@@ -217,7 +216,7 @@ void SmoothingPanel::finish()
 
 void SmoothingPanel::showRobots(const std::vector<RobotSmoothing> &robots)
 {
-    QLayout *layout = m_robots->layout();
+    auto *layout = static_cast<QVBoxLayout *>(m_robots->layout());
     while (QLayoutItem *item = layout->takeAt(0)) {
         delete item->widget();
         delete item;
@@ -235,6 +234,7 @@ void SmoothingPanel::showRobots(const std::vector<RobotSmoothing> &robots)
     }
     if (robots.empty())
         layout->addWidget(new QLabel(tr("No curve yet: track the trial.")));
+    layout->addStretch(1);
     setAccessibleDescription(spoken.join(u'\n'));
 }
 
