@@ -1026,6 +1026,14 @@
         <source>of both positions along that line, and of the calibration&apos;s scale</source>
         <translation>von beiden Positionen entlang dieser Strecke und vom Maßstab der Kalibrierung</translation>
     </message>
+    <message>
+        <source>Distance to the nearest robot</source>
+        <translation>Abstand zum nächsten Roboter</translation>
+    </message>
+    <message>
+        <source>between the reference points of both robots at this frame&apos;s time, on the smoothed curves</source>
+        <translation>zwischen den Bezugspunkten beider Roboter zur Zeit dieses Bildes, auf den geglätteten Kurven</translation>
+    </message>
 </context>
 <context>
     <name>ExplanationDialog</name>
@@ -15045,6 +15053,10 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>along the path, mean over %1</source>
         <translation>längs der Bahn, Mittel über %1</translation>
+    </message>
+    <message>
+        <source>Distance to the nearest robot</source>
+        <translation>Abstand zum nächsten Roboter</translation>
     </message>
 </context>
 <context>

@@ -1026,6 +1026,14 @@
         <source>of both positions along that line, and of the calibration&apos;s scale</source>
         <translation>de ambas posiciones a lo largo de esa línea y de la escala de la calibración</translation>
     </message>
+    <message>
+        <source>Distance to the nearest robot</source>
+        <translation>Distancia al robot más próximo</translation>
+    </message>
+    <message>
+        <source>between the reference points of both robots at this frame&apos;s time, on the smoothed curves</source>
+        <translation>entre los puntos de referencia de ambos robots en el instante de este fotograma, sobre las curvas suavizadas</translation>
+    </message>
 </context>
 <context>
     <name>ExplanationDialog</name>
@@ -15045,6 +15053,10 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <message>
         <source>along the path, mean over %1</source>
         <translation>a lo largo de la trayectoria, media en %1</translation>
+    </message>
+    <message>
+        <source>Distance to the nearest robot</source>
+        <translation>Distancia al robot más próximo</translation>
     </message>
 </context>
 <context>

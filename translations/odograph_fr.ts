@@ -1026,6 +1026,14 @@
         <source>of both positions along that line, and of the calibration&apos;s scale</source>
         <translation>des deux positions selon cette ligne et de l’échelle de l’étalonnage</translation>
     </message>
+    <message>
+        <source>Distance to the nearest robot</source>
+        <translation>Distance au robot le plus proche</translation>
+    </message>
+    <message>
+        <source>between the reference points of both robots at this frame&apos;s time, on the smoothed curves</source>
+        <translation>entre les points de référence des deux robots à l’instant de cette image, sur les courbes lissées</translation>
+    </message>
 </context>
 <context>
     <name>ExplanationDialog</name>
@@ -15045,6 +15053,10 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>along the path, mean over %1</source>
         <translation>le long de la trajectoire, moyenne sur %1</translation>
+    </message>
+    <message>
+        <source>Distance to the nearest robot</source>
+        <translation>Distance au robot le plus proche</translation>
     </message>
 </context>
 <context>

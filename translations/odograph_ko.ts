@@ -1021,6 +1021,14 @@
         <source>of both positions along that line, and of the calibration&apos;s scale</source>
         <translation>그 직선을 따른 두 위치와 보정의 축척에서</translation>
     </message>
+    <message>
+        <source>Distance to the nearest robot</source>
+        <translation>가장 가까운 로봇까지의 거리</translation>
+    </message>
+    <message>
+        <source>between the reference points of both robots at this frame&apos;s time, on the smoothed curves</source>
+        <translation>이 프레임 시각에 두 로봇의 기준점 사이, 평활화된 곡선에서</translation>
+    </message>
 </context>
 <context>
     <name>ExplanationDialog</name>
@@ -14999,6 +15007,10 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>along the path, mean over %1</source>
         <translation>경로 방향, %1 평균</translation>
+    </message>
+    <message>
+        <source>Distance to the nearest robot</source>
+        <translation>가장 가까운 로봇까지의 거리</translation>
     </message>
 </context>
 <context>

@@ -1021,6 +1021,14 @@
         <source>of both positions along that line, and of the calibration&apos;s scale</source>
         <translation>来自两个位置沿该直线的误差和标定的尺度</translation>
     </message>
+    <message>
+        <source>Distance to the nearest robot</source>
+        <translation>到最近机器人的距离</translation>
+    </message>
+    <message>
+        <source>between the reference points of both robots at this frame&apos;s time, on the smoothed curves</source>
+        <translation>该帧时刻两个机器人参考点之间，取自平滑曲线</translation>
+    </message>
 </context>
 <context>
     <name>ExplanationDialog</name>
@@ -14999,6 +15007,10 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>along the path, mean over %1</source>
         <translation>沿路径方向，%1 内平均</translation>
+    </message>
+    <message>
+        <source>Distance to the nearest robot</source>
+        <translation>到最近机器人的距离</translation>
     </message>
 </context>
 <context>

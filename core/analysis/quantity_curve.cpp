@@ -91,11 +91,12 @@ std::span<const Quantity> allQuantities()
         Quantity::Speed,     Quantity::Acceleration, Quantity::Heading,
         Quantity::TurnRate,  Quantity::PositionX,    Quantity::PositionY,
         Quantity::VelocityX, Quantity::VelocityY,    Quantity::LateralAcceleration,
-        Quantity::Jerk,      Quantity::Distance,     Quantity::Displacement};
+        Quantity::Jerk,      Quantity::Distance,     Quantity::Displacement,
+        Quantity::Separation};
     return all;
 }
 
-Values quantityValues(const Profile &profile, Quantity quantity)
+Values quantityValues(const Profile &profile, Quantity quantity, OtherProfiles others)
 {
     if (quantity == Quantity::Jerk)
         return jerkValues(profile);
@@ -103,6 +104,8 @@ Values quantityValues(const Profile &profile, Quantity quantity)
         return distanceValues(profile);
     if (quantity == Quantity::Displacement)
         return displacementValues(profile);
+    if (quantity == Quantity::Separation)
+        return separationValues(profile, others);
     Values values(profile.points.size());
     const auto headings =
         quantity == Quantity::Heading ? headingsOf(profile) : std::vector<std::optional<Heading>>();
@@ -142,6 +145,7 @@ Values quantityValues(const Profile &profile, Quantity quantity)
         case Quantity::Jerk:
         case Quantity::Distance:
         case Quantity::Displacement:
+        case Quantity::Separation:
             break; // of more than one point
         }
     }
@@ -183,6 +187,7 @@ Values measuredValues(const Profile &profile, Quantity quantity)
         case Quantity::LateralAcceleration:
         case Quantity::Jerk:
         case Quantity::Distance:
+        case Quantity::Separation:
             break;
         case Quantity::PositionX:
         case Quantity::PositionY:

@@ -25,6 +25,7 @@ enum class Quantity {
     Jerk,
     Distance,     ///< travelled
     Displacement, ///< straight from where the robot was first seen
+    Separation,   ///< from the nearest of the other robots
 };
 /// All of them, in the order in which they are offered.
 std::span<const Quantity> allQuantities();
@@ -32,6 +33,9 @@ std::span<const Quantity> allQuantities();
 /// A jerk is the mean over this time, or over as little more as the samples are apart: that of one instant
 /// has no finite σ, for the smoother assumes a white jerk.
 inline constexpr double jerkSpanS = 0.2;
+
+/// Of the other robots of a trial.
+using OtherProfiles = std::span<const Profile *const>;
 
 /// A value of a quantity with its σ.
 struct CurveValue
@@ -49,15 +53,19 @@ struct CurveValue
 /// errorCorrelation of the acceleration. Distance: distanceTravelled; σ of the ends of its motions, of errors
 /// across a path that turns, and of the calibration's scale, without what the robot may have done while it
 /// was not measured. Displacement: σ of both positions along the line between, and of the scale. Pure.
-std::vector<std::optional<CurveValue>> quantityValues(const Profile &profile, Quantity quantity);
+/// others: what was measured of other robots, for the separation: the distance of the reference points at the
+/// same time, the other's interpolated between two frames without a gap; σ of both positions along the line
+/// between, and of the scale.
+std::vector<std::optional<CurveValue>> quantityValues(const Profile &profile, Quantity quantity,
+                                                      OtherProfiles others = {});
 
 /// The same out of the positions before smoothing, by the differences that Tracker uses: speed and heading of
 /// (x₊₁ − x₋₁)/2Δt, acceleration of (2x₊₂ − x₊₁ − 2x − x₋₁ + 2x₋₂)/7Δt² along the smoothed path, a position
 /// as it was measured; of a body that was measured the heading of that; a velocity as for the speed; of the
 /// displacement from the first position that is used. nullopt where one of the samples that it takes is
 /// rejected or missing, for a heading of the motion at standstill, and everywhere for the turn rate, the
-/// lateral acceleration, the jerk, which are nothing but noise, and the distance. No σ (0) but for positions,
-/// whose σ is the measurement's own, without the calibration's part.
+/// lateral acceleration, the jerk, which are nothing but noise, the distance and the separation. No σ (0) but
+/// for positions, whose σ is the measurement's own, without the calibration's part.
 std::vector<std::optional<CurveValue>> measuredValues(const Profile &profile, Quantity quantity);
 
 /// As the speed of measuredValues for one sample, whether it is rejected or not.

@@ -144,14 +144,16 @@ ErrorCourse errorCourseOf(Quantity quantity)
     case Quantity::PositionY:
     case Quantity::Distance:
     case Quantity::Displacement:
+    case Quantity::Separation:
         break;
     }
     return ErrorCourse::Position;
 }
 
-std::vector<CurvePoint> pointsWithin(const Profile &profile, Quantity quantity, const TimeSpan &span)
+std::vector<CurvePoint> pointsWithin(const Profile &profile, Quantity quantity, const TimeSpan &span,
+                                     OtherProfiles others)
 {
-    const auto values = quantityValues(profile, quantity);
+    const auto values = quantityValues(profile, quantity, others);
     const std::vector<MeasuredPosition> positions = measuredPositions(profile.samples, profile.points);
     std::vector<CurvePoint> points;
     for (const MeasuredPosition &measured : positions) {
@@ -184,9 +186,10 @@ std::vector<CurvePoint> measurementsWithin(const Profile &profile, Quantity quan
     return points;
 }
 
-std::optional<RangeStatistics> statisticsOf(const Profile &profile, Quantity quantity, const TimeSpan &span)
+std::optional<RangeStatistics> statisticsOf(const Profile &profile, Quantity quantity, const TimeSpan &span,
+                                            OtherProfiles others)
 {
-    const std::vector<CurvePoint> points = pointsWithin(profile, quantity, span);
+    const std::vector<CurvePoint> points = pointsWithin(profile, quantity, span, others);
     if (points.empty())
         return std::nullopt;
     const ErrorCourse course = errorCourseOf(quantity);
@@ -234,11 +237,12 @@ std::optional<CurveValue> pathWithin(const Profile &profile, const TimeSpan &spa
     return std::nullopt;
 }
 
-Result<CurveFit> fitQuantity(const Profile &profile, Quantity quantity, const TimeSpan &span, FitShape shape)
+Result<CurveFit> fitQuantity(const Profile &profile, Quantity quantity, const TimeSpan &span, FitShape shape,
+                             OtherProfiles others)
 {
     auto fit = isPosition(quantity)
                    ? fitCurve(measurementsWithin(profile, quantity, span), ErrorCourse::Independent, shape)
-                   : fitCurve(pointsWithin(profile, quantity, span), errorCourseOf(quantity), shape);
+                   : fitCurve(pointsWithin(profile, quantity, span, others), errorCourseOf(quantity), shape);
     if (!fit || isAngle(quantity))
         return fit;
     if (isPosition(quantity)) {

@@ -33,12 +33,15 @@ struct RangeStatistics
 ErrorCourse errorCourseOf(Quantity quantity);
 
 /// The smoothed curve of a quantity within a span; the position's σ without the calibration's part.
-std::vector<CurvePoint> pointsWithin(const Profile &profile, Quantity quantity, const TimeSpan &span);
+std::vector<CurvePoint> pointsWithin(const Profile &profile, Quantity quantity, const TimeSpan &span,
+                                     OtherProfiles others = {});
 /// The positions that were measured and are used, of one axis (PositionX, PositionY), with their own σ.
 std::vector<CurvePoint> measurementsWithin(const Profile &profile, Quantity quantity, const TimeSpan &span);
 
-/// nullopt when the quantity has no value there. Each value counts for half the time to both neighbours.
-std::optional<RangeStatistics> statisticsOf(const Profile &profile, Quantity quantity, const TimeSpan &span);
+/// others: as of quantityValues. nullopt when the quantity has no value there. Each value counts for half the
+/// time to both neighbours.
+std::optional<RangeStatistics> statisticsOf(const Profile &profile, Quantity quantity, const TimeSpan &span,
+                                            OtherProfiles others = {});
 
 /// The distance travelled within a span, as the metric path_length (measureRun of the span alone). nullopt
 /// without a valid point there.
@@ -50,6 +53,7 @@ std::optional<CurveValue> pathWithin(const Profile &profile, const TimeSpan &spa
 /// variances of the coefficients (its position uncertainty to a position's first one); for angles it is not
 /// known and not included. For an acceleration from raw differences (Smoother::None) σ does not contain its
 /// bias. Errors: those of fitCurve.
-Result<CurveFit> fitQuantity(const Profile &profile, Quantity quantity, const TimeSpan &span, FitShape shape);
+Result<CurveFit> fitQuantity(const Profile &profile, Quantity quantity, const TimeSpan &span, FitShape shape,
+                             OtherProfiles others = {});
 
 } // namespace odo

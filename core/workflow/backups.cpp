@@ -86,7 +86,9 @@ Result<void> checkSpace(const std::filesystem::path &project)
     const files::DiskSpace space = files::diskSpace(realProjectFile(project).parent_path(), problem);
     if (problem)
         return {};
-    const std::uintmax_t needed = files::sizeOf(project, problem) + backupReserveBytes;
+    constexpr std::uintmax_t smallestPart = 20;
+    const std::uintmax_t reserve = std::min(backupReserveBytes, space.bytes / smallestPart);
+    const std::uintmax_t needed = files::sizeOf(project, problem) + reserve;
     if (space.freeBytes >= needed)
         return {};
     constexpr double bytesInMegabyte = 1e6;

@@ -38,8 +38,8 @@ struct ProjectBackup
 std::vector<ProjectBackup> backupsOf(const std::filesystem::path &project);
 
 /// Copies the project as it is now to "<name>.backups/<name>.odo.bak-<local date>.<time>", checked by SQLite.
-/// On the project's thread. Errors: those of Project::saveCopy; Io where less than backupReserveBytes would
-/// be left on the disk, which recordings need.
+/// On the project's thread. Errors: those of Project::saveCopy; Io where less than backupReserveBytes, or
+/// 5 % of a smaller disk, would be left, which recordings need.
 Result<ProjectBackup> backUp(const Project &project, Instant now);
 inline constexpr std::uintmax_t backupReserveBytes = 1'000'000'000;
 

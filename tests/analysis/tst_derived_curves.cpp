@@ -168,6 +168,29 @@ private Q_SLOTS:
         QVERIFY(!quantityValues({}, Quantity::Jerk).size());
         QVERIFY(quantityValues({}, Quantity::Displacement).empty());
     }
+    /// Two that drive apart at 3 m/s from 0.1 m on, at right angles to what a third does; one at other times.
+    void theSeparationIsFromTheNearest()
+    {
+        const auto right = [](double t) { return Motion{{2 * t, 0}, {2, 0}, {0, 0}}; };
+        const auto left = [](double t) { return Motion{{-0.1 - t, 0}, {-1, 0}, {0, 0}}; };
+        const auto far = [](double t) { return Motion{{0, 9 - 2 * t}, {0, -2}, {0, 0}}; };
+        const Profile one = exactly(right, 4, 0.01, 0.05), third = exactly(far, 4, 0.01, 0.05);
+        Profile other = exactly(left, 4, 0.01, 0.05);
+        for (Sample &sample : other.samples) // between the frames of the first
+            sample.time += fromSeconds(0.007);
+        for (std::size_t i = 0; i < other.points.size(); ++i)
+            other.points[i].position.x() -= 0.007;
+        const std::vector<const Profile *> others{&other, &third};
+        const auto values = quantityValues(one, Quantity::Separation, others);
+        QVERIFY(std::abs(values[50]->value - 3.1) < 1e-9);                 // 1 s
+        QVERIFY(std::abs(values[200]->value - std::hypot(8, 1)) < 1e-9);   // 4 s: the third is nearer
+        QVERIFY(std::abs(values[50]->sigma - 1e-3 * std::sqrt(2)) < 1e-6); // 1 mm each
+        QVERIFY(!quantityValues(one, Quantity::Separation)[50]);           // alone
+        other.points[50].valid = other.points[49].valid = false;
+        const std::vector<const Profile *> gappy{&other};
+        QVERIFY(!quantityValues(one, Quantity::Separation, gappy)[50]); // not measured then
+        QVERIFY(quantityValues(one, Quantity::Separation, gappy)[60]);
+    }
     void theDistanceEndsWithThePath()
     {
         std::mt19937 random(5);
@@ -202,8 +225,11 @@ private Q_SLOTS:
     {
         const Profile profile = exactly(circle, 4, 0.01, 0.05);
         const TimeSpan span{fromSeconds(1), fromSeconds(3)};
+        const Profile other = exactly(jerking, 4, 0.01, 0.05);
+        const std::vector<const Profile *> others{&other};
         for (const Quantity quantity : allQuantities())
-            QVERIFY(statisticsOf(profile, quantity, span));
+            QVERIFY(statisticsOf(profile, quantity, span, others));
+        QVERIFY(!statisticsOf(profile, Quantity::Separation, span));
         QVERIFY(std::abs(statisticsOf(profile, Quantity::LateralAcceleration, span)->mean.value - 1.28) <
                 1e-9);
         const auto fit = fitQuantity(exactly(jerking, 2, 0.05, 0.3), Quantity::VelocityX,

@@ -195,6 +195,11 @@ CurveWords curveWords(Quantity quantity)
         return {ExplanationWords::tr("Distance from the start"),
                 ExplanationWords::tr("the straight line from the first smoothed position to this frame's"),
                 ExplanationWords::tr("of both positions along that line, and of the calibration's scale")};
+    case Quantity::Separation:
+        return {ExplanationWords::tr("Distance to the nearest robot"),
+                ExplanationWords::tr("between the reference points of both robots at this frame's time, on "
+                                     "the smoothed curves"),
+                ExplanationWords::tr("of both positions along that line, and of the calibration's scale")};
     case Quantity::PositionX:
     case Quantity::PositionY:
         break;

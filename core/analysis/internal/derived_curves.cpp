@@ -132,4 +132,56 @@ Values displacementValues(const Profile &profile)
     return values;
 }
 
+namespace {
+
+/// Where a robot is at a time, and its own covariance; nullopt: not measured then.
+struct Located
+{
+    Eigen::Vector2d position;
+    Eigen::Matrix2d own;
+};
+std::optional<Located> locatedAt(const std::vector<MeasuredPosition> &positions, double timeS)
+{
+    const auto after = std::ranges::lower_bound(positions, timeS, {}, &MeasuredPosition::timeS);
+    if (after == positions.end())
+        return std::nullopt;
+    if (after->timeS == timeS)
+        return Located{after->point->position, after->own};
+    if (after == positions.begin() || !after->joined)
+        return std::nullopt;
+    const MeasuredPosition &before = *(after - 1);
+    const double share = (timeS - before.timeS) / (after->timeS - before.timeS);
+    // Neighbours of a smoothed track share their error: between them it is no smaller.
+    return Located{(1 - share) * before.point->position + share * after->point->position,
+                   (1 - share) * before.own + share * after->own};
+}
+
+} // namespace
+
+Values separationValues(const Profile &profile, OtherProfiles others)
+{
+    Values values(profile.points.size());
+    std::vector<std::vector<MeasuredPosition>> tracks;
+    for (const Profile *other : others)
+        tracks.push_back(measuredPositions(other->samples, other->points));
+    const double scale = sigmaOfScale(profile.samples, profile.points);
+    for (const MeasuredPosition &each : measuredPositions(profile.samples, profile.points)) {
+        auto &value = values[static_cast<std::size_t>(each.point - profile.points.data())];
+        for (const std::vector<MeasuredPosition> &track : tracks) {
+            const auto other = locatedAt(track, each.timeS);
+            if (!other)
+                continue;
+            const Eigen::Vector2d offset = other->position - each.point->position;
+            const double distance = offset.norm();
+            if (value && value->value <= distance)
+                continue;
+            const Eigen::Vector2d along =
+                distance > 0 ? Eigen::Vector2d(offset / distance) : Eigen::Vector2d::UnitX();
+            value = CurveValue{distance, std::hypot(std::sqrt(along.dot((each.own + other->own) * along)),
+                                                    scale * distance)};
+        }
+    }
+    return values;
+}
+
 } // namespace odo

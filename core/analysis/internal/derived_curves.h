@@ -14,5 +14,6 @@ std::optional<CurveValue> lateralAccelerationOf(const ProfilePoint &point);
 std::vector<std::optional<CurveValue>> jerkValues(const Profile &profile);
 std::vector<std::optional<CurveValue>> distanceValues(const Profile &profile);
 std::vector<std::optional<CurveValue>> displacementValues(const Profile &profile);
+std::vector<std::optional<CurveValue>> separationValues(const Profile &profile, OtherProfiles others);
 
 } // namespace odo

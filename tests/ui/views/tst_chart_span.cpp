@@ -217,6 +217,8 @@ private Q_SLOTS:
         for (const auto against : {ChartSpan::Against::Time, ChartSpan::Against::Distance}) {
             span.setAgainst(against);
             for (int i = 0; i < choice->count(); ++i) {
+                if (!(choice->model()->index(i, 0).flags() & Qt::ItemIsEnabled))
+                    continue; // there is no other robot
                 choice->setCurrentIndex(i);
                 const QImage image = chart.chartArea()->grab().toImage();
                 const QColor blue = seriesColour(0, lightPalette());

@@ -23,11 +23,12 @@ namespace odo {
 RangeReport reportOf(const RangeRequest &request)
 {
     const Profile &profile = request.scene->robots.at(request.robot).analysis->profile;
+    const std::vector<const Profile *> others = otherProfiles(*request.scene, request.robot);
     RangeReport report{request, pathWithin(profile, request.span), {}, {}};
     for (const Quantity quantity : request.quantities)
-        report.statistics.push_back(statisticsOf(profile, quantity, request.span));
+        report.statistics.push_back(statisticsOf(profile, quantity, request.span, others));
     if (request.shape)
-        report.fit = fitQuantity(profile, request.fitted, request.span, *request.shape);
+        report.fit = fitQuantity(profile, request.fitted, request.span, *request.shape, others);
     return report;
 }
 

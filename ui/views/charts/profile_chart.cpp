@@ -11,6 +11,7 @@
 
 #include <QComboBox>
 #include <QPainter>
+#include <QStandardItemModel>
 #include <QStringList>
 #include <algorithm>
 #include <limits>
@@ -175,7 +176,7 @@ std::string tellingMetric(Quantity quantity)
 bool hasMeasuredPoints(Quantity quantity)
 {
     return quantity != Quantity::TurnRate && quantity != Quantity::LateralAcceleration &&
-           quantity != Quantity::Jerk && quantity != Quantity::Distance;
+           quantity != Quantity::Jerk && quantity != Quantity::Distance && quantity != Quantity::Separation;
 }
 
 } // namespace
@@ -205,6 +206,8 @@ QString quantityName(Quantity quantity)
         return ProfileChart::tr("Distance travelled");
     case Quantity::Displacement:
         return ProfileChart::tr("Distance from the start");
+    case Quantity::Separation:
+        return ProfileChart::tr("Distance to the nearest robot");
     case Quantity::PositionY:
         break;
     }
@@ -274,8 +277,19 @@ void ProfileChart::setScene(TrialScenePtr scene)
     for (std::size_t robot = 0; m_scene && robot < m_scene->robots.size(); ++robot)
         robots += QString::fromStdString(m_scene->robots[robot].robot.name);
     // Not at every change of what is shown: the key then keeps what is hidden.
+    offerSeparation(robots.size() > 1);
     m_key->setNames(robots, m_scene ? paletteIndices(*m_scene) : std::vector<int>());
     describe();
+}
+
+/// A robot alone has no other one.
+void ProfileChart::offerSeparation(bool isOffered)
+{
+    const auto row = static_cast<int>(m_quantities.indexOf(Quantity::Separation));
+    if (!m_choice || row < 0)
+        return;
+    auto *model = qobject_cast<QStandardItemModel *>(m_choice->model());
+    model->item(row)->setEnabled(isOffered);
 }
 
 void ProfileChart::describe()

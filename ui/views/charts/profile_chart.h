@@ -106,6 +106,7 @@ Q_SIGNALS:
 
 private:
     void describe();
+    void offerSeparation(bool isOffered);
 
     ChartSpan &m_span;
     ChartArea *m_area;

@@ -56,7 +56,7 @@ TrialCurves::TrialCurves(TrialScenePtr scene, Quantity quantity, const SamplePos
     for (std::size_t robot = 0; robot < m_scene->robots.size(); ++robot)
         if (const auto &analysis = m_scene->robots[robot].analysis)
             robots.push_back(profileCurves(analysis->profile, m_quantity, positions.at(robot), int(robot),
-                                           m_positions[robot]));
+                                           m_positions[robot], otherProfiles(*m_scene, robot)));
     auto content = std::make_shared<ChartContent>();
     content->emptyWords = TrialCurvesWords::tr("No curve yet: track the trial");
     for (const auto part :
@@ -191,6 +191,7 @@ ShownUnit unitOf(Quantity quantity)
     }
     case Quantity::Distance:
     case Quantity::Displacement:
+    case Quantity::Separation:
         return shownUnits().distance;
     case Quantity::Heading:
         return {QStringLiteral("°"), degrees};
@@ -205,9 +206,19 @@ ShownUnit unitOf(Quantity quantity)
 
 } // namespace
 
-std::vector<std::optional<CurveValue>> curveValues(const Profile &profile, Quantity quantity)
+std::vector<const Profile *> otherProfiles(const TrialScene &scene, std::size_t robot)
 {
-    auto values = quantityValues(profile, quantity);
+    std::vector<const Profile *> others;
+    for (std::size_t other = 0; other < scene.robots.size(); ++other)
+        if (other != robot && scene.robots[other].analysis)
+            others.push_back(&scene.robots[other].analysis->profile);
+    return others;
+}
+
+std::vector<std::optional<CurveValue>> curveValues(const Profile &profile, Quantity quantity,
+                                                   OtherProfiles others)
+{
+    auto values = quantityValues(profile, quantity, others);
     const double factor = curveFactor(quantity);
     for (auto &value : values)
         if (value)
@@ -250,8 +261,8 @@ ValueRange valueRange(const std::vector<ChartCurve> &curves, Quantity quantity)
         }
     const double room = 0.25 * std::max(1e-3, high - low);
     // A speed or a distance is not negative, whatever its σ.
-    const bool isLength =
-        quantity == Quantity::Speed || quantity == Quantity::Distance || quantity == Quantity::Displacement;
+    const bool isLength = quantity == Quantity::Speed || quantity == Quantity::Distance ||
+                          quantity == Quantity::Displacement || quantity == Quantity::Separation;
     const double least = isLength ? std::max(0.0, low - room) : low - room, most = high + room;
     for (const CurveRun *run : runs)
         for (const BandPoint &point : run->points) {
@@ -292,7 +303,7 @@ CurveRun spikePoints(const Profile &profile, Quantity quantity, const std::vecto
 }
 
 ProfileCurves profileCurves(const Profile &profile, Quantity quantity, const std::vector<double> &positions,
-                            int group, int position)
+                            int group, int position, OtherProfiles others)
 {
     ProfileCurves curves;
     for (ChartCurve *curve : {&curves.measured, &curves.bridged, &curves.line, &curves.spikes}) {
@@ -303,7 +314,7 @@ ProfileCurves profileCurves(const Profile &profile, Quantity quantity, const std
     curves.measured.ink = ChartInk::Point;
     curves.measured.widthPx = 1;
     curves.measured.runs = {measuredPoints(profile, quantity, positions)};
-    const auto values = curveValues(profile, quantity);
+    const auto values = curveValues(profile, quantity, others);
     const std::vector<ProfilePiece> pieces = piecesOf(profile);
     curves.line.dash = seriesDash(group);
     curves.line.hasBand = curves.bridged.hasBand = true;

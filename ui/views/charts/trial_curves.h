@@ -97,7 +97,10 @@ private:
 };
 
 /// quantityValues in the unit that people read (curveUnit).
-std::vector<std::optional<CurveValue>> curveValues(const Profile &profile, Quantity quantity);
+std::vector<std::optional<CurveValue>> curveValues(const Profile &profile, Quantity quantity,
+                                                   OtherProfiles others = {});
+/// What was measured of the other robots of a trial. They are the scene's.
+std::vector<const Profile *> otherProfiles(const TrialScene &scene, std::size_t robot);
 /// "m/s", "m/s²", "mm" or as shown_units.h has it; "°", "°/s".
 QString curveUnit(Quantity quantity);
 /// By how much a value in SI is multiplied for curveUnit.
@@ -125,6 +128,6 @@ struct ProfileCurves
     ChartCurve measured, bridged, line, spikes;
 };
 ProfileCurves profileCurves(const Profile &profile, Quantity quantity, const std::vector<double> &positions,
-                            int group = 0, int position = 0);
+                            int group = 0, int position = 0, OtherProfiles others = {});
 
 } // namespace odo
