@@ -156,8 +156,8 @@ class CellFormats
 public:
     explicit CellFormats(lxw_workbook &workbook)
         : header(add(workbook)), date(add(workbook)), value(add(workbook)), sigma(add(workbook)),
-          lowerBound(add(workbook)), count(add(workbook)), lowerCount(add(workbook)), doubtful(add(workbook)),
-          bad(add(workbook))
+          lowerBound(add(workbook)), count(add(workbook)), lowerCount(add(workbook)), percent(add(workbook)),
+          doubtful(add(workbook)), bad(add(workbook))
     {
         constexpr lxw_color_t paleYellow = 0xffeb9c, paleRed = 0xffc7ce, grey = 0xd9d9d9;
         format_set_bold(header);
@@ -169,14 +169,14 @@ public:
         format_set_num_format(lowerBound, "\"≥ \"0.000");
         format_set_num_format(count, "0.###");
         format_set_num_format(lowerCount, "\"≥ \"0.###");
+        format_set_num_format(percent, "0.0%");
         format_set_bg_color(doubtful, paleYellow);
         format_set_bg_color(bad, paleRed);
     }
 
-    lxw_format *const header, *const date, *const value, *const sigma, *const lowerBound,
-                                                                           *const count, *const lowerCount,
-                                                                                             *const doubtful,
-                                                                                                 *const bad;
+    lxw_format *const header, *const date, *const value, *const sigma;
+    lxw_format *const lowerBound, *const count, *const lowerCount, *const percent;
+    lxw_format *const doubtful, *const bad;
 
     lxw_format *of(const TrialTableColumn &column, const Metric &metric) const
     {
@@ -276,6 +276,42 @@ void fillRow(lxw_worksheet &sheet, std::size_t position, const ResultTable &tabl
     row.text(remarks(from));
 }
 
+void addStatistics(lxw_workbook &workbook, const ResultTable &table, const CellFormats &formats)
+{
+    lxw_worksheet *sheet = workbook_add_worksheet(&workbook, "Statistics");
+    if (!sheet)
+        return;
+    SheetRow header(*sheet, 0);
+    for (const char *title :
+         {"Metric", "Group", "Runs", "Mean", "± Mean", "Median", "Standard deviation", "CV", "Least", "Most"})
+        header.text(title, formats.header);
+    for (std::size_t i = 0; i < table.statistics.size(); ++i) {
+        const ResultStatistics &from = table.statistics[i];
+        SheetRow row(*sheet, i + 1);
+        row.text(heading(table.columns[from.column]));
+        row.text(from.group);
+        row.number(static_cast<double>(from.count), formats.count);
+        const auto add = [&row](const std::optional<double> &value, lxw_format *format) {
+            if (value)
+                row.number(*value, format);
+            else
+                row.empty();
+        };
+        row.number(from.mean, formats.value);
+        add(from.meanSigma, formats.sigma);
+        row.number(from.median, formats.value);
+        add(from.deviation, formats.sigma);
+        add(from.variation, formats.percent);
+        row.number(from.least, formats.value);
+        row.number(from.most, formats.value);
+    }
+    constexpr double nameWidth = 24, numberWidth = 14;
+    constexpr lxw_col_t lastName = 1, last = 9;
+    worksheet_set_column(sheet, 0, lastName, nameWidth, nullptr);
+    worksheet_set_column(sheet, lastName + 1, last, numberWidth, nullptr);
+    worksheet_freeze_panes(sheet, 1, 0);
+}
+
 struct EndOfWorkbook
 {
     void operator()(lxw_workbook *workbook) const { lxw_workbook_free(workbook); }
@@ -302,6 +338,8 @@ Result<void> writeTrialTableXlsx(const ResultTable &table, const OutputTarget &t
     worksheet_set_column(sheet, behind + 1, behind + 1, remarksWidth, nullptr);
     worksheet_freeze_panes(sheet, 1, 1);
     worksheet_autofilter(sheet, 0, 0, static_cast<lxw_row_t>(table.rows.size()), behind + 1);
+    if (!table.statistics.empty())
+        addStatistics(*workbook, table, formats);
     // frees it, whatever the outcome
     if (const lxw_error problem = workbook_close(workbook.release()); problem != LXW_NO_ERROR)
         return output->failure(lxw_strerror(problem));

@@ -7,6 +7,7 @@
 #include "core/project/records.h"
 #include "core/project/verdict_repository.h"
 
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <vector>
@@ -30,6 +31,19 @@ struct TrialTableRow
     std::vector<std::optional<Metric>> metrics; ///< one for each column; none: it has no such metric
 };
 
+/// A metric over the runs of a group, in the unit of its column. Plain values.
+struct ResultStatistics
+{
+    std::string group;      ///< such as the team's name; empty: of nothing, or all runs
+    std::size_t column = 0; ///< of the table
+    std::size_t count = 0;  ///< of values that count, at least one
+    double mean = 0, median = 0, least = 0, most = 0;
+    /// Standard error of the mean, deviation/√count; of a single run its own σ, if it is known.
+    std::optional<double> meanSigma;
+    std::optional<double> deviation; ///< standard deviation of one run (n − 1); none for a single one
+    std::optional<double> variation; ///< deviation/|mean|; none where that is not defined
+};
+
 /// Trials and their metrics, for a spreadsheet or a program. Nothing is left out or averaged: what a value is
 /// worth is beside it.
 struct ResultTable
@@ -37,6 +51,7 @@ struct ResultTable
     std::vector<std::string> variables; ///< that the trials have, a column each
     std::vector<TrialTableColumn> columns;
     std::vector<TrialTableRow> rows;
+    std::vector<ResultStatistics> statistics; ///< for a sheet of their own; a CSV does not have them
 };
 
 /// As CSV: a header line without blanks, then a row for each robot of each trial; each metric has a column
@@ -44,9 +59,9 @@ struct ResultTable
 /// missing is empty. Any thread.
 Result<void> writeTrialTableCsv(const ResultTable &table, CsvStyle style, const TextSink &sink);
 
-/// As an XLSX workbook of one sheet, with the header frozen: numbers are numbers and dates are dates, lower
-/// bounds are shown with "≥", uncertain and bad verdicts are coloured. Any thread. Errors: those of
-/// OutputFile.
+/// As an XLSX workbook of one sheet, and another one with the statistics if there are any; headers are
+/// frozen, numbers are numbers and dates are dates, lower bounds are shown with "≥", uncertain and bad
+/// verdicts are coloured. Any thread. Errors: those of OutputFile.
 Result<void> writeTrialTableXlsx(const ResultTable &table, const OutputTarget &target);
 
 } // namespace odo

@@ -152,6 +152,26 @@ private Q_SLOTS:
         QVERIFY(styleOf(sheet, "G5").isEmpty());
     }
 
+    /// On a second sheet; without statistics there is none.
+    void statisticsHaveASheet()
+    {
+        const QTemporaryDir folder;
+        ResultTable table = example();
+        table.statistics = {{"Falcon", 0, 4, 1.25, 1.2, 1, 1.5, 0.0625, 0.125, 0.1},
+                            {"Heron", 2, 1, 2, 2, 2, 2, {}, {}, {}}};
+        QVERIFY(writeTrialTableXlsx(table, file(folder)));
+        auto files = unzipped(file(folder));
+        QVERIFY(files["xl/workbook.xml"].contains("name=\"Statistics\""));
+        const QByteArray sheet = files["xl/worksheets/sheet2.xml"];
+        QVERIFY(valueOf(sheet, "C2") == "4" && valueOf(sheet, "D2") == "1.25" &&
+                valueOf(sheet, "E2") == "0.0625" && valueOf(sheet, "G2") == "0.125" &&
+                valueOf(sheet, "H2") == "0.1" && valueOf(sheet, "J2") == "1.5");
+        QVERIFY(valueOf(sheet, "D3") == "2" && !sheet.contains("r=\"E3\""));
+        QVERIFY(files["xl/styles.xml"].contains("formatCode=\"0.0%\""));
+        QVERIFY(writeTrialTableXlsx(example(), file(folder)));
+        QVERIFY(!unzipped(file(folder)).contains("xl/worksheets/sheet2.xml"));
+    }
+
     void aWorkbookReplacesAnotherOnly()
     {
         const QTemporaryDir folder;

@@ -7,6 +7,7 @@
 #include "core/workflow/job.h"
 #include "core/workflow/track/stored_verdicts.h"
 #include "ui/history/internal/mark_actions.h"
+#include "ui/history/internal/results_panel.h"
 #include "ui/history/internal/teams_panel.h"
 #include "ui/history/internal/trial_columns.h"
 #include "ui/history/internal/trial_list.h"
@@ -56,8 +57,8 @@ HistoryPage::HistoryPage(Project &project, bool readOnly, QWidget *parent)
       m_search(new QLineEdit(this)), m_compare(new QPushButton(tr("&Compare"), this)),
       m_filterBar(new TrialFilterBar(this)), m_marks(new MarkActions(project, *this)),
       m_pseudonyms(new QAction(tr("Teams by &pseudonym"), this)), m_table(new TrialTable(*m_trials, this)),
-      m_columns(new TrialColumns(*m_trials, *m_table)), m_teams(new TeamsPanel(project, this)),
-      m_hubRuns(new HubRunsPanel(this)), m_tabs(new QTabWidget(this)),
+      m_columns(new TrialColumns(*m_trials, *m_table)), m_results(new ResultsPanel(project, this)),
+      m_teams(new TeamsPanel(project, this)), m_hubRuns(new HubRunsPanel(this)), m_tabs(new QTabWidget(this)),
       m_detail(new TrialDetail(project, this)), m_checker(new ProjectReader(project.file(), this)),
       m_readTimer(new QTimer(this))
 {
@@ -69,11 +70,12 @@ HistoryPage::HistoryPage(Project &project, bool readOnly, QWidget *parent)
     splitter->setHandleWidth(8);
     splitter->setChildrenCollapsible(false);
     m_tabs->addTab(makeTable(), tr("Tr&ials"));
+    m_tabs->addTab(m_results, tr("Res&ults"));
     m_tabs->addTab(m_teams, tr("Tea&ms"));
     m_tabs->addTab(m_hubRuns, tr("School hub"));
     setHub(std::nullopt);
     m_tabs->setDocumentMode(true);
-    m_tabs->setAccessibleName(tr("Trials or teams"));
+    m_tabs->setAccessibleName(tr("Trials, results or teams"));
     splitter->addWidget(m_tabs);
     splitter->addWidget(m_detail);
     splitter->setStretchFactor(0, 1);
@@ -92,18 +94,23 @@ HistoryPage::HistoryPage(Project &project, bool readOnly, QWidget *parent)
     });
     connect(m_detail, &TrialDetail::failed, this, &HistoryPage::failed);
     connectMarks();
-    connect(m_tabs, &QTabWidget::currentChanged, this, &HistoryPage::showTeams);
+    connect(m_tabs, &QTabWidget::currentChanged, this, &HistoryPage::showChosenTab);
     connect(m_teams, &TeamsPanel::trialsWanted, this, &HistoryPage::giveTrialsToTeams);
     connect(m_teams, &TeamsPanel::failed, this, &HistoryPage::failed);
+    connect(m_results, &ResultsPanel::failed, this, &HistoryPage::failed);
+    connect(m_results, &ResultsPanel::saved, this, &HistoryPage::tableSaved);
+    connect(m_results, &ResultsPanel::trialChosen, this, &HistoryPage::trialChosen);
+    connect(m_results, &ResultsPanel::settled, this, &HistoryPage::showSettled);
     nameCommands({{m_pseudonyms, "pseudonyms"}});
     m_pseudonyms->setCheckable(true);
     m_pseudonyms->setChecked(arePseudonymsShown());
     connect(m_pseudonyms, &QAction::toggled, this, [this](bool shown) {
         showPseudonyms(shown);
         m_trials->updateTeams();
+        m_results->updateTeams();
         offerFilters();
         filter();
-        showTeams();
+        showChosenTab();
         Q_EMIT teamNamesChanged();
     });
 }
@@ -175,15 +182,17 @@ void HistoryPage::setHub(const std::optional<HubAddress> &hub)
 }
 
 /// Only what is seen is computed.
-void HistoryPage::showTeams()
+void HistoryPage::showChosenTab()
 {
     if (m_tabs->currentWidget() == m_teams)
         m_teams->refresh();
+    if (m_tabs->currentWidget() == m_results)
+        m_results->refresh();
 }
 
 bool HistoryPage::isSettled() const
 {
-    return !m_reading && m_unchecked.empty() && m_teams->isSettled();
+    return !m_reading && m_unchecked.empty() && m_teams->isSettled() && m_results->isSettled();
 }
 
 void HistoryPage::showSettled()
@@ -294,7 +303,7 @@ void HistoryPage::endReading(std::vector<TrialRow> rows)
         selectTrial(wanted);
     showCount();
     showCurrent();
-    showTeams();
+    showChosenTab();
     m_unchecked = m_trials->unchecked();
     checkMore();
     showSettled();

@@ -28,6 +28,7 @@ class HubRunsPanel;
 class MarkActions;
 class Project;
 class ProjectReader;
+class ResultsPanel;
 class TeamsPanel;
 class TrialColumns;
 class TrialDetail;
@@ -83,6 +84,7 @@ Q_SIGNALS:
     void trialsChanged(const QString &words);
     /// Teams are shown by another name now.
     void teamNamesChanged();
+    void tableSaved(const QString &file); ///< of results
     void failed(const odo::Error &error);
     void settled();
 
@@ -94,7 +96,7 @@ private:
     QWidget *makeTable();
     void makeHeader();
     void addTrialActions();
-    void showTeams();
+    void showChosenTab();
     void giveTrialsToTeams();
     void showSettled();
     void connectMarks();
@@ -123,6 +125,7 @@ private:
     TrialTable *m_table;
     TrialColumns *m_columns;
     Card *m_tableCard = nullptr;
+    ResultsPanel *m_results;
     TeamsPanel *m_teams;
     HubRunsPanel *m_hubRuns;
     QTabWidget *m_tabs;

@@ -337,4 +337,21 @@ QString coordinateText(double metres, std::optional<double> sigmaM, const QLocal
     return plain.toString(metres * unit.perSi, 'f', decimals) + u' ' + unit.name;
 }
 
+QString withNumbersPadded(const QString &text)
+{
+    constexpr qsizetype width = 12;
+    QString padded;
+    for (qsizetype i = 0; i < text.size();) {
+        qsizetype end = i;
+        while (end < text.size() && text.at(end).isDigit())
+            ++end;
+        if (end > i)
+            padded += text.mid(i, end - i).rightJustified(width, u'0');
+        else
+            padded += text.at(end++);
+        i = end;
+    }
+    return padded;
+}
+
 } // namespace odo

@@ -113,6 +113,10 @@ QString withDecimalSign(QString text, const QLocale &locale);
 /// nullopt: no number, or one that can be read in two ways.
 std::optional<double> typedNumber(const QString &text, const QLocale &locale = QLocale());
 
+/// As a text sorts by the numbers in it: "Trial 9" before "Trial 10". QCollator's own way needs a locale that
+/// has one. Any thread.
+QString withNumbersPadded(const QString &text);
+
 /// The value of a variable as it is stored: a number that was typed with a decimal point, all else as it is.
 QString storedValue(const QString &typed, const QLocale &locale = QLocale());
 

@@ -66,25 +66,6 @@ namespace {
 
 const std::string shownMetric = "max_speed";
 
-/// As a text sorts by the numbers in it: "Trial 9" before "Trial 10". QCollator's own way needs a locale that
-/// has one.
-QString withNumbersPadded(const QString &text)
-{
-    constexpr qsizetype width = 12;
-    QString padded;
-    for (qsizetype i = 0; i < text.size();) {
-        qsizetype end = i;
-        while (end < text.size() && text.at(end).isDigit())
-            ++end;
-        if (end > i)
-            padded += text.mid(i, end - i).rightJustified(width, u'0');
-        else
-            padded += text.at(end++);
-        i = end;
-    }
-    return padded;
-}
-
 /// Numbers before texts, and both before those that have none.
 std::tuple<int, double, QString> variableKey(const QString &value)
 {

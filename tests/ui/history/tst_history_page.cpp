@@ -412,7 +412,7 @@ void TestHistoryPage::showsHowTeamsStand()
 {
     HistoryPage page(*m_project);
     page.refresh();
-    page.findChild<QTabWidget *>()->setCurrentIndex(1);
+    page.findChild<QTabWidget *>()->setCurrentWidget(page.findChild<TeamsPanel *>());
     QVERIFY(!page.isSettled()); // it is read elsewhere
     QTRY_VERIFY(page.isSettled());
     auto *panel = page.findChild<TeamsPanel *>();
@@ -450,7 +450,7 @@ void TestHistoryPage::showsHowTeamsStand()
     QVERIFY(project->tasks().setScoring(project->tasks().find(task.name)->id, {{"max_speed", 1, 0, 10}}));
     HistoryPage changed(*project);
     changed.refresh();
-    changed.findChild<QTabWidget *>()->setCurrentIndex(1);
+    changed.findChild<QTabWidget *>()->setCurrentWidget(changed.findChild<TeamsPanel *>());
     QTRY_VERIFY(changed.isSettled());
     auto *standings = changed.findChild<TeamsPanel *>();
     choice(*standings, "Task")
