@@ -2,6 +2,8 @@
 #include "ui/review/review_desk.h"
 
 #include "ui/review/internal/interval_panel.h"
+#include "ui/review/internal/present_window.h"
+#include "ui/review/internal/sample_table.h"
 #include "ui/review/internal/smoothing_panel.h"
 #include "ui/views/charts/chart_span.h"
 #include "ui/views/charts/profile_chart.h"
@@ -35,15 +37,16 @@ ReviewDesk::ReviewDesk(Timeline &timeline, QWidget *parent)
       m_span(new ChartSpan(timeline, this)),
       m_speed(new ProfileChart(timeline, *m_span, quantitiesFrom(Quantity::Speed))),
       m_acceleration(new ProfileChart(timeline, *m_span, quantitiesFrom(Quantity::Acceleration))),
-      m_intervals(new IntervalPanel), m_smoothing(new SmoothingPanel),
+      m_intervals(new IntervalPanel), m_smoothing(new SmoothingPanel), m_samples(new SampleTable(timeline)),
       m_outlines(new QAction(tr("&Silhouettes of the robots"), this)),
-      m_loupe(new QAction(tr("Lo&upe on the robot"), this))
+      m_loupe(new QAction(tr("Lo&upe on the robot"), this)), m_present(new QAction(tr("&Present"), this))
 {
     middle().addWidget(m_map);
     addDock(m_speed, QStringLiteral("speedDock"), m_speed->title(), 31);
     addDock(m_acceleration, QStringLiteral("accelerationDock"), m_acceleration->title(), 28);
-    addDock(m_intervals, QStringLiteral("intervalDock"), m_intervals->title(), 25, Shown::OnRequest);
-    addDock(m_smoothing, QStringLiteral("smoothingDock"), m_smoothing->title(), 25, Shown::OnRequest);
+    addHiddenDock(m_intervals, QStringLiteral("intervalDock"), m_intervals->title());
+    addHiddenDock(m_smoothing, QStringLiteral("smoothingDock"), m_smoothing->title());
+    addHiddenDock(m_samples, QStringLiteral("dataDock"), m_samples->title());
     for (ProfileChart *chart : {m_speed, m_acceleration})
         connect(chart, &ProfileChart::quantityChanged, this, &ReviewDesk::quantitiesChanged);
     for (ProfileChart *chart : {m_speed, m_acceleration})
@@ -62,9 +65,34 @@ ReviewDesk::ReviewDesk(Timeline &timeline, QWidget *parent)
     m_loupe->setShortcut(QKeySequence(Qt::SHIFT | Qt::Key_L));
     m_loupe->setCheckable(true);
     connect(m_loupe, &QAction::toggled, this, &ReviewDesk::showLoupe);
+    m_present->setObjectName(QStringLiteral("present"));
+    m_present->setToolTip(
+        tr("Team, map, speed and result in large type, on a second screen if there is one"));
+    m_present->setShortcut(QKeySequence(Qt::Key_F5));
+    m_present->setCheckable(true);
+    connect(m_present, &QAction::toggled, this, &ReviewDesk::showPresentation);
     makeZoomActions();
     addPane(m_map, m_map->zoom());
     resetLayout();
+}
+
+ReviewDesk::~ReviewDesk()
+{
+    delete m_presentation; // a window of its own, whose time line goes
+}
+
+void ReviewDesk::showPresentation(bool shown)
+{
+    if (!shown) {
+        if (m_presentation)
+            m_presentation->close();
+        return;
+    }
+    m_presentation = new PresentWindow(m_timeline, *window());
+    m_presentation->setAttribute(Qt::WA_DeleteOnClose);
+    connect(m_presentation, &PresentWindow::closed, m_present, [this] { m_present->setChecked(false); });
+    m_presentation->setScene(m_scene);
+    m_presentation->present();
 }
 
 void ReviewDesk::makeZoomActions()
@@ -102,7 +130,8 @@ void ReviewDesk::addPane(QWidget *pane, ZoomPan &zoom)
 
 QList<QAction *> ReviewDesk::viewActions() const
 {
-    return m_span->actions() << m_map->disagreementAction() << m_outlines << m_loupe << m_zoomActions;
+    return m_span->actions() << m_map->disagreementAction() << m_outlines << m_loupe << m_zoomActions
+                             << m_present;
 }
 
 void ReviewDesk::showOutlines(bool shown)
@@ -202,6 +231,10 @@ void ReviewDesk::setScene(const TrialScenePtr &scene)
     m_acceleration->setScene(scene);
     m_intervals->setScene(scene);
     m_smoothing->setScene(scene);
+    m_samples->setScene(scene);
+    m_scene = scene;
+    if (m_presentation)
+        m_presentation->setScene(scene);
     if (changed)
         equaliseViews();
 }

@@ -21,23 +21,27 @@ class FloorMap;
 class IntervalPanel;
 class SmoothingPanel;
 class FloorReadOut;
+class PresentWindow;
 class ProfileChart;
+class SampleTable;
 class Timeline;
 class ZoomPan;
 struct FitOverlay;
 
-/// The part of Review that a person can arrange: the views and the map side by side, two charts in docks.
+/// The part of Review that a person can arrange: the views and the map side by side, two charts in docks, and
+/// one of all samples that is hidden at first.
 class ReviewDesk : public DockDesk
 {
     Q_OBJECT
 public:
     explicit ReviewDesk(Timeline &timeline, QWidget *parent = nullptr);
+    ~ReviewDesk() override;
 
     /// A null scene clears.
     void setScene(const TrialScenePtr &scene);
     bool isSettled() const;
     /// What charts, map and views show: more, less, all, against time or distance; the views' disagreement;
-    /// the robots' silhouettes; how closely a view or the map is looked at.
+    /// the robots' silhouettes; how closely a view or the map is looked at; the page for the projector.
     QList<QAction *> viewActions() const;
     /// What the charts show, from above.
     QList<Quantity> quantities() const;
@@ -64,6 +68,7 @@ private:
     void showOutlines(bool shown);
     void makeZoomActions();
     void showLoupe(bool shown);
+    void showPresentation(bool shown);
     /// What zooms by keys while the mouse is over it, or was last.
     void addPane(QWidget *pane, ZoomPan &zoom);
 
@@ -75,10 +80,14 @@ private:
     ProfileChart *m_speed, *m_acceleration;
     IntervalPanel *m_intervals;
     SmoothingPanel *m_smoothing;
+    SampleTable *m_samples;
     bool m_isPointing = false;
     ImageOverlay m_overlay;
     QAction *m_outlines; ///< kept in the settings
     QAction *m_loupe;
+    QAction *m_present;
+    QPointer<PresentWindow> m_presentation; ///< while it is open
+    TrialScenePtr m_scene;
     QList<QAction *> m_zoomActions;
     QPointer<QWidget> m_pane; ///< that the keys mean
     QPointer<ZoomPan> m_zoom; ///< its own

@@ -86,14 +86,28 @@ DockDesk::DockDesk(const QString &mode, QWidget *parent)
     setCentralWidget(m_images);
 }
 
-void DockDesk::addDock(QWidget *content, const QString &name, const QString &title, int percent, Shown shown)
+void DockDesk::addDock(QWidget *content, const QString &name, const QString &title, int percent)
 {
     auto *dock = new QDockWidget(title, this);
     dock->setObjectName(name);
     dock->setWidget(content);
     dock->setTitleBarWidget(new DockGrip(dock));
     content->setMinimumSize(220, 90);
-    m_docks.push_back({dock, percent, shown});
+    m_docks.push_back({dock, percent});
+}
+
+void DockDesk::addHiddenDock(QWidget *content, const QString &name, const QString &title)
+{
+    addDock(content, name, title, 0);
+    m_docks.back().isHidden = true;
+    constexpr int leastHeight = 140; // some rows
+    content->setMinimumHeight(leastHeight);
+    QDockWidget *dock = m_docks.back().widget;
+    // from behind the other tabs to the front
+    connect(dock->toggleViewAction(), &QAction::triggered, dock, [dock](bool shown) {
+        if (shown)
+            dock->raise();
+    });
 }
 
 void DockDesk::saveLayout() const
@@ -151,7 +165,12 @@ void DockDesk::resetLayout()
     for (const Dock &dock : m_docks) {
         dock.widget->setFloating(false);
         addDockWidget(Qt::BottomDockWidgetArea, dock.widget);
-        dock.widget->setVisible(dock.shown == Shown::AtFirst);
+        if (dock.isHidden) {
+            tabifyDockWidget(above, dock.widget);
+            dock.widget->hide();
+            continue;
+        }
+        dock.widget->show();
         if (above)
             splitDockWidget(above, dock.widget, Qt::Vertical);
         above = dock.widget;

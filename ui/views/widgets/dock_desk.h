@@ -32,7 +32,6 @@ public:
     void toggleEnlarged(QWidget *pane);
 
 protected:
-    enum class Shown { AtFirst, OnRequest };
     /// What is side by side in the middle.
     QSplitter &middle() const { return *m_images; }
     /// All is as before one was enlarged.
@@ -41,8 +40,9 @@ protected:
     void equaliseViews();
     /// Below those before it. name: for the arrangement that is kept; percent: of the desk's height, at
     /// first.
-    void addDock(QWidget *content, const QString &name, const QString &title, int percent,
-                 Shown shown = Shown::AtFirst);
+    void addDock(QWidget *content, const QString &name, const QString &title, int percent);
+    /// In one place with the last of those added before, a tab of it; hidden until a person wants it.
+    void addHiddenDock(QWidget *content, const QString &name, const QString &title);
 
     void showEvent(QShowEvent *event) override;
     void resizeEvent(QResizeEvent *event) override;
@@ -52,7 +52,7 @@ private:
     {
         QDockWidget *widget;
         int percent;
-        Shown shown;
+        bool isHidden = false; ///< at first
     };
     void restoreLayout();
 
