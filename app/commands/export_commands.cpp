@@ -115,7 +115,9 @@ struct ExportFormat
 {
     std::string name; ///< csv, tum, json or tracker
     CsvStyle style = CsvStyle::Analysis;
-    std::vector<std::size_t> columns; ///< of CSV; empty: all
+    std::vector<std::size_t> columns;        ///< of CSV; empty: all
+    CsvLength unit = CsvLength::Millimetres; ///< of CSV
+    TrackFrame frame = TrackFrame::Floor;    ///< not of JSON
 
     const char *ending() const
     {
@@ -133,6 +135,18 @@ struct ExportFormat
 Result<ExportFormat> exportFormat(const CommandCall &call, const std::string &name)
 {
     ExportFormat format{name, ODO_TRY(csvStyleOf(call)), {}};
+    const auto unit = csvLengthFromWord(call.value(option::unit));
+    if (!unit)
+        return call.wrongCall(ODO_TEXT("app.unit_is", "--unit is mm, cm, m or in"));
+    if (call.isSet(option::unit) && name != "csv")
+        return call.wrongCall(ODO_TEXT("app.unit_is_of_csv", "--unit goes with --format csv"));
+    const auto frame = trackFrameFromWord(call.value(option::axes));
+    if (!frame)
+        return call.wrongCall(ODO_TEXT("app.axes_are", "--axes is floor or start"));
+    if (*frame != TrackFrame::Floor && name == "json")
+        return call.wrongCall(ODO_TEXT("app.json_has_floor_axes", "a JSON file has the axes of the floor"));
+    format.unit = *unit;
+    format.frame = *frame;
     if (!call.isSet(option::columns))
         return format;
     if (name != "csv")
@@ -190,11 +204,15 @@ Result<void> writeExported(const CommandCall &call, const ExportedTrial &from, c
             return writeTrialJson(from.trial, from.recordings,
                                   holdsAll ? std::span(from.analyses) : std::span(*chosen, 1), from.imported,
                                   from.verdict, sink);
-        if (format.name == "tum")
-            return writeTrackTum(**chosen, sink);
-        if (format.name == "tracker")
-            return writeTrackTracker(**chosen, sink);
-        return writeTrackCsv(**chosen, format.style, sink, format.columns);
+        TrackExport how;
+        how.format = format.name == "tum"       ? ExportedFormat::Tum
+                     : format.name == "tracker" ? ExportedFormat::Tracker
+                                                : ExportedFormat::Csv;
+        how.style = format.style;
+        how.columns = format.columns;
+        how.unit = format.unit;
+        how.frame = format.frame;
+        return writeTrack(exportedPart(**chosen, how), how, sink);
     });
 }
 
@@ -307,6 +325,7 @@ Result<void> runExport(const QStringList &arguments, const CancelToken &cancel)
          QStringLiteral("P.odo TRIAL... -o FILE|FOLDER|- [--force] [--robot R] "
                         "[--format csv|tum|json|tracker|html|video] "
                         "[--csv-style analysis|international|continental] [--columns COLUMN[,...]] "
+                        "[--unit mm|cm|m|in] [--axes floor|start] "
                         "[--speed 0.25] [--size 1920x1080] [--theme light|dark]"),
          2, -1,
          outputOptions(QStringLiteral(
@@ -320,7 +339,12 @@ Result<void> runExport(const QStringList &arguments, const CancelToken &cancel)
                  {option::columns,
                   QStringLiteral(
                       "These columns of the CSV in this order, separated by commas; default: all."),
-                  QStringLiteral("COLUMN[,...]")}} +
+                  QStringLiteral("COLUMN[,...]")},
+                 {option::unit, QStringLiteral("Of all lengths of the CSV."), QStringLiteral("UNIT"),
+                  QStringLiteral("mm")},
+                 {option::axes,
+                  QStringLiteral("Of the floor's markers, or from the start of the run in its direction."),
+                  QStringLiteral("AXES"), QStringLiteral("floor")}} +
              videoOptions()},
         cancel);
     if (const auto parsed = call.parse(arguments); !parsed || !*parsed)

@@ -46,13 +46,43 @@ std::string viewNames(std::uint32_t views, const std::vector<std::string> &names
     return joined;
 }
 
-void addPoint(CsvLine &line, const ProfilePoint &point)
+constexpr std::array<std::pair<std::string_view, CsvLength>, 4> unitWords{{{"mm", CsvLength::Millimetres},
+                                                                           {"cm", CsvLength::Centimetres},
+                                                                           {"m", CsvLength::Metres},
+                                                                           {"in", CsvLength::Inches}}};
+
+double lengthIn(CsvLength unit, double metres)
+{
+    switch (unit) {
+    case CsvLength::Millimetres:
+        return toMillimetres(metres);
+    case CsvLength::Centimetres:
+        return metres * 100;
+    case CsvLength::Metres:
+        return metres;
+    case CsvLength::Inches:
+        break;
+    }
+    return metres / 0.0254;
+}
+
+/// "x_mm" → "x_m"
+std::string nameIn(CsvLength unit, std::string_view column)
+{
+    std::string name(column);
+    const auto *const word = std::ranges::find(unitWords, unit, &decltype(unitWords)::value_type::second);
+    if (const std::size_t at = name.find("_mm"); at != std::string::npos)
+        name.replace(at + 1, 2, word->first);
+    return name;
+}
+
+void addPoint(CsvLine &line, const ProfilePoint &point, CsvLength unit)
 {
     for (double metres : {point.position.x(), point.position.y(), point.velocity.x(), point.velocity.y(),
                           point.speedMps, point.acceleration.x(), point.acceleration.y(), point.accelMps2,
                           point.sigmaXM, point.sigmaYM, point.sigmaSpeedMps, point.sigmaAccelMps2}) {
         if (point.valid)
-            line.millimetres(metres);
+            line.number(lengthIn(unit, metres));
         else
             line.empty();
     }
@@ -72,9 +102,20 @@ Result<CsvStyle> parseCsvStyle(std::string_view name)
                 ODO_TEXT("exchange.choose_style", "choose analysis, international or continental"));
 }
 
-std::vector<std::string> csvColumns()
+std::optional<CsvLength> csvLengthFromWord(std::string_view word)
 {
-    return {columns.begin(), columns.end()};
+    for (const auto &[name, unit] : unitWords)
+        if (name == word)
+            return unit;
+    return std::nullopt;
+}
+
+std::vector<std::string> csvColumns(CsvLength unit)
+{
+    std::vector<std::string> names;
+    for (const std::string_view column : columns)
+        names.push_back(nameIn(unit, column));
+    return names;
 }
 
 Result<std::vector<std::size_t>> parseCsvColumns(const std::vector<std::string> &names)
@@ -98,7 +139,7 @@ Result<std::vector<std::size_t>> parseCsvColumns(const std::vector<std::string> 
 }
 
 Result<void> writeTrackCsv(const AnalysisRecord &analysis, CsvStyle style, const TextSink &sink,
-                           std::span<const std::size_t> chosen)
+                           std::span<const std::size_t> chosen, CsvLength unit)
 {
     const auto lineOf = [chosen](const CsvLine &line) {
         return chosen.empty() ? line.take() : line.take(chosen);
@@ -106,8 +147,8 @@ Result<void> writeTrackCsv(const AnalysisRecord &analysis, CsvStyle style, const
     TextPieces text(sink);
     text.add(csvStart(style));
     CsvLine header(style);
-    for (const std::string_view column : columns)
-        header.text(std::string(column));
+    for (const std::string &column : csvColumns(unit))
+        header.text(column);
     text.add(lineOf(header));
     const Profile &profile = analysis.profile;
     for (std::size_t i = 0; i < profile.samples.size(); ++i) {
@@ -115,10 +156,10 @@ Result<void> writeTrackCsv(const AnalysisRecord &analysis, CsvStyle style, const
         CsvLine line(style);
         // A quotient is rounded once, so that the shortest text is exactly the nanoseconds.
         line.number(static_cast<double>(sample.time.count()) / 1e9);
-        addPoint(line, profile.points[i]);
+        addPoint(line, profile.points[i], unit);
         for (int axis : {0, 1}) {
             if (sample.position)
-                line.millimetres((*sample.position)[axis]);
+                line.number(lengthIn(unit, (*sample.position)[axis]));
             else
                 line.empty();
         }

@@ -6,6 +6,7 @@
 #include "core/project/records.h"
 
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -21,20 +22,27 @@ enum class CsvStyle {
 /// "analysis", "international", "continental"; NotFound for another word.
 Result<CsvStyle> parseCsvStyle(std::string_view name);
 
+/// The unit of all lengths of a table, also in speeds and accelerations.
+enum class CsvLength { Millimetres, Centimetres, Metres, Inches };
+/// "mm", "cm", "m", "in"; nullopt for another word.
+std::optional<CsvLength> csvLengthFromWord(std::string_view word);
+
 /// The names of the columns of a track as CSV, in their order.
-std::vector<std::string> csvColumns();
-/// Columns of a track as CSV, by their positions; columns: their names, in any order, each once. NotFound for
+std::vector<std::string> csvColumns(CsvLength unit = CsvLength::Millimetres);
+/// Columns of a track as CSV, by their positions; columns: their names in millimetres, in any order, each
+/// once. NotFound for
 /// another name, InvalidInput for one that is named twice.
 Result<std::vector<std::size_t>> parseCsvColumns(const std::vector<std::string> &columns);
 
 /// One robot's track as the command line promises it: a header line, then a row for each frame of the first
-/// view. Millimetres and seconds in the shortest form that reads back exactly; what is missing or not finite
-/// is empty. The same bytes in every locale. Cells of text that a spreadsheet would take as a formula begin
-/// with an apostrophe.
+/// view. Lengths in the unit (the columns are named after it: "x_m") and seconds, in the shortest form that
+/// reads back exactly; what is missing or not finite is empty. The same bytes in every locale. Cells of text
+/// that a spreadsheet would take as a formula begin with an apostrophe.
 std::string trackCsv(const AnalysisRecord &analysis, CsvStyle style);
 /// columns: only those, in that order; empty: all.
 Result<void> writeTrackCsv(const AnalysisRecord &analysis, CsvStyle style, const TextSink &sink,
-                           std::span<const std::size_t> columns = {});
+                           std::span<const std::size_t> columns = {},
+                           CsvLength unit = CsvLength::Millimetres);
 
 /// Tracks for other programs: the points where the profile is valid, metres and seconds, the same bytes in
 /// every locale.

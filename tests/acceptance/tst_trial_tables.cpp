@@ -170,6 +170,10 @@ private Q_SLOTS:
         addBadCall("export %P whole short -o %/out --robot blue", 1, "blue");
         addBadCall("export %P whole -o %/out.csv --columns t_s,beauty", 2, "beauty");
         addBadCall("export %P whole -o %/out.csv --columns t_s,t_s", 2, "it is named twice");
+        addBadCall("export %P whole -o %/out.csv --unit ft", 2, "--unit is mm, cm, m or in");
+        addBadCall("export %P whole -o %/out.tum --unit m --format tum", 2, "--unit goes with");
+        addBadCall("export %P whole -o %/out.csv --axes robot", 2, "--axes is floor or start");
+        addBadCall("export %P whole -o %/out.json --axes start --format json", 2, "axes of the floor");
         addBadCall("export %P whole -o %/out.csv --columns t_s --format tum", 2, "--columns goes with");
         addBadCall("export %P whole -o %/folder", 2, "folder");
     }

@@ -76,6 +76,24 @@ private Q_SLOTS:
                                  "0,033333333;250;") != std::string::npos);
         QVERIFY(continental.ends_with("\n0,066666667;;;;;;;;;;;;;;;;lost\n"));
     }
+    /// Columns are named after the unit; times are seconds in all of them.
+    void inOtherUnits()
+    {
+        const auto in = [](const char *word) {
+            return wholeText([&](const TextSink &sink) {
+                return writeTrackCsv(sampleTrack(), CsvStyle::Analysis, sink, {}, *csvLengthFromWord(word));
+            });
+        };
+        QCOMPARE(in("mm"), trackCsv(sampleTrack(), CsvStyle::Analysis));
+        QVERIFY(
+            in("m").starts_with("t_s,x_m,y_m,vx_m_s,vy_m_s,speed_m_s,ax_m_s2,ay_m_s2,accel_m_s2,sigma_x_m,"
+                                "sigma_y_m,sigma_speed_m_s,sigma_accel_m_s2,raw_x_m,raw_y_m,views,flags\n"
+                                "0,0.25,-1.5,0,2,2,0.5,0,0.5,0.001,0.002,0.0625,0.25,0.25,-1.5,A+B,\n"));
+        QVERIFY(in("cm").find("\n0,25,-150,0,200,200,50,0,50,0.1,0.2,6.25,25,25,-150,A+B,\n") !=
+                std::string::npos);
+        QVERIFY(in("in").find("\n0,9.84251968503937,") != std::string::npos);
+        QVERIFY(!csvLengthFromWord("ft"));
+    }
     void textCellsAreNoFormulas()
     {
         AnalysisRecord analysis = sampleTrack();

@@ -146,7 +146,7 @@ Work single(const std::function<Result<void>(const fs::path &)> &work)
 UseCase exporting()
 {
     return {QStringLiteral("export tables"), storeExampleIn, jobIn([](const fs::path &folder, Project &) {
-                return std::make_unique<ExportJob>("Trial 2", folder, CsvStyle::Analysis);
+                return std::make_unique<ExportJob>("Trial 2", folder, TrackExport());
             })};
 }
 

@@ -12,7 +12,7 @@
 #include "ui/history/history_page.h"
 #include "ui/main_window/internal/import_dialogs.h"
 #include "ui/main_window/internal/import_lesson_dialog.h"
-#include "ui/main_window/internal/window_bars.h"
+#include "ui/main_window/internal/window_messages.h"
 #include "ui/main_window/language.h"
 #include "ui/main_window/main_window.h"
 #include "ui/main_window/preferences/preferences_dialog.h"
@@ -21,6 +21,7 @@
 #include "ui/record/internal/run_results.h"
 #include "ui/record/record_page.h"
 #include "ui/report/report_dialog.h"
+#include "ui/review/internal/present_window.h"
 #include "ui/review/review_page.h"
 #include "ui/testbed/check/camera_position_dialog.h"
 #include "ui/testbed/floor/floor_wizard.h"
@@ -303,6 +304,12 @@ void TestManualPictures::review()
     disagreement->trigger();
     m_book->takeWindow(QStringLiteral("disagreement"));
     disagreement->trigger();
+    auto *present = m_book->window().findChild<QAction *>(QStringLiteral("present"));
+    present->trigger();
+    auto *presentation = m_book->window().findChild<PresentWindow *>();
+    QTRY_VERIFY_WITH_TIMEOUT(presentation && presentation->isSettled(), patienceMs);
+    m_book->take(*presentation, QStringLiteral("present"));
+    presentation->close();
 }
 
 void TestManualPictures::spikes()
@@ -336,13 +343,17 @@ void TestManualPictures::history()
     QTRY_VERIFY(table->model()->rowCount() > 3);
     table->selectRow(0);
     m_book->takeWindow(QStringLiteral("history"));
-    page->findChild<QTabWidget *>()->setCurrentIndex(1);
+    auto *tabs = page->findChild<QTabWidget *>();
+    tabs->setCurrentIndex(1);
+    waitFor(m_book->window());
+    m_book->takeWindow(QStringLiteral("results"));
+    tabs->setCurrentIndex(2);
     waitFor(m_book->window());
     for (QComboBox *box : page->findChildren<QComboBox *>())
         if (const int task = box->findText(QStringLiteral("Figure eight")); task >= 0 && box->isVisible())
             box->setCurrentIndex(task);
     m_book->takeWindow(QStringLiteral("teams"));
-    page->findChild<QTabWidget *>()->setCurrentIndex(0);
+    tabs->setCurrentIndex(0);
     m_book->takeDialog("classes", QStringLiteral("classes"));
     m_book->takeDialog("robots", QStringLiteral("robots"));
     m_book->takeDialog("changes", QStringLiteral("changes"));
@@ -370,6 +381,7 @@ void TestManualPictures::reports()
         QTRY_VERIFY_WITH_TIMEOUT(preview.isSettled() && !preview.images().isEmpty(), patienceMs);
     });
     showTrial(eight, 3 * second);
+    m_book->takeDialog("export", QStringLiteral("export"));
     m_book->takeDialog("exportVideo", QStringLiteral("export_video"));
 }
 
@@ -399,7 +411,10 @@ void TestManualPictures::warning()
                                  m_book->window().findChild<MessageBar *>()->isVisible(),
                              patienceMs);
     m_book->take(*m_book->window().findChild<MessageBar *>(), QStringLiteral("message"));
-    m_book->window().findChild<MessageBar *>()->hide(); // the next pictures are of something else
+    auto *list = m_book->window().findChild<QAction *>(QStringLiteral("messages"));
+    list->trigger();
+    m_book->take(*m_book->window().findChild<MessagePanel *>(), QStringLiteral("messages"));
+    list->trigger(); // the next pictures are of something else
 }
 
 /// A picture that is no longer taken, or that nobody has taken over into the manual yet.

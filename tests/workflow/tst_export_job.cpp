@@ -38,6 +38,36 @@ private Q_SLOTS:
         QCOMPARE(file.readAll().toStdString(), trackCsv(analyses->front(), CsvStyle::Analysis));
     }
 
+    /// Of a part, with columns, a unit and axes that were chosen.
+    void whatWasChosenIsWritten()
+    {
+        const QTemporaryDir folder;
+        const auto trial = m_project->trials().find("Trial 1");
+        const AnalysisRecord analysis = m_project->analyses().current(trial->id)->front();
+        TrackExport how;
+        how.columns = *parseCsvColumns({"t_s", "x_mm", "y_mm", "speed_mm_s"});
+        how.unit = CsvLength::Metres;
+        how.frame = TrackFrame::Start;
+        how.span = TimeSpan{analysis.profile.samples[5].time, analysis.profile.samples[9].time};
+        ExportJob job("Trial 1", folder.path().toStdString(), how);
+        QVERIFY(runToEnd(job, *m_project, JobControl()));
+        QFile file(folder.filePath(QStringLiteral("Trial 1.csv")));
+        QVERIFY(file.open(QIODevice::ReadOnly));
+        const QByteArrayList lines = file.readAll().split('\n');
+        QCOMPARE(lines.size(), qsizetype(1 + 5 + 1));
+        QCOMPARE(lines.at(0), QByteArray("t_s,x_m,y_m,speed_m_s"));
+        QVERIFY2(lines.at(1).startsWith("0,0,0,"), lines.at(1).constData());
+        const QByteArrayList last = lines.at(5).split(',');
+        const auto &points = analysis.profile.points;
+        QVERIFY(std::abs(std::hypot(last.at(1).toDouble(), last.at(2).toDouble()) -
+                         (points[9].position - points[5].position).norm()) < 1e-9);
+        QCOMPARE(last.at(3).toDouble(), points[9].speedMps);
+        how.format = ExportedFormat::Tum;
+        ExportJob tum("Trial 1", folder.path().toStdString(), how);
+        QVERIFY(runToEnd(tum, *m_project, JobControl()));
+        QVERIFY(QFile::exists(folder.filePath(QStringLiteral("Trial 1.tum"))));
+    }
+
     void nothingIsOverwritten()
     {
         const QTemporaryDir folder;
@@ -61,7 +91,7 @@ private Q_SLOTS:
         const QTemporaryDir folder;
         JobControl control;
         control.cancel.cancel();
-        ExportJob job("Trial 1", folder.path().toStdString(), CsvStyle::Analysis);
+        ExportJob job("Trial 1", folder.path().toStdString(), {});
         QCOMPARE(runToEnd(job, *m_project, control).error().code, ErrorCode::Cancelled);
         QVERIFY(QDir(folder.path()).isEmpty());
     }
@@ -69,7 +99,7 @@ private Q_SLOTS:
 private:
     Result<void> run(const std::string &trial, const QTemporaryDir &folder)
     {
-        ExportJob job(trial, folder.path().toStdString(), CsvStyle::Analysis);
+        ExportJob job(trial, folder.path().toStdString(), {});
         return runToEnd(job, *m_project, JobControl());
     }
 

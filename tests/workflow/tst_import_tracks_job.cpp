@@ -222,7 +222,7 @@ private Q_SLOTS:
         QVERIFY2(compared, compared ? "" : compared.error().message().c_str());
         const QString out = m_folder->filePath(QStringLiteral("out"));
         QVERIFY(QDir().mkpath(out));
-        ExportJob job("one", out.toStdString(), CsvStyle::Analysis);
+        ExportJob job("one", out.toStdString(), TrackExport());
         QVERIFY(runToEnd(job, *m_project, JobControl()));
         QCOMPARE(job.files().size(), std::size_t(1));
     }

@@ -18,11 +18,13 @@
 #include "ui/main_window/internal/trial_actions.h"
 #include "ui/main_window/internal/window_bars.h"
 #include "ui/main_window/internal/window_menus.h"
+#include "ui/main_window/internal/window_messages.h"
 #include "ui/main_window/preferences/command_keys.h"
 #include "ui/main_window/preferences/preferences_dialog.h"
 #include "ui/main_window/workspace.h"
 #include "ui/models/shown_message.h"
 #include "ui/models/shown_names.h"
+#include "ui/models/timeline.h"
 #include "ui/record/record_page.h"
 #include "ui/review/corrections.h"
 #include "ui/review/guidance_tool.h"
@@ -33,6 +35,7 @@
 #include "ui/views/widgets/form_fields.h"
 
 #include <QCloseEvent>
+#include <QDir>
 #include <QHBoxLayout>
 #include <QMenuBar>
 #include <QMimeData>
@@ -63,8 +66,7 @@ MainWindow::MainWindow()
       m_undo(new UndoActions(*m_workspace, this)), m_views(new ViewActions(*this)),
       m_keys(new CommandKeys(this)), m_helpPanel(new HelpPanel),
       m_help(new HelpActions(*m_keys, *m_helpPanel, *this)), m_modeBar(new ModeBar),
-      m_messages(new MessageBar), m_stack(new QStackedWidget),
-      m_welcome(new WelcomePage(*m_files, *m_recent)), m_status(new StatusLine)
+      m_stack(new QStackedWidget), m_welcome(new WelcomePage(*m_files, *m_recent)), m_status(new StatusLine)
 {
     GeneralPage::applySettings();
     setAcceptDrops(true);
@@ -95,7 +97,6 @@ void MainWindow::makeCentre()
     m_stack->addWidget(m_welcome);
     auto *right = new QVBoxLayout;
     right->setSpacing(0);
-    right->addWidget(m_messages);
     right->addWidget(m_stack, 1);
     right->addWidget(new LessonBar(m_help->lesson()));
     auto *centre = new QWidget;
@@ -106,6 +107,9 @@ void MainWindow::makeCentre()
     layout->addLayout(right, 1);
     layout->addWidget(m_helpPanel);
     setCentralWidget(centre);
+    m_messages = new WindowMessages(*m_stack, this);
+    m_status->addPermanentWidget(m_messages->bell());
+    connect(m_messages, &WindowMessages::remedyWanted, this, &MainWindow::begin);
 }
 
 void MainWindow::makeMenus()
@@ -128,6 +132,7 @@ void MainWindow::makeMenus()
     ofClass->addAction(m_class->standings());
     ofClass->addAction(m_hub->hub());
     m_menus = std::make_unique<PageMenus>(*menuBar(), *m_modeBar, *m_views, *m_trials);
+    m_views->addAction(m_messages->action());
     m_help->fillMenu(*menuBar()->addMenu(tr("&Help")));
     m_keys->adopt(*menuBar());
 }
@@ -143,18 +148,18 @@ void MainWindow::connectActions()
     connect(m_files, &FileActions::demoOpened, m_help, &HelpActions::beginLesson);
     connect(m_help, &HelpActions::demoWanted, m_files->demo(), &QAction::trigger);
     connect(m_files, &FileActions::failed, this, &MainWindow::showFailure);
-    connect(m_files, &FileActions::done, m_messages, &MessageBar::showDone);
+    connect(m_files, &FileActions::done, m_messages, &WindowMessages::showDone);
     connect(m_trials, &TrialActions::failed, this, &MainWindow::showFailure);
-    connect(m_trials, &TrialActions::done, m_messages, &MessageBar::showDone);
+    connect(m_trials, &TrialActions::done, m_messages, &WindowMessages::showDone);
     connect(m_reports, &ReportActions::failed, this, &MainWindow::showFailure);
-    connect(m_reports, &ReportActions::done, m_messages, &MessageBar::showDone);
+    connect(m_reports, &ReportActions::done, m_messages, &WindowMessages::showDone);
     connect(m_reports, &ReportActions::letterheadRequested, this,
             [this] { showPreferences(PreferencesDialog::Reports); });
     connect(m_many, &HistoryActions::failed, this, &MainWindow::showFailure);
-    connect(m_many, &HistoryActions::changed, this, [this](const QString &words) {
+    connect(m_many, &HistoryActions::changed, this, [this](const DoneWork &work) {
         refreshPages();
-        if (!words.isEmpty())
-            m_messages->showDone(words);
+        if (!work.words.isEmpty())
+            m_messages->showDone(work);
     });
     connect(m_class, &ClassActions::changed, this, &MainWindow::refreshPages);
     connect(m_class, &ClassActions::rosterRequested, m_many, &HistoryActions::askRoster);
@@ -178,14 +183,14 @@ void MainWindow::connectActions()
     connect(m_trials, &TrialActions::lessonChosen, m_many, &HistoryActions::importTrials);
     connect(m_trials, &TrialActions::trialTracked, this, &MainWindow::openTrial);
     connect(m_start, &StartActions::failed, this, &MainWindow::showFailure);
-    connect(m_start, &StartActions::done, m_messages, &MessageBar::showDone);
+    connect(m_start, &StartActions::done, m_messages, &WindowMessages::showDone);
 }
 
 void MainWindow::connectJobs()
 {
     connect(m_workspace, &Workspace::aboutToClose, this, &MainWindow::closePages);
     connect(m_workspace, &Workspace::opened, this, &MainWindow::makePages);
-    connect(m_workspace, &Workspace::messageReady, m_messages, &MessageBar::showDone);
+    connect(m_workspace, &Workspace::messageReady, m_messages, &WindowMessages::showDone);
     connect(m_workspace, &Workspace::jobStarted, &m_status->job(), &JobIndicator::begin);
     connect(m_workspace, &Workspace::jobProgressed, &m_status->job(), &JobIndicator::setProgress);
     connect(m_workspace, &Workspace::jobDone, &m_status->job(), &JobIndicator::end);
@@ -199,7 +204,8 @@ void MainWindow::connectJobs()
     connect(m_workspace, &Workspace::jobFailed, &m_status->job(), &JobIndicator::end);
     connect(m_workspace, &Workspace::jobFailed, this, &MainWindow::showFailure);
     connect(m_workspace, &Workspace::backupFound, this, [this](const std::filesystem::path &project) {
-        m_messages->offer(tr("Restore the backup"), [this, project] { m_files->beginRestoring(project); });
+        m_messages->offer({tr("Restore the backup"), [this, project] { m_files->beginRestoring(project); },
+                           MessageAction::Ends::AfterUse});
     });
     connect(&m_status->job(), &JobIndicator::cancelRequested, m_workspace, &Workspace::cancel);
 }
@@ -216,7 +222,7 @@ void MainWindow::connectHub()
     connect(m_hub, &HubActions::received, this, &MainWindow::refreshPages);
     connect(m_hub, &HubActions::conflictsFound, this, [this] {
         m_messages->showWarning(tr("You and another bench changed the same things. Both versions are kept."));
-        m_messages->offer(tr("Show both"), [this] { m_hub->showConflicts(); });
+        m_messages->offer({tr("Show both"), [this] { m_hub->showConflicts(); }});
     });
     connect(m_status, &StatusLine::hubRequested, m_hub, &HubActions::showDialog);
 }
@@ -299,6 +305,7 @@ void MainWindow::closePages()
     m_trials->setCurrentTrial({});
     m_trials->setChosenTrials({});
     m_pages.reset();
+    m_messages->endProject();
 }
 
 void MainWindow::makePages()
@@ -307,7 +314,7 @@ void MainWindow::makePages()
     connectPages();
     m_reports->setPages(m_pages.get());
     m_modeBar->setModesEnabled(true);
-    m_messages->hide();
+    m_messages->hideBar();
     knowTeams();
     m_pages->review();
     m_pages->makeSoon();
@@ -324,7 +331,7 @@ void MainWindow::connectPages()
         m_trials->setChosenTrials(m_pages->chosenTrials());
     });
     connect(m_pages.get(), &ProjectPages::changed, this, &MainWindow::showState);
-    connect(m_pages.get(), &ProjectPages::messageReady, m_messages, &MessageBar::showDone);
+    connect(m_pages.get(), &ProjectPages::messageReady, m_messages, &WindowMessages::showDone);
     connect(m_pages.get(), &ProjectPages::failed, this, &MainWindow::showFailure);
     connect(m_pages.get(), &ProjectPages::settled, this, &MainWindow::settled);
 }
@@ -345,6 +352,8 @@ void MainWindow::addPage(Mode mode)
     case Mode::Review: {
         ReviewPage *review = &m_pages->review();
         connect(review, &ReviewPage::trialShown, this, &MainWindow::showTitle);
+        connect(&review->timeline(), &Timeline::selectionChanged, m_trials,
+                [this, review] { m_trials->setSelection(review->timeline().selection()); });
         connect(review, &ReviewPage::importRequested, m_trials, askImport);
         connect(review, &ReviewPage::trackRequested, m_trials, &TrialActions::askTrack);
         connect(&review->spikes(), &SpikeActions::requested, m_trials, &TrialActions::manualOverride);
@@ -368,6 +377,9 @@ void MainWindow::addPage(Mode mode)
         connect(history, &HistoryPage::trialsChanged, this, &MainWindow::knowTeams);
         connect(history, &HistoryPage::emptyBinRequested, m_many, &HistoryActions::emptyBin);
         connect(history, &HistoryPage::reportRequested, m_reports, &ReportActions::askTrials);
+        connect(history, &HistoryPage::tableSaved, this, [this](const QString &file) {
+            m_messages->showDone({tr("Table saved as %1.").arg(QDir::toNativeSeparators(file)), {}, file});
+        });
         connect(history, &HistoryPage::exportRequested, m_many, &HistoryActions::exportTrials);
         connect(history, &HistoryPage::videosRequested, m_many, &HistoryActions::exportVideos);
         connect(history, &HistoryPage::reprocessRequested, m_many, &HistoryActions::reprocessTrials);
@@ -498,6 +510,25 @@ void MainWindow::showTitle()
 void MainWindow::showState()
 {
     m_status->showState(*m_workspace, m_pages ? m_pages->scene() : nullptr);
+}
+
+/// What a message advises.
+void MainWindow::begin(Remedy remedy, const QString &trial)
+{
+    if (!m_workspace->project())
+        return;
+    switch (remedy) {
+    case Remedy::Synchronise:
+        return m_trials->askSynchronise(trial);
+    case Remedy::ChangeRobots:
+        return m_class->showRobots();
+    case Remedy::OpenTestbed:
+        return showMode(Mode::Testbed);
+    case Remedy::Track:
+        return m_trials->askTrack(trial);
+    case Remedy::FindVideos:
+        return m_files->findLostVideos();
+    }
 }
 
 /// The core knows teams by their names only.

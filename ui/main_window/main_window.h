@@ -20,7 +20,6 @@ class HelpActions;
 class HelpPanel;
 class HistoryActions;
 class HubActions;
-class MessageBar;
 class ModeBar;
 class PageMenus;
 class RecentProjects;
@@ -31,7 +30,9 @@ class TrialActions;
 class UndoActions;
 class ViewActions;
 class WelcomePage;
+class WindowMessages;
 class Workspace;
+enum class Remedy;
 
 /// The one window of Odograph: joins the mode bar, the pages, the menus and the running job. It wires; what
 /// is done is done by those it joins. GUI thread.
@@ -99,6 +100,7 @@ private:
     QString projectName() const;
     bool isWorking() const;
     void showFailure(const Error &error);
+    void begin(Remedy remedy, const QString &trial);
     void showDesk(Mode mode);
 
     RecentProjects *m_recent;
@@ -116,7 +118,7 @@ private:
     HelpPanel *m_helpPanel;
     HelpActions *m_help;
     ModeBar *m_modeBar;
-    MessageBar *m_messages;
+    WindowMessages *m_messages = nullptr;
     QStackedWidget *m_stack;
     WelcomePage *m_welcome;
     std::unique_ptr<ProjectPages> m_pages; ///< null: no project is open

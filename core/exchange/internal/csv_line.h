@@ -38,7 +38,6 @@ public:
             std::replace(text.begin(), text.end(), '.', ',');
         m_cells.push_back(std::move(text));
     }
-    void millimetres(double metres) { number(toMillimetres(metres)); }
     void empty() { m_cells.emplace_back(); }
     void text(const std::string &text) { m_cells.push_back(csvText(text, m_delimiter)); }
 

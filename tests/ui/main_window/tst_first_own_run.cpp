@@ -10,7 +10,7 @@
 #include "tests/ui/support/driven_window.h"
 #include "tests/ui/support/found_widgets.h"
 #include "tests/ui/support/person.h"
-#include "ui/main_window/internal/window_bars.h"
+#include "ui/main_window/internal/window_messages.h"
 #include "ui/main_window/main_window.h"
 #include "ui/main_window/workspace.h"
 #include "ui/start/start_page.h"

@@ -6,6 +6,7 @@
 #include "tests/ui/support/driven_window.h"
 #include "tests/ui/support/stored_example.h"
 #include "ui/main_window/internal/window_bars.h"
+#include "ui/main_window/internal/window_messages.h"
 #include "ui/main_window/main_window.h"
 #include "ui/main_window/workspace.h"
 #include "ui/models/background_task.h"

@@ -8,7 +8,7 @@
 #include "tests/ui/support/found_widgets.h"
 #include "tests/ui/support/person.h"
 #include "tests/ui/support/stored_example.h"
-#include "ui/main_window/internal/window_bars.h"
+#include "ui/main_window/internal/window_messages.h"
 #include "ui/main_window/main_window.h"
 #include "ui/main_window/workspace.h"
 

@@ -66,7 +66,7 @@ private Q_SLOTS:
         TrialBatch batch(*m_workspace, nullptr);
         QSignalSpy ended(&batch, &TrialBatch::ended), begun(m_workspace.get(), &Workspace::jobStarted);
         const auto make = [&](const std::string &trial) {
-            return std::make_shared<ExportJob>(trial, target.path().toStdString(), CsvStyle::Analysis);
+            return std::make_shared<ExportJob>(trial, target.path().toStdString(), TrackExport());
         };
         QVERIFY(batch.start({QStringLiteral("Trial 1"), QStringLiteral("Trial 3"), QStringLiteral("Trial 2")},
                             {&ODO_TEXT("test.exporting", "Exporting %1 (%2 of %3)"), make, {}}));

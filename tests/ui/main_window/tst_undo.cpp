@@ -9,7 +9,7 @@
 #include "tests/ui/support/project_content.h"
 #include "tests/ui/support/stored_example.h"
 #include "ui/history/history_page.h"
-#include "ui/main_window/internal/window_bars.h"
+#include "ui/main_window/internal/window_messages.h"
 #include "ui/main_window/main_window.h"
 #include "ui/main_window/workspace.h"
 #include "ui/review/review_page.h"

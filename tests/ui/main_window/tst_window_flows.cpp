@@ -13,6 +13,7 @@
 #include "tests/ui/support/project_content.h"
 #include "ui/main_window/internal/import_dialogs.h"
 #include "ui/main_window/internal/window_bars.h"
+#include "ui/main_window/internal/window_messages.h"
 #include "ui/main_window/main_window.h"
 #include "ui/main_window/workspace.h"
 #include "ui/testbed/floor/floor_wizard.h"
@@ -393,10 +394,15 @@ void TestWindowFlows::synchronisesAgain()
 
 void TestWindowFlows::exportsAndCopies()
 {
-    run("Export…", {chooseFile(path(QStringLiteral("track.csv")))});
+    const auto inMetres = [](QDialog &dialog) {
+        test::named<QComboBox>(dialog, "Lengths in")->setCurrentText(QStringLiteral("m"));
+        press(dialog);
+    };
+    run("Export…", {inMetres, chooseFile(path(QStringLiteral("track.csv")))});
     QFile exported(path(QStringLiteral("track.csv")));
     QVERIFY2(exported.open(QIODevice::ReadOnly), qPrintable(message()));
-    QVERIFY(exported.readAll().count('\n') > 40);
+    const QByteArray track = exported.readAll();
+    QVERIFY(track.count('\n') > 40 && track.startsWith("t_s,x_m,y_m,"));
     run("Save a copy as…", {chooseFile(path(QStringLiteral("copy")))});
     const auto copy =
         Project::open(path(QStringLiteral("copy.odo")).toStdString(), Project::Access::ReadOnly);

@@ -8,6 +8,7 @@
 #include "tests/ui/support/found_widgets.h"
 #include "ui/history/history_page.h"
 #include "ui/main_window/internal/window_bars.h"
+#include "ui/main_window/internal/window_messages.h"
 #include "ui/main_window/main_window.h"
 #include "ui/main_window/workspace.h"
 #include "ui/school/hub_dialog.h"

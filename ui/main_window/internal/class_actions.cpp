@@ -11,6 +11,7 @@
 #include "core/workflow/media_upkeep.h"
 #include "core/workflow/track/reanalysis.h"
 #include "ui/history/classes_dialog.h"
+#include "ui/main_window/internal/export_dialog.h"
 #include "ui/main_window/internal/robots_dialog.h"
 #include "ui/main_window/internal/trial_export.h"
 #include "ui/main_window/workspace.h"
@@ -200,18 +201,24 @@ void HistoryActions::showChanges()
 
 void HistoryActions::exportTrials(const QStringList &trials)
 {
+    const auto count = static_cast<int>(trials.size());
+    ExportDialog dialog({tr("Export %n trial(s)", "", count), {}, false, false, {}}, &m_window);
+    if (dialog.exec() != QDialog::Accepted)
+        return;
     const QString folder = QFileDialog::getExistingDirectory(
-        &m_window, tr("Export %n trial(s): choose a folder", "", static_cast<int>(trials.size())),
+        &m_window, tr("Export %n trial(s): choose a folder", "", count),
         QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation));
     if (folder.isEmpty())
         return;
     m_doneWords = &ODO_TEXT("ui.exported_trials", "Exported trials: %1 of %2");
-    const auto make = [path = pathOf(folder)](const std::string &trial) {
-        return std::make_shared<ExportJob>(trial, path, CsvStyle::Analysis);
+    const auto make = [path = pathOf(folder), how = dialog.settings()](const std::string &trial) {
+        return std::make_shared<ExportJob>(trial, path, how);
     };
-    if (const Result<void> started =
-            m_batch->start(trials, {&ODO_TEXT("ui.exporting", "Exporting %1 (%2 of %3)"), make, {}});
-        !started)
+    const Result<void> started =
+        m_batch->start(trials, {&ODO_TEXT("ui.exporting", "Exporting %1 (%2 of %3)"), make, {}});
+    if (started)
+        m_folder = folder;
+    else
         Q_EMIT failed(started.error());
 }
 
@@ -231,9 +238,11 @@ void HistoryActions::exportVideos(const QStringList &trials)
         own.target = {path / (fileNameOf(trial) + ".mp4"), Existing::Refuse};
         return std::make_shared<AnnotatedVideoJob>(trial, own);
     };
-    if (const Result<void> started = m_batch->start(
-            trials, {&ODO_TEXT("ui.making_videos", "Creating the video of %1 (%2 of %3)"), make, {}});
-        !started)
+    const Result<void> started = m_batch->start(
+        trials, {&ODO_TEXT("ui.making_videos", "Creating the video of %1 (%2 of %3)"), make, {}});
+    if (started)
+        m_folder = folder;
+    else
         Q_EMIT failed(started.error());
 }
 
@@ -295,11 +304,12 @@ void HistoryActions::tellEnd(int done, int all, const std::vector<Error> &failur
 {
     const Message words = (*m_doneWords)(done, all);
     std::vector<Message> told = std::exchange(m_remarks, {});
+    const QString folder = std::exchange(m_folder, {});
     if (failures.empty()) {
         QStringList sentences(fullSentence(shownWords(words)));
         for (const Message &remark : told)
             sentences << fullSentence(shownWords(remark));
-        Q_EMIT changed(sentences.join(QLatin1Char(' ')));
+        Q_EMIT changed({sentences.join(QLatin1Char(' ')), std::move(told), folder});
         return;
     }
     constexpr std::size_t most = 3;
@@ -309,7 +319,7 @@ void HistoryActions::tellEnd(int done, int all, const std::vector<Error> &failur
     }
     if (failures.size() > most)
         told.push_back(ODO_TEXT("ui.and_more", "and %1 more")(failures.size() - most));
-    Q_EMIT changed({});
+    Q_EMIT changed(QString());
     Q_EMIT failed(
         {ErrorCode::InvalidInput, words, joined(std::move(told), Join::Semicolon),
          ODO_TEXT("ui.mend_and_choose_again", "correct the listed errors, then select these trials again")});

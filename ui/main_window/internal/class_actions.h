@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/base/error.h"
+#include "ui/main_window/internal/done_work.h"
 
 #include <QObject>
 #include <QPointer>
@@ -29,6 +30,7 @@ public:
     void fillMenu(QMenu &menu);
     QAction *standings() const { return m_standings; }
     void showTasks();
+    void showRobots();
 
 Q_SIGNALS:
     void changed(); ///< the project
@@ -37,7 +39,6 @@ Q_SIGNALS:
 
 private:
     void showClasses();
-    void showRobots();
     void showStandings();
     void updateActions();
 
@@ -77,7 +78,7 @@ public:
 
 Q_SIGNALS:
     /// The project is another one now.
-    void changed(const QString &words);
+    void changed(const odo::DoneWork &work);
     void failed(const odo::Error &error);
 
 private:
@@ -88,6 +89,7 @@ private:
     Workspace &m_workspace;
     QWidget &m_window;
     TrialBatch *m_batch;
+    QString m_folder;                         ///< that is written to; empty: none
     const MessageText *m_doneWords = nullptr; ///< "Exported trials: %1 of %2"
     std::vector<Message> m_remarks;           ///< on what was done
     QAction *m_roster, *m_changes;

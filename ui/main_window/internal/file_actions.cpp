@@ -136,6 +136,11 @@ void FileActions::fillRecent()
     m_recentMenu->setEnabled(!files.isEmpty());
 }
 
+void FileActions::findLostVideos()
+{
+    m_transfer->askLostVideos();
+}
+
 void FileActions::beginOpening(const std::filesystem::path &file)
 {
     showFailure(m_workspace.beginOpening(file, [this, file] { m_recent.add(file); }));
@@ -295,7 +300,9 @@ void FileActions::askCopy()
     showFailure(m_workspace.start(
         std::make_shared<CopyJob>(pathOf(file)), ODO_TEXT("ui.saving_copy", "Saving a copy"), [this, file] {
             Q_EMIT done(
-                tr("Copy saved as %1. Its videos stay where they are.").arg(QDir::toNativeSeparators(file)));
+                {tr("Copy saved as %1. Its videos stay where they are.").arg(QDir::toNativeSeparators(file)),
+                 {},
+                 QFileInfo(file).absolutePath()});
         }));
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/base/error.h"
+#include "ui/main_window/internal/done_work.h"
 
 #include <QObject>
 #include <QStringList>
@@ -33,6 +34,8 @@ public:
     QAction *newProject() const { return m_new; }
     QAction *openProject() const { return m_open; }
     QAction *demo() const { return m_demo; }
+    /// Asks for a folder in which the videos may be.
+    void findLostVideos();
     /// Begins to open, and remembers it among the recent ones when it is open.
     void beginOpening(const std::filesystem::path &file);
     /// Like beginOpening, with the newest intact backup, which replaces the damaged project.
@@ -46,7 +49,7 @@ public:
 
 Q_SIGNALS:
     void failed(const odo::Error &error);
-    void done(const QString &words);
+    void done(const odo::DoneWork &work);
     void demoOpened();
     void videosDropped(const QStringList &files);
     void tracksDropped(const QStringList &files);

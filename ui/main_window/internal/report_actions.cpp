@@ -151,7 +151,7 @@ void ReportActions::save()
 void ReportActions::write(const ChosenOutput &output)
 {
     start(std::make_unique<PdfFile>(output.target, m_dialog->proposedName()),
-          tr("Report saved as %1.").arg(QDir::toNativeSeparators(output.file)));
+          {tr("Report saved as %1.").arg(QDir::toNativeSeparators(output.file)), {}, output.file});
 }
 
 void ReportActions::print()
@@ -169,17 +169,16 @@ void ReportActions::print()
 }
 
 /// The window is free again; its status line has the progress, and how to cancel.
-void ReportActions::start(std::unique_ptr<PageOutput> output, const QString &doneWords)
+void ReportActions::start(std::unique_ptr<PageOutput> output, const DoneWork &work)
 {
     auto job = std::make_shared<ReportJob>(m_dialog->maker(), std::move(output));
     m_dialog->accept();
-    startJob(std::move(job), ODO_TEXT("ui.making_report", "Creating the report"), doneWords);
+    startJob(std::move(job), ODO_TEXT("ui.making_report", "Creating the report"), work);
 }
 
-void ReportActions::startJob(std::shared_ptr<ReportJob> job, const Message &words, const QString &doneWords)
+void ReportActions::startJob(std::shared_ptr<ReportJob> job, const Message &words, const DoneWork &work)
 {
-    const auto started =
-        m_workspace.start(std::move(job), words, [this, doneWords] { Q_EMIT done(doneWords); });
+    const auto started = m_workspace.start(std::move(job), words, [this, work] { Q_EMIT done(work); });
     if (!started)
         Q_EMIT failed(started.error());
 }
@@ -216,7 +215,7 @@ void ReportActions::askCertificate()
     startJob(std::make_shared<ReportJob>(std::move(maker),
                                          std::make_unique<PdfFile>(chosen->target, tr("Certificate"))),
              ODO_TEXT("ui.making_certificate", "Simulating the set-up"),
-             tr("Certificate saved as %1.").arg(QDir::toNativeSeparators(chosen->file)));
+             {tr("Certificate saved as %1.").arg(QDir::toNativeSeparators(chosen->file)), {}, chosen->file});
 }
 
 } // namespace odo

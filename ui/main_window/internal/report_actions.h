@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/base/error.h"
+#include "ui/main_window/internal/done_work.h"
 #include "ui/report/report_dialog.h"
 
 #include <QObject>
@@ -41,7 +42,7 @@ Q_SIGNALS:
     /// School, logo and wording are to be changed; the receiver does that before it returns.
     void letterheadRequested();
     void failed(const odo::Error &error);
-    void done(const QString &words);
+    void done(const odo::DoneWork &work);
 
 private:
     void ask(QList<ReportSubject> subjects);
@@ -51,8 +52,8 @@ private:
     void write(const ChosenOutput &output);
     void print();
     void askCertificate();
-    void start(std::unique_ptr<PageOutput> output, const QString &doneWords);
-    void startJob(std::shared_ptr<ReportJob> job, const Message &words, const QString &doneWords);
+    void start(std::unique_ptr<PageOutput> output, const DoneWork &work);
+    void startJob(std::shared_ptr<ReportJob> job, const Message &words, const DoneWork &work);
 
     Workspace &m_workspace;
     QWidget &m_window;

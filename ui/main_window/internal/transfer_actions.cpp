@@ -76,7 +76,7 @@ void TransferActions::pack(const ChosenOutput &archive)
                                       .arg(QDir::toNativeSeparators(archive))};
             for (const Message &warning : job->warnings())
                 sentences << tr("Note: %1.").arg(shownWords(warning));
-            Q_EMIT done(sentences.join(u' '));
+            Q_EMIT done({sentences.join(u' '), job->warnings(), archive});
         }));
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/base/error.h"
+#include "ui/main_window/internal/done_work.h"
 
 #include <QObject>
 #include <filesystem>
@@ -29,19 +30,20 @@ public:
     TransferActions(Workspace &workspace, QWidget &window);
 
     void fillMenu(QMenu &menu);
+    /// Asks for a folder and searches it.
+    void askLostVideos();
     /// Asks where, unpacks and opens.
     void askUnpack(const std::filesystem::path &archive);
 
 Q_SIGNALS:
     void failed(const odo::Error &error);
-    void done(const QString &words);
+    void done(const odo::DoneWork &work);
     /// A project was unpacked, and is open.
     void unpacked(const std::filesystem::path &project);
 
 private:
     void askPack();
     void askArchive();
-    void askLostVideos();
     void findStrays();
     void askStrays(const FindStraysJob &found);
     void adopt(const std::vector<std::filesystem::path> &videos);

@@ -160,7 +160,7 @@ void TrialActions::startImport(const std::shared_ptr<ImportJob> &job, const std:
 {
     showFailure(m_workspace.start(job, importing(trial), [this, job] {
         Q_EMIT trialImported(QString::fromStdString(job->trial().name));
-        Q_EMIT done(importedWords(job->trial(), job->warnings()));
+        Q_EMIT done({importedWords(job->trial(), job->warnings()), job->warnings()});
     }));
 }
 
@@ -332,7 +332,7 @@ void TrialActions::askSynchronise(const QString &trial)
         job, ODO_TEXT("ui.synchronising", "Synchronising %1")(Named::trial(trial.toStdString())),
         [this, job] {
             Q_EMIT trialTracked(QString::fromStdString(job->trial().name));
-            Q_EMIT done(synchronisedWords(*job));
+            Q_EMIT done({synchronisedWords(*job), job->warnings()});
         }));
 }
 
@@ -342,7 +342,7 @@ void TrialActions::startTracking(const QString &trial, TrackSettings settings)
     showFailure(m_workspace.start(
         job, ODO_TEXT("ui.tracking", "Tracking %1")(Named::trial(trial.toStdString())), [this, job] {
             Q_EMIT trialTracked(QString::fromStdString(job->outcome().trial));
-            Q_EMIT done(trackedWords(job->outcome()));
+            Q_EMIT done({trackedWords(job->outcome()), job->outcome().warnings});
         }));
 }
 
@@ -417,10 +417,10 @@ void TrialActions::setRange(const QString &trial, const RangeChoice &range)
 
 void TrialActions::askExport()
 {
-    const Result<QString> exported = exportTrial(*m_workspace.project(), m_trial, m_window);
+    const Result<DoneWork> exported = exportTrial(*m_workspace.project(), m_trial, m_selection, m_window);
     if (!exported)
         Q_EMIT failed(exported.error());
-    else if (!exported->isEmpty())
+    else if (!exported->words.isEmpty())
         Q_EMIT done(*exported);
 }
 
@@ -441,7 +441,7 @@ void TrialActions::askVideo()
     showFailure(m_workspace.start(
         job, ODO_TEXT("ui.making_video", "Creating the video of %1")(Named::trial(m_trial.toStdString())),
         [this, file = chosen->file, trial = m_trial] {
-            Q_EMIT done(tr("Video of %1 saved as %2").arg(trial, QDir::toNativeSeparators(file)));
+            Q_EMIT done({tr("Video of %1 saved as %2").arg(trial, QDir::toNativeSeparators(file)), {}, file});
         }));
 }
 

@@ -6,12 +6,14 @@
 #include "core/workflow/track/reanalysis.h"
 #include "core/workflow/track/track_job.h"
 #include "core/workflow/trials/trial_range.h"
+#include "ui/main_window/internal/done_work.h"
 #include "ui/main_window/internal/import_dialogs.h"
 #include "ui/models/background_task.h"
 
 #include <QObject>
 #include <QStringList>
 #include <memory>
+#include <optional>
 #include <vector>
 
 class QAction;
@@ -32,6 +34,8 @@ public:
     void fillMenu(QMenu &menu);
     /// The trial that Track, Synchronise, Export and Export video mean; empty: none.
     void setCurrentTrial(const QString &name);
+    /// Of the time line; what of the trial can be exported alone.
+    void setSelection(const std::optional<TimeSpan> &selection) { m_selection = selection; }
     /// The trials that Edit means.
     void setChosenTrials(const QStringList &names);
     /// For lists of trials, too.
@@ -57,7 +61,7 @@ public:
 
 Q_SIGNALS:
     void failed(const odo::Error &error);
-    void done(const QString &words);
+    void done(const odo::DoneWork &work);
     void robotAdded();
     void editRequested(const QStringList &trials); ///< to be edited, once all is stored
     void trialsEdited();
@@ -83,6 +87,7 @@ private:
     QWidget &m_window;
     QString m_trial;
     QStringList m_chosen;
+    std::optional<TimeSpan> m_selection;
     BackgroundTask m_clipSearch; ///< which of the dropped clips belong together
     QAction *m_import, *m_importTracks, *m_edit, *m_track, *m_synchronise, *m_export, *m_video, *m_addRobot;
 };

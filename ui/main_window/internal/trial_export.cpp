@@ -2,11 +2,11 @@
 #include "ui/main_window/internal/trial_export.h"
 
 #include "core/exchange/file_name.h"
-#include "core/exchange/track_export.h"
 #include "core/files/output_file.h"
 #include "core/project/project.h"
 #include "core/project/repositories.h"
 #include "core/workflow/shared_words.h"
+#include "ui/main_window/internal/export_dialog.h"
 #include "ui/main_window/language.h"
 #include "ui/report/html_page.h"
 #include "ui/views/widgets/form_fields.h"
@@ -16,7 +16,6 @@
 #include <QDialogButtonBox>
 #include <QDir>
 #include <QFormLayout>
-#include <QInputDialog>
 #include <QLabel>
 #include <QList>
 #include <QPushButton>
@@ -32,52 +31,15 @@ class TrialExportWords
     Q_DECLARE_TR_FUNCTIONS(TrialExport)
 };
 
-struct Format
+Result<std::string> pageOf(Project &project, const TrialRecord &trial, const std::string &robot)
 {
-    OutputFormat output;
-    std::string (*text)(const AnalysisRecord &analysis); ///< null: a page
-};
-
-template <CsvStyle style>
-std::string csvText(const AnalysisRecord &analysis)
-{
-    return trackCsv(analysis, style);
-}
-
-QList<Format> formats()
-{
-    const QString csv = QStringLiteral("csv");
-    return {
-        {{TrialExportWords::tr("CSV for programs (*.csv)"), csv, FileKind::Csv},
-         &csvText<CsvStyle::Analysis>},
-        {{TrialExportWords::tr("CSV for spreadsheets, 1.5 (*.csv)"), csv, FileKind::Csv},
-         &csvText<CsvStyle::International>},
-        {{TrialExportWords::tr("CSV for spreadsheets, 1,5 (*.csv)"), csv, FileKind::Csv},
-         &csvText<CsvStyle::Continental>},
-        {{TrialExportWords::tr("Tracker text (*.txt)"), QStringLiteral("txt"), FileKind::Tracker},
-         &trackTracker},
-        {{TrialExportWords::tr("TUM trajectory (*.tum)"), QStringLiteral("tum"), FileKind::Tum}, &trackTum},
-        {{TrialExportWords::tr("Page to take along (*.html)"), QStringLiteral("html"), FileKind::Html},
-         nullptr}};
-}
-
-/// The index of the one that is meant; -1: the person thought better of it.
-int chooseRobot(const std::vector<AnalysisRecord> &analyses, QWidget &window)
-{
-    if (analyses.size() == 1)
-        return 0;
-    QStringList names;
-    for (const AnalysisRecord &analysis : analyses)
-        names << QString::fromStdString(analysis.robotName);
-    bool accepted = false;
-    const QString name = QInputDialog::getItem(&window, TrialExportWords::tr("Export"),
-                                               TrialExportWords::tr("Robot:"), names, 0, false, &accepted);
-    return accepted ? static_cast<int>(names.indexOf(name)) : -1;
+    return htmlPage(project, {{trial.name}, robot, shownLanguage()}, {});
 }
 
 } // namespace
 
-Result<QString> exportTrial(Project &project, const QString &trial, QWidget &window)
+Result<DoneWork> exportTrial(Project &project, const QString &trial, const std::optional<TimeSpan> &selection,
+                             QWidget &window)
 {
     const TrialRecord record = ODO_TRY(project.trials().find(trial.toStdString()));
     const std::vector<AnalysisRecord> analyses = ODO_TRY(project.analyses().current(record.id));
@@ -85,25 +47,33 @@ Result<QString> exportTrial(Project &project, const QString &trial, QWidget &win
         return fail(ErrorCode::NotFound,
                     ODO_TEXT("ui.export_of", "export of %1")(Named::trial(trial.toStdString())),
                     notTrackedYet(), trackItFirst());
-    const int robot = chooseRobot(analyses, window);
-    if (robot < 0)
-        return QString();
-    QList<OutputFormat> outputs;
-    for (const Format &format : formats())
-        outputs << format.output;
+    const QString title = TrialExportWords::tr("Export %1").arg(trial);
+    ExportOffer offer{title, {}, true, record.range.has_value(), selection};
+    for (const AnalysisRecord &analysis : analyses)
+        offer.robots << QString::fromStdString(analysis.robotName);
+    ExportDialog dialog(offer, &window);
+    if (dialog.exec() != QDialog::Accepted)
+        return DoneWork(QString());
+    const OutputFormat format = dialog.output();
     const QDir folder(QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation));
-    const QString offered = QString::fromStdString(fileNameOf(trial.toStdString())) + QStringLiteral(".csv");
-    const auto chosen =
-        askOutput(&window, TrialExportWords::tr("Export %1").arg(trial), folder.filePath(offered), outputs);
+    const QString offered =
+        QString::fromStdString(fileNameOf(trial.toStdString())) + QLatin1Char('.') + format.ending;
+    const auto chosen = askOutput(&window, title, folder.filePath(offered), {format});
     if (!chosen)
-        return QString();
-    const AnalysisRecord &analysis = analyses.at(static_cast<std::size_t>(robot));
-    const Format format = formats().at(chosen->format);
-    const std::string text =
-        format.text ? format.text(analysis)
-                    : ODO_TRY(htmlPage(project, {{record.name}, analysis.robotName, shownLanguage()}, {}));
-    ODO_TRY(writeOutput(chosen->target, text));
-    return TrialExportWords::tr("%1 was exported to %2.").arg(trial, QDir::toNativeSeparators(chosen->file));
+        return DoneWork(QString());
+    const AnalysisRecord &analysis = analyses.at(static_cast<std::size_t>(dialog.robot()));
+    if (dialog.isPage()) {
+        const auto page = ODO_TRY(pageOf(project, record, analysis.robotName));
+        ODO_TRY(writeOutput(chosen->target, page));
+    } else {
+        const TrackExport how = dialog.settings();
+        const AnalysisRecord part = exportedPart(analysis, how);
+        ODO_TRY(
+            writeOutput(chosen->target, [&](const TextSink &sink) { return writeTrack(part, how, sink); }));
+    }
+    return DoneWork(
+        TrialExportWords::tr("%1 was exported to %2.").arg(trial, QDir::toNativeSeparators(chosen->file)), {},
+        chosen->file);
 }
 
 VideoDialog::VideoDialog(const QString &title, bool isDark, QWidget *parent)

@@ -2,10 +2,13 @@
 #pragma once
 
 #include "core/base/error.h"
+#include "core/base/units.h"
+#include "ui/main_window/internal/done_work.h"
 #include "ui/report/annotated_video.h"
 
 #include <QDialog>
 #include <QString>
+#include <optional>
 
 class QComboBox;
 class QWidget;
@@ -14,9 +17,11 @@ namespace odo {
 
 class Project;
 
-/// Asks for a robot (where there are several), a format and a file, and writes the trial's newest track
-/// there. Gives what there is to say; an empty text when the person thought better of it.
-Result<QString> exportTrial(Project &project, const QString &trial, QWidget &window);
+/// Asks how (ExportDialog) and for a file, and writes the trial's newest track there. selection: of the time
+/// line, a part that can be exported alone. Gives what there is to say; no words when the person thought
+/// better of it.
+Result<DoneWork> exportTrial(Project &project, const QString &trial, const std::optional<TimeSpan> &selection,
+                             QWidget &window);
 
 /// Asks at which speed, in which size and in which theme annotated videos are made.
 class VideoDialog : public QDialog

@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/base/error.h"
 #include "ui/models/trial_scene.h"
 
 #include <QFrame>
 #include <QStatusBar>
 #include <QWidget>
-#include <functional>
 
 class QAction;
 class QActionGroup;
@@ -15,7 +13,6 @@ class QLabel;
 class QProgressBar;
 class QPushButton;
 class QToolButton;
-class QTimer;
 class QVBoxLayout;
 
 namespace odo {
@@ -41,31 +38,6 @@ Q_SIGNALS:
 private:
     QActionGroup *m_group;
     QVBoxLayout *m_layout;
-};
-
-/// A line across the window that says what went wrong, or what was done, until it is closed, another one
-/// comes, or (for what was done) some seconds have passed. Never in the way of work. Plain text only.
-class MessageBar : public QFrame
-{
-    Q_OBJECT
-public:
-    explicit MessageBar(QWidget *parent = nullptr);
-    /// A cancelled job is no error: it is shown as a notice.
-    void showError(const Error &error);
-    void showDone(const QString &text);
-    /// What somebody should know who was not asked; stays until it is closed.
-    void showWarning(const QString &text);
-    /// Puts a button behind what is shown, until it is pressed or another message comes.
-    void offer(const QString &words, std::function<void()> act);
-    QString text() const;
-
-private:
-    void present(const char *kind, const QString &icon, const QString &text);
-    QLabel *m_icon;
-    QLabel *m_text;
-    QPushButton *m_button;
-    std::function<void()> m_act;
-    QTimer *m_timer;
 };
 
 class JobIndicator;

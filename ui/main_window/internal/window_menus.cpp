@@ -135,6 +135,11 @@ void ViewActions::fillMenu(QMenu &menu)
     menu.addActions(m_themes->actions());
 }
 
+void ViewActions::addAction(QAction *action)
+{
+    m_menu->insertAction(m_fullScreen, action);
+}
+
 void ViewActions::setDesk(DockDesk *desk, const QList<QAction *> &more)
 {
     m_desk = desk;

@@ -49,6 +49,8 @@ class ViewActions : public QObject
 public:
     explicit ViewActions(QMainWindow &window);
     void fillMenu(QMenu &menu);
+    /// One more, before full screen.
+    void addAction(QAction *action);
     /// The docks that are shown and reset, and more actions beside them; nullptr: none.
     void setDesk(DockDesk *desk, const QList<QAction *> &more = {});
     /// The desktop may have changed its own theme.
