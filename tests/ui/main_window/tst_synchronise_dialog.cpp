@@ -3,10 +3,12 @@
 
 #include "tests/support/registered_test.h"
 
+#include <QCheckBox>
 #include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QLabel>
 #include <QSignalSpy>
+#include <QSlider>
 #include <QTest>
 #include <cmath>
 
@@ -87,6 +89,37 @@ private Q_SLOTS:
         QCOMPARE(dialog.findChild<QDoubleSpinBox *>()->value(), 0.25);
         QCOMPARE(dialog.steps().front().offsetS, 0.25);
         QTRY_VERIFY(words("There is no sound in both views to compare."));
+    }
+
+    /// Together they keep the offset; one alone sets it, as the fields say then.
+    void framesSideBySideSetTheOffset()
+    {
+        RecordingRecord first = viewOf("A", 0, "", 0), other = viewOf("B", 1, "told", 0.5);
+        for (int i = 0; i < 100; ++i) {
+            first.frameTimes.push_back(std::chrono::milliseconds(40 * i));
+            other.frameTimes.push_back(std::chrono::milliseconds(20 * i));
+        }
+        SynchroniseDialog dialog(QStringLiteral("run"), {first, other}, {"nowhere.mp4", "nowhere.mp4"});
+        dialog.show();
+        const auto sliders = dialog.findChildren<QSlider *>();
+        QCOMPARE(sliders.size(), qsizetype(2));
+        sliders[0]->setValue(50);          // at 2 s
+        QCOMPARE(sliders[1]->value(), 75); // at 1.5 s of its own
+        sliders[1]->setValue(50);
+        QCOMPARE(sliders[0]->value(), 38); // 1.52 s, the nearest to 1.5 s
+        QVERIFY(dialog.steps().front().how == SyncBy::Automatic);
+        dialog.findChild<QCheckBox *>()->setChecked(false);
+        sliders[1]->setFocus();
+        QTest::keyClick(sliders[1], Qt::Key_Right); // 1.02 s
+        QCOMPARE(sliders[0]->value(), 38);
+        QVERIFY(dialog.steps().front().how == SyncBy::Given);
+        QCOMPARE(dialog.steps().front().offsetS, 0.5);
+        sliders[0]->setValue(40); // 1.6 s
+        QCOMPARE(dialog.steps().front().offsetS, 0.58);
+        QCOMPARE(sliders[1]->value(), 51);
+        dialog.findChild<QDoubleSpinBox *>()->setValue(1.0); // entered: the other one follows
+        QCOMPARE(sliders[1]->value(), 30);
+        QVERIFY(dialog.width() <= 1024 && dialog.height() <= 600);
     }
 
     void ofSeveralViewsSomeMayStay()

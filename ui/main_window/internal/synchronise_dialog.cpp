@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/main_window/internal/synchronise_dialog.h"
 
+#include "ui/main_window/internal/frame_aligner.h"
 #include "ui/main_window/internal/import_dialogs.h"
 #include "ui/models/explanation.h"
 #include "ui/views/widgets/labels.h"
@@ -9,7 +10,9 @@
 #include <QFormLayout>
 #include <QLabel>
 #include <QPushButton>
+#include <QTabWidget>
 #include <QVBoxLayout>
+#include <utility>
 
 namespace odo {
 
@@ -26,31 +29,61 @@ QLabel *sentence(const QString &text)
 
 SynchroniseDialog::SynchroniseDialog(const QString &trial, const std::vector<RecordingRecord> &views,
                                      const std::vector<std::filesystem::path> &files, QWidget *parent)
-    : QDialog(parent), m_steps(new ViewSteps), m_views(views.size()), m_chart(new SoundChart),
-      m_soundWords(sentence(tr("The sound of the videos is being read…")))
+    : QDialog(parent), m_steps(new ViewSteps), m_views(views), m_files(files), m_frames(new FrameAligner),
+      m_chart(new SoundChart), m_soundWords(sentence(tr("The sound of the videos is being read…")))
 {
     setWindowTitle(tr("Synchronise %1").arg(trial));
     auto *buttons = new QDialogButtonBox(QDialogButtonBox::Cancel);
     QPushButton *accept = buttons->addButton(tr("Synchronise"), QDialogButtonBox::AcceptRole);
     auto *layout = new QVBoxLayout(this);
     layout->addWidget(makeSteps(views));
-    layout->addWidget(m_chart, 1);
-    layout->addWidget(m_soundWords);
+    auto *sound = new QWidget;
+    auto *soundLayout = new QVBoxLayout(sound);
+    soundLayout->addWidget(m_chart, 1);
+    soundLayout->addWidget(m_soundWords);
+    auto *evidence = new QTabWidget;
+    evidence->setAccessibleName(tr("Frames or sound"));
+    evidence->addTab(m_frames, tr("&Frames"));
+    evidence->addTab(sound, tr("S&ound"));
+    layout->addWidget(evidence, 1);
     layout->addWidget(sentence(tr("What was tracked in the trial is reanalysed. Choose Undo to return to the "
                                   "synchronisation that it has now.")));
     layout->addWidget(buttons);
     m_chart->setMinimumHeight(200);
     m_chart->hide();          // until there is something to compare
     accept->setDefault(true); // only now is it in the dialog, whose Enter key it is to have
-    resize(640, sizeHint().height());
+    constexpr int width = 720;
+    resize(width, sizeHint().height());
     m_steps->fields().constFirst()->setFocus();
-    connect(m_steps, &ViewSteps::changed, this, &SynchroniseDialog::showSounds);
+    connect(m_steps, &ViewSteps::changed, this, &SynchroniseDialog::showView);
+    connect(m_frames, &FrameAligner::offsetChosen, this, [this](double offsetS) {
+        m_steps->setStep(m_shownFrames, {SyncBy::Given, offsetS});
+    });
     connect(m_chart, &SoundChart::offsetDragged, this, [this](double offsetS) {
         m_steps->setStep(m_shownView, {SyncBy::Given, offsetS});
     });
     connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+    if (!m_views.empty() && !m_files.empty())
+        m_frames->setFirst(m_views.front(), m_files.front());
+    showFrames(1);
     readSounds(files);
+}
+
+void SynchroniseDialog::showView(std::size_t view)
+{
+    showSounds(view);
+    showFrames(view);
+}
+
+/// Of the first view and another.
+void SynchroniseDialog::showFrames(std::size_t view)
+{
+    if (view >= m_files.size() || view >= m_views.size())
+        return;
+    if (std::exchange(m_shownFrames, view) != view)
+        m_frames->setOther(m_views[view], m_files[view]);
+    m_frames->setOffset(m_steps->step(view).offsetS);
 }
 
 QWidget *SynchroniseDialog::makeSteps(const std::vector<RecordingRecord> &views)
@@ -101,10 +134,7 @@ void SynchroniseDialog::showSounds(std::size_t view)
         return; // not read yet
     const SoundPeaks &first = m_sounds.front(), &other = m_sounds[view];
     const bool areBoth = !first.peaks.empty() && !other.peaks.empty();
-    if (areBoth != m_chart->isVisibleTo(this)) {
-        m_chart->setVisible(areBoth);
-        resize(width(), sizeHint().height());
-    }
+    m_chart->setVisible(areBoth);
     m_soundWords->setText(areBoth ? tr("Sound of the first view above, of the other one below. Drag it until "
                                        "both show the same clap at one time; the wheel zooms.")
                                   : tr("There is no sound in both views to compare."));
@@ -117,7 +147,7 @@ void SynchroniseDialog::showSounds(std::size_t view)
 std::vector<ViewStep> SynchroniseDialog::steps() const
 {
     std::vector<ViewStep> steps;
-    for (std::size_t view = 1; view < m_views; ++view)
+    for (std::size_t view = 1; view < m_views.size(); ++view)
         steps.push_back(m_steps->step(view));
     return steps;
 }
