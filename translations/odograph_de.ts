@@ -1932,6 +1932,29 @@ Das Verfahren folgt S. Park, „Computational Vision for Automatic Tracking and 
     </message>
 </context>
 <context>
+    <name>Remedy</name>
+    <message>
+        <source>Synchronise…</source>
+        <translation>Synchronisieren…</translation>
+    </message>
+    <message>
+        <source>Robots…</source>
+        <translation>Roboter…</translation>
+    </message>
+    <message>
+        <source>Open Testbed</source>
+        <translation>Messplatz öffnen</translation>
+    </message>
+    <message>
+        <source>Track…</source>
+        <translation>Verfolgen…</translation>
+    </message>
+    <message>
+        <source>Find lost videos…</source>
+        <translation>Verlorene Videos suchen…</translation>
+    </message>
+</context>
+<context>
     <name>Report</name>
     <message numerus="yes">
         <source>and %n more</source>
@@ -2615,44 +2638,12 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
 <context>
     <name>TrialExport</name>
     <message>
-        <source>CSV for programs (*.csv)</source>
-        <translation>CSV für Programme (*.csv)</translation>
-    </message>
-    <message>
-        <source>CSV for spreadsheets, 1.5 (*.csv)</source>
-        <translation>CSV für Tabellenkalkulation, 1.5 (*.csv)</translation>
-    </message>
-    <message>
-        <source>CSV for spreadsheets, 1,5 (*.csv)</source>
-        <translation>CSV für Tabellenkalkulation, 1,5 (*.csv)</translation>
-    </message>
-    <message>
-        <source>Tracker text (*.txt)</source>
-        <translation>Tracker-Text (*.txt)</translation>
-    </message>
-    <message>
-        <source>TUM trajectory (*.tum)</source>
-        <translation>TUM-Trajektorie (*.tum)</translation>
-    </message>
-    <message>
-        <source>Export</source>
-        <translation>Exportieren</translation>
-    </message>
-    <message>
-        <source>Robot:</source>
-        <translation>Roboter:</translation>
-    </message>
-    <message>
         <source>Export %1</source>
         <translation>%1 exportieren</translation>
     </message>
     <message>
         <source>%1 was exported to %2.</source>
         <translation>%1 wurde nach %2 exportiert.</translation>
-    </message>
-    <message>
-        <source>Page to take along (*.html)</source>
-        <translation>Seite zum Mitnehmen (*.html)</translation>
     </message>
 </context>
 <context>
@@ -12550,6 +12541,121 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
 </context>
 <context>
+    <name>odo::ExportDialog</name>
+    <message>
+        <source>&amp;Keep as…</source>
+        <translation>&amp;Behalten als…</translation>
+    </message>
+    <message>
+        <source>Remo&amp;ve</source>
+        <translation>&amp;Entfernen</translation>
+    </message>
+    <message>
+        <source>&amp;Preset</source>
+        <translation>V&amp;orgabe</translation>
+    </message>
+    <message>
+        <source>&amp;Robot</source>
+        <translation>&amp;Roboter</translation>
+    </message>
+    <message>
+        <source>&amp;Format</source>
+        <translation>&amp;Format</translation>
+    </message>
+    <message>
+        <source>CSV for programs (*.csv)</source>
+        <translation>CSV für Programme (*.csv)</translation>
+    </message>
+    <message>
+        <source>CSV for spreadsheets, 1.5 (*.csv)</source>
+        <translation>CSV für Tabellenkalkulation, 1.5 (*.csv)</translation>
+    </message>
+    <message>
+        <source>CSV for spreadsheets, 1,5 (*.csv)</source>
+        <translation>CSV für Tabellenkalkulation, 1,5 (*.csv)</translation>
+    </message>
+    <message>
+        <source>Tracker text (*.txt)</source>
+        <translation>Tracker-Text (*.txt)</translation>
+    </message>
+    <message>
+        <source>TUM trajectory (*.tum)</source>
+        <translation>TUM-Trajektorie (*.tum)</translation>
+    </message>
+    <message>
+        <source>Page to take along (*.html)</source>
+        <translation>Seite zum Mitnehmen (*.html)</translation>
+    </message>
+    <message>
+        <source>Columns</source>
+        <translation>Spalten</translation>
+    </message>
+    <message>
+        <source>&amp;Columns</source>
+        <translation>&amp;Spalten</translation>
+    </message>
+    <message>
+        <source>&amp;Lengths in</source>
+        <translation>&amp;Längen in</translation>
+    </message>
+    <message>
+        <source>&amp;Axes</source>
+        <translation>&amp;Achsen</translation>
+    </message>
+    <message>
+        <source>Of the floor&apos;s markers</source>
+        <translation>Der Marker des Bodens</translation>
+    </message>
+    <message>
+        <source>From the start, X in its direction</source>
+        <translation>Vom Start aus, X in seiner Richtung</translation>
+    </message>
+    <message>
+        <source>Par&amp;t of the run</source>
+        <translation>&amp;Teil der Fahrt</translation>
+    </message>
+    <message>
+        <source>Choose a file…</source>
+        <translation>Datei wählen…</translation>
+    </message>
+    <message>
+        <source>Choose a folder…</source>
+        <translation>Ordner wählen…</translation>
+    </message>
+    <message>
+        <source>Preset</source>
+        <translation>Vorgabe</translation>
+    </message>
+    <message>
+        <source>Its range, which counts</source>
+        <translation>Ihr Bereich, der zählt</translation>
+    </message>
+    <message>
+        <source>The whole run</source>
+        <translation>Die ganze Fahrt</translation>
+    </message>
+    <message>
+        <source>What counts of each</source>
+        <translation>Was von jeder zählt</translation>
+    </message>
+    <message>
+        <source>The selection, %1 to %2</source>
+        <translation>Die Auswahl, %1 bis %2</translation>
+    </message>
+    <message>
+        <source>As last time</source>
+        <translation>Wie zuletzt</translation>
+    </message>
+    <message>
+        <source>Keep these choices</source>
+        <translation>Diese Auswahl behalten</translation>
+    </message>
+    <message>
+        <source>Name of the preset:</source>
+        <translation>Name der Vorgabe:</translation>
+    </message>
+</context>
+<context>
     <name>odo::FileActions</name>
     <message>
         <source>&amp;New project…</source>
@@ -12815,6 +12921,32 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>the registration</source>
         <translation>die Einmessung</translation>
+    </message>
+</context>
+<context>
+    <name>odo::FrameAligner</name>
+    <message>
+        <source>&amp;Move both frames together</source>
+        <translation>Beide Bilder zusammen &amp;bewegen</translation>
+    </message>
+    <message>
+        <source>Together they show what is now taken for the same moment. Remove the tick, and move one frame until both show the same moment, such as a wheel that begins to turn.</source>
+        <translation>Zusammen zeigen sie, was jetzt als derselbe Moment gilt. Entfernen Sie das Häkchen und bewegen Sie ein Bild, bis beide denselben Moment zeigen, etwa ein Rad, das sich zu drehen beginnt.</translation>
+    </message>
+</context>
+<context>
+    <name>odo::FramePanel</name>
+    <message>
+        <source>Frame of camera %1</source>
+        <translation>Bild der Kamera %1</translation>
+    </message>
+    <message>
+        <source>Camera %1</source>
+        <translation>Kamera %1</translation>
+    </message>
+    <message>
+        <source>%1: frame %2, %3</source>
+        <translation>%1: Bild %2, %3</translation>
     </message>
 </context>
 <context>
@@ -13138,6 +13270,13 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <source>%1 could not be deleted; delete it by hand.</source>
         <translation>%1 ließ sich nicht löschen; löschen Sie es von Hand.</translation>
     </message>
+    <message numerus="yes">
+        <source>Export %n trial(s)</source>
+        <translation>
+            <numerusform>%n Versuch exportieren</numerusform>
+            <numerusform>%n Versuche exportieren</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>odo::HistoryPage</name>
@@ -13156,10 +13295,6 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>Tea&amp;ms</source>
         <translation>&amp;Teams</translation>
-    </message>
-    <message>
-        <source>Trials or teams</source>
-        <translation>Versuche oder Teams</translation>
     </message>
     <message>
         <source>Trials</source>
@@ -13222,6 +13357,14 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>School hub</source>
         <translation>Schul-Hub</translation>
+    </message>
+    <message>
+        <source>Res&amp;ults</source>
+        <translation>Er&amp;gebnisse</translation>
+    </message>
+    <message>
+        <source>Trials, results or teams</source>
+        <translation>Versuche, Ergebnisse oder Teams</translation>
     </message>
 </context>
 <context>
@@ -14516,6 +14659,10 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <source>Show both</source>
         <translation>Beide zeigen</translation>
     </message>
+    <message>
+        <source>Table saved as %1.</source>
+        <translation>Tabelle gespeichert als %1.</translation>
+    </message>
 </context>
 <context>
     <name>odo::MapArea</name>
@@ -14685,9 +14832,43 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <source>Close</source>
         <translation>Schließen</translation>
     </message>
+</context>
+<context>
+    <name>odo::MessagePanel</name>
     <message>
-        <source>Cancelled. Nothing was changed.</source>
-        <translation>Abgebrochen. Nichts wurde geändert.</translation>
+        <source>No messages.</source>
+        <translation>Keine Meldungen.</translation>
+    </message>
+    <message>
+        <source>Dismiss &amp;all</source>
+        <translation>&amp;Alle entfernen</translation>
+    </message>
+    <message>
+        <source>Messages</source>
+        <translation>Meldungen</translation>
+    </message>
+    <message>
+        <source>Close the list of messages</source>
+        <translation>Liste der Meldungen schließen</translation>
+    </message>
+    <message>
+        <source>Close (Esc)</source>
+        <translation>Schließen (Esc)</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1, %n times</source>
+        <translation>
+            <numerusform>%1, %n-mal</numerusform>
+            <numerusform>%1, %n-mal</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Dismiss: %1</source>
+        <translation>Entfernen: %1</translation>
+    </message>
+    <message>
+        <source>Dismiss</source>
+        <translation>Entfernen</translation>
     </message>
 </context>
 <context>
@@ -14946,6 +15127,33 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>&amp;Network</source>
         <translation>&amp;Netz</translation>
+    </message>
+</context>
+<context>
+    <name>odo::PresentWindow</name>
+    <message>
+        <source>Presentation</source>
+        <translation>Präsentation</translation>
+    </message>
+    <message>
+        <source>Team</source>
+        <translation>Team</translation>
+    </message>
+    <message>
+        <source>Trial</source>
+        <translation>Versuch</translation>
+    </message>
+    <message>
+        <source>No trial</source>
+        <translation>Kein Versuch</translation>
+    </message>
+    <message>
+        <source>Speed now</source>
+        <translation>Geschwindigkeit jetzt</translation>
+    </message>
+    <message>
+        <source>Not tracked yet</source>
+        <translation>Noch nicht verfolgt</translation>
     </message>
 </context>
 <context>
@@ -15599,6 +15807,235 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
 </context>
 <context>
+    <name>odo::ResultStatisticsModel</name>
+    <message>
+        <source>Metric</source>
+        <translation>Kennwert</translation>
+    </message>
+    <message>
+        <source>Group</source>
+        <translation>Gruppe</translation>
+    </message>
+    <message>
+        <source>Number of values: runs without bad results, lower bounds or another course</source>
+        <translation>Anzahl der Werte: Fahrten ohne schlechte Ergebnisse, Untergrenzen oder andere Strecke</translation>
+    </message>
+    <message>
+        <source>Runs</source>
+        <translation>Fahrten</translation>
+    </message>
+    <message>
+        <source>Mean ± its standard error (SD / √runs)</source>
+        <translation>Mittelwert ± sein Standardfehler (SD / √Fahrten)</translation>
+    </message>
+    <message>
+        <source>Mean</source>
+        <translation>Mittelwert</translation>
+    </message>
+    <message>
+        <source>Median</source>
+        <translation>Median</translation>
+    </message>
+    <message>
+        <source>Standard deviation of one run</source>
+        <translation>Standardabweichung einer Fahrt</translation>
+    </message>
+    <message>
+        <source>SD</source>
+        <translation>SD</translation>
+    </message>
+    <message>
+        <source>Coefficient of variation: SD as a part of the mean</source>
+        <translation>Variationskoeffizient: SD als Teil des Mittelwerts</translation>
+    </message>
+    <message>
+        <source>CV %</source>
+        <translation>VK %</translation>
+    </message>
+    <message>
+        <source>Least</source>
+        <translation>Kleinster</translation>
+    </message>
+    <message>
+        <source>Most</source>
+        <translation>Größter</translation>
+    </message>
+</context>
+<context>
+    <name>odo::ResultsModel</name>
+    <message>
+        <source>not tracked</source>
+        <translation>nicht verfolgt</translation>
+    </message>
+    <message>
+        <source>Not used in means: a lower bound, a bad result, or another course</source>
+        <translation>Zählt nicht in Mittelwerten: Untergrenze, schlechtes Ergebnis oder andere Strecke</translation>
+    </message>
+    <message>
+        <source>Trial</source>
+        <translation>Versuch</translation>
+    </message>
+    <message>
+        <source>Team</source>
+        <translation>Team</translation>
+    </message>
+    <message>
+        <source>Class</source>
+        <translation>Klasse</translation>
+    </message>
+    <message>
+        <source>Task</source>
+        <translation>Aufgabe</translation>
+    </message>
+    <message>
+        <source>Robot</source>
+        <translation>Roboter</translation>
+    </message>
+    <message>
+        <source>Date</source>
+        <translation>Datum</translation>
+    </message>
+    <message>
+        <source>Verdict</source>
+        <translation>Urteil</translation>
+    </message>
+</context>
+<context>
+    <name>odo::ResultsPanel</name>
+    <message>
+        <source>Results</source>
+        <translation>Ergebnisse</translation>
+    </message>
+    <message>
+        <source>Class</source>
+        <translation>Klasse</translation>
+    </message>
+    <message>
+        <source>Task</source>
+        <translation>Aufgabe</translation>
+    </message>
+    <message>
+        <source>Group by</source>
+        <translation>Gruppieren nach</translation>
+    </message>
+    <message>
+        <source>Results of the trials</source>
+        <translation>Ergebnisse der Versuche</translation>
+    </message>
+    <message>
+        <source>Statistics</source>
+        <translation>Statistik</translation>
+    </message>
+    <message>
+        <source>Any class</source>
+        <translation>Jede Klasse</translation>
+    </message>
+    <message>
+        <source>Any task</source>
+        <translation>Jede Aufgabe</translation>
+    </message>
+    <message>
+        <source>No groups</source>
+        <translation>Keine Gruppen</translation>
+    </message>
+    <message>
+        <source>Search…</source>
+        <translation>Suchen…</translation>
+    </message>
+    <message>
+        <source>Search the results</source>
+        <translation>Ergebnisse durchsuchen</translation>
+    </message>
+    <message>
+        <source>Trials, teams, robots, tags and variables with all of these words</source>
+        <translation>Versuche, Teams, Roboter, Schlagwörter und Variablen mit all diesen Wörtern</translation>
+    </message>
+    <message>
+        <source>Metrics</source>
+        <translation>Kennwerte</translation>
+    </message>
+    <message>
+        <source>Which metrics are shown</source>
+        <translation>Welche Kennwerte gezeigt werden</translation>
+    </message>
+    <message>
+        <source>&amp;Save table…</source>
+        <translation>Tabelle &amp;speichern…</translation>
+    </message>
+    <message>
+        <source>&amp;Copy with headings</source>
+        <translation>Mit Überschriften &amp;kopieren</translation>
+    </message>
+    <message>
+        <source>By team</source>
+        <translation>Nach Team</translation>
+    </message>
+    <message>
+        <source>By class</source>
+        <translation>Nach Klasse</translation>
+    </message>
+    <message>
+        <source>By task</source>
+        <translation>Nach Aufgabe</translation>
+    </message>
+    <message>
+        <source>By robot</source>
+        <translation>Nach Roboter</translation>
+    </message>
+    <message>
+        <source>By %1</source>
+        <translation>Nach %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n run(s)</source>
+        <translation>
+            <numerusform>%n Fahrt</numerusform>
+            <numerusform>%n Fahrten</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 of %n run(s)</source>
+        <translation>
+            <numerusform>%1 von %n Fahrt</numerusform>
+            <numerusform>%1 von %n Fahrten</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Statistics of %n run(s) shown</source>
+        <translation>
+            <numerusform>Statistik über %n gezeigte Fahrt</numerusform>
+            <numerusform>Statistik über %n gezeigte Fahrten</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Statistics of %n selected run(s)</source>
+        <translation>
+            <numerusform>Statistik über %n ausgewählte Fahrt</numerusform>
+            <numerusform>Statistik über %n ausgewählte Fahrten</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Save the table</source>
+        <translation>Tabelle speichern</translation>
+    </message>
+    <message>
+        <source>Workbook with statistics (*.xlsx)</source>
+        <translation>Arbeitsmappe mit Statistik (*.xlsx)</translation>
+    </message>
+    <message>
+        <source>CSV for programs (*.csv)</source>
+        <translation>CSV für Programme (*.csv)</translation>
+    </message>
+    <message>
+        <source>CSV for spreadsheets, 1.5 (*.csv)</source>
+        <translation>CSV für Tabellenkalkulation, 1.5 (*.csv)</translation>
+    </message>
+    <message>
+        <source>CSV for spreadsheets, 1,5 (*.csv)</source>
+        <translation>CSV für Tabellenkalkulation, 1,5 (*.csv)</translation>
+    </message>
+</context>
+<context>
     <name>odo::ReviewColumn</name>
     <message>
         <source>Trial</source>
@@ -15662,6 +16099,14 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>Show the surroundings of the robot eight times as large as recorded</source>
         <translation>Die Umgebung des Roboters achtmal so groß wie aufgenommen zeigen</translation>
+    </message>
+    <message>
+        <source>&amp;Present</source>
+        <translation>&amp;Präsentieren</translation>
+    </message>
+    <message>
+        <source>Team, map, speed and result in large type, on a second screen if there is one</source>
+        <translation>Team, Karte, Geschwindigkeit und Ergebnis in großer Schrift, auf einem zweiten Bildschirm, wenn es einen gibt</translation>
     </message>
 </context>
 <context>
@@ -16227,6 +16672,107 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>Recording failed: %1</source>
         <translation>Der Versuch ließ sich nicht aufnehmen: %1</translation>
+    </message>
+</context>
+<context>
+    <name>odo::SampleModel</name>
+    <message>
+        <source>Time</source>
+        <translation>Zeit</translation>
+    </message>
+    <message>
+        <source>Frame</source>
+        <translation>Bild</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>Geschwindigkeit</translation>
+    </message>
+    <message>
+        <source>± Speed</source>
+        <translation>± Geschwindigkeit</translation>
+    </message>
+    <message>
+        <source>Acceleration</source>
+        <translation>Beschleunigung</translation>
+    </message>
+    <message>
+        <source>± Acceleration</source>
+        <translation>± Beschleunigung</translation>
+    </message>
+    <message>
+        <source>Heading</source>
+        <translation>Ausrichtung</translation>
+    </message>
+    <message>
+        <source>± Heading</source>
+        <translation>± Ausrichtung</translation>
+    </message>
+    <message>
+        <source>Turn rate</source>
+        <translation>Drehrate</translation>
+    </message>
+    <message>
+        <source>± Turn rate</source>
+        <translation>± Drehrate</translation>
+    </message>
+    <message>
+        <source>Distance travelled</source>
+        <translation>Gefahrener Weg</translation>
+    </message>
+    <message>
+        <source>Measured x</source>
+        <translation>Gemessenes x</translation>
+    </message>
+    <message>
+        <source>Measured y</source>
+        <translation>Gemessenes y</translation>
+    </message>
+    <message>
+        <source>Views</source>
+        <translation>Sichten</translation>
+    </message>
+    <message>
+        <source>Flags</source>
+        <translation>Markierungen</translation>
+    </message>
+</context>
+<context>
+    <name>odo::SampleTable</name>
+    <message>
+        <source>Data</source>
+        <translation>Daten</translation>
+    </message>
+    <message>
+        <source>Samples of the run</source>
+        <translation>Messpunkte der Fahrt</translation>
+    </message>
+    <message>
+        <source>&amp;Copy with headings</source>
+        <translation>Mit Überschriften &amp;kopieren</translation>
+    </message>
+    <message>
+        <source>Robot</source>
+        <translation>Roboter</translation>
+    </message>
+    <message>
+        <source>Columns</source>
+        <translation>Spalten</translation>
+    </message>
+    <message>
+        <source>Which columns are shown</source>
+        <translation>Welche Spalten gezeigt werden</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n sample(s)</source>
+        <translation>
+            <numerusform>%n Messpunkt</numerusform>
+            <numerusform>%n Messpunkte</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Not tracked yet</source>
+        <translation>Noch nicht verfolgt</translation>
     </message>
 </context>
 <context>
@@ -16960,6 +17506,18 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>There is no sound in both views to compare.</source>
         <translation>Es gibt nicht in beiden Sichten Ton zum Vergleichen.</translation>
+    </message>
+    <message>
+        <source>Frames or sound</source>
+        <translation>Bilder oder Ton</translation>
+    </message>
+    <message>
+        <source>&amp;Frames</source>
+        <translation>B&amp;ilder</translation>
+    </message>
+    <message>
+        <source>S&amp;ound</source>
+        <translation>T&amp;on</translation>
     </message>
 </context>
 <context>
@@ -18801,6 +19359,36 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>no longer found</source>
         <translation>nicht mehr gefunden</translation>
+    </message>
+</context>
+<context>
+    <name>odo::WindowMessages</name>
+    <message>
+        <source>&amp;Messages</source>
+        <translation>&amp;Meldungen</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n message(s)</source>
+        <translation>
+            <numerusform>%n Meldung</numerusform>
+            <numerusform>%n Meldungen</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>No messages.</source>
+        <translation>Keine Meldungen.</translation>
+    </message>
+    <message>
+        <source>Cancelled. Nothing was changed.</source>
+        <translation>Abgebrochen. Nichts wurde geändert.</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>Öffnen</translation>
+    </message>
+    <message>
+        <source>Show in folder</source>
+        <translation>Im Ordner zeigen</translation>
     </message>
 </context>
 <context>
@@ -23375,6 +23963,13 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
 </context>
 <context>
+    <name>ui.save_again</name>
+    <message>
+        <source>save it again in a moment</source>
+        <translation>in einem Moment noch einmal speichern</translation>
+    </message>
+</context>
+<context>
     <name>ui.save_copy</name>
     <message>
         <source>save a copy and work on the copy</source>
@@ -23386,6 +23981,13 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>Saving a copy</source>
         <translation>Kopie wird gespeichert</translation>
+    </message>
+</context>
+<context>
+    <name>ui.saving_table</name>
+    <message>
+        <source>saving the table</source>
+        <translation>Speichern der Tabelle</translation>
     </message>
 </context>
 <context>
@@ -23435,6 +24037,13 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>Synchronising %1</source>
         <translation>%1 wird synchronisiert</translation>
+    </message>
+</context>
+<context>
+    <name>ui.table_being_saved</name>
+    <message>
+        <source>another table is still being saved</source>
+        <translation>eine andere Tabelle wird noch gespeichert</translation>
     </message>
 </context>
 <context>

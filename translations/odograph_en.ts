@@ -290,6 +290,13 @@
             <numerusform>Videos of %n trials</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>Export %n trial(s)</source>
+        <translation>
+            <numerusform>Export %n trial</numerusform>
+            <numerusform>Export %n trials</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>odo::HistoryPage</name>
@@ -393,6 +400,16 @@
     </message>
 </context>
 <context>
+    <name>odo::MessagePanel</name>
+    <message numerus="yes">
+        <source>%1, %n times</source>
+        <translation>
+            <numerusform>%1, %n time</numerusform>
+            <numerusform>%1, %n times</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>odo::ReportActions</name>
     <message numerus="yes">
         <source>%n trial(s), a page each</source>
@@ -426,6 +443,47 @@
         <translation>
             <numerusform>%n page</numerusform>
             <numerusform>%n pages</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>odo::ResultsPanel</name>
+    <message numerus="yes">
+        <source>%n run(s)</source>
+        <translation>
+            <numerusform>%n run</numerusform>
+            <numerusform>%n runs</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 of %n run(s)</source>
+        <translation>
+            <numerusform>%1 of %n run</numerusform>
+            <numerusform>%1 of %n runs</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Statistics of %n run(s) shown</source>
+        <translation>
+            <numerusform>Statistics of %n run shown</numerusform>
+            <numerusform>Statistics of %n runs shown</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Statistics of %n selected run(s)</source>
+        <translation>
+            <numerusform>Statistics of %n selected run</numerusform>
+            <numerusform>Statistics of %n selected runs</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>odo::SampleTable</name>
+    <message numerus="yes">
+        <source>%n sample(s)</source>
+        <translation>
+            <numerusform>%n sample</numerusform>
+            <numerusform>%n samples</numerusform>
         </translation>
     </message>
 </context>
@@ -597,6 +655,16 @@
         <translation>
             <numerusform>%n sample of %1 is used. Choose Undo to reverse this.</numerusform>
             <numerusform>%n samples of %1 are used. Choose Undo to reverse this.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>odo::WindowMessages</name>
+    <message numerus="yes">
+        <source>%n message(s)</source>
+        <translation>
+            <numerusform>%n message</numerusform>
+            <numerusform>%n messages</numerusform>
         </translation>
     </message>
 </context>

@@ -1932,6 +1932,29 @@ El método sigue a S. Park, “Computational Vision for Automatic Tracking and O
     </message>
 </context>
 <context>
+    <name>Remedy</name>
+    <message>
+        <source>Synchronise…</source>
+        <translation>Sincronizar…</translation>
+    </message>
+    <message>
+        <source>Robots…</source>
+        <translation>Robots…</translation>
+    </message>
+    <message>
+        <source>Open Testbed</source>
+        <translation>Abrir Banco de pruebas</translation>
+    </message>
+    <message>
+        <source>Track…</source>
+        <translation>Rastrear…</translation>
+    </message>
+    <message>
+        <source>Find lost videos…</source>
+        <translation>Buscar videos perdidos…</translation>
+    </message>
+</context>
+<context>
     <name>Report</name>
     <message numerus="yes">
         <source>and %n more</source>
@@ -2615,44 +2638,12 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
 <context>
     <name>TrialExport</name>
     <message>
-        <source>CSV for programs (*.csv)</source>
-        <translation>CSV para programas (*.csv)</translation>
-    </message>
-    <message>
-        <source>CSV for spreadsheets, 1.5 (*.csv)</source>
-        <translation>CSV para hojas de cálculo, 1.5 (*.csv)</translation>
-    </message>
-    <message>
-        <source>CSV for spreadsheets, 1,5 (*.csv)</source>
-        <translation>CSV para hojas de cálculo, 1,5 (*.csv)</translation>
-    </message>
-    <message>
-        <source>Tracker text (*.txt)</source>
-        <translation>Texto de Tracker (*.txt)</translation>
-    </message>
-    <message>
-        <source>TUM trajectory (*.tum)</source>
-        <translation>Trayectoria TUM (*.tum)</translation>
-    </message>
-    <message>
-        <source>Export</source>
-        <translation>Exportar</translation>
-    </message>
-    <message>
-        <source>Robot:</source>
-        <translation>Robot:</translation>
-    </message>
-    <message>
         <source>Export %1</source>
         <translation>Exportar %1</translation>
     </message>
     <message>
         <source>%1 was exported to %2.</source>
         <translation>%1 se exportó a %2.</translation>
-    </message>
-    <message>
-        <source>Page to take along (*.html)</source>
-        <translation>Página para llevar (*.html)</translation>
     </message>
 </context>
 <context>
@@ -12550,6 +12541,121 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     </message>
 </context>
 <context>
+    <name>odo::ExportDialog</name>
+    <message>
+        <source>&amp;Keep as…</source>
+        <translation>&amp;Conservar como…</translation>
+    </message>
+    <message>
+        <source>Remo&amp;ve</source>
+        <translation>&amp;Quitar</translation>
+    </message>
+    <message>
+        <source>&amp;Preset</source>
+        <translation>&amp;Preajuste</translation>
+    </message>
+    <message>
+        <source>&amp;Robot</source>
+        <translation>&amp;Robot</translation>
+    </message>
+    <message>
+        <source>&amp;Format</source>
+        <translation>&amp;Formato</translation>
+    </message>
+    <message>
+        <source>CSV for programs (*.csv)</source>
+        <translation>CSV para programas (*.csv)</translation>
+    </message>
+    <message>
+        <source>CSV for spreadsheets, 1.5 (*.csv)</source>
+        <translation>CSV para hojas de cálculo, 1.5 (*.csv)</translation>
+    </message>
+    <message>
+        <source>CSV for spreadsheets, 1,5 (*.csv)</source>
+        <translation>CSV para hojas de cálculo, 1,5 (*.csv)</translation>
+    </message>
+    <message>
+        <source>Tracker text (*.txt)</source>
+        <translation>Texto de Tracker (*.txt)</translation>
+    </message>
+    <message>
+        <source>TUM trajectory (*.tum)</source>
+        <translation>Trayectoria TUM (*.tum)</translation>
+    </message>
+    <message>
+        <source>Page to take along (*.html)</source>
+        <translation>Página para llevar (*.html)</translation>
+    </message>
+    <message>
+        <source>Columns</source>
+        <translation>Columnas</translation>
+    </message>
+    <message>
+        <source>&amp;Columns</source>
+        <translation>C&amp;olumnas</translation>
+    </message>
+    <message>
+        <source>&amp;Lengths in</source>
+        <translation>&amp;Longitudes en</translation>
+    </message>
+    <message>
+        <source>&amp;Axes</source>
+        <translation>&amp;Ejes</translation>
+    </message>
+    <message>
+        <source>Of the floor&apos;s markers</source>
+        <translation>De los marcadores del suelo</translation>
+    </message>
+    <message>
+        <source>From the start, X in its direction</source>
+        <translation>Desde la salida, X en su dirección</translation>
+    </message>
+    <message>
+        <source>Par&amp;t of the run</source>
+        <translation>Par&amp;te del recorrido</translation>
+    </message>
+    <message>
+        <source>Choose a file…</source>
+        <translation>Elegir un archivo…</translation>
+    </message>
+    <message>
+        <source>Choose a folder…</source>
+        <translation>Elegir una carpeta…</translation>
+    </message>
+    <message>
+        <source>Preset</source>
+        <translation>Preajuste</translation>
+    </message>
+    <message>
+        <source>Its range, which counts</source>
+        <translation>Su tramo, que cuenta</translation>
+    </message>
+    <message>
+        <source>The whole run</source>
+        <translation>Todo el recorrido</translation>
+    </message>
+    <message>
+        <source>What counts of each</source>
+        <translation>Lo que cuenta de cada uno</translation>
+    </message>
+    <message>
+        <source>The selection, %1 to %2</source>
+        <translation>La selección, de %1 a %2</translation>
+    </message>
+    <message>
+        <source>As last time</source>
+        <translation>Como la última vez</translation>
+    </message>
+    <message>
+        <source>Keep these choices</source>
+        <translation>Conservar estas opciones</translation>
+    </message>
+    <message>
+        <source>Name of the preset:</source>
+        <translation>Nombre del preajuste:</translation>
+    </message>
+</context>
+<context>
     <name>odo::FileActions</name>
     <message>
         <source>&amp;New project…</source>
@@ -12815,6 +12921,32 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <message>
         <source>the registration</source>
         <translation>el registro</translation>
+    </message>
+</context>
+<context>
+    <name>odo::FrameAligner</name>
+    <message>
+        <source>&amp;Move both frames together</source>
+        <translation>&amp;Mover ambos fotogramas a la vez</translation>
+    </message>
+    <message>
+        <source>Together they show what is now taken for the same moment. Remove the tick, and move one frame until both show the same moment, such as a wheel that begins to turn.</source>
+        <translation>Juntos muestran lo que ahora se toma por el mismo momento. Quite la marca y mueva un fotograma hasta que ambos muestren el mismo momento, por ejemplo una rueda que empieza a girar.</translation>
+    </message>
+</context>
+<context>
+    <name>odo::FramePanel</name>
+    <message>
+        <source>Frame of camera %1</source>
+        <translation>Fotograma de la cámara %1</translation>
+    </message>
+    <message>
+        <source>Camera %1</source>
+        <translation>Cámara %1</translation>
+    </message>
+    <message>
+        <source>%1: frame %2, %3</source>
+        <translation>%1: fotograma %2, %3</translation>
     </message>
 </context>
 <context>
@@ -13138,6 +13270,13 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <source>%1 could not be deleted; delete it by hand.</source>
         <translation>No se pudo eliminar %1; elimínelo a mano.</translation>
     </message>
+    <message numerus="yes">
+        <source>Export %n trial(s)</source>
+        <translation>
+            <numerusform>Exportar %n ensayo</numerusform>
+            <numerusform>Exportar %n ensayos</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>odo::HistoryPage</name>
@@ -13156,10 +13295,6 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <message>
         <source>Tea&amp;ms</source>
         <translation>E&amp;quipos</translation>
-    </message>
-    <message>
-        <source>Trials or teams</source>
-        <translation>Ensayos o equipos</translation>
     </message>
     <message>
         <source>Trials</source>
@@ -13222,6 +13357,14 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <message>
         <source>School hub</source>
         <translation>Servidor de la escuela</translation>
+    </message>
+    <message>
+        <source>Res&amp;ults</source>
+        <translation>Res&amp;ultados</translation>
+    </message>
+    <message>
+        <source>Trials, results or teams</source>
+        <translation>Ensayos, resultados o equipos</translation>
     </message>
 </context>
 <context>
@@ -14516,6 +14659,10 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <source>Show both</source>
         <translation>Mostrar ambas</translation>
     </message>
+    <message>
+        <source>Table saved as %1.</source>
+        <translation>Tabla guardada como %1.</translation>
+    </message>
 </context>
 <context>
     <name>odo::MapArea</name>
@@ -14685,9 +14832,43 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <source>Close</source>
         <translation>Cerrar</translation>
     </message>
+</context>
+<context>
+    <name>odo::MessagePanel</name>
     <message>
-        <source>Cancelled. Nothing was changed.</source>
-        <translation>Cancelado. No se cambió nada.</translation>
+        <source>No messages.</source>
+        <translation>No hay mensajes.</translation>
+    </message>
+    <message>
+        <source>Dismiss &amp;all</source>
+        <translation>Descartar &amp;todos</translation>
+    </message>
+    <message>
+        <source>Messages</source>
+        <translation>Mensajes</translation>
+    </message>
+    <message>
+        <source>Close the list of messages</source>
+        <translation>Cerrar la lista de mensajes</translation>
+    </message>
+    <message>
+        <source>Close (Esc)</source>
+        <translation>Cerrar (Esc)</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1, %n times</source>
+        <translation>
+            <numerusform>%1, %n vez</numerusform>
+            <numerusform>%1, %n veces</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Dismiss: %1</source>
+        <translation>Descartar: %1</translation>
+    </message>
+    <message>
+        <source>Dismiss</source>
+        <translation>Descartar</translation>
     </message>
 </context>
 <context>
@@ -14946,6 +15127,33 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <message>
         <source>&amp;Network</source>
         <translation>&amp;Red</translation>
+    </message>
+</context>
+<context>
+    <name>odo::PresentWindow</name>
+    <message>
+        <source>Presentation</source>
+        <translation>Presentación</translation>
+    </message>
+    <message>
+        <source>Team</source>
+        <translation>Equipo</translation>
+    </message>
+    <message>
+        <source>Trial</source>
+        <translation>Ensayo</translation>
+    </message>
+    <message>
+        <source>No trial</source>
+        <translation>Ningún ensayo</translation>
+    </message>
+    <message>
+        <source>Speed now</source>
+        <translation>Velocidad ahora</translation>
+    </message>
+    <message>
+        <source>Not tracked yet</source>
+        <translation>Aún sin rastrear</translation>
     </message>
 </context>
 <context>
@@ -15599,6 +15807,235 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     </message>
 </context>
 <context>
+    <name>odo::ResultStatisticsModel</name>
+    <message>
+        <source>Metric</source>
+        <translation>Indicador</translation>
+    </message>
+    <message>
+        <source>Group</source>
+        <translation>Grupo</translation>
+    </message>
+    <message>
+        <source>Number of values: runs without bad results, lower bounds or another course</source>
+        <translation>Número de valores: recorridos sin resultados malos, cotas inferiores ni otro trazado</translation>
+    </message>
+    <message>
+        <source>Runs</source>
+        <translation>Recorridos</translation>
+    </message>
+    <message>
+        <source>Mean ± its standard error (SD / √runs)</source>
+        <translation>Media ± su error estándar (DE / √recorridos)</translation>
+    </message>
+    <message>
+        <source>Mean</source>
+        <translation>Media</translation>
+    </message>
+    <message>
+        <source>Median</source>
+        <translation>Mediana</translation>
+    </message>
+    <message>
+        <source>Standard deviation of one run</source>
+        <translation>Desviación estándar de un recorrido</translation>
+    </message>
+    <message>
+        <source>SD</source>
+        <translation>DE</translation>
+    </message>
+    <message>
+        <source>Coefficient of variation: SD as a part of the mean</source>
+        <translation>Coeficiente de variación: DE como parte de la media</translation>
+    </message>
+    <message>
+        <source>CV %</source>
+        <translation>CV %</translation>
+    </message>
+    <message>
+        <source>Least</source>
+        <translation>Mínimo</translation>
+    </message>
+    <message>
+        <source>Most</source>
+        <translation>Máximo</translation>
+    </message>
+</context>
+<context>
+    <name>odo::ResultsModel</name>
+    <message>
+        <source>not tracked</source>
+        <translation>sin rastrear</translation>
+    </message>
+    <message>
+        <source>Not used in means: a lower bound, a bad result, or another course</source>
+        <translation>No cuenta en las medias: cota inferior, mal resultado u otro trazado</translation>
+    </message>
+    <message>
+        <source>Trial</source>
+        <translation>Ensayo</translation>
+    </message>
+    <message>
+        <source>Team</source>
+        <translation>Equipo</translation>
+    </message>
+    <message>
+        <source>Class</source>
+        <translation>Clase</translation>
+    </message>
+    <message>
+        <source>Task</source>
+        <translation>Tarea</translation>
+    </message>
+    <message>
+        <source>Robot</source>
+        <translation>Robot</translation>
+    </message>
+    <message>
+        <source>Date</source>
+        <translation>Fecha</translation>
+    </message>
+    <message>
+        <source>Verdict</source>
+        <translation>Veredicto</translation>
+    </message>
+</context>
+<context>
+    <name>odo::ResultsPanel</name>
+    <message>
+        <source>Results</source>
+        <translation>Resultados</translation>
+    </message>
+    <message>
+        <source>Class</source>
+        <translation>Clase</translation>
+    </message>
+    <message>
+        <source>Task</source>
+        <translation>Tarea</translation>
+    </message>
+    <message>
+        <source>Group by</source>
+        <translation>Agrupar por</translation>
+    </message>
+    <message>
+        <source>Results of the trials</source>
+        <translation>Resultados de los ensayos</translation>
+    </message>
+    <message>
+        <source>Statistics</source>
+        <translation>Estadística</translation>
+    </message>
+    <message>
+        <source>Any class</source>
+        <translation>Cualquier clase</translation>
+    </message>
+    <message>
+        <source>Any task</source>
+        <translation>Cualquier tarea</translation>
+    </message>
+    <message>
+        <source>No groups</source>
+        <translation>Sin grupos</translation>
+    </message>
+    <message>
+        <source>Search…</source>
+        <translation>Buscar…</translation>
+    </message>
+    <message>
+        <source>Search the results</source>
+        <translation>Buscar en los resultados</translation>
+    </message>
+    <message>
+        <source>Trials, teams, robots, tags and variables with all of these words</source>
+        <translation>Ensayos, equipos, robots, etiquetas y variables con todas estas palabras</translation>
+    </message>
+    <message>
+        <source>Metrics</source>
+        <translation>Indicadores</translation>
+    </message>
+    <message>
+        <source>Which metrics are shown</source>
+        <translation>Qué indicadores se muestran</translation>
+    </message>
+    <message>
+        <source>&amp;Save table…</source>
+        <translation>&amp;Guardar tabla…</translation>
+    </message>
+    <message>
+        <source>&amp;Copy with headings</source>
+        <translation>&amp;Copiar con encabezados</translation>
+    </message>
+    <message>
+        <source>By team</source>
+        <translation>Por equipo</translation>
+    </message>
+    <message>
+        <source>By class</source>
+        <translation>Por clase</translation>
+    </message>
+    <message>
+        <source>By task</source>
+        <translation>Por tarea</translation>
+    </message>
+    <message>
+        <source>By robot</source>
+        <translation>Por robot</translation>
+    </message>
+    <message>
+        <source>By %1</source>
+        <translation>Por %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n run(s)</source>
+        <translation>
+            <numerusform>%n recorrido</numerusform>
+            <numerusform>%n recorridos</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 of %n run(s)</source>
+        <translation>
+            <numerusform>%1 de %n recorrido</numerusform>
+            <numerusform>%1 de %n recorridos</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Statistics of %n run(s) shown</source>
+        <translation>
+            <numerusform>Estadística de %n recorrido mostrado</numerusform>
+            <numerusform>Estadística de %n recorridos mostrados</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Statistics of %n selected run(s)</source>
+        <translation>
+            <numerusform>Estadística de %n recorrido seleccionado</numerusform>
+            <numerusform>Estadística de %n recorridos seleccionados</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Save the table</source>
+        <translation>Guardar la tabla</translation>
+    </message>
+    <message>
+        <source>Workbook with statistics (*.xlsx)</source>
+        <translation>Libro con estadística (*.xlsx)</translation>
+    </message>
+    <message>
+        <source>CSV for programs (*.csv)</source>
+        <translation>CSV para programas (*.csv)</translation>
+    </message>
+    <message>
+        <source>CSV for spreadsheets, 1.5 (*.csv)</source>
+        <translation>CSV para hojas de cálculo, 1.5 (*.csv)</translation>
+    </message>
+    <message>
+        <source>CSV for spreadsheets, 1,5 (*.csv)</source>
+        <translation>CSV para hojas de cálculo, 1,5 (*.csv)</translation>
+    </message>
+</context>
+<context>
     <name>odo::ReviewColumn</name>
     <message>
         <source>Trial</source>
@@ -15662,6 +16099,14 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <message>
         <source>Show the surroundings of the robot eight times as large as recorded</source>
         <translation>Mostrar el entorno del robot ocho veces más grande que en la grabación</translation>
+    </message>
+    <message>
+        <source>&amp;Present</source>
+        <translation>&amp;Presentar</translation>
+    </message>
+    <message>
+        <source>Team, map, speed and result in large type, on a second screen if there is one</source>
+        <translation>Equipo, mapa, velocidad y resultado en letra grande, en una segunda pantalla si la hay</translation>
     </message>
 </context>
 <context>
@@ -16227,6 +16672,107 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <message>
         <source>Recording failed: %1</source>
         <translation>No se pudo grabar: %1</translation>
+    </message>
+</context>
+<context>
+    <name>odo::SampleModel</name>
+    <message>
+        <source>Time</source>
+        <translation>Tiempo</translation>
+    </message>
+    <message>
+        <source>Frame</source>
+        <translation>Fotograma</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>Velocidad</translation>
+    </message>
+    <message>
+        <source>± Speed</source>
+        <translation>± Velocidad</translation>
+    </message>
+    <message>
+        <source>Acceleration</source>
+        <translation>Aceleración</translation>
+    </message>
+    <message>
+        <source>± Acceleration</source>
+        <translation>± Aceleración</translation>
+    </message>
+    <message>
+        <source>Heading</source>
+        <translation>Rumbo</translation>
+    </message>
+    <message>
+        <source>± Heading</source>
+        <translation>± Rumbo</translation>
+    </message>
+    <message>
+        <source>Turn rate</source>
+        <translation>Velocidad de giro</translation>
+    </message>
+    <message>
+        <source>± Turn rate</source>
+        <translation>± Velocidad de giro</translation>
+    </message>
+    <message>
+        <source>Distance travelled</source>
+        <translation>Distancia recorrida</translation>
+    </message>
+    <message>
+        <source>Measured x</source>
+        <translation>x medida</translation>
+    </message>
+    <message>
+        <source>Measured y</source>
+        <translation>y medida</translation>
+    </message>
+    <message>
+        <source>Views</source>
+        <translation>Vistas</translation>
+    </message>
+    <message>
+        <source>Flags</source>
+        <translation>Marcas</translation>
+    </message>
+</context>
+<context>
+    <name>odo::SampleTable</name>
+    <message>
+        <source>Data</source>
+        <translation>Datos</translation>
+    </message>
+    <message>
+        <source>Samples of the run</source>
+        <translation>Muestras del recorrido</translation>
+    </message>
+    <message>
+        <source>&amp;Copy with headings</source>
+        <translation>&amp;Copiar con encabezados</translation>
+    </message>
+    <message>
+        <source>Robot</source>
+        <translation>Robot</translation>
+    </message>
+    <message>
+        <source>Columns</source>
+        <translation>Columnas</translation>
+    </message>
+    <message>
+        <source>Which columns are shown</source>
+        <translation>Qué columnas se muestran</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n sample(s)</source>
+        <translation>
+            <numerusform>%n muestra</numerusform>
+            <numerusform>%n muestras</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Not tracked yet</source>
+        <translation>Aún sin rastrear</translation>
     </message>
 </context>
 <context>
@@ -16960,6 +17506,18 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <message>
         <source>There is no sound in both views to compare.</source>
         <translation>No hay sonido en ambas vistas que comparar.</translation>
+    </message>
+    <message>
+        <source>Frames or sound</source>
+        <translation>Fotogramas o sonido</translation>
+    </message>
+    <message>
+        <source>&amp;Frames</source>
+        <translation>&amp;Fotogramas</translation>
+    </message>
+    <message>
+        <source>S&amp;ound</source>
+        <translation>S&amp;onido</translation>
     </message>
 </context>
 <context>
@@ -18801,6 +19359,36 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <message>
         <source>no longer found</source>
         <translation>ya no se encuentra</translation>
+    </message>
+</context>
+<context>
+    <name>odo::WindowMessages</name>
+    <message>
+        <source>&amp;Messages</source>
+        <translation>&amp;Mensajes</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n message(s)</source>
+        <translation>
+            <numerusform>%n mensaje</numerusform>
+            <numerusform>%n mensajes</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>No messages.</source>
+        <translation>No hay mensajes.</translation>
+    </message>
+    <message>
+        <source>Cancelled. Nothing was changed.</source>
+        <translation>Cancelado. No se cambió nada.</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>Abrir</translation>
+    </message>
+    <message>
+        <source>Show in folder</source>
+        <translation>Mostrar en la carpeta</translation>
     </message>
 </context>
 <context>
@@ -23375,6 +23963,13 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     </message>
 </context>
 <context>
+    <name>ui.save_again</name>
+    <message>
+        <source>save it again in a moment</source>
+        <translation>guárdela de nuevo en un momento</translation>
+    </message>
+</context>
+<context>
     <name>ui.save_copy</name>
     <message>
         <source>save a copy and work on the copy</source>
@@ -23386,6 +23981,13 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <message>
         <source>Saving a copy</source>
         <translation>Guardando la copia</translation>
+    </message>
+</context>
+<context>
+    <name>ui.saving_table</name>
+    <message>
+        <source>saving the table</source>
+        <translation>guardar la tabla</translation>
     </message>
 </context>
 <context>
@@ -23435,6 +24037,13 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <message>
         <source>Synchronising %1</source>
         <translation>Sincronizando %1</translation>
+    </message>
+</context>
+<context>
+    <name>ui.table_being_saved</name>
+    <message>
+        <source>another table is still being saved</source>
+        <translation>todavía se está guardando otra tabla</translation>
     </message>
 </context>
 <context>

@@ -1932,6 +1932,29 @@ La méthode suit S. Park, «&#xa0;Computational Vision for Automatic Tracking an
     </message>
 </context>
 <context>
+    <name>Remedy</name>
+    <message>
+        <source>Synchronise…</source>
+        <translation>Synchroniser…</translation>
+    </message>
+    <message>
+        <source>Robots…</source>
+        <translation>Robots…</translation>
+    </message>
+    <message>
+        <source>Open Testbed</source>
+        <translation>Ouvrir Banc d’essai</translation>
+    </message>
+    <message>
+        <source>Track…</source>
+        <translation>Suivre…</translation>
+    </message>
+    <message>
+        <source>Find lost videos…</source>
+        <translation>Retrouver les vidéos perdues…</translation>
+    </message>
+</context>
+<context>
     <name>Report</name>
     <message numerus="yes">
         <source>and %n more</source>
@@ -2615,44 +2638,12 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>TrialExport</name>
     <message>
-        <source>CSV for programs (*.csv)</source>
-        <translation>CSV pour programmes (*.csv)</translation>
-    </message>
-    <message>
-        <source>CSV for spreadsheets, 1.5 (*.csv)</source>
-        <translation>CSV pour tableurs, 1.5 (*.csv)</translation>
-    </message>
-    <message>
-        <source>CSV for spreadsheets, 1,5 (*.csv)</source>
-        <translation>CSV pour tableurs, 1,5 (*.csv)</translation>
-    </message>
-    <message>
-        <source>Tracker text (*.txt)</source>
-        <translation>Texte Tracker (*.txt)</translation>
-    </message>
-    <message>
-        <source>TUM trajectory (*.tum)</source>
-        <translation>Trajectoire TUM (*.tum)</translation>
-    </message>
-    <message>
-        <source>Export</source>
-        <translation>Exporter</translation>
-    </message>
-    <message>
-        <source>Robot:</source>
-        <translation>Robot&#xa0;:</translation>
-    </message>
-    <message>
         <source>Export %1</source>
         <translation>Exporter %1</translation>
     </message>
     <message>
         <source>%1 was exported to %2.</source>
         <translation>%1 a été exporté vers %2.</translation>
-    </message>
-    <message>
-        <source>Page to take along (*.html)</source>
-        <translation>Page à emporter (*.html)</translation>
     </message>
 </context>
 <context>
@@ -12550,6 +12541,121 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
 </context>
 <context>
+    <name>odo::ExportDialog</name>
+    <message>
+        <source>&amp;Keep as…</source>
+        <translation>&amp;Conserver sous…</translation>
+    </message>
+    <message>
+        <source>Remo&amp;ve</source>
+        <translation>&amp;Supprimer</translation>
+    </message>
+    <message>
+        <source>&amp;Preset</source>
+        <translation>&amp;Préréglage</translation>
+    </message>
+    <message>
+        <source>&amp;Robot</source>
+        <translation>&amp;Robot</translation>
+    </message>
+    <message>
+        <source>&amp;Format</source>
+        <translation>&amp;Format</translation>
+    </message>
+    <message>
+        <source>CSV for programs (*.csv)</source>
+        <translation>CSV pour programmes (*.csv)</translation>
+    </message>
+    <message>
+        <source>CSV for spreadsheets, 1.5 (*.csv)</source>
+        <translation>CSV pour tableurs, 1.5 (*.csv)</translation>
+    </message>
+    <message>
+        <source>CSV for spreadsheets, 1,5 (*.csv)</source>
+        <translation>CSV pour tableurs, 1,5 (*.csv)</translation>
+    </message>
+    <message>
+        <source>Tracker text (*.txt)</source>
+        <translation>Texte Tracker (*.txt)</translation>
+    </message>
+    <message>
+        <source>TUM trajectory (*.tum)</source>
+        <translation>Trajectoire TUM (*.tum)</translation>
+    </message>
+    <message>
+        <source>Page to take along (*.html)</source>
+        <translation>Page à emporter (*.html)</translation>
+    </message>
+    <message>
+        <source>Columns</source>
+        <translation>Colonnes</translation>
+    </message>
+    <message>
+        <source>&amp;Columns</source>
+        <translation>Co&amp;lonnes</translation>
+    </message>
+    <message>
+        <source>&amp;Lengths in</source>
+        <translation>Lon&amp;gueurs en</translation>
+    </message>
+    <message>
+        <source>&amp;Axes</source>
+        <translation>&amp;Axes</translation>
+    </message>
+    <message>
+        <source>Of the floor&apos;s markers</source>
+        <translation>Des marqueurs du sol</translation>
+    </message>
+    <message>
+        <source>From the start, X in its direction</source>
+        <translation>Depuis le départ, X dans sa direction</translation>
+    </message>
+    <message>
+        <source>Par&amp;t of the run</source>
+        <translation>Par&amp;tie du passage</translation>
+    </message>
+    <message>
+        <source>Choose a file…</source>
+        <translation>Choisir un fichier…</translation>
+    </message>
+    <message>
+        <source>Choose a folder…</source>
+        <translation>Choisir un dossier…</translation>
+    </message>
+    <message>
+        <source>Preset</source>
+        <translation>Préréglage</translation>
+    </message>
+    <message>
+        <source>Its range, which counts</source>
+        <translation>Sa plage, qui compte</translation>
+    </message>
+    <message>
+        <source>The whole run</source>
+        <translation>Tout le passage</translation>
+    </message>
+    <message>
+        <source>What counts of each</source>
+        <translation>Ce qui compte de chacun</translation>
+    </message>
+    <message>
+        <source>The selection, %1 to %2</source>
+        <translation>La sélection, de %1 à %2</translation>
+    </message>
+    <message>
+        <source>As last time</source>
+        <translation>Comme la dernière fois</translation>
+    </message>
+    <message>
+        <source>Keep these choices</source>
+        <translation>Conserver ces choix</translation>
+    </message>
+    <message>
+        <source>Name of the preset:</source>
+        <translation>Nom du préréglage :</translation>
+    </message>
+</context>
+<context>
     <name>odo::FileActions</name>
     <message>
         <source>&amp;New project…</source>
@@ -12815,6 +12921,32 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>the registration</source>
         <translation>la localisation</translation>
+    </message>
+</context>
+<context>
+    <name>odo::FrameAligner</name>
+    <message>
+        <source>&amp;Move both frames together</source>
+        <translation>&amp;Déplacer les deux images ensemble</translation>
+    </message>
+    <message>
+        <source>Together they show what is now taken for the same moment. Remove the tick, and move one frame until both show the same moment, such as a wheel that begins to turn.</source>
+        <translation>Ensemble, elles montrent ce qui est pris actuellement pour le même instant. Décochez, puis déplacez une image jusqu’à ce que les deux montrent le même instant, par exemple une roue qui commence à tourner.</translation>
+    </message>
+</context>
+<context>
+    <name>odo::FramePanel</name>
+    <message>
+        <source>Frame of camera %1</source>
+        <translation>Image de la caméra %1</translation>
+    </message>
+    <message>
+        <source>Camera %1</source>
+        <translation>Caméra %1</translation>
+    </message>
+    <message>
+        <source>%1: frame %2, %3</source>
+        <translation>%1 : image %2, %3</translation>
     </message>
 </context>
 <context>
@@ -13138,6 +13270,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <source>%1 could not be deleted; delete it by hand.</source>
         <translation>%1 n’a pas pu être supprimé&#xa0;; supprimez-le à la main.</translation>
     </message>
+    <message numerus="yes">
+        <source>Export %n trial(s)</source>
+        <translation>
+            <numerusform>Exporter %n essai</numerusform>
+            <numerusform>Exporter %n essais</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>odo::HistoryPage</name>
@@ -13156,10 +13295,6 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>Tea&amp;ms</source>
         <translation>É&amp;quipes</translation>
-    </message>
-    <message>
-        <source>Trials or teams</source>
-        <translation>Essais ou équipes</translation>
     </message>
     <message>
         <source>Trials</source>
@@ -13222,6 +13357,14 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>School hub</source>
         <translation>Serveur de l’école</translation>
+    </message>
+    <message>
+        <source>Res&amp;ults</source>
+        <translation>Rés&amp;ultats</translation>
+    </message>
+    <message>
+        <source>Trials, results or teams</source>
+        <translation>Essais, résultats ou équipes</translation>
     </message>
 </context>
 <context>
@@ -14516,6 +14659,10 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <source>Show both</source>
         <translation>Afficher les deux</translation>
     </message>
+    <message>
+        <source>Table saved as %1.</source>
+        <translation>Tableau enregistré sous %1.</translation>
+    </message>
 </context>
 <context>
     <name>odo::MapArea</name>
@@ -14685,9 +14832,43 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <source>Close</source>
         <translation>Fermer</translation>
     </message>
+</context>
+<context>
+    <name>odo::MessagePanel</name>
     <message>
-        <source>Cancelled. Nothing was changed.</source>
-        <translation>Annulé. Rien n’a été modifié.</translation>
+        <source>No messages.</source>
+        <translation>Aucun message.</translation>
+    </message>
+    <message>
+        <source>Dismiss &amp;all</source>
+        <translation>Tout &amp;effacer</translation>
+    </message>
+    <message>
+        <source>Messages</source>
+        <translation>Messages</translation>
+    </message>
+    <message>
+        <source>Close the list of messages</source>
+        <translation>Fermer la liste des messages</translation>
+    </message>
+    <message>
+        <source>Close (Esc)</source>
+        <translation>Fermer (Échap)</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1, %n times</source>
+        <translation>
+            <numerusform>%1, %n fois</numerusform>
+            <numerusform>%1, %n fois</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Dismiss: %1</source>
+        <translation>Effacer : %1</translation>
+    </message>
+    <message>
+        <source>Dismiss</source>
+        <translation>Effacer</translation>
     </message>
 </context>
 <context>
@@ -14946,6 +15127,33 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>&amp;Network</source>
         <translation>Ré&amp;seau</translation>
+    </message>
+</context>
+<context>
+    <name>odo::PresentWindow</name>
+    <message>
+        <source>Presentation</source>
+        <translation>Présentation</translation>
+    </message>
+    <message>
+        <source>Team</source>
+        <translation>Équipe</translation>
+    </message>
+    <message>
+        <source>Trial</source>
+        <translation>Essai</translation>
+    </message>
+    <message>
+        <source>No trial</source>
+        <translation>Aucun essai</translation>
+    </message>
+    <message>
+        <source>Speed now</source>
+        <translation>Vitesse actuelle</translation>
+    </message>
+    <message>
+        <source>Not tracked yet</source>
+        <translation>Pas encore suivi</translation>
     </message>
 </context>
 <context>
@@ -15599,6 +15807,235 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
 </context>
 <context>
+    <name>odo::ResultStatisticsModel</name>
+    <message>
+        <source>Metric</source>
+        <translation>Grandeur</translation>
+    </message>
+    <message>
+        <source>Group</source>
+        <translation>Groupe</translation>
+    </message>
+    <message>
+        <source>Number of values: runs without bad results, lower bounds or another course</source>
+        <translation>Nombre de valeurs : passages sans mauvais résultats, bornes inférieures ni autre parcours</translation>
+    </message>
+    <message>
+        <source>Runs</source>
+        <translation>Passages</translation>
+    </message>
+    <message>
+        <source>Mean ± its standard error (SD / √runs)</source>
+        <translation>Moyenne ± son erreur type (ET / √passages)</translation>
+    </message>
+    <message>
+        <source>Mean</source>
+        <translation>Moyenne</translation>
+    </message>
+    <message>
+        <source>Median</source>
+        <translation>Médiane</translation>
+    </message>
+    <message>
+        <source>Standard deviation of one run</source>
+        <translation>Écart type d’un passage</translation>
+    </message>
+    <message>
+        <source>SD</source>
+        <translation>ET</translation>
+    </message>
+    <message>
+        <source>Coefficient of variation: SD as a part of the mean</source>
+        <translation>Coefficient de variation : ET rapporté à la moyenne</translation>
+    </message>
+    <message>
+        <source>CV %</source>
+        <translation>CV %</translation>
+    </message>
+    <message>
+        <source>Least</source>
+        <translation>Minimum</translation>
+    </message>
+    <message>
+        <source>Most</source>
+        <translation>Maximum</translation>
+    </message>
+</context>
+<context>
+    <name>odo::ResultsModel</name>
+    <message>
+        <source>not tracked</source>
+        <translation>non suivi</translation>
+    </message>
+    <message>
+        <source>Not used in means: a lower bound, a bad result, or another course</source>
+        <translation>Ne compte pas dans les moyennes : borne inférieure, mauvais résultat ou autre parcours</translation>
+    </message>
+    <message>
+        <source>Trial</source>
+        <translation>Essai</translation>
+    </message>
+    <message>
+        <source>Team</source>
+        <translation>Équipe</translation>
+    </message>
+    <message>
+        <source>Class</source>
+        <translation>Classe</translation>
+    </message>
+    <message>
+        <source>Task</source>
+        <translation>Épreuve</translation>
+    </message>
+    <message>
+        <source>Robot</source>
+        <translation>Robot</translation>
+    </message>
+    <message>
+        <source>Date</source>
+        <translation>Date</translation>
+    </message>
+    <message>
+        <source>Verdict</source>
+        <translation>Verdict</translation>
+    </message>
+</context>
+<context>
+    <name>odo::ResultsPanel</name>
+    <message>
+        <source>Results</source>
+        <translation>Résultats</translation>
+    </message>
+    <message>
+        <source>Class</source>
+        <translation>Classe</translation>
+    </message>
+    <message>
+        <source>Task</source>
+        <translation>Épreuve</translation>
+    </message>
+    <message>
+        <source>Group by</source>
+        <translation>Grouper par</translation>
+    </message>
+    <message>
+        <source>Results of the trials</source>
+        <translation>Résultats des essais</translation>
+    </message>
+    <message>
+        <source>Statistics</source>
+        <translation>Statistiques</translation>
+    </message>
+    <message>
+        <source>Any class</source>
+        <translation>Toute classe</translation>
+    </message>
+    <message>
+        <source>Any task</source>
+        <translation>Toute épreuve</translation>
+    </message>
+    <message>
+        <source>No groups</source>
+        <translation>Sans groupes</translation>
+    </message>
+    <message>
+        <source>Search…</source>
+        <translation>Chercher…</translation>
+    </message>
+    <message>
+        <source>Search the results</source>
+        <translation>Chercher dans les résultats</translation>
+    </message>
+    <message>
+        <source>Trials, teams, robots, tags and variables with all of these words</source>
+        <translation>Essais, équipes, robots, étiquettes et variables contenant tous ces mots</translation>
+    </message>
+    <message>
+        <source>Metrics</source>
+        <translation>Grandeurs</translation>
+    </message>
+    <message>
+        <source>Which metrics are shown</source>
+        <translation>Grandeurs affichées</translation>
+    </message>
+    <message>
+        <source>&amp;Save table…</source>
+        <translation>&amp;Enregistrer le tableau…</translation>
+    </message>
+    <message>
+        <source>&amp;Copy with headings</source>
+        <translation>&amp;Copier avec les en-têtes</translation>
+    </message>
+    <message>
+        <source>By team</source>
+        <translation>Par équipe</translation>
+    </message>
+    <message>
+        <source>By class</source>
+        <translation>Par classe</translation>
+    </message>
+    <message>
+        <source>By task</source>
+        <translation>Par épreuve</translation>
+    </message>
+    <message>
+        <source>By robot</source>
+        <translation>Par robot</translation>
+    </message>
+    <message>
+        <source>By %1</source>
+        <translation>Par %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n run(s)</source>
+        <translation>
+            <numerusform>%n passage</numerusform>
+            <numerusform>%n passages</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 of %n run(s)</source>
+        <translation>
+            <numerusform>%1 de %n passage</numerusform>
+            <numerusform>%1 de %n passages</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Statistics of %n run(s) shown</source>
+        <translation>
+            <numerusform>Statistiques de %n passage affiché</numerusform>
+            <numerusform>Statistiques de %n passages affichés</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Statistics of %n selected run(s)</source>
+        <translation>
+            <numerusform>Statistiques de %n passage sélectionné</numerusform>
+            <numerusform>Statistiques de %n passages sélectionnés</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Save the table</source>
+        <translation>Enregistrer le tableau</translation>
+    </message>
+    <message>
+        <source>Workbook with statistics (*.xlsx)</source>
+        <translation>Classeur avec statistiques (*.xlsx)</translation>
+    </message>
+    <message>
+        <source>CSV for programs (*.csv)</source>
+        <translation>CSV pour programmes (*.csv)</translation>
+    </message>
+    <message>
+        <source>CSV for spreadsheets, 1.5 (*.csv)</source>
+        <translation>CSV pour tableurs, 1.5 (*.csv)</translation>
+    </message>
+    <message>
+        <source>CSV for spreadsheets, 1,5 (*.csv)</source>
+        <translation>CSV pour tableurs, 1,5 (*.csv)</translation>
+    </message>
+</context>
+<context>
     <name>odo::ReviewColumn</name>
     <message>
         <source>Trial</source>
@@ -15662,6 +16099,14 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>Show the surroundings of the robot eight times as large as recorded</source>
         <translation>Montrer les alentours du robot huit fois plus grands que filmés</translation>
+    </message>
+    <message>
+        <source>&amp;Present</source>
+        <translation>&amp;Présenter</translation>
+    </message>
+    <message>
+        <source>Team, map, speed and result in large type, on a second screen if there is one</source>
+        <translation>Équipe, carte, vitesse et résultat en grands caractères, sur un second écran s’il y en a un</translation>
     </message>
 </context>
 <context>
@@ -16227,6 +16672,107 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>Recording failed: %1</source>
         <translation>Il n’a pas pu être enregistré&#xa0;: %1</translation>
+    </message>
+</context>
+<context>
+    <name>odo::SampleModel</name>
+    <message>
+        <source>Time</source>
+        <translation>Temps</translation>
+    </message>
+    <message>
+        <source>Frame</source>
+        <translation>Image</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>Vitesse</translation>
+    </message>
+    <message>
+        <source>± Speed</source>
+        <translation>± Vitesse</translation>
+    </message>
+    <message>
+        <source>Acceleration</source>
+        <translation>Accélération</translation>
+    </message>
+    <message>
+        <source>± Acceleration</source>
+        <translation>± Accélération</translation>
+    </message>
+    <message>
+        <source>Heading</source>
+        <translation>Cap</translation>
+    </message>
+    <message>
+        <source>± Heading</source>
+        <translation>± Cap</translation>
+    </message>
+    <message>
+        <source>Turn rate</source>
+        <translation>Vitesse angulaire</translation>
+    </message>
+    <message>
+        <source>± Turn rate</source>
+        <translation>± Vitesse angulaire</translation>
+    </message>
+    <message>
+        <source>Distance travelled</source>
+        <translation>Distance parcourue</translation>
+    </message>
+    <message>
+        <source>Measured x</source>
+        <translation>x mesuré</translation>
+    </message>
+    <message>
+        <source>Measured y</source>
+        <translation>y mesuré</translation>
+    </message>
+    <message>
+        <source>Views</source>
+        <translation>Vues</translation>
+    </message>
+    <message>
+        <source>Flags</source>
+        <translation>Marques</translation>
+    </message>
+</context>
+<context>
+    <name>odo::SampleTable</name>
+    <message>
+        <source>Data</source>
+        <translation>Données</translation>
+    </message>
+    <message>
+        <source>Samples of the run</source>
+        <translation>Échantillons du passage</translation>
+    </message>
+    <message>
+        <source>&amp;Copy with headings</source>
+        <translation>&amp;Copier avec les en-têtes</translation>
+    </message>
+    <message>
+        <source>Robot</source>
+        <translation>Robot</translation>
+    </message>
+    <message>
+        <source>Columns</source>
+        <translation>Colonnes</translation>
+    </message>
+    <message>
+        <source>Which columns are shown</source>
+        <translation>Colonnes affichées</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n sample(s)</source>
+        <translation>
+            <numerusform>%n échantillon</numerusform>
+            <numerusform>%n échantillons</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Not tracked yet</source>
+        <translation>Pas encore suivi</translation>
     </message>
 </context>
 <context>
@@ -16960,6 +17506,18 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>There is no sound in both views to compare.</source>
         <translation>Il n’y a pas de son à comparer dans les deux vues.</translation>
+    </message>
+    <message>
+        <source>Frames or sound</source>
+        <translation>Images ou son</translation>
+    </message>
+    <message>
+        <source>&amp;Frames</source>
+        <translation>I&amp;mages</translation>
+    </message>
+    <message>
+        <source>S&amp;ound</source>
+        <translation>S&amp;on</translation>
     </message>
 </context>
 <context>
@@ -18801,6 +19359,36 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>no longer found</source>
         <translation>introuvable</translation>
+    </message>
+</context>
+<context>
+    <name>odo::WindowMessages</name>
+    <message>
+        <source>&amp;Messages</source>
+        <translation>&amp;Messages</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n message(s)</source>
+        <translation>
+            <numerusform>%n message</numerusform>
+            <numerusform>%n messages</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>No messages.</source>
+        <translation>Aucun message.</translation>
+    </message>
+    <message>
+        <source>Cancelled. Nothing was changed.</source>
+        <translation>Annulé. Rien n’a été modifié.</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>Ouvrir</translation>
+    </message>
+    <message>
+        <source>Show in folder</source>
+        <translation>Montrer dans le dossier</translation>
     </message>
 </context>
 <context>
@@ -23375,6 +23963,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
 </context>
 <context>
+    <name>ui.save_again</name>
+    <message>
+        <source>save it again in a moment</source>
+        <translation>enregistrez-le de nouveau dans un instant</translation>
+    </message>
+</context>
+<context>
     <name>ui.save_copy</name>
     <message>
         <source>save a copy and work on the copy</source>
@@ -23386,6 +23981,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>Saving a copy</source>
         <translation>Enregistrement d’une copie</translation>
+    </message>
+</context>
+<context>
+    <name>ui.saving_table</name>
+    <message>
+        <source>saving the table</source>
+        <translation>enregistrement du tableau</translation>
     </message>
 </context>
 <context>
@@ -23435,6 +24037,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>Synchronising %1</source>
         <translation>Synchronisation de %1</translation>
+    </message>
+</context>
+<context>
+    <name>ui.table_being_saved</name>
+    <message>
+        <source>another table is still being saved</source>
+        <translation>un autre tableau est encore en cours d’enregistrement</translation>
     </message>
 </context>
 <context>

@@ -1917,6 +1917,29 @@ GNU 일반 공중 사용 허가서(GPL) 버전 3 이상을 따르는 자유 소�
     </message>
 </context>
 <context>
+    <name>Remedy</name>
+    <message>
+        <source>Synchronise…</source>
+        <translation>동기화…</translation>
+    </message>
+    <message>
+        <source>Robots…</source>
+        <translation>로봇…</translation>
+    </message>
+    <message>
+        <source>Open Testbed</source>
+        <translation>테스트베드 열기</translation>
+    </message>
+    <message>
+        <source>Track…</source>
+        <translation>추적…</translation>
+    </message>
+    <message>
+        <source>Find lost videos…</source>
+        <translation>잃은 동영상 찾기…</translation>
+    </message>
+</context>
+<context>
     <name>Report</name>
     <message numerus="yes">
         <source>and %n more</source>
@@ -2594,44 +2617,12 @@ Much more than expected means that a setting is wrong: the views are not synchro
 <context>
     <name>TrialExport</name>
     <message>
-        <source>CSV for programs (*.csv)</source>
-        <translation>프로그램용 CSV (*.csv)</translation>
-    </message>
-    <message>
-        <source>CSV for spreadsheets, 1.5 (*.csv)</source>
-        <translation>스프레드시트용 CSV, 1.5 (*.csv)</translation>
-    </message>
-    <message>
-        <source>CSV for spreadsheets, 1,5 (*.csv)</source>
-        <translation>스프레드시트용 CSV, 1,5 (*.csv)</translation>
-    </message>
-    <message>
-        <source>Tracker text (*.txt)</source>
-        <translation>Tracker 텍스트 (*.txt)</translation>
-    </message>
-    <message>
-        <source>TUM trajectory (*.tum)</source>
-        <translation>TUM 궤적 (*.tum)</translation>
-    </message>
-    <message>
-        <source>Export</source>
-        <translation>내보내기</translation>
-    </message>
-    <message>
-        <source>Robot:</source>
-        <translation>로봇:</translation>
-    </message>
-    <message>
         <source>Export %1</source>
         <translation>%1 내보내기</translation>
     </message>
     <message>
         <source>%1 was exported to %2.</source>
         <translation>%1을(를) %2에 내보냈습니다.</translation>
-    </message>
-    <message>
-        <source>Page to take along (*.html)</source>
-        <translation>가져갈 페이지 (*.html)</translation>
     </message>
 </context>
 <context>
@@ -12519,6 +12510,121 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>odo::ExportDialog</name>
+    <message>
+        <source>&amp;Keep as…</source>
+        <translation>이름 붙여 보관(&amp;K)…</translation>
+    </message>
+    <message>
+        <source>Remo&amp;ve</source>
+        <translation>제거(&amp;V)</translation>
+    </message>
+    <message>
+        <source>&amp;Preset</source>
+        <translation>프리셋(&amp;P)</translation>
+    </message>
+    <message>
+        <source>&amp;Robot</source>
+        <translation>로봇(&amp;R)</translation>
+    </message>
+    <message>
+        <source>&amp;Format</source>
+        <translation>형식(&amp;F)</translation>
+    </message>
+    <message>
+        <source>CSV for programs (*.csv)</source>
+        <translation>프로그램용 CSV (*.csv)</translation>
+    </message>
+    <message>
+        <source>CSV for spreadsheets, 1.5 (*.csv)</source>
+        <translation>스프레드시트용 CSV, 1.5 (*.csv)</translation>
+    </message>
+    <message>
+        <source>CSV for spreadsheets, 1,5 (*.csv)</source>
+        <translation>스프레드시트용 CSV, 1,5 (*.csv)</translation>
+    </message>
+    <message>
+        <source>Tracker text (*.txt)</source>
+        <translation>Tracker 텍스트 (*.txt)</translation>
+    </message>
+    <message>
+        <source>TUM trajectory (*.tum)</source>
+        <translation>TUM 궤적 (*.tum)</translation>
+    </message>
+    <message>
+        <source>Page to take along (*.html)</source>
+        <translation>가져갈 페이지 (*.html)</translation>
+    </message>
+    <message>
+        <source>Columns</source>
+        <translation>열</translation>
+    </message>
+    <message>
+        <source>&amp;Columns</source>
+        <translation>열(&amp;C)</translation>
+    </message>
+    <message>
+        <source>&amp;Lengths in</source>
+        <translation>길이 단위(&amp;L)</translation>
+    </message>
+    <message>
+        <source>&amp;Axes</source>
+        <translation>좌표축(&amp;A)</translation>
+    </message>
+    <message>
+        <source>Of the floor&apos;s markers</source>
+        <translation>바닥 마커 기준</translation>
+    </message>
+    <message>
+        <source>From the start, X in its direction</source>
+        <translation>출발점에서, 출발 방향이 X</translation>
+    </message>
+    <message>
+        <source>Par&amp;t of the run</source>
+        <translation>주행의 부분(&amp;T)</translation>
+    </message>
+    <message>
+        <source>Choose a file…</source>
+        <translation>파일 선택…</translation>
+    </message>
+    <message>
+        <source>Choose a folder…</source>
+        <translation>폴더 선택…</translation>
+    </message>
+    <message>
+        <source>Preset</source>
+        <translation>프리셋</translation>
+    </message>
+    <message>
+        <source>Its range, which counts</source>
+        <translation>유효한 구간</translation>
+    </message>
+    <message>
+        <source>The whole run</source>
+        <translation>주행 전체</translation>
+    </message>
+    <message>
+        <source>What counts of each</source>
+        <translation>각 주행에서 유효한 부분</translation>
+    </message>
+    <message>
+        <source>The selection, %1 to %2</source>
+        <translation>선택 구간, %1 ~ %2</translation>
+    </message>
+    <message>
+        <source>As last time</source>
+        <translation>지난번과 같이</translation>
+    </message>
+    <message>
+        <source>Keep these choices</source>
+        <translation>이 선택 보관</translation>
+    </message>
+    <message>
+        <source>Name of the preset:</source>
+        <translation>프리셋 이름:</translation>
+    </message>
+</context>
+<context>
     <name>odo::FileActions</name>
     <message>
         <source>&amp;New project…</source>
@@ -12784,6 +12890,32 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>the registration</source>
         <translation>정합</translation>
+    </message>
+</context>
+<context>
+    <name>odo::FrameAligner</name>
+    <message>
+        <source>&amp;Move both frames together</source>
+        <translation>두 프레임을 함께 이동(&amp;M)</translation>
+    </message>
+    <message>
+        <source>Together they show what is now taken for the same moment. Remove the tick, and move one frame until both show the same moment, such as a wheel that begins to turn.</source>
+        <translation>함께 움직이면 지금 같은 순간으로 여기는 장면을 보여 줍니다. 체크를 풀고, 바퀴가 돌기 시작하는 순간처럼 같은 순간이 보일 때까지 한 프레임을 옮기세요.</translation>
+    </message>
+</context>
+<context>
+    <name>odo::FramePanel</name>
+    <message>
+        <source>Frame of camera %1</source>
+        <translation>카메라 %1의 프레임</translation>
+    </message>
+    <message>
+        <source>Camera %1</source>
+        <translation>카메라 %1</translation>
+    </message>
+    <message>
+        <source>%1: frame %2, %3</source>
+        <translation>%1: 프레임 %2, %3</translation>
     </message>
 </context>
 <context>
@@ -13103,6 +13235,12 @@ Much more than expected means that a setting is wrong: the views are not synchro
         <source>%1 could not be deleted; delete it by hand.</source>
         <translation>%1을(를) 삭제할 수 없습니다. 직접 삭제하십시오.</translation>
     </message>
+    <message numerus="yes">
+        <source>Export %n trial(s)</source>
+        <translation>
+            <numerusform>시행 %n개 내보내기</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>odo::HistoryPage</name>
@@ -13121,10 +13259,6 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>Tea&amp;ms</source>
         <translation>팀(&amp;M)</translation>
-    </message>
-    <message>
-        <source>Trials or teams</source>
-        <translation>시행 또는 팀</translation>
     </message>
     <message>
         <source>Trials</source>
@@ -13185,6 +13319,14 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>School hub</source>
         <translation>학교 허브</translation>
+    </message>
+    <message>
+        <source>Res&amp;ults</source>
+        <translation>결과(&amp;U)</translation>
+    </message>
+    <message>
+        <source>Trials, results or teams</source>
+        <translation>시행, 결과 또는 팀</translation>
     </message>
 </context>
 <context>
@@ -14471,6 +14613,10 @@ Much more than expected means that a setting is wrong: the views are not synchro
         <source>Show both</source>
         <translation>둘 다 보기</translation>
     </message>
+    <message>
+        <source>Table saved as %1.</source>
+        <translation>표를 %1(으)로 저장했습니다.</translation>
+    </message>
 </context>
 <context>
     <name>odo::MapArea</name>
@@ -14639,9 +14785,42 @@ Much more than expected means that a setting is wrong: the views are not synchro
         <source>Close</source>
         <translation>닫기</translation>
     </message>
+</context>
+<context>
+    <name>odo::MessagePanel</name>
     <message>
-        <source>Cancelled. Nothing was changed.</source>
-        <translation>취소했습니다. 아무것도 바뀌지 않았습니다.</translation>
+        <source>No messages.</source>
+        <translation>메시지가 없습니다.</translation>
+    </message>
+    <message>
+        <source>Dismiss &amp;all</source>
+        <translation>모두 지우기(&amp;A)</translation>
+    </message>
+    <message>
+        <source>Messages</source>
+        <translation>메시지</translation>
+    </message>
+    <message>
+        <source>Close the list of messages</source>
+        <translation>메시지 목록 닫기</translation>
+    </message>
+    <message>
+        <source>Close (Esc)</source>
+        <translation>닫기 (Esc)</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1, %n times</source>
+        <translation>
+            <numerusform>%1, %n번</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Dismiss: %1</source>
+        <translation>지우기: %1</translation>
+    </message>
+    <message>
+        <source>Dismiss</source>
+        <translation>지우기</translation>
     </message>
 </context>
 <context>
@@ -14900,6 +15079,33 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>&amp;Network</source>
         <translation>네트워크(&amp;N)</translation>
+    </message>
+</context>
+<context>
+    <name>odo::PresentWindow</name>
+    <message>
+        <source>Presentation</source>
+        <translation>발표</translation>
+    </message>
+    <message>
+        <source>Team</source>
+        <translation>팀</translation>
+    </message>
+    <message>
+        <source>Trial</source>
+        <translation>시행</translation>
+    </message>
+    <message>
+        <source>No trial</source>
+        <translation>시행 없음</translation>
+    </message>
+    <message>
+        <source>Speed now</source>
+        <translation>현재 속력</translation>
+    </message>
+    <message>
+        <source>Not tracked yet</source>
+        <translation>아직 추적 안 함</translation>
     </message>
 </context>
 <context>
@@ -15549,6 +15755,231 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>odo::ResultStatisticsModel</name>
+    <message>
+        <source>Metric</source>
+        <translation>지표</translation>
+    </message>
+    <message>
+        <source>Group</source>
+        <translation>그룹</translation>
+    </message>
+    <message>
+        <source>Number of values: runs without bad results, lower bounds or another course</source>
+        <translation>값의 수: 나쁜 결과, 하한, 다른 코스를 뺀 주행</translation>
+    </message>
+    <message>
+        <source>Runs</source>
+        <translation>주행</translation>
+    </message>
+    <message>
+        <source>Mean ± its standard error (SD / √runs)</source>
+        <translation>평균 ± 표준 오차(SD / √주행 수)</translation>
+    </message>
+    <message>
+        <source>Mean</source>
+        <translation>평균</translation>
+    </message>
+    <message>
+        <source>Median</source>
+        <translation>중앙값</translation>
+    </message>
+    <message>
+        <source>Standard deviation of one run</source>
+        <translation>주행 하나의 표준 편차</translation>
+    </message>
+    <message>
+        <source>SD</source>
+        <translation>SD</translation>
+    </message>
+    <message>
+        <source>Coefficient of variation: SD as a part of the mean</source>
+        <translation>변동 계수: 평균에 대한 SD의 비율</translation>
+    </message>
+    <message>
+        <source>CV %</source>
+        <translation>CV %</translation>
+    </message>
+    <message>
+        <source>Least</source>
+        <translation>최소</translation>
+    </message>
+    <message>
+        <source>Most</source>
+        <translation>최대</translation>
+    </message>
+</context>
+<context>
+    <name>odo::ResultsModel</name>
+    <message>
+        <source>not tracked</source>
+        <translation>추적 안 함</translation>
+    </message>
+    <message>
+        <source>Not used in means: a lower bound, a bad result, or another course</source>
+        <translation>평균에 쓰지 않음: 하한, 나쁜 결과 또는 다른 코스</translation>
+    </message>
+    <message>
+        <source>Trial</source>
+        <translation>시행</translation>
+    </message>
+    <message>
+        <source>Team</source>
+        <translation>팀</translation>
+    </message>
+    <message>
+        <source>Class</source>
+        <translation>학급</translation>
+    </message>
+    <message>
+        <source>Task</source>
+        <translation>과제</translation>
+    </message>
+    <message>
+        <source>Robot</source>
+        <translation>로봇</translation>
+    </message>
+    <message>
+        <source>Date</source>
+        <translation>날짜</translation>
+    </message>
+    <message>
+        <source>Verdict</source>
+        <translation>판정</translation>
+    </message>
+</context>
+<context>
+    <name>odo::ResultsPanel</name>
+    <message>
+        <source>Results</source>
+        <translation>결과</translation>
+    </message>
+    <message>
+        <source>Class</source>
+        <translation>학급</translation>
+    </message>
+    <message>
+        <source>Task</source>
+        <translation>과제</translation>
+    </message>
+    <message>
+        <source>Group by</source>
+        <translation>그룹 기준</translation>
+    </message>
+    <message>
+        <source>Results of the trials</source>
+        <translation>시행 결과</translation>
+    </message>
+    <message>
+        <source>Statistics</source>
+        <translation>통계</translation>
+    </message>
+    <message>
+        <source>Any class</source>
+        <translation>모든 학급</translation>
+    </message>
+    <message>
+        <source>Any task</source>
+        <translation>모든 과제</translation>
+    </message>
+    <message>
+        <source>No groups</source>
+        <translation>그룹 없음</translation>
+    </message>
+    <message>
+        <source>Search…</source>
+        <translation>검색…</translation>
+    </message>
+    <message>
+        <source>Search the results</source>
+        <translation>결과 검색</translation>
+    </message>
+    <message>
+        <source>Trials, teams, robots, tags and variables with all of these words</source>
+        <translation>이 단어가 모두 들어 있는 시행, 팀, 로봇, 태그, 변수</translation>
+    </message>
+    <message>
+        <source>Metrics</source>
+        <translation>지표</translation>
+    </message>
+    <message>
+        <source>Which metrics are shown</source>
+        <translation>표시할 지표</translation>
+    </message>
+    <message>
+        <source>&amp;Save table…</source>
+        <translation>표 저장(&amp;S)…</translation>
+    </message>
+    <message>
+        <source>&amp;Copy with headings</source>
+        <translation>머리글과 함께 복사(&amp;C)</translation>
+    </message>
+    <message>
+        <source>By team</source>
+        <translation>팀별</translation>
+    </message>
+    <message>
+        <source>By class</source>
+        <translation>학급별</translation>
+    </message>
+    <message>
+        <source>By task</source>
+        <translation>과제별</translation>
+    </message>
+    <message>
+        <source>By robot</source>
+        <translation>로봇별</translation>
+    </message>
+    <message>
+        <source>By %1</source>
+        <translation>%1별</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n run(s)</source>
+        <translation>
+            <numerusform>주행 %n개</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 of %n run(s)</source>
+        <translation>
+            <numerusform>주행 %n개 중 %1개</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Statistics of %n run(s) shown</source>
+        <translation>
+            <numerusform>표시된 주행 %n개의 통계</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Statistics of %n selected run(s)</source>
+        <translation>
+            <numerusform>선택한 주행 %n개의 통계</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Save the table</source>
+        <translation>표 저장</translation>
+    </message>
+    <message>
+        <source>Workbook with statistics (*.xlsx)</source>
+        <translation>통계가 있는 통합 문서 (*.xlsx)</translation>
+    </message>
+    <message>
+        <source>CSV for programs (*.csv)</source>
+        <translation>프로그램용 CSV (*.csv)</translation>
+    </message>
+    <message>
+        <source>CSV for spreadsheets, 1.5 (*.csv)</source>
+        <translation>스프레드시트용 CSV, 1.5 (*.csv)</translation>
+    </message>
+    <message>
+        <source>CSV for spreadsheets, 1,5 (*.csv)</source>
+        <translation>스프레드시트용 CSV, 1,5 (*.csv)</translation>
+    </message>
+</context>
+<context>
     <name>odo::ReviewColumn</name>
     <message>
         <source>Trial</source>
@@ -15612,6 +16043,14 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>Show the surroundings of the robot eight times as large as recorded</source>
         <translation>로봇 주변을 녹화 화면의 여덟 배로 보여 줍니다</translation>
+    </message>
+    <message>
+        <source>&amp;Present</source>
+        <translation>발표(&amp;P)</translation>
+    </message>
+    <message>
+        <source>Team, map, speed and result in large type, on a second screen if there is one</source>
+        <translation>팀, 지도, 속력, 결과를 큰 글씨로 보여 줍니다. 두 번째 화면이 있으면 그곳에 나옵니다</translation>
     </message>
 </context>
 <context>
@@ -16177,6 +16616,106 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>Recording failed: %1</source>
         <translation>녹화하지 못했습니다: %1</translation>
+    </message>
+</context>
+<context>
+    <name>odo::SampleModel</name>
+    <message>
+        <source>Time</source>
+        <translation>시간</translation>
+    </message>
+    <message>
+        <source>Frame</source>
+        <translation>프레임</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>속력</translation>
+    </message>
+    <message>
+        <source>± Speed</source>
+        <translation>± 속력</translation>
+    </message>
+    <message>
+        <source>Acceleration</source>
+        <translation>가속도</translation>
+    </message>
+    <message>
+        <source>± Acceleration</source>
+        <translation>± 가속도</translation>
+    </message>
+    <message>
+        <source>Heading</source>
+        <translation>진행 방향</translation>
+    </message>
+    <message>
+        <source>± Heading</source>
+        <translation>± 진행 방향</translation>
+    </message>
+    <message>
+        <source>Turn rate</source>
+        <translation>선회율</translation>
+    </message>
+    <message>
+        <source>± Turn rate</source>
+        <translation>± 선회율</translation>
+    </message>
+    <message>
+        <source>Distance travelled</source>
+        <translation>이동 거리</translation>
+    </message>
+    <message>
+        <source>Measured x</source>
+        <translation>측정한 x</translation>
+    </message>
+    <message>
+        <source>Measured y</source>
+        <translation>측정한 y</translation>
+    </message>
+    <message>
+        <source>Views</source>
+        <translation>뷰</translation>
+    </message>
+    <message>
+        <source>Flags</source>
+        <translation>표시</translation>
+    </message>
+</context>
+<context>
+    <name>odo::SampleTable</name>
+    <message>
+        <source>Data</source>
+        <translation>데이터</translation>
+    </message>
+    <message>
+        <source>Samples of the run</source>
+        <translation>주행의 샘플</translation>
+    </message>
+    <message>
+        <source>&amp;Copy with headings</source>
+        <translation>머리글과 함께 복사(&amp;C)</translation>
+    </message>
+    <message>
+        <source>Robot</source>
+        <translation>로봇</translation>
+    </message>
+    <message>
+        <source>Columns</source>
+        <translation>열</translation>
+    </message>
+    <message>
+        <source>Which columns are shown</source>
+        <translation>표시할 열</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n sample(s)</source>
+        <translation>
+            <numerusform>샘플 %n개</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Not tracked yet</source>
+        <translation>아직 추적 안 함</translation>
     </message>
 </context>
 <context>
@@ -16908,6 +17447,18 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>There is no sound in both views to compare.</source>
         <translation>두 뷰 모두에 비교할 소리가 있지는 않습니다.</translation>
+    </message>
+    <message>
+        <source>Frames or sound</source>
+        <translation>프레임 또는 소리</translation>
+    </message>
+    <message>
+        <source>&amp;Frames</source>
+        <translation>프레임(&amp;F)</translation>
+    </message>
+    <message>
+        <source>S&amp;ound</source>
+        <translation>소리(&amp;O)</translation>
     </message>
 </context>
 <context>
@@ -18730,6 +19281,35 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>no longer found</source>
         <translation>더 이상 찾을 수 없음</translation>
+    </message>
+</context>
+<context>
+    <name>odo::WindowMessages</name>
+    <message>
+        <source>&amp;Messages</source>
+        <translation>메시지(&amp;M)</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n message(s)</source>
+        <translation>
+            <numerusform>메시지 %n개</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>No messages.</source>
+        <translation>메시지가 없습니다.</translation>
+    </message>
+    <message>
+        <source>Cancelled. Nothing was changed.</source>
+        <translation>취소했습니다. 아무것도 바뀌지 않았습니다.</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>열기</translation>
+    </message>
+    <message>
+        <source>Show in folder</source>
+        <translation>폴더에서 보기</translation>
     </message>
 </context>
 <context>
@@ -23304,6 +23884,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>ui.save_again</name>
+    <message>
+        <source>save it again in a moment</source>
+        <translation>잠시 뒤 다시 저장하세요</translation>
+    </message>
+</context>
+<context>
     <name>ui.save_copy</name>
     <message>
         <source>save a copy and work on the copy</source>
@@ -23315,6 +23902,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>Saving a copy</source>
         <translation>사본 저장 중</translation>
+    </message>
+</context>
+<context>
+    <name>ui.saving_table</name>
+    <message>
+        <source>saving the table</source>
+        <translation>표 저장</translation>
     </message>
 </context>
 <context>
@@ -23364,6 +23958,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>Synchronising %1</source>
         <translation>%1 동기화 중</translation>
+    </message>
+</context>
+<context>
+    <name>ui.table_being_saved</name>
+    <message>
+        <source>another table is still being saved</source>
+        <translation>다른 표를 아직 저장하는 중입니다</translation>
     </message>
 </context>
 <context>

@@ -1917,6 +1917,29 @@ The method follows S. Park, “Computational Vision for Automatic Tracking and O
     </message>
 </context>
 <context>
+    <name>Remedy</name>
+    <message>
+        <source>Synchronise…</source>
+        <translation>同步…</translation>
+    </message>
+    <message>
+        <source>Robots…</source>
+        <translation>机器人…</translation>
+    </message>
+    <message>
+        <source>Open Testbed</source>
+        <translation>打开试验场</translation>
+    </message>
+    <message>
+        <source>Track…</source>
+        <translation>跟踪…</translation>
+    </message>
+    <message>
+        <source>Find lost videos…</source>
+        <translation>查找丢失的视频…</translation>
+    </message>
+</context>
+<context>
     <name>Report</name>
     <message numerus="yes">
         <source>and %n more</source>
@@ -2594,44 +2617,12 @@ Much more than expected means that a setting is wrong: the views are not synchro
 <context>
     <name>TrialExport</name>
     <message>
-        <source>CSV for programs (*.csv)</source>
-        <translation>供程序使用的 CSV (*.csv)</translation>
-    </message>
-    <message>
-        <source>CSV for spreadsheets, 1.5 (*.csv)</source>
-        <translation>供电子表格使用的 CSV，1.5 (*.csv)</translation>
-    </message>
-    <message>
-        <source>CSV for spreadsheets, 1,5 (*.csv)</source>
-        <translation>供电子表格使用的 CSV，1,5 (*.csv)</translation>
-    </message>
-    <message>
-        <source>Tracker text (*.txt)</source>
-        <translation>Tracker 文本 (*.txt)</translation>
-    </message>
-    <message>
-        <source>TUM trajectory (*.tum)</source>
-        <translation>TUM 轨迹 (*.tum)</translation>
-    </message>
-    <message>
-        <source>Export</source>
-        <translation>导出</translation>
-    </message>
-    <message>
-        <source>Robot:</source>
-        <translation>机器人：</translation>
-    </message>
-    <message>
         <source>Export %1</source>
         <translation>导出 %1</translation>
     </message>
     <message>
         <source>%1 was exported to %2.</source>
         <translation>%1 已导出到 %2。</translation>
-    </message>
-    <message>
-        <source>Page to take along (*.html)</source>
-        <translation>随身页面 (*.html)</translation>
     </message>
 </context>
 <context>
@@ -12519,6 +12510,121 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>odo::ExportDialog</name>
+    <message>
+        <source>&amp;Keep as…</source>
+        <translation>另存为预设(&amp;K)…</translation>
+    </message>
+    <message>
+        <source>Remo&amp;ve</source>
+        <translation>移除(&amp;V)</translation>
+    </message>
+    <message>
+        <source>&amp;Preset</source>
+        <translation>预设(&amp;P)</translation>
+    </message>
+    <message>
+        <source>&amp;Robot</source>
+        <translation>机器人(&amp;R)</translation>
+    </message>
+    <message>
+        <source>&amp;Format</source>
+        <translation>格式(&amp;F)</translation>
+    </message>
+    <message>
+        <source>CSV for programs (*.csv)</source>
+        <translation>供程序使用的 CSV (*.csv)</translation>
+    </message>
+    <message>
+        <source>CSV for spreadsheets, 1.5 (*.csv)</source>
+        <translation>供电子表格使用的 CSV，1.5 (*.csv)</translation>
+    </message>
+    <message>
+        <source>CSV for spreadsheets, 1,5 (*.csv)</source>
+        <translation>供电子表格使用的 CSV，1,5 (*.csv)</translation>
+    </message>
+    <message>
+        <source>Tracker text (*.txt)</source>
+        <translation>Tracker 文本 (*.txt)</translation>
+    </message>
+    <message>
+        <source>TUM trajectory (*.tum)</source>
+        <translation>TUM 轨迹 (*.tum)</translation>
+    </message>
+    <message>
+        <source>Page to take along (*.html)</source>
+        <translation>随身页面 (*.html)</translation>
+    </message>
+    <message>
+        <source>Columns</source>
+        <translation>列</translation>
+    </message>
+    <message>
+        <source>&amp;Columns</source>
+        <translation>列(&amp;C)</translation>
+    </message>
+    <message>
+        <source>&amp;Lengths in</source>
+        <translation>长度单位(&amp;L)</translation>
+    </message>
+    <message>
+        <source>&amp;Axes</source>
+        <translation>坐标轴(&amp;A)</translation>
+    </message>
+    <message>
+        <source>Of the floor&apos;s markers</source>
+        <translation>地面标记的坐标轴</translation>
+    </message>
+    <message>
+        <source>From the start, X in its direction</source>
+        <translation>以起点为原点，X 沿起步方向</translation>
+    </message>
+    <message>
+        <source>Par&amp;t of the run</source>
+        <translation>运行的部分(&amp;T)</translation>
+    </message>
+    <message>
+        <source>Choose a file…</source>
+        <translation>选择文件…</translation>
+    </message>
+    <message>
+        <source>Choose a folder…</source>
+        <translation>选择文件夹…</translation>
+    </message>
+    <message>
+        <source>Preset</source>
+        <translation>预设</translation>
+    </message>
+    <message>
+        <source>Its range, which counts</source>
+        <translation>其有效区间</translation>
+    </message>
+    <message>
+        <source>The whole run</source>
+        <translation>整个运行</translation>
+    </message>
+    <message>
+        <source>What counts of each</source>
+        <translation>各次运行的有效部分</translation>
+    </message>
+    <message>
+        <source>The selection, %1 to %2</source>
+        <translation>所选部分，%1 至 %2</translation>
+    </message>
+    <message>
+        <source>As last time</source>
+        <translation>与上次相同</translation>
+    </message>
+    <message>
+        <source>Keep these choices</source>
+        <translation>保存这些选择</translation>
+    </message>
+    <message>
+        <source>Name of the preset:</source>
+        <translation>预设名称：</translation>
+    </message>
+</context>
+<context>
     <name>odo::FileActions</name>
     <message>
         <source>&amp;New project…</source>
@@ -12784,6 +12890,32 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>the registration</source>
         <translation>配准</translation>
+    </message>
+</context>
+<context>
+    <name>odo::FrameAligner</name>
+    <message>
+        <source>&amp;Move both frames together</source>
+        <translation>同时移动两个帧(&amp;M)</translation>
+    </message>
+    <message>
+        <source>Together they show what is now taken for the same moment. Remove the tick, and move one frame until both show the same moment, such as a wheel that begins to turn.</source>
+        <translation>一起移动时，显示目前被视为同一时刻的画面。取消勾选后移动其中一帧，直到两者显示同一时刻，例如车轮开始转动时。</translation>
+    </message>
+</context>
+<context>
+    <name>odo::FramePanel</name>
+    <message>
+        <source>Frame of camera %1</source>
+        <translation>相机 %1 的帧</translation>
+    </message>
+    <message>
+        <source>Camera %1</source>
+        <translation>相机 %1</translation>
+    </message>
+    <message>
+        <source>%1: frame %2, %3</source>
+        <translation>%1：第 %2 帧，%3</translation>
     </message>
 </context>
 <context>
@@ -13103,6 +13235,12 @@ Much more than expected means that a setting is wrong: the views are not synchro
         <source>%1 could not be deleted; delete it by hand.</source>
         <translation>无法删除 %1，请手动删除。</translation>
     </message>
+    <message numerus="yes">
+        <source>Export %n trial(s)</source>
+        <translation>
+            <numerusform>导出 %n 个试验</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>odo::HistoryPage</name>
@@ -13121,10 +13259,6 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>Tea&amp;ms</source>
         <translation>小组(&amp;M)</translation>
-    </message>
-    <message>
-        <source>Trials or teams</source>
-        <translation>试验或小组</translation>
     </message>
     <message>
         <source>Trials</source>
@@ -13185,6 +13319,14 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>School hub</source>
         <translation>学校中心库</translation>
+    </message>
+    <message>
+        <source>Res&amp;ults</source>
+        <translation>结果(&amp;U)</translation>
+    </message>
+    <message>
+        <source>Trials, results or teams</source>
+        <translation>试验、结果或小组</translation>
     </message>
 </context>
 <context>
@@ -14471,6 +14613,10 @@ Much more than expected means that a setting is wrong: the views are not synchro
         <source>Show both</source>
         <translation>显示两者</translation>
     </message>
+    <message>
+        <source>Table saved as %1.</source>
+        <translation>表格已保存为 %1。</translation>
+    </message>
 </context>
 <context>
     <name>odo::MapArea</name>
@@ -14639,9 +14785,42 @@ Much more than expected means that a setting is wrong: the views are not synchro
         <source>Close</source>
         <translation>关闭</translation>
     </message>
+</context>
+<context>
+    <name>odo::MessagePanel</name>
     <message>
-        <source>Cancelled. Nothing was changed.</source>
-        <translation>已取消，未作任何更改。</translation>
+        <source>No messages.</source>
+        <translation>没有消息。</translation>
+    </message>
+    <message>
+        <source>Dismiss &amp;all</source>
+        <translation>全部清除(&amp;A)</translation>
+    </message>
+    <message>
+        <source>Messages</source>
+        <translation>消息</translation>
+    </message>
+    <message>
+        <source>Close the list of messages</source>
+        <translation>关闭消息列表</translation>
+    </message>
+    <message>
+        <source>Close (Esc)</source>
+        <translation>关闭 (Esc)</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1, %n times</source>
+        <translation>
+            <numerusform>%1，%n 次</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Dismiss: %1</source>
+        <translation>清除：%1</translation>
+    </message>
+    <message>
+        <source>Dismiss</source>
+        <translation>清除</translation>
     </message>
 </context>
 <context>
@@ -14900,6 +15079,33 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>&amp;Network</source>
         <translation>网络(&amp;N)</translation>
+    </message>
+</context>
+<context>
+    <name>odo::PresentWindow</name>
+    <message>
+        <source>Presentation</source>
+        <translation>演示</translation>
+    </message>
+    <message>
+        <source>Team</source>
+        <translation>小组</translation>
+    </message>
+    <message>
+        <source>Trial</source>
+        <translation>试验</translation>
+    </message>
+    <message>
+        <source>No trial</source>
+        <translation>没有试验</translation>
+    </message>
+    <message>
+        <source>Speed now</source>
+        <translation>当前速度</translation>
+    </message>
+    <message>
+        <source>Not tracked yet</source>
+        <translation>尚未跟踪</translation>
     </message>
 </context>
 <context>
@@ -15549,6 +15755,231 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>odo::ResultStatisticsModel</name>
+    <message>
+        <source>Metric</source>
+        <translation>指标</translation>
+    </message>
+    <message>
+        <source>Group</source>
+        <translation>组</translation>
+    </message>
+    <message>
+        <source>Number of values: runs without bad results, lower bounds or another course</source>
+        <translation>值的个数：不含不良结果、下限值或其他路线的运行</translation>
+    </message>
+    <message>
+        <source>Runs</source>
+        <translation>运行</translation>
+    </message>
+    <message>
+        <source>Mean ± its standard error (SD / √runs)</source>
+        <translation>平均值 ± 其标准误（SD / √运行次数）</translation>
+    </message>
+    <message>
+        <source>Mean</source>
+        <translation>平均值</translation>
+    </message>
+    <message>
+        <source>Median</source>
+        <translation>中位数</translation>
+    </message>
+    <message>
+        <source>Standard deviation of one run</source>
+        <translation>单次运行的标准差</translation>
+    </message>
+    <message>
+        <source>SD</source>
+        <translation>SD</translation>
+    </message>
+    <message>
+        <source>Coefficient of variation: SD as a part of the mean</source>
+        <translation>变异系数：SD 与平均值之比</translation>
+    </message>
+    <message>
+        <source>CV %</source>
+        <translation>CV %</translation>
+    </message>
+    <message>
+        <source>Least</source>
+        <translation>最小</translation>
+    </message>
+    <message>
+        <source>Most</source>
+        <translation>最大</translation>
+    </message>
+</context>
+<context>
+    <name>odo::ResultsModel</name>
+    <message>
+        <source>not tracked</source>
+        <translation>未跟踪</translation>
+    </message>
+    <message>
+        <source>Not used in means: a lower bound, a bad result, or another course</source>
+        <translation>不计入平均值：下限值、不良结果或其他路线</translation>
+    </message>
+    <message>
+        <source>Trial</source>
+        <translation>试验</translation>
+    </message>
+    <message>
+        <source>Team</source>
+        <translation>小组</translation>
+    </message>
+    <message>
+        <source>Class</source>
+        <translation>班级</translation>
+    </message>
+    <message>
+        <source>Task</source>
+        <translation>任务</translation>
+    </message>
+    <message>
+        <source>Robot</source>
+        <translation>机器人</translation>
+    </message>
+    <message>
+        <source>Date</source>
+        <translation>日期</translation>
+    </message>
+    <message>
+        <source>Verdict</source>
+        <translation>判定</translation>
+    </message>
+</context>
+<context>
+    <name>odo::ResultsPanel</name>
+    <message>
+        <source>Results</source>
+        <translation>结果</translation>
+    </message>
+    <message>
+        <source>Class</source>
+        <translation>班级</translation>
+    </message>
+    <message>
+        <source>Task</source>
+        <translation>任务</translation>
+    </message>
+    <message>
+        <source>Group by</source>
+        <translation>分组依据</translation>
+    </message>
+    <message>
+        <source>Results of the trials</source>
+        <translation>试验结果</translation>
+    </message>
+    <message>
+        <source>Statistics</source>
+        <translation>统计</translation>
+    </message>
+    <message>
+        <source>Any class</source>
+        <translation>任意班级</translation>
+    </message>
+    <message>
+        <source>Any task</source>
+        <translation>任意任务</translation>
+    </message>
+    <message>
+        <source>No groups</source>
+        <translation>不分组</translation>
+    </message>
+    <message>
+        <source>Search…</source>
+        <translation>搜索…</translation>
+    </message>
+    <message>
+        <source>Search the results</source>
+        <translation>搜索结果</translation>
+    </message>
+    <message>
+        <source>Trials, teams, robots, tags and variables with all of these words</source>
+        <translation>包含所有这些词的试验、小组、机器人、标签和变量</translation>
+    </message>
+    <message>
+        <source>Metrics</source>
+        <translation>指标</translation>
+    </message>
+    <message>
+        <source>Which metrics are shown</source>
+        <translation>显示哪些指标</translation>
+    </message>
+    <message>
+        <source>&amp;Save table…</source>
+        <translation>保存表格(&amp;S)…</translation>
+    </message>
+    <message>
+        <source>&amp;Copy with headings</source>
+        <translation>连同标题复制(&amp;C)</translation>
+    </message>
+    <message>
+        <source>By team</source>
+        <translation>按小组</translation>
+    </message>
+    <message>
+        <source>By class</source>
+        <translation>按班级</translation>
+    </message>
+    <message>
+        <source>By task</source>
+        <translation>按任务</translation>
+    </message>
+    <message>
+        <source>By robot</source>
+        <translation>按机器人</translation>
+    </message>
+    <message>
+        <source>By %1</source>
+        <translation>按 %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n run(s)</source>
+        <translation>
+            <numerusform>%n 次运行</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 of %n run(s)</source>
+        <translation>
+            <numerusform>%n 次运行中的 %1 次</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Statistics of %n run(s) shown</source>
+        <translation>
+            <numerusform>所显示的 %n 次运行的统计</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Statistics of %n selected run(s)</source>
+        <translation>
+            <numerusform>所选 %n 次运行的统计</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Save the table</source>
+        <translation>保存表格</translation>
+    </message>
+    <message>
+        <source>Workbook with statistics (*.xlsx)</source>
+        <translation>带统计的工作簿 (*.xlsx)</translation>
+    </message>
+    <message>
+        <source>CSV for programs (*.csv)</source>
+        <translation>供程序使用的 CSV (*.csv)</translation>
+    </message>
+    <message>
+        <source>CSV for spreadsheets, 1.5 (*.csv)</source>
+        <translation>供电子表格使用的 CSV，1.5 (*.csv)</translation>
+    </message>
+    <message>
+        <source>CSV for spreadsheets, 1,5 (*.csv)</source>
+        <translation>供电子表格使用的 CSV，1,5 (*.csv)</translation>
+    </message>
+</context>
+<context>
     <name>odo::ReviewColumn</name>
     <message>
         <source>Trial</source>
@@ -15612,6 +16043,14 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>Show the surroundings of the robot eight times as large as recorded</source>
         <translation>以录制画面八倍的大小显示机器人周围</translation>
+    </message>
+    <message>
+        <source>&amp;Present</source>
+        <translation>演示(&amp;P)</translation>
+    </message>
+    <message>
+        <source>Team, map, speed and result in large type, on a second screen if there is one</source>
+        <translation>以大号字显示小组、地图、速度和结果；有第二个屏幕时显示在那里</translation>
     </message>
 </context>
 <context>
@@ -16177,6 +16616,106 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>Recording failed: %1</source>
         <translation>无法录制：%1</translation>
+    </message>
+</context>
+<context>
+    <name>odo::SampleModel</name>
+    <message>
+        <source>Time</source>
+        <translation>时间</translation>
+    </message>
+    <message>
+        <source>Frame</source>
+        <translation>帧</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>速度</translation>
+    </message>
+    <message>
+        <source>± Speed</source>
+        <translation>± 速度</translation>
+    </message>
+    <message>
+        <source>Acceleration</source>
+        <translation>加速度</translation>
+    </message>
+    <message>
+        <source>± Acceleration</source>
+        <translation>± 加速度</translation>
+    </message>
+    <message>
+        <source>Heading</source>
+        <translation>航向</translation>
+    </message>
+    <message>
+        <source>± Heading</source>
+        <translation>± 航向</translation>
+    </message>
+    <message>
+        <source>Turn rate</source>
+        <translation>转向角速度</translation>
+    </message>
+    <message>
+        <source>± Turn rate</source>
+        <translation>± 转向角速度</translation>
+    </message>
+    <message>
+        <source>Distance travelled</source>
+        <translation>行驶距离</translation>
+    </message>
+    <message>
+        <source>Measured x</source>
+        <translation>测得的 x</translation>
+    </message>
+    <message>
+        <source>Measured y</source>
+        <translation>测得的 y</translation>
+    </message>
+    <message>
+        <source>Views</source>
+        <translation>视角</translation>
+    </message>
+    <message>
+        <source>Flags</source>
+        <translation>标记</translation>
+    </message>
+</context>
+<context>
+    <name>odo::SampleTable</name>
+    <message>
+        <source>Data</source>
+        <translation>数据</translation>
+    </message>
+    <message>
+        <source>Samples of the run</source>
+        <translation>运行的样本</translation>
+    </message>
+    <message>
+        <source>&amp;Copy with headings</source>
+        <translation>连同标题复制(&amp;C)</translation>
+    </message>
+    <message>
+        <source>Robot</source>
+        <translation>机器人</translation>
+    </message>
+    <message>
+        <source>Columns</source>
+        <translation>列</translation>
+    </message>
+    <message>
+        <source>Which columns are shown</source>
+        <translation>显示哪些列</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n sample(s)</source>
+        <translation>
+            <numerusform>%n 个样本</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Not tracked yet</source>
+        <translation>尚未跟踪</translation>
     </message>
 </context>
 <context>
@@ -16908,6 +17447,18 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>There is no sound in both views to compare.</source>
         <translation>两个视角并非都有可比较的声音。</translation>
+    </message>
+    <message>
+        <source>Frames or sound</source>
+        <translation>帧或声音</translation>
+    </message>
+    <message>
+        <source>&amp;Frames</source>
+        <translation>帧(&amp;F)</translation>
+    </message>
+    <message>
+        <source>S&amp;ound</source>
+        <translation>声音(&amp;O)</translation>
     </message>
 </context>
 <context>
@@ -18730,6 +19281,35 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>no longer found</source>
         <translation>已找不到</translation>
+    </message>
+</context>
+<context>
+    <name>odo::WindowMessages</name>
+    <message>
+        <source>&amp;Messages</source>
+        <translation>消息(&amp;M)</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n message(s)</source>
+        <translation>
+            <numerusform>%n 条消息</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>No messages.</source>
+        <translation>没有消息。</translation>
+    </message>
+    <message>
+        <source>Cancelled. Nothing was changed.</source>
+        <translation>已取消，未作任何更改。</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>打开</translation>
+    </message>
+    <message>
+        <source>Show in folder</source>
+        <translation>在文件夹中显示</translation>
     </message>
 </context>
 <context>
@@ -23304,6 +23884,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>ui.save_again</name>
+    <message>
+        <source>save it again in a moment</source>
+        <translation>请稍后再次保存</translation>
+    </message>
+</context>
+<context>
     <name>ui.save_copy</name>
     <message>
         <source>save a copy and work on the copy</source>
@@ -23315,6 +23902,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>Saving a copy</source>
         <translation>正在保存副本</translation>
+    </message>
+</context>
+<context>
+    <name>ui.saving_table</name>
+    <message>
+        <source>saving the table</source>
+        <translation>保存表格</translation>
     </message>
 </context>
 <context>
@@ -23364,6 +23958,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>Synchronising %1</source>
         <translation>正在同步 %1</translation>
+    </message>
+</context>
+<context>
+    <name>ui.table_being_saved</name>
+    <message>
+        <source>another table is still being saved</source>
+        <translation>另一个表格仍在保存</translation>
     </message>
 </context>
 <context>
