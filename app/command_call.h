@@ -128,6 +128,7 @@ inline const QString filesOfB = QStringLiteral("b");
 inline const QString find = QStringLiteral("find");
 inline const QString force = QStringLiteral("force");
 inline const QString format = QStringLiteral("format");
+inline const QString formula = QStringLiteral("formula");
 inline const QString frame = QStringLiteral("frame");
 inline const QString height = QStringLiteral("height");
 inline const QString hidden = QStringLiteral("hidden");

@@ -4,6 +4,7 @@
 #include "app/command_output.h"
 #include "app/commands/commands.h"
 #include "core/base/file_system.h"
+#include "core/exchange/own_metric.h"
 #include "core/workflow/trials/trial_table_reading.h"
 
 #include <QJsonArray>
@@ -63,6 +64,31 @@ Result<TrialTableChoice> choiceOf(const CommandCall &call)
     return choice;
 }
 
+/// "energy J=0.5 * mass * max_speed^2"
+Result<std::vector<OwnMetric>> formulasOf(const CommandCall &call)
+{
+    std::vector<OwnMetric> metrics;
+    for (const QString &value : call.values(option::formula)) {
+        const QString left = value.section(u'=', 0, 0).simplified();
+        if (!value.contains(u'='))
+            return call.wrongCall(
+                ODO_TEXT("app.formula_is", "--formula is like 'energy J=0.5 * mass * max_speed^2'"));
+        metrics.push_back({left.section(u' ', 0, 0).toStdString(), left.section(u' ', 1).toStdString(),
+                           value.section(u'=', 1).toStdString()});
+        if (const auto fine = checkOwnMetric(metrics.back()); !fine)
+            return tl::unexpected(fine.error());
+    }
+    return metrics;
+}
+
+Result<ResultTable> tableOf(Project &project, const TrialTableChoice &choice,
+                            const std::vector<OwnMetric> &formulas)
+{
+    auto table = ODO_TRY(readTrialTable(project, choice));
+    ODO_TRY(addOwnMetrics(table, formulas));
+    return table;
+}
+
 enum class Form { Csv, Xlsx };
 
 /// By the name's ending; what is printed is CSV.
@@ -90,7 +116,8 @@ Result<void> runTable(const QStringList &arguments, const CancelToken &cancel)
     CommandCall call(
         {QStringLiteral("table"),
          QStringLiteral("P.odo [--class C] [--task TASK] [--team T] [--metrics METRIC[,...]] -o "
-                        "FILE.csv|FILE.xlsx|- [--force] [--csv-style analysis|international|continental]"),
+                        "FILE.csv|FILE.xlsx|- [--force] [--csv-style analysis|international|continental] "
+                        "[--formula NAME[ UNIT]=FORMULA]..."),
          1, 1,
          outputOptions(QStringLiteral("The file to write, .csv or .xlsx.")) +
              QList<QCommandLineOption>{
@@ -100,6 +127,9 @@ Result<void> runTable(const QStringList &arguments, const CancelToken &cancel)
                  {option::metrics,
                   QStringLiteral("These metrics in this order, separated by commas; default: all."),
                   QStringLiteral("METRIC[,...]")},
+                 {option::formula,
+                  QStringLiteral("One more metric, computed from others and from variables of the trials."),
+                  QStringLiteral("NAME[ UNIT]=FORMULA")},
                  csvStyleOption()}},
         cancel);
     if (const auto parsed = call.parse(arguments); !parsed || !*parsed)
@@ -114,16 +144,17 @@ Result<void> runTable(const QStringList &arguments, const CancelToken &cancel)
     if (*form == Form::Xlsx && call.isSet(option::csvStyle))
         return call.wrongCall(ODO_TEXT("app.style_is_of_csv", "--csv-style goes with a CSV file"));
     const auto choice = ODO_TRY(choiceOf(call));
+    const auto formulas = ODO_TRY(formulasOf(call));
     const auto project = ODO_TRY(call.openProject(0, Project::Access::ReadOnly));
     const CancelScope scope(&cancel); // verdicts that are not stored take their time
     if (!call.isSet(option::output)) {
-        const auto table = ODO_TRY(readTrialTable(*project, choice));
+        const auto table = ODO_TRY(tableOf(*project, choice, formulas));
         call.answer({{QStringLiteral("trials"), rowsJson(table)}}, {});
         return {};
     }
     const auto output = ODO_TRY(
         CommandOutput::of(call, file, *form == Form::Xlsx ? FileKind::Xlsx : FileKind::Csv, project.get()));
-    const auto table = ODO_TRY(readTrialTable(*project, choice));
+    const auto table = ODO_TRY(tableOf(*project, choice, formulas));
     ODO_TRY(writeTable(table, *form, style, output.target()));
     return output.finish(
         call, {{QStringLiteral("file"), file}, {QStringLiteral("trials"), rowsJson(table)}},

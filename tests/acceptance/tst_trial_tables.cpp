@@ -126,6 +126,20 @@ private Q_SLOTS:
         QVERIFY(QDir(path("out")).removeRecursively());
     }
 
+    void ownMetricsByFormulas()
+    {
+        const QList<QByteArray> lines =
+            good("table %P --metrics max_speed --formula e=max_speed^2 -o -").out.split('\n');
+        QVERIFY2(lines[0].endsWith(",max_speed_m_s,sigma_max_speed_m_s,e,sigma_e,at_least,remarks"),
+                 lines[0].constData());
+        const QList<QByteArray> heads = lines[0].split(','), cells = lines[1].split(',');
+        const double speed = cells[heads.indexOf("max_speed_m_s")].toDouble();
+        const double sigma = cells[heads.indexOf("sigma_max_speed_m_s")].toDouble();
+        QVERIFY(speed > 0);
+        QVERIFY(std::abs(cells[heads.indexOf("e")].toDouble() - speed * speed) < 1e-9);
+        QVERIFY(std::abs(cells[heads.indexOf("sigma_e")].toDouble() - 2 * speed * sigma) < 1e-9);
+    }
+
     void columnsAreChosen()
     {
         const QList<QByteArray> lines = good("export %P whole -o - --columns y_mm,t_s").out.split('\n');
@@ -170,6 +184,10 @@ private Q_SLOTS:
         addBadCall("export %P whole short -o %/out --robot blue", 1, "blue");
         addBadCall("export %P whole -o %/out.csv --columns t_s,beauty", 2, "beauty");
         addBadCall("export %P whole -o %/out.csv --columns t_s,t_s", 2, "it is named twice");
+        addBadCall("table %P -o %/t.csv --formula energy", 2, "--formula is like");
+        addBadCall("table %P -o %/t.csv --formula e=weight*2", 1,
+                   "no trial has a metric or variable 'weight'");
+        addBadCall("table %P -o %/t.csv --formula e=2**3", 1, "is not expected at character 3");
         addBadCall("export %P whole -o %/out.csv --unit ft", 2, "--unit is mm, cm, m or in");
         addBadCall("export %P whole -o %/out.tum --unit m --format tum", 2, "--unit goes with");
         addBadCall("export %P whole -o %/out.csv --axes robot", 2, "--axes is floor or start");

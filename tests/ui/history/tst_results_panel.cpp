@@ -28,6 +28,7 @@
 #include <QSettings>
 #include <QSignalSpy>
 #include <QTableView>
+#include <QTableWidget>
 #include <QTemporaryDir>
 #include <QTest>
 
@@ -169,7 +170,7 @@ private Q_SLOTS:
         const int before = m_table->model()->columnCount();
         QAction *unchosen = nullptr;
         for (QAction *each : menu->actions())
-            if (!each->isChecked())
+            if (each->isCheckable() && !each->isChecked())
                 unchosen = each;
         QVERIFY(unchosen);
         unchosen->trigger();
@@ -179,6 +180,36 @@ private Q_SLOTS:
         QTRY_VERIFY(again.isSettled());
         QCOMPARE(again.findChild<QTableView *>(QStringLiteral("results"))->model()->columnCount(),
                  before + 1);
+    }
+
+    /// Defined in a dialog that says what is wrong, it is a column like any other, also the next time.
+    void ownMetricsByAFormula()
+    {
+        const auto define = [](QDialog &dialog) {
+            auto *rows = named<QTableWidget>(dialog, "Own metrics");
+            button(dialog, "Add")->click();
+            rows->item(0, 0)->setText(QStringLiteral("energy"));
+            rows->item(0, 1)->setText(QStringLiteral("J"));
+            rows->item(0, 2)->setText(QStringLiteral("0.5 * weight * max_speed^2"));
+            QVERIFY(says(dialog, "metric or variable 'weight'"));
+            QVERIFY(!button(dialog, "OK")->isEnabled());
+            rows->item(0, 2)->setText(QStringLiteral("0.5 * 0.4 * max_speed^2"));
+            QVERIFY(button(dialog, "OK")->isEnabled());
+            dialog.accept();
+        };
+        Person person({define});
+        auto *menu = m_panel->findChild<QMenu *>();
+        menu->actions().last()->trigger();
+        QVERIFY(person.isDone());
+        QTRY_VERIFY(m_panel->isSettled());
+        const auto table = readTrialTable(*m_project, {});
+        const double speed = valueOf(*table, "Trial 1", "max_speed")->value;
+        const double shown = number(cell(rowOf("Trial 1"), "Energy (J)"));
+        QVERIFY2(std::abs(shown / (0.2 * speed * speed) - 1) < 0.02, qPrintable(QString::number(shown)));
+        ResultsPanel again(*m_project);
+        again.refresh();
+        QTRY_VERIFY(again.isSettled());
+        columnOf(*again.findChild<QTableView *>(QStringLiteral("results")), "Energy (J)");
     }
 
     void savesWhatIsShown()

@@ -113,8 +113,6 @@ QVariant ResultStatisticsModel::data(const QModelIndex &index, int role) const
         return {};
     const ResultStatistics &statistics = m_statistics[static_cast<std::size_t>(index.row())];
     const TrialTableColumn &of = m_columns[statistics.column];
-    const bool isMeanKnown = statistics.meanSigma && *statistics.meanSigma > 0;
-    const auto sigma = isMeanKnown ? statistics.meanSigma : std::optional<double>();
     switch (column) {
     case MetricColumn:
         return metricHeading(of);
@@ -123,14 +121,16 @@ QVariant ResultStatisticsModel::data(const QModelIndex &index, int role) const
     case RunsColumn:
         return QLocale().toString(static_cast<qulonglong>(statistics.count));
     case MeanColumn: {
-        const NumberText text = metricNumber({of.metric, of.unit, statistics.mean, sigma});
+        const bool isKnown = statistics.meanSigma && *statistics.meanSigma > 0;
+        const NumberText text = metricNumber(
+            {of.metric, of.unit, statistics.mean, isKnown ? statistics.meanSigma : std::nullopt});
         return text.sigma.isEmpty() ? text.value : QStringLiteral("%1 ±%2").arg(text.value, text.sigma);
     }
     case VariationColumn:
         return statistics.variation ? QLocale().toString(100 * *statistics.variation, 'f', 1) : QString();
-    default: { // in as many digits as the mean
+    default: {
         const auto value = number(statistics, column);
-        return value ? metricNumber({of.metric, of.unit, *value, sigma}).value : QString();
+        return value ? metricNumber({of.metric, of.unit, *value, {}}).value : QString();
     }
     }
 }

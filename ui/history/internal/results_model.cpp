@@ -128,6 +128,14 @@ QString ResultsModel::fact(std::size_t row, int column) const
     return found == run.trial.variables.end() ? QString() : QString::fromStdString(found->second);
 }
 
+bool ResultsModel::isAlike(int column) const
+{
+    return m_rows.empty() ||
+           std::ranges::all_of(m_rows, [&, first = fact(m_rows.front(), column)](std::size_t row) {
+               return fact(row, column) == first;
+           });
+}
+
 /// Numbers by their size, words as a person sorts them ("Trial 2" before "Trial 10"); what is missing last.
 void ResultsModel::order()
 {

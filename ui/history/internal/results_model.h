@@ -49,6 +49,8 @@ public:
     void setFilter(ResultsFilter filter);
     /// Of the table, as they are shown.
     const std::vector<std::size_t> &shownRows() const { return m_rows; }
+    /// All shown rows have the same in a column of words, or there is none.
+    bool isAlike(int column) const;
     /// Empty: no such row.
     QString trialAt(int row) const;
     /// Those runs and metrics as a table of its own, in the order on screen; teams by their shown names.

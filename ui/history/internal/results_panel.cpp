@@ -5,6 +5,7 @@
 #include "core/project/class_repository.h"
 #include "core/project/project.h"
 #include "core/workflow/trials/trial_table_reading.h"
+#include "ui/history/internal/own_metrics_dialog.h"
 #include "ui/history/internal/result_statistics_model.h"
 #include "ui/history/internal/results_model.h"
 #include "ui/history/internal/trial_list.h"
@@ -35,6 +36,7 @@
 #include <algorithm>
 #include <array>
 #include <set>
+#include <span>
 
 namespace odo {
 
@@ -189,9 +191,12 @@ bool ResultsPanel::isSettled() const
 void ResultsPanel::refresh()
 {
     m_reader->read<Reading>(
-        [](Project &project) -> Result<Reading> {
+        [own = storedOwnMetrics()](Project &project) -> Result<Reading> {
             Reading reading;
-            reading.table = std::make_shared<ResultTable>(ODO_TRY(readTrialTable(project, {})));
+            const auto table = std::make_shared<ResultTable>(ODO_TRY(readTrialTable(project, {})));
+            for (const OwnMetric &metric : own) // those that this project has nothing for are left out
+                (void)addOwnMetrics(*table, std::span(&metric, 1));
+            reading.table = table;
             std::set<std::string> classes, tasks, metrics;
             for (const TrialTableRow &row : reading.table->rows) {
                 classes.insert(row.trial.className);
@@ -259,7 +264,27 @@ void ResultsPanel::offerMetrics()
         connect(action, &QAction::toggled, this,
                 [this, name](bool isChosen) { chooseMetric(name, isChosen); });
     }
-    m_metricButton->setEnabled(!names.isEmpty());
+    m_metricMenu->addSeparator();
+    connect(m_metricMenu->addAction(tr("&Own metrics…")), &QAction::triggered, this,
+            &ResultsPanel::askOwnMetrics);
+}
+
+/// New ones are shown.
+void ResultsPanel::askOwnMetrics()
+{
+    const std::vector<OwnMetric> before = storedOwnMetrics();
+    OwnMetricsDialog dialog(*m_model->table(), before, this);
+    if (dialog.exec() != QDialog::Accepted)
+        return;
+    const std::vector<OwnMetric> metrics = dialog.metrics();
+    storeOwnMetrics(metrics);
+    for (const OwnMetric &metric : metrics)
+        if (const QString name = QString::fromStdString(metric.name);
+            std::ranges::find(before, metric.name, &OwnMetric::name) == before.end() &&
+            !m_metrics.contains(name))
+            m_metrics << name;
+    QSettings().setValue(shownMetricsKey, m_metrics);
+    refresh();
 }
 
 void ResultsPanel::chooseMetric(const QString &name, bool isChosen)
@@ -397,12 +422,15 @@ void ResultsPanel::save(const ChosenOutput &output)
                        ODO_TEXT("ui.save_again", "save it again in a moment")});
 }
 
-/// Names may be long; numbers are never cut, the table scrolls instead.
+/// Names may be long; numbers are never cut, the table scrolls instead. What all runs have in common needs no
+/// column.
 void ResultsPanel::fit()
 {
+    for (const int column : {ResultsModel::ClassColumn, ResultsModel::TaskColumn, ResultsModel::RobotColumn})
+        m_table->setColumnHidden(column, m_model->isAlike(column));
     m_table->resizeColumnsToContents();
     QHeaderView &header = *m_table->horizontalHeader();
-    const int widest = 18 * m_table->fontMetrics().averageCharWidth();
+    const int widest = 22 * m_table->fontMetrics().averageCharWidth();
     for (int column = ResultsModel::TrialColumn; column <= ResultsModel::RobotColumn; ++column)
         header.resizeSection(column, std::min(header.sectionSize(column), widest));
     if (const int spare = m_table->viewport()->width() - header.length(); spare > 0)

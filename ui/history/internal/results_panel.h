@@ -58,6 +58,7 @@ private:
     void makeTables();
     void take(Result<Reading> reading);
     void offerMetrics();
+    void askOwnMetrics();
     void chooseMetric(const QString &name, bool isChosen);
     void showMetrics();
     void filter();
