@@ -9307,6 +9307,83 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
 </context>
 <context>
+    <name>exchange.formula</name>
+    <message>
+        <source>formula &apos;%1&apos;</source>
+        <translation>Formel „%1“</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.formula_advice</name>
+    <message>
+        <source>write one like 0.5 * mass * max_speed^2, with names of metrics and variables</source>
+        <translation>schreiben Sie etwa 0.5 * mass * max_speed^2, mit Namen von Kennwerten und Variablen</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.formula_brace</name>
+    <message>
+        <source>a closing brace is missing</source>
+        <translation>eine schließende geschweifte Klammer fehlt</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.formula_bracket</name>
+    <message>
+        <source>a closing bracket is missing</source>
+        <translation>eine schließende Klammer fehlt</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.formula_ends</name>
+    <message>
+        <source>a number or a name is missing at its end</source>
+        <translation>am Ende fehlt eine Zahl oder ein Name</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.formula_function</name>
+    <message>
+        <source>there is no function &apos;%1&apos;</source>
+        <translation>es gibt keine Funktion „%1“</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.formula_number</name>
+    <message>
+        <source>there is no number at character %1</source>
+        <translation>bei Zeichen %1 steht keine Zahl</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.formula_sign</name>
+    <message>
+        <source>&apos;%1&apos; is not expected at character %2</source>
+        <translation>„%1“ ist bei Zeichen %2 nicht erwartet</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.formula_too_deep</name>
+    <message>
+        <source>it has too many brackets in each other</source>
+        <translation>sie hat zu viele Klammern ineinander</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.formula_too_long</name>
+    <message>
+        <source>it is too long</source>
+        <translation>sie ist zu lang</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.formula_two</name>
+    <message>
+        <source>&apos;%1&apos; takes two values, parted by a comma</source>
+        <translation>„%1“ nimmt zwei Werte, durch ein Komma getrennt</translation>
+    </message>
+</context>
+<context>
     <name>exchange.frame_without_time</name>
     <message>
         <source>it has no time that can be read</source>
@@ -9794,6 +9871,62 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>sort the lines by time, with each time only once</source>
         <translation>ordnen Sie die Zeilen nach der Zeit, jede Zeit einmal</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.own_metric</name>
+    <message>
+        <source>own metric &apos;%1&apos;</source>
+        <translation>eigener Kennwert „%1“</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.own_metric_choose</name>
+    <message>
+        <source>choose from %1</source>
+        <translation>wählen Sie aus %1</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.own_metric_input</name>
+    <message>
+        <source>no trial has a metric or variable &apos;%1&apos;</source>
+        <translation>kein Versuch hat einen Kennwert oder eine Variable „%1“</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.own_metric_known</name>
+    <message>
+        <source>Odograph has a metric of that name</source>
+        <translation>Odograph hat einen Kennwert dieses Namens</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.own_metric_name</name>
+    <message>
+        <source>give it a name of letters, digits and _</source>
+        <translation>einen Namen aus Buchstaben, Ziffern und _ geben</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.own_metric_no_word</name>
+    <message>
+        <source>its name is not a single word</source>
+        <translation>sein Name ist kein einzelnes Wort</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.own_metric_other</name>
+    <message>
+        <source>give it another name</source>
+        <translation>einen anderen Namen geben</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.own_metric_twice</name>
+    <message>
+        <source>a metric or variable has that name</source>
+        <translation>ein Kennwert oder eine Variable hat diesen Namen</translation>
     </message>
 </context>
 <context>
@@ -14959,6 +15092,41 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
 </context>
 <context>
+    <name>odo::OwnMetricsDialog</name>
+    <message>
+        <source>&amp;Remove</source>
+        <translation>&amp;Entfernen</translation>
+    </message>
+    <message>
+        <source>Own metrics</source>
+        <translation>Eigene Kennwerte</translation>
+    </message>
+    <message>
+        <source>A formula uses metrics in the units below, variables of the trials that are numbers, + - * / ^, brackets, sqrt, abs, exp, ln, sin, cos, min, max and pi. Names with blanks are in braces: 0.5 * {robot mass} * max_speed^2.</source>
+        <translation>Eine Formel nutzt Kennwerte in den Einheiten unten, Variablen der Versuche, die Zahlen sind, + - * / ^, Klammern, sqrt, abs, exp, ln, sin, cos, min, max und pi. Namen mit Leerzeichen stehen in geschweiften Klammern: 0.5 * {robot mass} * max_speed^2.</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Name</translation>
+    </message>
+    <message>
+        <source>Unit</source>
+        <translation>Einheit</translation>
+    </message>
+    <message>
+        <source>Formula</source>
+        <translation>Formel</translation>
+    </message>
+    <message>
+        <source>&amp;Add</source>
+        <translation>&amp;Hinzufügen</translation>
+    </message>
+    <message>
+        <source>Names for formulas</source>
+        <translation>Namen für Formeln</translation>
+    </message>
+</context>
+<context>
     <name>odo::PathField</name>
     <message>
         <source>Browse…</source>
@@ -16033,6 +16201,10 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>CSV for spreadsheets, 1,5 (*.csv)</source>
         <translation>CSV für Tabellenkalkulation, 1,5 (*.csv)</translation>
+    </message>
+    <message>
+        <source>&amp;Own metrics…</source>
+        <translation>&amp;Eigene Kennwerte…</translation>
     </message>
 </context>
 <context>

@@ -9307,6 +9307,83 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     </message>
 </context>
 <context>
+    <name>exchange.formula</name>
+    <message>
+        <source>formula &apos;%1&apos;</source>
+        <translation>fórmula «%1»</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.formula_advice</name>
+    <message>
+        <source>write one like 0.5 * mass * max_speed^2, with names of metrics and variables</source>
+        <translation>escriba una como 0.5 * mass * max_speed^2, con nombres de indicadores y variables</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.formula_brace</name>
+    <message>
+        <source>a closing brace is missing</source>
+        <translation>falta una llave de cierre</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.formula_bracket</name>
+    <message>
+        <source>a closing bracket is missing</source>
+        <translation>falta un paréntesis de cierre</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.formula_ends</name>
+    <message>
+        <source>a number or a name is missing at its end</source>
+        <translation>al final falta un número o un nombre</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.formula_function</name>
+    <message>
+        <source>there is no function &apos;%1&apos;</source>
+        <translation>no existe la función «%1»</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.formula_number</name>
+    <message>
+        <source>there is no number at character %1</source>
+        <translation>no hay ningún número en el carácter %1</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.formula_sign</name>
+    <message>
+        <source>&apos;%1&apos; is not expected at character %2</source>
+        <translation>«%1» no se espera en el carácter %2</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.formula_too_deep</name>
+    <message>
+        <source>it has too many brackets in each other</source>
+        <translation>tiene demasiados paréntesis anidados</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.formula_too_long</name>
+    <message>
+        <source>it is too long</source>
+        <translation>es demasiado larga</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.formula_two</name>
+    <message>
+        <source>&apos;%1&apos; takes two values, parted by a comma</source>
+        <translation>«%1» toma dos valores separados por una coma</translation>
+    </message>
+</context>
+<context>
     <name>exchange.frame_without_time</name>
     <message>
         <source>it has no time that can be read</source>
@@ -9794,6 +9871,62 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <message>
         <source>sort the lines by time, with each time only once</source>
         <translation>ponga las líneas en orden de tiempo, cada tiempo una vez</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.own_metric</name>
+    <message>
+        <source>own metric &apos;%1&apos;</source>
+        <translation>indicador propio «%1»</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.own_metric_choose</name>
+    <message>
+        <source>choose from %1</source>
+        <translation>elija entre %1</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.own_metric_input</name>
+    <message>
+        <source>no trial has a metric or variable &apos;%1&apos;</source>
+        <translation>ningún ensayo tiene un indicador o una variable «%1»</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.own_metric_known</name>
+    <message>
+        <source>Odograph has a metric of that name</source>
+        <translation>Odograph tiene un indicador con ese nombre</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.own_metric_name</name>
+    <message>
+        <source>give it a name of letters, digits and _</source>
+        <translation>dele un nombre de letras, cifras y _</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.own_metric_no_word</name>
+    <message>
+        <source>its name is not a single word</source>
+        <translation>su nombre no es una sola palabra</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.own_metric_other</name>
+    <message>
+        <source>give it another name</source>
+        <translation>dele otro nombre</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.own_metric_twice</name>
+    <message>
+        <source>a metric or variable has that name</source>
+        <translation>un indicador o una variable tiene ese nombre</translation>
     </message>
 </context>
 <context>
@@ -14959,6 +15092,41 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     </message>
 </context>
 <context>
+    <name>odo::OwnMetricsDialog</name>
+    <message>
+        <source>&amp;Remove</source>
+        <translation>&amp;Quitar</translation>
+    </message>
+    <message>
+        <source>Own metrics</source>
+        <translation>Indicadores propios</translation>
+    </message>
+    <message>
+        <source>A formula uses metrics in the units below, variables of the trials that are numbers, + - * / ^, brackets, sqrt, abs, exp, ln, sin, cos, min, max and pi. Names with blanks are in braces: 0.5 * {robot mass} * max_speed^2.</source>
+        <translation>Una fórmula usa indicadores en las unidades de abajo, variables de los ensayos que son números, + - * / ^, paréntesis, sqrt, abs, exp, ln, sin, cos, min, max y pi. Los nombres con espacios van entre llaves: 0.5 * {robot mass} * max_speed^2.</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Nombre</translation>
+    </message>
+    <message>
+        <source>Unit</source>
+        <translation>Unidad</translation>
+    </message>
+    <message>
+        <source>Formula</source>
+        <translation>Fórmula</translation>
+    </message>
+    <message>
+        <source>&amp;Add</source>
+        <translation>&amp;Añadir</translation>
+    </message>
+    <message>
+        <source>Names for formulas</source>
+        <translation>Nombres para fórmulas</translation>
+    </message>
+</context>
+<context>
     <name>odo::PathField</name>
     <message>
         <source>Browse…</source>
@@ -16033,6 +16201,10 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <message>
         <source>CSV for spreadsheets, 1,5 (*.csv)</source>
         <translation>CSV para hojas de cálculo, 1,5 (*.csv)</translation>
+    </message>
+    <message>
+        <source>&amp;Own metrics…</source>
+        <translation>Indicadores &amp;propios…</translation>
     </message>
 </context>
 <context>

@@ -9307,6 +9307,83 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
 </context>
 <context>
+    <name>exchange.formula</name>
+    <message>
+        <source>formula &apos;%1&apos;</source>
+        <translation>formule « %1 »</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.formula_advice</name>
+    <message>
+        <source>write one like 0.5 * mass * max_speed^2, with names of metrics and variables</source>
+        <translation>écrivez par exemple 0.5 * mass * max_speed^2, avec des noms de grandeurs et de variables</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.formula_brace</name>
+    <message>
+        <source>a closing brace is missing</source>
+        <translation>il manque une accolade fermante</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.formula_bracket</name>
+    <message>
+        <source>a closing bracket is missing</source>
+        <translation>il manque une parenthèse fermante</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.formula_ends</name>
+    <message>
+        <source>a number or a name is missing at its end</source>
+        <translation>il manque un nombre ou un nom à la fin</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.formula_function</name>
+    <message>
+        <source>there is no function &apos;%1&apos;</source>
+        <translation>il n’y a pas de fonction « %1 »</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.formula_number</name>
+    <message>
+        <source>there is no number at character %1</source>
+        <translation>il n’y a pas de nombre au caractère %1</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.formula_sign</name>
+    <message>
+        <source>&apos;%1&apos; is not expected at character %2</source>
+        <translation>« %1 » n’est pas attendu au caractère %2</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.formula_too_deep</name>
+    <message>
+        <source>it has too many brackets in each other</source>
+        <translation>elle a trop de parenthèses imbriquées</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.formula_too_long</name>
+    <message>
+        <source>it is too long</source>
+        <translation>elle est trop longue</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.formula_two</name>
+    <message>
+        <source>&apos;%1&apos; takes two values, parted by a comma</source>
+        <translation>« %1 » prend deux valeurs séparées par une virgule</translation>
+    </message>
+</context>
+<context>
     <name>exchange.frame_without_time</name>
     <message>
         <source>it has no time that can be read</source>
@@ -9794,6 +9871,62 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>sort the lines by time, with each time only once</source>
         <translation>mettez les lignes dans l’ordre du temps, chaque temps une fois</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.own_metric</name>
+    <message>
+        <source>own metric &apos;%1&apos;</source>
+        <translation>grandeur personnelle « %1 »</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.own_metric_choose</name>
+    <message>
+        <source>choose from %1</source>
+        <translation>choisissez parmi %1</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.own_metric_input</name>
+    <message>
+        <source>no trial has a metric or variable &apos;%1&apos;</source>
+        <translation>aucun essai n’a de grandeur ni de variable « %1 »</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.own_metric_known</name>
+    <message>
+        <source>Odograph has a metric of that name</source>
+        <translation>Odograph a une grandeur de ce nom</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.own_metric_name</name>
+    <message>
+        <source>give it a name of letters, digits and _</source>
+        <translation>donnez-lui un nom fait de lettres, de chiffres et de _</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.own_metric_no_word</name>
+    <message>
+        <source>its name is not a single word</source>
+        <translation>son nom n’est pas un seul mot</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.own_metric_other</name>
+    <message>
+        <source>give it another name</source>
+        <translation>donnez-lui un autre nom</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.own_metric_twice</name>
+    <message>
+        <source>a metric or variable has that name</source>
+        <translation>une grandeur ou une variable porte ce nom</translation>
     </message>
 </context>
 <context>
@@ -14959,6 +15092,41 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
 </context>
 <context>
+    <name>odo::OwnMetricsDialog</name>
+    <message>
+        <source>&amp;Remove</source>
+        <translation>&amp;Retirer</translation>
+    </message>
+    <message>
+        <source>Own metrics</source>
+        <translation>Grandeurs personnelles</translation>
+    </message>
+    <message>
+        <source>A formula uses metrics in the units below, variables of the trials that are numbers, + - * / ^, brackets, sqrt, abs, exp, ln, sin, cos, min, max and pi. Names with blanks are in braces: 0.5 * {robot mass} * max_speed^2.</source>
+        <translation>Une formule utilise les grandeurs dans les unités ci-dessous, les variables des essais qui sont des nombres, + - * / ^, des parenthèses, sqrt, abs, exp, ln, sin, cos, min, max et pi. Les noms avec des espaces sont entre accolades : 0.5 * {robot mass} * max_speed^2.</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Nom</translation>
+    </message>
+    <message>
+        <source>Unit</source>
+        <translation>Unité</translation>
+    </message>
+    <message>
+        <source>Formula</source>
+        <translation>Formule</translation>
+    </message>
+    <message>
+        <source>&amp;Add</source>
+        <translation>&amp;Ajouter</translation>
+    </message>
+    <message>
+        <source>Names for formulas</source>
+        <translation>Noms pour les formules</translation>
+    </message>
+</context>
+<context>
     <name>odo::PathField</name>
     <message>
         <source>Browse…</source>
@@ -16033,6 +16201,10 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>CSV for spreadsheets, 1,5 (*.csv)</source>
         <translation>CSV pour tableurs, 1,5 (*.csv)</translation>
+    </message>
+    <message>
+        <source>&amp;Own metrics…</source>
+        <translation>Grandeurs &amp;personnelles…</translation>
     </message>
 </context>
 <context>

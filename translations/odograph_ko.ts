@@ -9284,6 +9284,83 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>exchange.formula</name>
+    <message>
+        <source>formula &apos;%1&apos;</source>
+        <translation>수식 &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.formula_advice</name>
+    <message>
+        <source>write one like 0.5 * mass * max_speed^2, with names of metrics and variables</source>
+        <translation>지표와 변수의 이름으로 0.5 * mass * max_speed^2처럼 쓰세요</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.formula_brace</name>
+    <message>
+        <source>a closing brace is missing</source>
+        <translation>닫는 중괄호가 없습니다</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.formula_bracket</name>
+    <message>
+        <source>a closing bracket is missing</source>
+        <translation>닫는 괄호가 없습니다</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.formula_ends</name>
+    <message>
+        <source>a number or a name is missing at its end</source>
+        <translation>끝에 숫자나 이름이 없습니다</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.formula_function</name>
+    <message>
+        <source>there is no function &apos;%1&apos;</source>
+        <translation>&apos;%1&apos; 함수가 없습니다</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.formula_number</name>
+    <message>
+        <source>there is no number at character %1</source>
+        <translation>%1번째 글자에 숫자가 없습니다</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.formula_sign</name>
+    <message>
+        <source>&apos;%1&apos; is not expected at character %2</source>
+        <translation>%2번째 글자에 &apos;%1&apos;이(가) 올 수 없습니다</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.formula_too_deep</name>
+    <message>
+        <source>it has too many brackets in each other</source>
+        <translation>괄호가 너무 많이 겹쳐 있습니다</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.formula_too_long</name>
+    <message>
+        <source>it is too long</source>
+        <translation>너무 깁니다</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.formula_two</name>
+    <message>
+        <source>&apos;%1&apos; takes two values, parted by a comma</source>
+        <translation>&apos;%1&apos;은(는) 쉼표로 나눈 두 값을 받습니다</translation>
+    </message>
+</context>
+<context>
     <name>exchange.frame_without_time</name>
     <message>
         <source>it has no time that can be read</source>
@@ -9771,6 +9848,62 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>sort the lines by time, with each time only once</source>
         <translation>행을 시간 순으로, 각 시간이 한 번씩만 나오게 하십시오</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.own_metric</name>
+    <message>
+        <source>own metric &apos;%1&apos;</source>
+        <translation>사용자 지표 &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.own_metric_choose</name>
+    <message>
+        <source>choose from %1</source>
+        <translation>%1 중에서 고르세요</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.own_metric_input</name>
+    <message>
+        <source>no trial has a metric or variable &apos;%1&apos;</source>
+        <translation>&apos;%1&apos;(이)라는 지표나 변수가 있는 시행이 없습니다</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.own_metric_known</name>
+    <message>
+        <source>Odograph has a metric of that name</source>
+        <translation>Odograph에 그 이름의 지표가 있습니다</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.own_metric_name</name>
+    <message>
+        <source>give it a name of letters, digits and _</source>
+        <translation>글자, 숫자, _로 된 이름을 붙이세요</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.own_metric_no_word</name>
+    <message>
+        <source>its name is not a single word</source>
+        <translation>이름이 한 단어가 아닙니다</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.own_metric_other</name>
+    <message>
+        <source>give it another name</source>
+        <translation>다른 이름을 붙이세요</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.own_metric_twice</name>
+    <message>
+        <source>a metric or variable has that name</source>
+        <translation>그 이름의 지표나 변수가 있습니다</translation>
     </message>
 </context>
 <context>
@@ -14911,6 +15044,41 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>odo::OwnMetricsDialog</name>
+    <message>
+        <source>&amp;Remove</source>
+        <translation>제거(&amp;R)</translation>
+    </message>
+    <message>
+        <source>Own metrics</source>
+        <translation>사용자 지표</translation>
+    </message>
+    <message>
+        <source>A formula uses metrics in the units below, variables of the trials that are numbers, + - * / ^, brackets, sqrt, abs, exp, ln, sin, cos, min, max and pi. Names with blanks are in braces: 0.5 * {robot mass} * max_speed^2.</source>
+        <translation>수식에는 아래 단위의 지표, 숫자인 시행 변수, + - * / ^, 괄호, sqrt, abs, exp, ln, sin, cos, min, max, pi를 쓸 수 있습니다. 공백이 있는 이름은 중괄호로 묶습니다: 0.5 * {robot mass} * max_speed^2.</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>이름</translation>
+    </message>
+    <message>
+        <source>Unit</source>
+        <translation>단위</translation>
+    </message>
+    <message>
+        <source>Formula</source>
+        <translation>수식</translation>
+    </message>
+    <message>
+        <source>&amp;Add</source>
+        <translation>추가(&amp;A)</translation>
+    </message>
+    <message>
+        <source>Names for formulas</source>
+        <translation>수식에 쓸 이름</translation>
+    </message>
+</context>
+<context>
     <name>odo::PathField</name>
     <message>
         <source>Browse…</source>
@@ -15977,6 +16145,10 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>CSV for spreadsheets, 1,5 (*.csv)</source>
         <translation>스프레드시트용 CSV, 1,5 (*.csv)</translation>
+    </message>
+    <message>
+        <source>&amp;Own metrics…</source>
+        <translation>사용자 지표(&amp;O)…</translation>
     </message>
 </context>
 <context>

@@ -9284,6 +9284,83 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>exchange.formula</name>
+    <message>
+        <source>formula &apos;%1&apos;</source>
+        <translation>公式“%1”</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.formula_advice</name>
+    <message>
+        <source>write one like 0.5 * mass * max_speed^2, with names of metrics and variables</source>
+        <translation>请用指标和变量的名称书写，如 0.5 * mass * max_speed^2</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.formula_brace</name>
+    <message>
+        <source>a closing brace is missing</source>
+        <translation>缺少右花括号</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.formula_bracket</name>
+    <message>
+        <source>a closing bracket is missing</source>
+        <translation>缺少右括号</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.formula_ends</name>
+    <message>
+        <source>a number or a name is missing at its end</source>
+        <translation>末尾缺少数字或名称</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.formula_function</name>
+    <message>
+        <source>there is no function &apos;%1&apos;</source>
+        <translation>没有函数“%1”</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.formula_number</name>
+    <message>
+        <source>there is no number at character %1</source>
+        <translation>第 %1 个字符处没有数字</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.formula_sign</name>
+    <message>
+        <source>&apos;%1&apos; is not expected at character %2</source>
+        <translation>第 %2 个字符处不应出现“%1”</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.formula_too_deep</name>
+    <message>
+        <source>it has too many brackets in each other</source>
+        <translation>括号嵌套过多</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.formula_too_long</name>
+    <message>
+        <source>it is too long</source>
+        <translation>过长</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.formula_two</name>
+    <message>
+        <source>&apos;%1&apos; takes two values, parted by a comma</source>
+        <translation>“%1”需要两个以逗号分隔的值</translation>
+    </message>
+</context>
+<context>
     <name>exchange.frame_without_time</name>
     <message>
         <source>it has no time that can be read</source>
@@ -9771,6 +9848,62 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>sort the lines by time, with each time only once</source>
         <translation>请按时间排列各行，每个时间只出现一次</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.own_metric</name>
+    <message>
+        <source>own metric &apos;%1&apos;</source>
+        <translation>自定义指标“%1”</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.own_metric_choose</name>
+    <message>
+        <source>choose from %1</source>
+        <translation>请从 %1 中选择</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.own_metric_input</name>
+    <message>
+        <source>no trial has a metric or variable &apos;%1&apos;</source>
+        <translation>没有试验具有指标或变量“%1”</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.own_metric_known</name>
+    <message>
+        <source>Odograph has a metric of that name</source>
+        <translation>Odograph 已有该名称的指标</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.own_metric_name</name>
+    <message>
+        <source>give it a name of letters, digits and _</source>
+        <translation>请使用由字母、数字和 _ 组成的名称</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.own_metric_no_word</name>
+    <message>
+        <source>its name is not a single word</source>
+        <translation>其名称不是单个词</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.own_metric_other</name>
+    <message>
+        <source>give it another name</source>
+        <translation>请使用其他名称</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.own_metric_twice</name>
+    <message>
+        <source>a metric or variable has that name</source>
+        <translation>已有指标或变量使用该名称</translation>
     </message>
 </context>
 <context>
@@ -14911,6 +15044,41 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>odo::OwnMetricsDialog</name>
+    <message>
+        <source>&amp;Remove</source>
+        <translation>移除(&amp;R)</translation>
+    </message>
+    <message>
+        <source>Own metrics</source>
+        <translation>自定义指标</translation>
+    </message>
+    <message>
+        <source>A formula uses metrics in the units below, variables of the trials that are numbers, + - * / ^, brackets, sqrt, abs, exp, ln, sin, cos, min, max and pi. Names with blanks are in braces: 0.5 * {robot mass} * max_speed^2.</source>
+        <translation>公式可使用下列单位的指标、值为数字的试验变量、+ - * / ^、括号、sqrt、abs、exp、ln、sin、cos、min、max 和 pi。带空格的名称放在花括号中：0.5 * {robot mass} * max_speed^2。</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>名称</translation>
+    </message>
+    <message>
+        <source>Unit</source>
+        <translation>单位</translation>
+    </message>
+    <message>
+        <source>Formula</source>
+        <translation>公式</translation>
+    </message>
+    <message>
+        <source>&amp;Add</source>
+        <translation>添加(&amp;A)</translation>
+    </message>
+    <message>
+        <source>Names for formulas</source>
+        <translation>可用于公式的名称</translation>
+    </message>
+</context>
+<context>
     <name>odo::PathField</name>
     <message>
         <source>Browse…</source>
@@ -15977,6 +16145,10 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>CSV for spreadsheets, 1,5 (*.csv)</source>
         <translation>供电子表格使用的 CSV，1,5 (*.csv)</translation>
+    </message>
+    <message>
+        <source>&amp;Own metrics…</source>
+        <translation>自定义指标(&amp;O)…</translation>
     </message>
 </context>
 <context>

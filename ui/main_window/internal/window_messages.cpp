@@ -256,11 +256,12 @@ QWidget *MessagePanel::makeRow(const WindowMessage &message)
 
 int MessagePanel::heightFor(int width) const
 {
-    int height = layout()->itemAt(0)->sizeHint().height() + 2;
+    constexpr int border = 2;
+    int height = layout()->itemAt(0)->sizeHint().height() + 2 * border;
     if (m_rowLayout->count() == 0)
         return height + m_none->sizeHint().height();
     for (int i = 0; i < m_rowLayout->count(); ++i)
-        height += m_rowLayout->itemAt(i)->widget()->layout()->totalHeightForWidth(width - 2);
+        height += m_rowLayout->itemAt(i)->widget()->layout()->totalHeightForWidth(width - border) + border;
     return height;
 }
 
