@@ -67,11 +67,11 @@ void FramePicture::paintEvent(QPaintEvent *)
 }
 
 FramePanel::FramePanel(QWidget *parent)
-    : QWidget(parent), m_picture(new FramePicture), m_slider(new QSlider(Qt::Horizontal)), m_words(new QLabel)
+    : QWidget(parent), m_picture(new FramePicture), m_slider(new QSlider(Qt::Horizontal)),
+      m_words(new ElidedLabel)
 {
     constexpr int framesAPage = 10;
     m_slider->setPageStep(framesAPage);
-    m_words->setTextFormat(Qt::PlainText);
     m_words->setObjectName(QStringLiteral("quiet"));
     auto *layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
@@ -125,10 +125,10 @@ void FramePanel::setTime(Nanoseconds time)
 
 void FramePanel::showFrame()
 {
-    m_words->setText(tr("%1: frame %2, %3")
-                         .arg(QString::fromStdString(m_recording.cameraName))
-                         .arg(m_slider->value() + 1)
-                         .arg(secondsText(time())));
+    m_words->setFullText(tr("%1: frame %2, %3")
+                             .arg(QString::fromStdString(m_recording.cameraName))
+                             .arg(m_slider->value() + 1)
+                             .arg(secondsText(time())));
     if (const QSize size = m_picture->wantedSize(); !size.isEmpty() && !m_recording.frameTimes.empty())
         m_fetcher.request(m_slider->value(), size);
 }

@@ -9,11 +9,11 @@
 #include <filesystem>
 
 class QCheckBox;
-class QLabel;
 class QSlider;
 
 namespace odo {
 
+class ElidedLabel;
 class FramePicture;
 
 /// One frame of a recording and a slider through all of them; the arrow keys step by frames. Decodes on a
@@ -42,7 +42,7 @@ private:
     RecordingRecord m_recording;
     FramePicture *m_picture;
     QSlider *m_slider;
-    QLabel *m_words;
+    ElidedLabel *m_words; ///< a camera may have a long name
     FrameFetcher m_fetcher;
 };
 
