@@ -9902,6 +9902,13 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
 </context>
 <context>
+    <name>exchange.own_metric_long</name>
+    <message>
+        <source>its name or unit has more than 60 characters</source>
+        <translation>sein Name oder seine Einheit hat mehr als 60 Zeichen</translation>
+    </message>
+</context>
+<context>
     <name>exchange.own_metric_name</name>
     <message>
         <source>give it a name of letters, digits and _</source>

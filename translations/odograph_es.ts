@@ -9902,6 +9902,13 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     </message>
 </context>
 <context>
+    <name>exchange.own_metric_long</name>
+    <message>
+        <source>its name or unit has more than 60 characters</source>
+        <translation>su nombre o su unidad tiene más de 60 caracteres</translation>
+    </message>
+</context>
+<context>
     <name>exchange.own_metric_name</name>
     <message>
         <source>give it a name of letters, digits and _</source>

@@ -9902,6 +9902,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
 </context>
 <context>
+    <name>exchange.own_metric_long</name>
+    <message>
+        <source>its name or unit has more than 60 characters</source>
+        <translation>son nom ou son unité a plus de 60 caractères</translation>
+    </message>
+</context>
+<context>
     <name>exchange.own_metric_name</name>
     <message>
         <source>give it a name of letters, digits and _</source>

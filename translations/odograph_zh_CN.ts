@@ -9879,6 +9879,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>exchange.own_metric_long</name>
+    <message>
+        <source>its name or unit has more than 60 characters</source>
+        <translation>其名称或单位超过 60 个字符</translation>
+    </message>
+</context>
+<context>
     <name>exchange.own_metric_name</name>
     <message>
         <source>give it a name of letters, digits and _</source>

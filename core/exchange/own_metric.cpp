@@ -4,7 +4,9 @@
 #include "core/analysis/metric_table.h"
 #include "core/base/units.h"
 #include "core/exchange/internal/formula.h"
+#include "core/project/names.h"
 
+#include <QString>
 #include <algorithm>
 #include <cctype>
 #include <cmath>
@@ -79,6 +81,13 @@ Result<void> checkOwnMetric(const OwnMetric &metric)
     if (!isWord(metric.name))
         return fail(ErrorCode::InvalidInput, metricNamed(metric.name),
                     ODO_TEXT("exchange.own_metric_no_word", "its name is not a single word"), advice);
+    constexpr int longest = 60;
+    for (const std::string &text : {metric.name, metric.unit})
+        if (QString::fromStdString(text).size() > longest)
+            return fail(ErrorCode::InvalidInput,
+                        metricNamed(firstCharacters(QString::fromStdString(text), longest).toStdString()),
+                        ODO_TEXT("exchange.own_metric_long", "its name or unit has more than 60 characters"),
+                        advice);
     if (metricKind(metric.name))
         return fail(ErrorCode::InvalidInput, metricNamed(metric.name),
                     ODO_TEXT("exchange.own_metric_known", "Odograph has a metric of that name"), advice);

@@ -195,6 +195,8 @@ private Q_SLOTS:
         QVERIFY(refused({"max_speed", "", "2"}).find("has a metric of that name") != std::string::npos);
         QVERIFY(refused({"two words", "", "2"}).find("not a single word") != std::string::npos);
         QVERIFY(refused({"mass", "", "2"}).find("a metric or variable has that name") != std::string::npos);
+        QVERIFY(refused({"own", std::string(61, 'm'), "2"}).find("more than 60 characters") !=
+                std::string::npos);
         QCOMPARE(table.columns.size(), std::size_t(2));
         QVERIFY(
             addOwnMetrics(table, std::vector{OwnMetric{"other", "", "surface + 1"}})); // no number: no value

@@ -36,7 +36,7 @@ class ResultsPanel : public QWidget
 public:
     explicit ResultsPanel(Project &project, QWidget *parent = nullptr);
     ~ResultsPanel() override;
-    /// Reads the project; what is chosen stays.
+    /// Reads the project; filters, groups and metrics stay as they are chosen.
     void refresh();
     /// Teams are shown by another name now.
     void updateTeams();
