@@ -425,6 +425,27 @@ private Q_SLOTS:
         QCOMPARE(wrong, 0);
     }
 
+    /// What has been seen alone for more than a second is whole: a thing as large that comes and stays beside
+    /// it, as a person does, is no part of it.
+    void whatComesLaterIsNoPartOfIt()
+    {
+        const Painter floor = texturedFloor(format);
+        const auto tracker = RobotTracker::create({{"Any 1", {}}}, learned(floor));
+        std::mt19937 random(13);
+        int wrong = 0, uncertain = 0;
+        for (std::int64_t i = 0; i < 90; ++i) {
+            Painter image = floor;
+            const double x = 40 + 3.0 * double(i);
+            image.rectangle({x, 150}, {x + 60, 200}, {240, 240, 240});
+            if (i >= 36)
+                image.rectangle({x + 20, 270}, {x + 65, 320}, {60, 50, 80});
+            const Observation seen = (*tracker)->track(image.frame(i, double(i) / 30, 2, random)).front();
+            wrong += !seen.found || (seen.ellipse.centrePx - Eigen::Vector2d(x + 30, 175)).norm() > 1;
+            uncertain += seen.found && seen.centreCovariancePx2.trace() > 1;
+        }
+        QVERIFY2(wrong == 0 && uncertain == 0, qPrintable(QStringLiteral("%1 %2").arg(wrong).arg(uncertain)));
+    }
+
     /// While two are one silhouette neither is measured; each is found again as soon as they part, as large
     /// as it was.
     void whatShowsTwoRobotsIsNeither()

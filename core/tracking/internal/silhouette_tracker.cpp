@@ -39,10 +39,13 @@ struct Followed
     bool isOfParts = false; ///< found as several silhouettes together
     int besideAlike = 0;    ///< frames in a row in which others like its silhouette were beside it
     int besideOthers = 0;   ///< and in which anything did that may be a part of the same body
+    int alone = 0;          ///< and in all, in which nothing did
     int missed = -1;        ///< frames since it was seen; below 0: it is lost or was never found
     int together = 0;       ///< frames for which it has been one silhouette with another robot
 
     bool isFollowing() const { return missed >= 0; }
+    /// What comes beside it later is something else (a person).
+    bool isKnownWhole() const { return alone >= mostBesideOthers; }
     double radiusPx() const { return std::sqrt(area.px() / std::numbers::pi); }
 };
 
@@ -191,7 +194,8 @@ void SilhouetteTracker::Impl::uncertainPart(Followed &robot, SeenSilhouette &tak
         if (const auto found = std::ranges::find_if(*all, contains); !whole && found != all->end())
             whole = &*found;
     robot.besideOthers = whole ? robot.besideOthers + 1 : 0;
-    if (robot.besideOthers < mostBesideOthers)
+    robot.alone += whole ? 0 : 1;
+    if (robot.besideOthers < mostBesideOthers || robot.isKnownWhole())
         return;
     const Eigen::Vector2d away = whole->moments.centrePx - taken.moments.centrePx;
     taken.centreCovariancePx2 += away * away.transpose();
@@ -204,7 +208,7 @@ void SilhouetteTracker::Impl::takeWholeInstead(Followed &robot, SeenSilhouette &
         wholes, [&taken](const SeenSilhouette &one) { return one.box.contains(taken.box); });
     const bool isPart = taken.regions == 1 && whole != wholes.end();
     robot.besideAlike = isPart ? robot.besideAlike + 1 : 0;
-    if (robot.besideAlike < mostBesideAlike)
+    if (robot.besideAlike < mostBesideAlike || robot.isKnownWhole())
         return;
     taken = *whole;
     robot = Followed(); // what was known of it was of a part
