@@ -42,6 +42,7 @@
 #include <QScreen>
 #include <QSettings>
 #include <QStackedWidget>
+#include <QToolButton>
 
 namespace odo {
 namespace {

@@ -32,6 +32,7 @@
 #include <QStackedWidget>
 #include <QStandardPaths>
 #include <QStatusBar>
+#include <QTabBar>
 #include <QTemporaryDir>
 #include <QTest>
 #include <QToolButton>
@@ -76,6 +77,8 @@ QStringList namelessWidgets(const QWidget &root)
             continue; // the list that a combo box pops up speaks for its box
         if (qobject_cast<QLabel *>(widget))
             continue; // a text that can be marked and copied is its own name
+        if (const auto *tabs = qobject_cast<QTabBar *>(widget); tabs && tabs->count() == 0)
+            continue; // it is named by its tab, and hidden without one
         if (!widget->inherits("QAbstractScrollArea") && qobject_cast<QWidget *>(widget->parent()) &&
             widget->objectName().startsWith(QLatin1String("qt_")))
             continue; // inner parts of Qt's own widgets speak for their owner
