@@ -116,7 +116,8 @@ namespace {
 constexpr float darkerShadows[] = {0.20F, 0.15F};
 constexpr double leastAmbiguity = 0.1; // share of a robot's pixels, over the frames
 constexpr double goodMisfit = 0.5;     // a quarter of a pixel
-constexpr double clearlyLess = 0.9;    // of the misfit
+constexpr double less = 0.98;          // of the misfit
+constexpr double clearlyLess = 0.9;    // where shadows that are not there would be as likely: tinted ones
 constexpr double nearlyAsOften = 0.9;  // of the frames in which it was found
 constexpr double firstPart = 0.7, nextPart = 0.1;
 
@@ -197,9 +198,10 @@ std::vector<Outlines> uncertainOutlines(const std::vector<RegisteredView> &views
     return uncertain;
 }
 
-/// Whether solids explain the outlines of these robots clearly better than before, and nothing of them was
-/// lost. A few outlines are easily explained, so more of them may be explained less well.
-bool areBetter(const std::vector<Outlines> &now, const std::vector<Outlines> &before)
+/// Whether solids explain the outlines of these robots better than before, by less than this share of the
+/// misfit, and nothing of them was lost. A few outlines are easily explained, so more of them may be
+/// explained less well.
+bool areBetter(const std::vector<Outlines> &now, const std::vector<Outlines> &before, double share)
 {
     double gain = 0; // of the logarithms
     for (std::size_t i = 0; i < now.size(); ++i) {
@@ -209,7 +211,7 @@ bool areBetter(const std::vector<Outlines> &now, const std::vector<Outlines> &be
                          (std::max(1.0, before[i].found) * *now[i].misfit)) /
                 double(now.size());
     }
-    return gain > -std::log(clearlyLess);
+    return gain > -std::log(share);
 }
 
 } // namespace
@@ -233,7 +235,8 @@ Result<SettledViews> trackAndSettle(const std::vector<RegisteredView> &views,
         return best;
     Background::Shadow shadow;
     // Takes them for what they are where solids then explain the outlines of these robots better.
-    const auto tryShadows = [&](const Background::Shadow &tried, std::vector<Outlines> &known) {
+    const auto tryShadows = [&](const Background::Shadow &tried, std::vector<Outlines> &known,
+                                double share = less) {
         if (known.empty() || control.isCancelled())
             return false;
         auto again = tracked(nextPart, [&](const JobControl &part) {
@@ -244,7 +247,7 @@ Result<SettledViews> trackAndSettle(const std::vector<RegisteredView> &views,
         std::vector<Outlines> now;
         for (const Outlines &before : known)
             now.push_back(outlinesOf(views, robots, again->views, before.robot));
-        if (!areBetter(now, known))
+        if (!areBetter(now, known, share))
             return false;
         best = std::move(again);
         known = std::move(now);
@@ -265,7 +268,7 @@ Result<SettledViews> trackAndSettle(const std::vector<RegisteredView> &views,
             ofParts.push_back(outlinesOf(views, robots, best->views, r));
     tryShadows(with(&Background::Shadow::connects, true), ofParts);
     std::vector<Outlines> tinted = uncertain(&ShadowAmbiguity::tinted);
-    tryShadows(with(&Background::Shadow::tint, Background::strongTint), tinted);
+    tryShadows(with(&Background::Shadow::tint, Background::strongTint), tinted, clearlyLess);
     std::vector<Outlines> deep = uncertain(&ShadowAmbiguity::deep);
     for (const float darkest : darkerShadows)
         if (!tryShadows(with(&Background::Shadow::darkest, darkest), deep))
