@@ -25,6 +25,7 @@ class TestCertificate : public QObject
     Q_OBJECT
 
     SimulatedScene m_scene = smallTestbed();
+    QTemporaryDir m_temporary;
     std::unique_ptr<QTemporaryDir> m_folder;
     std::unique_ptr<Project> m_project;
 
@@ -60,6 +61,8 @@ class TestCertificate : public QObject
     }
 
 private Q_SLOTS:
+    /// So other programs' temporary folders are not counted.
+    void initTestCase() { qputenv("TMPDIR", m_temporary.path().toLocal8Bit()); }
     void init()
     {
         m_scene = smallTestbed();
