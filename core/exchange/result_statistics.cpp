@@ -2,6 +2,7 @@
 #include "core/exchange/result_statistics.h"
 
 #include "core/analysis/metric_table.h"
+#include "core/base/percentile.h"
 
 #include <algorithm>
 #include <cmath>
@@ -31,15 +32,6 @@ std::string groupOf(const TrialTableRow &row, const ResultGrouping &grouping)
             return found->second;
     }
     return {};
-}
-
-double medianOf(std::vector<double> &values)
-{
-    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-    std::ranges::nth_element(values, middle);
-    if (values.size() % 2 == 1)
-        return *middle;
-    return (*middle + *std::max_element(values.begin(), middle)) / 2;
 }
 
 /// values: at least one; sorted otherwise afterwards.

@@ -2,6 +2,7 @@
 // Time in a zone, entries and the latency to the first: against closed forms and many noisy runs.
 #include "core/analysis/task_metrics.h"
 #include "core/analysis/zone_visits.h"
+#include "tests/analysis/measured_track.h"
 #include "tests/support/registered_test.h"
 
 #include <QTest>
@@ -9,39 +10,22 @@
 #include <random>
 
 using namespace odo;
+using namespace odo::test;
 using Eigen::Vector2d;
 
 namespace {
 
-struct Track
+ZoneVisits visitsOf(const MeasuredTrack &track, const Zone &zone)
 {
-    std::vector<Sample> samples;
-    std::vector<ProfilePoint> points;
-
-    void add(double timeS, const Vector2d &position, double ownM, double commonM = 0, bool isValid = true)
-    {
-        Sample sample;
-        sample.time = fromSeconds(timeS);
-        sample.position = position;
-        sample.covariance = ownM * ownM * Eigen::Matrix2d::Identity();
-        sample.commonCovariance = commonM * commonM * Eigen::Matrix2d::Identity();
-        samples.push_back(sample);
-        ProfilePoint point{};
-        point.position = position;
-        point.velocity = point.acceleration = Vector2d::Zero();
-        point.sigmaXM = point.sigmaYM = std::hypot(ownM, commonM);
-        point.valid = isValid;
-        points.push_back(point);
-    }
-    ZoneVisits in(const Zone &zone) const { return findZoneVisits({zone}, samples, points).front(); }
-};
+    return findZoneVisits({zone}, track.samples, track.points).front();
+}
 
 const Zone zone{"Field", ZoneRule::StayOutside, {{0, 0}, {1, 0}, {1, 1}, {0, 1}}};
 
 /// Along X at 1 m/s from −1 m to 3 m, 50 frames a second.
-Track drive(double commonM = 0, double fromS = 0)
+MeasuredTrack drive(double commonM = 0, double fromS = 0)
 {
-    Track track;
+    MeasuredTrack track;
     for (int i = int(fromS * 50); i <= 200; ++i)
         track.add(i * 0.02, {-1 + i * 0.02 + 0.005, 0.5}, 0.001, commonM);
     return track;
@@ -61,7 +45,7 @@ class TestZoneVisits : public QObject
 private Q_SLOTS:
     void oneCrossing()
     {
-        const ZoneVisits visits = drive().in(zone);
+        const ZoneVisits visits = visitsOf(drive(), zone);
         QCOMPARE(visits.zone, std::string("Field"));
         QCOMPARE(visits.entries, 1);
         QVERIFY(!visits.beginsInside && !visits.isAtLeast);
@@ -74,7 +58,7 @@ private Q_SLOTS:
     }
     void theCalibrationMovesTheEdge()
     {
-        const ZoneVisits visits = drive(0.008).in(zone);
+        const ZoneVisits visits = visitsOf(drive(0.008), zone);
         QVERIFY(std::abs(visits.latencyS->sigma - std::hypot(0.001, 0.008)) < 1e-4);
         QVERIFY(std::abs(visits.insideS.sigma - std::hypot(0.001 * std::sqrt(2), 0.016)) < 2e-4);
     }
@@ -83,8 +67,8 @@ private Q_SLOTS:
     {
         Zone stay = zone;
         stay.rule = ZoneRule::StayInside;
-        const Track track = drive();
-        const ZoneVisits visits = track.in(stay);
+        const MeasuredTrack track = drive();
+        const ZoneVisits visits = visitsOf(track, stay);
         QVERIFY(std::abs(visits.insideS.value - 1) < 1e-6);
         const auto breaches = findZoneBreaches({stay}, track.samples, track.points);
         double outside = 0;
@@ -94,7 +78,7 @@ private Q_SLOTS:
     }
     void aRunThatBeginsInsideHasNotEntered()
     {
-        const ZoneVisits visits = drive(0, 1.5).in(zone);
+        const ZoneVisits visits = visitsOf(drive(0, 1.5), zone);
         QVERIFY(visits.beginsInside);
         QCOMPARE(visits.entries, 0);
         QCOMPARE(visits.latencyS->value, 0.0);
@@ -106,7 +90,7 @@ private Q_SLOTS:
         Zone far = zone;
         for (Vector2d &corner : far.corners)
             corner.y() += 5;
-        const ZoneVisits visits = drive().in(far);
+        const ZoneVisits visits = visitsOf(drive(), far);
         QVERIFY(!visits.latencyS && visits.visits.empty() && visits.entries == 0);
         QCOMPARE(visits.insideS.value, 0.0);
         QVERIFY(findZoneVisits({}, {}, {}).empty());
@@ -114,10 +98,10 @@ private Q_SLOTS:
     }
     void aGapEndsAVisit()
     {
-        Track track;
+        MeasuredTrack track;
         for (int i = 0; i <= 200; ++i)
             track.add(i * 0.02, {-1 + i * 0.02 + 0.005, 0.5}, 0.001, 0, i < 60 || i > 80);
-        const ZoneVisits visits = track.in(zone);
+        const ZoneVisits visits = visitsOf(track, zone);
         QVERIFY(visits.isAtLeast);
         QCOMPARE(visits.visits.size(), std::size_t(2));
         QCOMPARE(visits.entries, 1); // it was inside when it was seen again
@@ -131,10 +115,10 @@ private Q_SLOTS:
         int latencies = 0, times = 0;
         constexpr int runs = 300;
         for (int run = 0; run < runs; ++run) {
-            Track track;
+            MeasuredTrack track;
             for (int i = 0; i <= 471; ++i) // three periods
                 track.add(i * 0.02, {swingAt(i * 0.02) + noise(random), 0.5}, 0.002);
-            const ZoneVisits visits = track.in(zone);
+            const ZoneVisits visits = visitsOf(track, zone);
             QCOMPARE(visits.entries, 3);
             latencies += std::abs(visits.latencyS->value - first) < 1.96 * visits.latencyS->sigma;
             times += std::abs(visits.insideS.value - inside) < 1.96 * visits.insideS.sigma;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/analysis/task_metrics.h"
+#include "tests/analysis/measured_track.h"
 #include "tests/support/registered_test.h"
 
 #include <QTest>
@@ -7,36 +8,15 @@
 #include <random>
 
 using namespace odo;
+using namespace odo::test;
 using Eigen::Vector2d;
 
 namespace {
 
-struct Track
-{
-    std::vector<Sample> samples;
-    std::vector<ProfilePoint> points;
-
-    void add(double timeS, const Vector2d &position, double ownM, double commonM)
-    {
-        Sample sample;
-        sample.time = fromSeconds(timeS);
-        sample.position = position;
-        sample.covariance = ownM * ownM * Eigen::Matrix2d::Identity();
-        sample.commonCovariance = commonM * commonM * Eigen::Matrix2d::Identity();
-        samples.push_back(sample);
-        ProfilePoint point{};
-        point.position = position;
-        point.velocity = point.acceleration = Vector2d::Zero();
-        point.sigmaXM = point.sigmaYM = std::hypot(ownM, commonM);
-        point.valid = true;
-        points.push_back(point);
-    }
-};
-
 /// Along X at 1 m/s from −1 m to 3 m, 50 frames a second.
-Track drive(double ownM = 0.001, double commonM = 0)
+MeasuredTrack drive(double ownM = 0.001, double commonM = 0)
 {
-    Track track;
+    MeasuredTrack track;
     for (int i = 0; i <= 200; ++i)
         track.add(i * 0.02, {-1 + i * 0.02, 0.5}, ownM, commonM);
     return track;
@@ -117,7 +97,7 @@ private Q_SLOTS:
 
     void aRunBreaksARuleWhereItCrossesTheEdge()
     {
-        const Track track = drive();
+        const MeasuredTrack track = drive();
         const std::vector<Zone> zones{
             rectangularZone("Field", ZoneRule::StayInside, {-2, 0}, {2.505, 1}),
             rectangularZone("Pond", ZoneRule::StayOutside, {0.5, 0.2}, {1.255, 0.6})};
@@ -143,7 +123,7 @@ private Q_SLOTS:
 
     void theCalibrationsErrorLastsForTheRun()
     {
-        const Track track = drive(0, 0.01);
+        const MeasuredTrack track = drive(0, 0.01);
         const std::vector<Zone> zones{rectangularZone("Pond", ZoneRule::StayOutside, {0.5, 0}, {1.5, 1})};
         // Edges that lie 10 mm further out at both ends: 20 ms at 1 m/s.
         QVERIFY(std::abs(*metricOf(measureZones(zones, track.samples, track.points), "zone_time").sigma -
@@ -152,7 +132,7 @@ private Q_SLOTS:
 
     void whatIsInDoubtIsNoBreach()
     {
-        const Track track = drive(0.01);
+        const MeasuredTrack track = drive(0.01);
         // 20 mm over the edge, with σ of 10 mm: two σ.
         std::vector<Zone> zones{rectangularZone("Field", ZoneRule::StayInside, {-2, 0}, {4, 0.48})};
         QVERIFY(findZoneBreaches(zones, track.samples, track.points).empty());
@@ -163,7 +143,7 @@ private Q_SLOTS:
 
     void nothingIsJudgedInAGap()
     {
-        Track track = drive();
+        MeasuredTrack track = drive();
         for (std::size_t i = 80; i < 120; ++i) // 0.6 m to 1.4 m
             track.points[i].valid = false;
         const std::vector<Zone> pond{rectangularZone("Pond", ZoneRule::StayOutside, {0.5, 0}, {1.5, 1})};
@@ -188,7 +168,7 @@ private Q_SLOTS:
         double sum = 0, squares = 0, stated = 0;
         constexpr int runs = 400;
         for (int run = 0; run < runs; ++run) {
-            Track track;
+            MeasuredTrack track;
             // As a smoother leaves it: errors that go together over ten frames.
             std::vector<double> errors(22);
             for (double &error : errors)
@@ -213,7 +193,7 @@ private Q_SLOTS:
 
     void aTaskMeasuresItsZones()
     {
-        const Track track = drive();
+        const MeasuredTrack track = drive();
         Task task;
         QCOMPARE(metricOf(measureTask(task, track.samples, track.points).metrics, "zone_breaches").name,
                  std::string());

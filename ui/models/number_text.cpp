@@ -231,6 +231,16 @@ QString metricName(const std::string &name)
     return readable;
 }
 
+QString plainNumber(const std::optional<double> &value)
+{
+    constexpr int allDigits = 9;
+    if (!value || !std::isfinite(*value))
+        return {};
+    QLocale locale;
+    locale.setNumberOptions(QLocale::OmitGroupSeparator);
+    return locale.toString(*value, 'g', allDigits);
+}
+
 QString shortDate(Instant instant)
 {
     return QLocale().toString(QDateTime::fromMSecsSinceEpoch(instant.time_since_epoch().count()),

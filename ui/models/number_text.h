@@ -85,6 +85,8 @@ QString metricName(const std::string &name);
 
 /// "3/9/26 9:15 AM", as the person's country writes it.
 QString shortDate(Instant instant);
+/// For a spreadsheet: in all digits, without signs between thousands; nothing where it is not known.
+QString plainNumber(const std::optional<double> &value);
 /// "00:03.267", from an hour on "1:00:03.267". Negative times carry a minus.
 QString timeCode(Nanoseconds time);
 /// "3.27 s"

@@ -3,6 +3,7 @@
 
 #include "core/analysis/curve_fit.h"
 #include "core/analysis/motion_stretches.h"
+#include "core/base/percentile.h"
 
 #include <algorithm>
 #include <cmath>
@@ -29,11 +30,7 @@ double usualStepS(const std::vector<Sample> &samples)
     std::vector<double> steps;
     for (std::size_t i = 1; i < samples.size(); ++i)
         steps.push_back(toSeconds(samples[i].time - samples[i - 1].time));
-    if (steps.empty())
-        return 0;
-    const auto middle = steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2);
-    std::ranges::nth_element(steps, middle);
-    return *middle;
+    return steps.empty() ? 0 : upperMedian(std::move(steps));
 }
 
 void append(EvenStretch &stretch, const Eigen::Vector2d &position)

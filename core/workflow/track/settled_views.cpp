@@ -221,16 +221,19 @@ Result<SettledViews> trackAndSettle(const std::vector<RegisteredView> &views,
                                     const std::vector<PointedOutRobot> &pointedOut)
 {
     double done = 0; // of the job
-    bool inParts = false;
     const auto tracked = [&](double part, const auto &track) -> Result<SettledViews> {
         auto seen = ODO_TRY(track(partOf(control, done, done + part)));
-        inParts = isInParts(seen);
         done += part;
         control.report(done, ODO_TEXT("workflow.settling_names", "assigning names to the robots"));
         auto ambiguities = ODO_TRY(settleNames(views, robots, seen, pointedOut));
         return SettledViews{std::move(seen), std::move(ambiguities)};
     };
-    auto best = tracked(firstPart, [&](const JobControl &part) { return trackViews(views, robots, part); });
+    bool inParts = false;
+    auto best = tracked(firstPart, [&](const JobControl &part) {
+        auto seen = trackViews(views, robots, part);
+        inParts = seen && isInParts(*seen); // before the names are settled, which takes the others away
+        return seen;
+    });
     if (!best)
         return best;
     Background::Shadow shadow;

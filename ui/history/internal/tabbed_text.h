@@ -4,10 +4,7 @@
 #include "core/exchange/trial_table.h"
 #include "ui/models/number_text.h"
 
-#include <QLocale>
 #include <QStringList>
-#include <cmath>
-#include <optional>
 
 namespace odo {
 
@@ -17,17 +14,6 @@ namespace odo {
 inline double factorOf(const TrialTableColumn &column)
 {
     return metricUnit({column.metric, column.unit, 0, {}}).perSi;
-}
-
-/// In all digits, without signs between thousands; nothing where it is not known.
-inline QString plainNumber(const std::optional<double> &value)
-{
-    constexpr int allDigits = 9;
-    if (!value || !std::isfinite(*value))
-        return {};
-    QLocale locale;
-    locale.setNumberOptions(QLocale::OmitGroupSeparator);
-    return locale.toString(*value, 'g', allDigits);
 }
 
 /// A text that parts no cells.

@@ -6,12 +6,9 @@
 #include "ui/views/widgets/theme.h"
 
 #include <QHelpEvent>
-#include <QLabel>
 #include <QLocale>
 #include <QPainter>
-#include <QScrollArea>
 #include <QToolTip>
-#include <QVBoxLayout>
 #include <algorithm>
 #include <cmath>
 
@@ -166,74 +163,21 @@ bool IntervalHistogram::event(QEvent *event)
     return true;
 }
 
-IntervalPanel::IntervalPanel(QWidget *parent) : Card(tr("Frame intervals"), parent), m_views(new QWidget)
+IntervalPanel::IntervalPanel(QWidget *parent)
+    : FigurePanel(
+          tr("Frame intervals"), tr("Frame intervals of the views"), tr("This trial has no videos."),
+          [](const TrialScene &scene) {
+              std::vector<Figure> figures;
+              for (const ViewIntervals &view : viewIntervals(scene)) {
+                  figures.push_back({[view] { return intervalText(view); }});
+                  if (view.intervals.count > 0)
+                      figures.back().plot = [view] { return new IntervalHistogram(view.intervals); };
+              }
+              return figures;
+          },
+          parent)
 {
     setRemark(tr("bars by the logarithm of their number"));
-    m_views->setObjectName(QStringLiteral("cardBody"));
-    auto *layout = new QVBoxLayout(m_views);
-    layout->setContentsMargins(10, 6, 10, 6);
-    layout->setSpacing(4);
-    auto *scroll = new QScrollArea;
-    scroll->setFrameShape(QFrame::NoFrame);
-    scroll->setWidgetResizable(true);
-    scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    scroll->setAccessibleName(tr("Frame intervals of the views"));
-    scroll->setWidget(m_views);
-    setContent(scroll);
-    connect(&m_task, &BackgroundTask::finished, this, &IntervalPanel::finish);
-}
-
-void IntervalPanel::setScene(TrialScenePtr scene)
-{
-    m_scene = std::move(scene);
-    m_wanted = true;
-    begin();
-}
-
-void IntervalPanel::begin()
-{
-    if (!m_wanted || m_task.isRunning()) // else it begins when that has ended
-        return;
-    m_wanted = false;
-    m_madeOf = m_scene;
-    m_made = std::make_shared<std::vector<ViewIntervals>>();
-    m_task.start([made = m_made, scene = m_scene](const JobControl &) -> Result<void> {
-        if (scene)
-            *made = viewIntervals(*scene);
-        return {};
-    });
-}
-
-void IntervalPanel::finish()
-{
-    if (m_wanted)
-        return begin();
-    showViews(*m_made);
-    Q_EMIT settled();
-}
-
-void IntervalPanel::showViews(const std::vector<ViewIntervals> &views)
-{
-    auto *layout = static_cast<QVBoxLayout *>(m_views->layout());
-    while (QLayoutItem *item = layout->takeAt(0)) {
-        delete item->widget();
-        delete item;
-    }
-    QStringList spoken;
-    for (const ViewIntervals &view : views) {
-        auto *words = new QLabel(intervalText(view));
-        words->setTextFormat(Qt::PlainText);
-        words->setWordWrap(true);
-        words->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
-        layout->addWidget(words);
-        if (view.intervals.count > 0)
-            layout->addWidget(new IntervalHistogram(view.intervals));
-        spoken << words->text();
-    }
-    if (views.empty())
-        layout->addWidget(new QLabel(tr("This trial has no videos.")));
-    layout->addStretch(1);
-    setAccessibleDescription(spoken.join(u'\n'));
 }
 
 } // namespace odo

@@ -2,16 +2,10 @@
 #pragma once
 
 #include "core/video/frame_intervals.h"
-#include "ui/models/background_task.h"
-#include "ui/models/trial_scene.h"
-#include "ui/views/widgets/card.h"
+#include "ui/review/internal/figure_panel.h"
 
 #include <QWidget>
-#include <memory>
 #include <vector>
-
-class QLabel;
-class QVBoxLayout;
 
 namespace odo {
 
@@ -51,30 +45,12 @@ private:
     const FrameIntervals m_intervals;
 };
 
-/// The frame intervals of each view of a trial: histogram, jitter, lost and repeated frames. Computed on a
-/// thread of its own.
-class IntervalPanel : public Card
+/// The frame intervals of each view of a trial: histogram, jitter, lost and repeated frames.
+class IntervalPanel : public FigurePanel
 {
     Q_OBJECT
 public:
     explicit IntervalPanel(QWidget *parent = nullptr);
-    void setScene(TrialScenePtr scene);
-    bool isSettled() const { return !m_wanted && !m_task.isRunning(); }
-
-Q_SIGNALS:
-    void settled();
-
-private:
-    void begin();
-    void finish();
-    void showViews(const std::vector<ViewIntervals> &views);
-
-    TrialScenePtr m_scene;
-    bool m_wanted = false; ///< the scene's are not there yet
-    std::shared_ptr<std::vector<ViewIntervals>> m_made;
-    TrialScenePtr m_madeOf;
-    BackgroundTask m_task;
-    QWidget *m_views;
 };
 
 } // namespace odo

@@ -344,9 +344,6 @@ QVariant SampleModel::headerData(int section, Qt::Orientation orientation, int r
 
 QString SampleModel::tabbed(const std::vector<int> &rows, const std::vector<int> &columns) const
 {
-    constexpr int allDigits = 9;
-    QLocale locale;
-    locale.setNumberOptions(QLocale::OmitGroupSeparator);
     QString text;
     const auto addLine = [&](const auto &cellOf) {
         for (std::size_t i = 0; i < columns.size(); ++i) {
@@ -364,7 +361,7 @@ QString SampleModel::tabbed(const std::vector<int> &rows, const std::vector<int>
             const auto value = number(row, column);
             const Measure measure = kindOf(column).measure;
             const double perSi = measure == Measure::Count ? 1 : unitOf(measure).perSi;
-            return value ? locale.toString(*value * perSi, 'g', allDigits) : QString();
+            return plainNumber(value ? std::optional(*value * perSi) : std::nullopt);
         });
     return text;
 }

@@ -6,12 +6,9 @@
 #include "ui/views/widgets/theme.h"
 
 #include <QHelpEvent>
-#include <QLabel>
 #include <QPainter>
 #include <QPolygonF>
-#include <QScrollArea>
 #include <QToolTip>
-#include <QVBoxLayout>
 #include <algorithm>
 #include <cmath>
 
@@ -162,80 +159,24 @@ bool ResidualPlot::event(QEvent *event)
     return true;
 }
 
-SmoothingPanel::SmoothingPanel(QWidget *parent) : Card(tr("Smoothing"), parent), m_robots(new QWidget)
+SmoothingPanel::SmoothingPanel(QWidget *parent)
+    : FigurePanel(
+          tr("Smoothing"), tr("Smoothing of the robots"), tr("No curve yet: track the trial."),
+          [](const TrialScene &scene) {
+              std::vector<Figure> figures;
+              for (const SceneRobot &one : scene.robots) {
+                  if (!one.analysis)
+                      continue;
+                  const RobotSmoothing robot{one.robot.name, cutoffAnalysis(one.analysis->profile)};
+                  figures.push_back({[robot] { return smoothingText(robot); }});
+                  if (!robot.analysis.residuals.empty())
+                      figures.back().plot = [robot] { return new ResidualPlot(robot.analysis); };
+              }
+              return figures;
+          },
+          parent)
 {
     setRemark(tr("residual of a Butterworth filter, by its cut-off"));
-    m_robots->setObjectName(QStringLiteral("cardBody"));
-    auto *layout = new QVBoxLayout(m_robots);
-    layout->setContentsMargins(10, 6, 10, 6);
-    layout->setSpacing(4);
-    auto *scroll = new QScrollArea;
-    scroll->setFrameShape(QFrame::NoFrame);
-    scroll->setWidgetResizable(true);
-    scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    scroll->setAccessibleName(tr("Smoothing of the robots"));
-    scroll->setWidget(m_robots);
-    setContent(scroll);
-    connect(&m_task, &BackgroundTask::finished, this, &SmoothingPanel::finish);
-}
-
-void SmoothingPanel::setScene(TrialScenePtr scene)
-{
-    m_scene = std::move(scene);
-    m_isStale = true;
-    begin();
-}
-
-void SmoothingPanel::showEvent(QShowEvent *event)
-{
-    Card::showEvent(event);
-    begin();
-}
-
-void SmoothingPanel::begin()
-{
-    if (!m_isStale || !isVisible() || m_task.isRunning())
-        return;
-    m_isStale = false;
-    m_made = std::make_shared<std::vector<RobotSmoothing>>();
-    m_task.start([made = m_made, scene = m_scene](const JobControl &) -> Result<void> {
-        for (std::size_t i = 0; scene && i < scene->robots.size(); ++i)
-            if (const auto &analysis = scene->robots[i].analysis)
-                made->push_back({scene->robots[i].robot.name, cutoffAnalysis(analysis->profile)});
-        return {};
-    });
-}
-
-void SmoothingPanel::finish()
-{
-    if (m_isStale)
-        return begin();
-    showRobots(*m_made);
-    Q_EMIT settled();
-}
-
-void SmoothingPanel::showRobots(const std::vector<RobotSmoothing> &robots)
-{
-    auto *layout = static_cast<QVBoxLayout *>(m_robots->layout());
-    while (QLayoutItem *item = layout->takeAt(0)) {
-        delete item->widget();
-        delete item;
-    }
-    QStringList spoken;
-    for (const RobotSmoothing &robot : robots) {
-        auto *words = new QLabel(smoothingText(robot));
-        words->setTextFormat(Qt::PlainText);
-        words->setWordWrap(true);
-        words->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
-        layout->addWidget(words);
-        if (!robot.analysis.residuals.empty())
-            layout->addWidget(new ResidualPlot(robot.analysis));
-        spoken << words->text();
-    }
-    if (robots.empty())
-        layout->addWidget(new QLabel(tr("No curve yet: track the trial.")));
-    layout->addStretch(1);
-    setAccessibleDescription(spoken.join(u'\n'));
 }
 
 } // namespace odo

@@ -2,12 +2,9 @@
 #pragma once
 
 #include "core/analysis/smoothing/cutoff_residuals.h"
-#include "ui/models/background_task.h"
-#include "ui/models/trial_scene.h"
-#include "ui/views/widgets/card.h"
+#include "ui/review/internal/figure_panel.h"
 
 #include <QWidget>
-#include <memory>
 #include <string>
 #include <vector>
 
@@ -47,31 +44,12 @@ private:
 };
 
 /// How strongly each robot's curve is smoothed, and the residual against the cut-off by which that can be
-/// defended. Computed while it is visible, on a thread of its own.
-class SmoothingPanel : public Card
+/// defended.
+class SmoothingPanel : public FigurePanel
 {
     Q_OBJECT
 public:
     explicit SmoothingPanel(QWidget *parent = nullptr);
-    void setScene(TrialScenePtr scene);
-    bool isSettled() const { return !m_task.isRunning() && !(m_isStale && isVisible()); }
-
-Q_SIGNALS:
-    void settled();
-
-protected:
-    void showEvent(QShowEvent *event) override;
-
-private:
-    void begin();
-    void finish();
-    void showRobots(const std::vector<RobotSmoothing> &robots);
-
-    TrialScenePtr m_scene;
-    bool m_isStale = false; ///< what is shown is not of the scene
-    std::shared_ptr<std::vector<RobotSmoothing>> m_made;
-    BackgroundTask m_task;
-    QWidget *m_robots;
 };
 
 } // namespace odo
