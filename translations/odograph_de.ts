@@ -3317,22 +3317,22 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
 <context>
     <name>analysis.formula_max_accel</name>
     <message>
-        <source>The acceleration |a| of the smoothed curve where |a| − 2σ is largest.</source>
-        <translation>Die Beschleunigung |a| der geglätteten Kurve, wo |a| − 2σ am größten ist.</translation>
+        <source>The acceleration |a| of the smoothed curve where |a| − 3σ is largest.</source>
+        <translation>Die Beschleunigung |a| der geglätteten Kurve, wo |a| − 3σ am größten ist.</translation>
     </message>
 </context>
 <context>
     <name>analysis.formula_max_speed</name>
     <message>
-        <source>The speed |v| of the smoothed curve where |v| − 2σ is largest. A point does not win only because its uncertainty is large.</source>
-        <translation>Die Geschwindigkeit |v| der geglätteten Kurve, wo |v| − 2σ am größten ist, damit ein schlecht bekannter Punkt nicht durch seinen Fehler gewinnt.</translation>
+        <source>The speed |v| of the smoothed curve where |v| − 3σ is largest. A point does not win only because its uncertainty is large.</source>
+        <translation>Die Geschwindigkeit |v| der geglätteten Kurve, wo |v| − 3σ am größten ist, damit ein schlecht bekannter Punkt nicht durch seinen Fehler gewinnt.</translation>
     </message>
 </context>
 <context>
     <name>analysis.formula_max_turn_rate</name>
     <message>
-        <source>How fast the robot turns, to the left or right, where the amount minus 2σ is largest. Of the body where its heading was measured, also on the spot: the rate of the smoothed heading. Elsewhere of the direction of motion: (vx·ay − vy·ax)/|v|² of the smoothed curve.</source>
-        <translation>Wie schnell sich der Roboter dreht, nach links oder rechts, wo der Betrag minus 2σ am größten ist. Die des Rumpfs, wo dessen Ausrichtung gemessen wurde, auch auf der Stelle: die Rate der geglätteten Ausrichtung. Sonst die der Bewegungsrichtung: (vx·ay − vy·ax)/|v|² der geglätteten Kurve.</translation>
+        <source>How fast the robot turns, to the left or right, where the amount minus 3σ is largest. Of the body where its heading was measured, also on the spot: the rate of the smoothed heading. Elsewhere of the direction of motion: (vx·ay − vy·ax)/|v|² of the smoothed curve. &quot;At least&quot; where it may have turned faster because the rate is hardly known.</source>
+        <translation>Wie schnell sich der Roboter dreht, nach links oder rechts, wo der Betrag minus 3σ am größten ist. Die des Rumpfs, wo dessen Ausrichtung gemessen wurde, auch auf der Stelle: die Rate der geglätteten Ausrichtung. Sonst die der Bewegungsrichtung: (vx·ay − vy·ax)/|v|² der geglätteten Kurve. „Mindestens“, wo er sich schneller gedreht haben kann, weil die Rate kaum bekannt ist.</translation>
     </message>
 </context>
 <context>
@@ -4262,8 +4262,8 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
 <context>
     <name>analysis.uncertainty_max_turn_rate</name>
     <message>
-        <source>of the body: that of the smoothed heading&apos;s rate; of the direction of motion: σ² = σa²/|v|² + |a|²σv²/|v|⁴, first order</source>
-        <translation>des Rumpfs: die der Rate der geglätteten Ausrichtung; der Bewegungsrichtung: σ² = σa²/|v|² + |a|²σv²/|v|⁴, erste Ordnung</translation>
+        <source>of the body: that of the smoothed heading&apos;s rate; of the direction of motion: σ² = σa²/|v|² + |a|²σv²/|v|⁴, first order; of n peaks within 2σ also σ√(2 ln n)</source>
+        <translation>des Rumpfs: die der Rate der geglätteten Ausrichtung; der Bewegungsrichtung: σ² = σa²/|v|² + |a|²σv²/|v|⁴, erste Ordnung; von n Gipfeln innerhalb von 2σ auch σ√(2 ln n)</translation>
     </message>
 </context>
 <context>
@@ -4290,8 +4290,8 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
 <context>
     <name>analysis.uncertainty_of_curve</name>
     <message>
-        <source>that of the smoothed curve there, and the calibration&apos;s scale uncertainty</source>
-        <translation>das der geglätteten Kurve dort, und der Maßstabsfehler der Kalibrierung</translation>
+        <source>that of the smoothed curve there; how far the largest of n equal values exceeds them, σ√(2 ln n) at most, of the n peaks within 2σ; and the calibration&apos;s scale uncertainty</source>
+        <translation>das der geglätteten Kurve dort; um wie viel der größte von n gleichen Werten sie übertrifft, höchstens σ√(2 ln n), bei n Gipfeln innerhalb von 2σ; und der Maßstabsfehler der Kalibrierung</translation>
     </message>
 </context>
 <context>

@@ -3317,22 +3317,22 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
 <context>
     <name>analysis.formula_max_accel</name>
     <message>
-        <source>The acceleration |a| of the smoothed curve where |a| − 2σ is largest.</source>
-        <translation>La aceleración |a| de la curva suavizada donde |a| − 2σ es máxima.</translation>
+        <source>The acceleration |a| of the smoothed curve where |a| − 3σ is largest.</source>
+        <translation>La aceleración |a| de la curva suavizada donde |a| − 3σ es máxima.</translation>
     </message>
 </context>
 <context>
     <name>analysis.formula_max_speed</name>
     <message>
-        <source>The speed |v| of the smoothed curve where |v| − 2σ is largest. A point does not win only because its uncertainty is large.</source>
-        <translation>La velocidad |v| de la curva suavizada donde |v| − 2σ es máxima, para que un punto mal conocido no gane por su error.</translation>
+        <source>The speed |v| of the smoothed curve where |v| − 3σ is largest. A point does not win only because its uncertainty is large.</source>
+        <translation>La velocidad |v| de la curva suavizada donde |v| − 3σ es máxima, para que un punto mal conocido no gane por su error.</translation>
     </message>
 </context>
 <context>
     <name>analysis.formula_max_turn_rate</name>
     <message>
-        <source>How fast the robot turns, to the left or right, where the amount minus 2σ is largest. Of the body where its heading was measured, also on the spot: the rate of the smoothed heading. Elsewhere of the direction of motion: (vx·ay − vy·ax)/|v|² of the smoothed curve.</source>
-        <translation>La rapidez con que gira el robot, a izquierda o derecha, donde su valor menos 2σ es máximo. La del cuerpo donde se midió su rumbo, también sobre el sitio: la variación del rumbo suavizado. En lo demás, la de la dirección del movimiento: (vx·ay − vy·ax)/|v|² de la curva suavizada.</translation>
+        <source>How fast the robot turns, to the left or right, where the amount minus 3σ is largest. Of the body where its heading was measured, also on the spot: the rate of the smoothed heading. Elsewhere of the direction of motion: (vx·ay − vy·ax)/|v|² of the smoothed curve. &quot;At least&quot; where it may have turned faster because the rate is hardly known.</source>
+        <translation>La rapidez con que gira el robot, a izquierda o derecha, donde su valor menos 3σ es máximo. La del cuerpo donde se midió su rumbo, también sobre el sitio: la variación del rumbo suavizado. En lo demás, la de la dirección del movimiento: (vx·ay − vy·ax)/|v|² de la curva suavizada. «Al menos» donde puede haber girado más deprisa porque la variación apenas se conoce.</translation>
     </message>
 </context>
 <context>
@@ -4262,8 +4262,8 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
 <context>
     <name>analysis.uncertainty_max_turn_rate</name>
     <message>
-        <source>of the body: that of the smoothed heading&apos;s rate; of the direction of motion: σ² = σa²/|v|² + |a|²σv²/|v|⁴, first order</source>
-        <translation>del cuerpo: la de la variación del rumbo suavizado; de la dirección del movimiento: σ² = σa²/|v|² + |a|²σv²/|v|⁴, primer orden</translation>
+        <source>of the body: that of the smoothed heading&apos;s rate; of the direction of motion: σ² = σa²/|v|² + |a|²σv²/|v|⁴, first order; of n peaks within 2σ also σ√(2 ln n)</source>
+        <translation>del cuerpo: la de la variación del rumbo suavizado; de la dirección del movimiento: σ² = σa²/|v|² + |a|²σv²/|v|⁴, primer orden; con n picos dentro de 2σ también σ√(2 ln n)</translation>
     </message>
 </context>
 <context>
@@ -4290,8 +4290,8 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
 <context>
     <name>analysis.uncertainty_of_curve</name>
     <message>
-        <source>that of the smoothed curve there, and the calibration&apos;s scale uncertainty</source>
-        <translation>el de la curva suavizada allí, y el error de escala de la calibración</translation>
+        <source>that of the smoothed curve there; how far the largest of n equal values exceeds them, σ√(2 ln n) at most, of the n peaks within 2σ; and the calibration&apos;s scale uncertainty</source>
+        <translation>el de la curva suavizada allí; cuánto supera el mayor de n valores iguales a los demás, como mucho σ√(2 ln n), con n picos dentro de 2σ; y el error de escala de la calibración</translation>
     </message>
 </context>
 <context>

@@ -3317,22 +3317,22 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>analysis.formula_max_accel</name>
     <message>
-        <source>The acceleration |a| of the smoothed curve where |a| − 2σ is largest.</source>
-        <translation>L’accélération |a| de la courbe lissée là où |a| − 2σ est maximal.</translation>
+        <source>The acceleration |a| of the smoothed curve where |a| − 3σ is largest.</source>
+        <translation>L’accélération |a| de la courbe lissée là où |a| − 3σ est maximal.</translation>
     </message>
 </context>
 <context>
     <name>analysis.formula_max_speed</name>
     <message>
-        <source>The speed |v| of the smoothed curve where |v| − 2σ is largest. A point does not win only because its uncertainty is large.</source>
-        <translation>La vitesse |v| de la courbe lissée là où |v| − 2σ est maximal, pour qu’un point mal connu ne l’emporte pas par son erreur.</translation>
+        <source>The speed |v| of the smoothed curve where |v| − 3σ is largest. A point does not win only because its uncertainty is large.</source>
+        <translation>La vitesse |v| de la courbe lissée là où |v| − 3σ est maximal, pour qu’un point mal connu ne l’emporte pas par son erreur.</translation>
     </message>
 </context>
 <context>
     <name>analysis.formula_max_turn_rate</name>
     <message>
-        <source>How fast the robot turns, to the left or right, where the amount minus 2σ is largest. Of the body where its heading was measured, also on the spot: the rate of the smoothed heading. Elsewhere of the direction of motion: (vx·ay − vy·ax)/|v|² of the smoothed curve.</source>
-        <translation>La vitesse à laquelle le robot tourne, dans un sens ou dans l’autre, là où sa valeur moins 2σ est maximale. Celle du corps là où son cap a été mesuré, aussi sur place : la variation du cap lissé. Ailleurs, celle de la direction du mouvement : (vx·ay − vy·ax)/|v|² de la courbe lissée.</translation>
+        <source>How fast the robot turns, to the left or right, where the amount minus 3σ is largest. Of the body where its heading was measured, also on the spot: the rate of the smoothed heading. Elsewhere of the direction of motion: (vx·ay − vy·ax)/|v|² of the smoothed curve. &quot;At least&quot; where it may have turned faster because the rate is hardly known.</source>
+        <translation>La vitesse à laquelle le robot tourne, dans un sens ou dans l’autre, là où sa valeur moins 3σ est maximale. Celle du corps là où son cap a été mesuré, aussi sur place : la variation du cap lissé. Ailleurs, celle de la direction du mouvement : (vx·ay − vy·ax)/|v|² de la courbe lissée. « Au moins » là où il a pu tourner plus vite parce que la variation est à peine connue.</translation>
     </message>
 </context>
 <context>
@@ -4262,8 +4262,8 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>analysis.uncertainty_max_turn_rate</name>
     <message>
-        <source>of the body: that of the smoothed heading&apos;s rate; of the direction of motion: σ² = σa²/|v|² + |a|²σv²/|v|⁴, first order</source>
-        <translation>du corps : celle de la variation du cap lissé ; de la direction du mouvement : σ² = σa²/|v|² + |a|²σv²/|v|⁴, au premier ordre</translation>
+        <source>of the body: that of the smoothed heading&apos;s rate; of the direction of motion: σ² = σa²/|v|² + |a|²σv²/|v|⁴, first order; of n peaks within 2σ also σ√(2 ln n)</source>
+        <translation>du corps : celle de la variation du cap lissé ; de la direction du mouvement : σ² = σa²/|v|² + |a|²σv²/|v|⁴, au premier ordre ; pour n pics à moins de 2σ, aussi σ√(2 ln n)</translation>
     </message>
 </context>
 <context>
@@ -4290,8 +4290,8 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>analysis.uncertainty_of_curve</name>
     <message>
-        <source>that of the smoothed curve there, and the calibration&apos;s scale uncertainty</source>
-        <translation>celui de la courbe lissée à cet endroit, et l’erreur d’échelle de l’étalonnage</translation>
+        <source>that of the smoothed curve there; how far the largest of n equal values exceeds them, σ√(2 ln n) at most, of the n peaks within 2σ; and the calibration&apos;s scale uncertainty</source>
+        <translation>celui de la courbe lissée à cet endroit ; ce dont le plus grand de n valeurs égales les dépasse, σ√(2 ln n) au plus, pour n pics à moins de 2σ ; et l’erreur d’échelle de l’étalonnage</translation>
     </message>
 </context>
 <context>

@@ -3294,22 +3294,22 @@ Much more than expected means that a setting is wrong: the views are not synchro
 <context>
     <name>analysis.formula_max_accel</name>
     <message>
-        <source>The acceleration |a| of the smoothed curve where |a| − 2σ is largest.</source>
-        <translation>평활화된 곡선에서 |a| − 2σ가 가장 큰 곳의 가속도 |a|입니다.</translation>
+        <source>The acceleration |a| of the smoothed curve where |a| − 3σ is largest.</source>
+        <translation>평활화된 곡선에서 |a| − 3σ가 가장 큰 곳의 가속도 |a|입니다.</translation>
     </message>
 </context>
 <context>
     <name>analysis.formula_max_speed</name>
     <message>
-        <source>The speed |v| of the smoothed curve where |v| − 2σ is largest. A point does not win only because its uncertainty is large.</source>
-        <translation>평활화된 곡선에서 |v| − 2σ가 가장 큰 곳의 속력 |v|입니다. 부정확한 점이 오차 때문에 최댓값이 되는 일을 막습니다.</translation>
+        <source>The speed |v| of the smoothed curve where |v| − 3σ is largest. A point does not win only because its uncertainty is large.</source>
+        <translation>평활화된 곡선에서 |v| − 3σ가 가장 큰 곳의 속력 |v|입니다. 부정확한 점이 오차 때문에 최댓값이 되는 일을 막습니다.</translation>
     </message>
 </context>
 <context>
     <name>analysis.formula_max_turn_rate</name>
     <message>
-        <source>How fast the robot turns, to the left or right, where the amount minus 2σ is largest. Of the body where its heading was measured, also on the spot: the rate of the smoothed heading. Elsewhere of the direction of motion: (vx·ay − vy·ax)/|v|² of the smoothed curve.</source>
-        <translation>로봇이 도는 빠르기로, 방향에 관계없이 크기에서 2σ를 뺀 값이 가장 큰 곳의 값입니다. 몸체의 방향을 측정한 곳에서는 제자리 회전을 포함해 몸체의 값(평활화된 방향의 변화율)이고, 그 밖에는 움직임 방향의 값, 즉 평활화된 곡선의 (vx·ay − vy·ax)/|v|²입니다.</translation>
+        <source>How fast the robot turns, to the left or right, where the amount minus 3σ is largest. Of the body where its heading was measured, also on the spot: the rate of the smoothed heading. Elsewhere of the direction of motion: (vx·ay − vy·ax)/|v|² of the smoothed curve. &quot;At least&quot; where it may have turned faster because the rate is hardly known.</source>
+        <translation>로봇이 도는 빠르기로, 방향에 관계없이 크기에서 3σ를 뺀 값이 가장 큰 곳의 값입니다. 몸체의 방향을 측정한 곳에서는 제자리 회전을 포함해 몸체의 값(평활화된 방향의 변화율)이고, 그 밖에는 움직임 방향의 값, 즉 평활화된 곡선의 (vx·ay − vy·ax)/|v|²입니다. 변화율을 거의 알 수 없어 더 빨리 돌았을 수 있으면 "최소"로 표시합니다.</translation>
     </message>
 </context>
 <context>
@@ -4239,8 +4239,8 @@ Much more than expected means that a setting is wrong: the views are not synchro
 <context>
     <name>analysis.uncertainty_max_turn_rate</name>
     <message>
-        <source>of the body: that of the smoothed heading&apos;s rate; of the direction of motion: σ² = σa²/|v|² + |a|²σv²/|v|⁴, first order</source>
-        <translation>몸체: 평활화된 방향의 변화율의 불확도; 움직임 방향: σ² = σa²/|v|² + |a|²σv²/|v|⁴, 1차 근사</translation>
+        <source>of the body: that of the smoothed heading&apos;s rate; of the direction of motion: σ² = σa²/|v|² + |a|²σv²/|v|⁴, first order; of n peaks within 2σ also σ√(2 ln n)</source>
+        <translation>몸체: 평활화된 방향의 변화율의 불확도; 움직임 방향: σ² = σa²/|v|² + |a|²σv²/|v|⁴, 1차 근사; 2σ 이내의 봉우리가 n개이면 σ√(2 ln n)도 더합니다</translation>
     </message>
 </context>
 <context>
@@ -4267,8 +4267,8 @@ Much more than expected means that a setting is wrong: the views are not synchro
 <context>
     <name>analysis.uncertainty_of_curve</name>
     <message>
-        <source>that of the smoothed curve there, and the calibration&apos;s scale uncertainty</source>
-        <translation>그 지점에서 평활화된 곡선의 오차와 보정의 축척 오차</translation>
+        <source>that of the smoothed curve there; how far the largest of n equal values exceeds them, σ√(2 ln n) at most, of the n peaks within 2σ; and the calibration&apos;s scale uncertainty</source>
+        <translation>그 지점에서 평활화된 곡선의 오차; 같은 값 n개 중 가장 큰 값이 이를 넘는 정도(2σ 이내의 봉우리 n개, 최대 σ√(2 ln n)); 보정의 축척 오차</translation>
     </message>
 </context>
 <context>

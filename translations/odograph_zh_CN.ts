@@ -3294,22 +3294,22 @@ Much more than expected means that a setting is wrong: the views are not synchro
 <context>
     <name>analysis.formula_max_accel</name>
     <message>
-        <source>The acceleration |a| of the smoothed curve where |a| − 2σ is largest.</source>
-        <translation>平滑曲线上 |a| − 2σ 最大处的加速度 |a|。</translation>
+        <source>The acceleration |a| of the smoothed curve where |a| − 3σ is largest.</source>
+        <translation>平滑曲线上 |a| − 3σ 最大处的加速度 |a|。</translation>
     </message>
 </context>
 <context>
     <name>analysis.formula_max_speed</name>
     <message>
-        <source>The speed |v| of the smoothed curve where |v| − 2σ is largest. A point does not win only because its uncertainty is large.</source>
-        <translation>平滑曲线上 |v| − 2σ 最大处的速度 |v|，这样误差大的点不会因误差而成为最大值。</translation>
+        <source>The speed |v| of the smoothed curve where |v| − 3σ is largest. A point does not win only because its uncertainty is large.</source>
+        <translation>平滑曲线上 |v| − 3σ 最大处的速度 |v|，这样误差大的点不会因误差而成为最大值。</translation>
     </message>
 </context>
 <context>
     <name>analysis.formula_max_turn_rate</name>
     <message>
-        <source>How fast the robot turns, to the left or right, where the amount minus 2σ is largest. Of the body where its heading was measured, also on the spot: the rate of the smoothed heading. Elsewhere of the direction of motion: (vx·ay − vy·ax)/|v|² of the smoothed curve.</source>
-        <translation>机器人转动的快慢，左转或右转均可，取其减去 2σ 后最大处。测得机身朝向之处（包括原地转动）取机身的值：平滑朝向的变化率；其余取运动方向的值：平滑曲线的 (vx·ay − vy·ax)/|v|²。</translation>
+        <source>How fast the robot turns, to the left or right, where the amount minus 3σ is largest. Of the body where its heading was measured, also on the spot: the rate of the smoothed heading. Elsewhere of the direction of motion: (vx·ay − vy·ax)/|v|² of the smoothed curve. &quot;At least&quot; where it may have turned faster because the rate is hardly known.</source>
+        <translation>机器人转动的快慢，左转或右转均可，取其减去 3σ 后最大处。测得机身朝向之处（包括原地转动）取机身的值：平滑朝向的变化率；其余取运动方向的值：平滑曲线的 (vx·ay − vy·ax)/|v|²。若变化率几乎未知、可能转得更快，则标为“至少”。</translation>
     </message>
 </context>
 <context>
@@ -4239,8 +4239,8 @@ Much more than expected means that a setting is wrong: the views are not synchro
 <context>
     <name>analysis.uncertainty_max_turn_rate</name>
     <message>
-        <source>of the body: that of the smoothed heading&apos;s rate; of the direction of motion: σ² = σa²/|v|² + |a|²σv²/|v|⁴, first order</source>
-        <translation>机身：平滑朝向变化率的不确定度；运动方向：σ² = σa²/|v|² + |a|²σv²/|v|⁴，一阶近似</translation>
+        <source>of the body: that of the smoothed heading&apos;s rate; of the direction of motion: σ² = σa²/|v|² + |a|²σv²/|v|⁴, first order; of n peaks within 2σ also σ√(2 ln n)</source>
+        <translation>机身：平滑朝向变化率的不确定度；运动方向：σ² = σa²/|v|² + |a|²σv²/|v|⁴，一阶近似；2σ 以内有 n 个峰时，另加 σ√(2 ln n)</translation>
     </message>
 </context>
 <context>
@@ -4267,8 +4267,8 @@ Much more than expected means that a setting is wrong: the views are not synchro
 <context>
     <name>analysis.uncertainty_of_curve</name>
     <message>
-        <source>that of the smoothed curve there, and the calibration&apos;s scale uncertainty</source>
-        <translation>平滑曲线在该处的误差，以及标定的尺度误差</translation>
+        <source>that of the smoothed curve there; how far the largest of n equal values exceeds them, σ√(2 ln n) at most, of the n peaks within 2σ; and the calibration&apos;s scale uncertainty</source>
+        <translation>平滑曲线在该处的误差；n 个相等值中最大者超出它们的量（2σ 以内有 n 个峰，至多 σ√(2 ln n)）；以及标定的尺度误差</translation>
     </message>
 </context>
 <context>

@@ -10,7 +10,8 @@ namespace {
 Message ofTheCurve()
 {
     return ODO_TEXT("analysis.uncertainty_of_curve",
-                    "that of the smoothed curve there, and the calibration's scale uncertainty");
+                    "that of the smoothed curve there; how far the largest of n equal values exceeds them, "
+                    "σ√(2 ln n) at most, of the n peaks within 2σ; and the calibration's scale uncertainty");
 }
 
 Message ofCorrelatedErrors()
@@ -68,7 +69,7 @@ std::vector<MetricKind> allKinds()
         {"max_speed", "m/s", Better::More, scored | atLeast,
          ODO_TEXT("analysis.metric_max_speed", "Top speed"),
          ODO_TEXT("analysis.formula_max_speed",
-                  "The speed |v| of the smoothed curve where |v| − 2σ is largest. A point does not win only "
+                  "The speed |v| of the smoothed curve where |v| − 3σ is largest. A point does not win only "
                   "because its uncertainty is large."),
          ofTheCurve()},
         {"mean_speed", "m/s", Better::More, scored, ODO_TEXT("analysis.metric_mean_speed", "Mean speed"),
@@ -79,7 +80,7 @@ std::vector<MetricKind> allKinds()
         {"max_accel", "m/s²", Better::More, atLeast,
          ODO_TEXT("analysis.metric_max_accel", "Top acceleration"),
          ODO_TEXT("analysis.formula_max_accel",
-                  "The acceleration |a| of the smoothed curve where |a| − 2σ is largest."),
+                  "The acceleration |a| of the smoothed curve where |a| − 3σ is largest."),
          ofTheCurve()},
         {"moving_time", "s", Better::Less, atLeast, ODO_TEXT("analysis.metric_moving_time", "Time in motion"),
          ODO_TEXT("analysis.formula_moving_time", "The time in which it moves: faster than three σ of the "
@@ -160,13 +161,13 @@ std::vector<MetricKind> allKinds()
         {"max_turn_rate", "rad/s", Better::More, atLeast,
          ODO_TEXT("analysis.metric_max_turn_rate", "Fastest turn"),
          ODO_TEXT("analysis.formula_max_turn_rate",
-                  "How fast the robot turns, to the left or right, where the amount minus 2σ is largest. Of "
+                  "How fast the robot turns, to the left or right, where the amount minus 3σ is largest. Of "
                   "the body where its heading was measured, also on the spot: the rate of the smoothed "
                   "heading. Elsewhere of the direction of motion: (vx·ay − vy·ax)/|v|² of the smoothed "
-                  "curve."),
+                  "curve. \"At least\" where it may have turned faster because the rate is hardly known."),
          ODO_TEXT("analysis.uncertainty_max_turn_rate",
                   "of the body: that of the smoothed heading's rate; of the direction of motion: "
-                  "σ² = σa²/|v|² + |a|²σv²/|v|⁴, first order")},
+                  "σ² = σa²/|v|² + |a|²σv²/|v|⁴, first order; of n peaks within 2σ also σ√(2 ln n)")},
         {"circle_radius", "m", Better::More, 0, ODO_TEXT("analysis.metric_circle_radius", "Circle's radius"),
          ODO_TEXT("analysis.formula_circle_radius",
                   "The least-squares circle through the positions of the motion."),

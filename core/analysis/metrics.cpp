@@ -20,6 +20,14 @@ namespace odo {
 
 namespace {
 
+constexpr double sigmasOfLargest = 3; // of a hundred values one is off by nearly as much
+
+/// What a value surely exceeds: by this the largest of several is chosen.
+double leastOf(const UncertainValue &value)
+{
+    return value.value - sigmasOfLargest * value.sigma;
+}
+
 /// How far the instants at rest next to a stretch lie from the first of them, mean square: step by step (−1
 /// or 1) as far as `end`. After a hard stop a smoothed track swings, and by so much its end is in doubt.
 double wanderOf(const std::vector<RunInstant> &instants, std::size_t at, int step, std::size_t end)
@@ -181,25 +189,63 @@ void addCircle(std::vector<Metric> &metrics, const std::vector<RunInstant> &inst
                            std::hypot(circle->sigmaRadiusM, scale * circle->radiusM)});
 }
 
-/// The fastest significant turn: by its rate minus twice its σ, as of a curve's largest value. Of the body
-/// wherever that was measured, also at standstill; elsewhere of the path.
-std::optional<UncertainValue> fastestTurn(const std::vector<RunInstant> &instants,
-                                          const std::vector<MotionStretch> &motions)
+/// σ of the largest of noisy values: its own, and how far the largest of several that are equal exceeds them.
+/// Of n with normal errors that is σ√(2 ln n) at most; n counts the peaks that may be the true largest. What
+/// errors all of them share makes none of them larger than others: σ is what the peaks scatter, at most.
+double sigmaOfLargest(const std::vector<UncertainValue> &values, const UncertainValue &largest)
 {
-    std::optional<UncertainValue> fastest;
-    const auto consider = [&](const ProfilePoint &point) {
-        const auto rate = turnRateOf(point);
-        if (rate &&
-            (!fastest || std::abs(rate->value) - 2 * rate->sigma > fastest->value - 2 * fastest->sigma))
-            fastest = {std::abs(rate->value), rate->sigma};
-    };
+    double peaks = 0, below = 0, squares = 0;
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        const double here = values[i].value;
+        const bool isPeak =
+            (i == 0 || here > values[i - 1].value) && (i + 1 == values.size() || here >= values[i + 1].value);
+        if (!isPeak || here + 2 * values[i].sigma < largest.value)
+            continue;
+        peaks += 1;
+        below += largest.value - here;
+        squares += std::pow(largest.value - here, 2);
+    }
+    const double variance = largest.sigma * largest.sigma;
+    if (peaks < 2)
+        return largest.sigma;
+    const double scatter = (squares - below * below / peaks) / (peaks - 1);
+    return std::sqrt(variance + 2 * std::log(peaks) * std::min(variance, scatter));
+}
+
+UncertainValue largestValue(const std::vector<RunInstant> &instants, Curve curve)
+{
+    std::vector<UncertainValue> values;
     for (const RunInstant &instant : instants)
-        if (instant.point->body)
-            consider(*instant.point);
+        if (instant.measured)
+            values.push_back({instant.point->*curve.value, instant.point->*curve.sigma});
+    const ProfilePoint &point = *largest(instants, curve).point;
+    const UncertainValue found{point.*curve.value, point.*curve.sigma};
+    return {found.value, sigmaOfLargest(values, found)};
+}
+
+/// The fastest turn, of the body wherever that was measured, also at standstill; elsewhere of the path. Where
+/// the rate is hardly known the robot may have turned faster: then it is the least that it was.
+std::optional<Metric> fastestTurn(const std::vector<RunInstant> &instants,
+                                  const std::vector<MotionStretch> &motions)
+{
+    std::vector<bool> isMoving(instants.size());
     for (const MotionStretch &motion : motions)
-        for (std::size_t i = motion.first; i <= motion.last; ++i)
-            consider(*instants[i].point);
-    return fastest;
+        std::fill(isMoving.begin() + std::ptrdiff_t(motion.first),
+                  isMoving.begin() + std::ptrdiff_t(motion.last) + 1, true);
+    std::vector<UncertainValue> rates;
+    for (std::size_t i = 0; i < instants.size(); ++i) {
+        const auto rate = turnRateOf(*instants[i].point);
+        if (rate && (instants[i].point->body || isMoving[i]))
+            rates.push_back({std::abs(rate->value), rate->sigma});
+    }
+    if (rates.empty())
+        return std::nullopt;
+    const UncertainValue fastest = *std::ranges::max_element(rates, {}, leastOf);
+    const double sigma = sigmaOfLargest(rates, fastest); // an angle has no scale
+    const bool mayBeFaster = std::ranges::any_of(rates, [&](const UncertainValue &rate) {
+        return rate.value + 2 * rate.sigma > fastest.value + sigmasOfLargest * sigma;
+    });
+    return Metric{"max_turn_rate", "rad/s", fastest.value, sigma, mayBeFaster};
 }
 
 } // namespace
@@ -223,16 +269,13 @@ std::vector<Metric> measureRun(const std::vector<RunInstant> &instants)
     const auto scaled = [&](const char *name, const char *unit, UncertainValue estimate) {
         return Metric{name, unit, estimate.value, std::hypot(estimate.sigma, scale * estimate.value)};
     };
-    const auto at = [](const RunInstant &instant, Curve curve) {
-        return UncertainValue{instant.point->*curve.value, instant.point->*curve.sigma};
-    };
     std::vector<Metric> metrics{
         course[0],
         course[1],
         course[2],
-        scaled("max_speed", "m/s", at(largest(instants, speedCurve), speedCurve)),
+        scaled("max_speed", "m/s", largestValue(instants, speedCurve)),
         scaled("rms_speed", "m/s", rootMeanSquare(instants, motions, speedCurve)),
-        scaled("max_accel", "m/s²", at(largest(instants, accelCurve), accelCurve)),
+        scaled("max_accel", "m/s²", largestValue(instants, accelCurve)),
         scaled("rms_accel", "m/s²", rootMeanSquare(instants, motions, accelCurve)),
         course[3],
         course[4],
@@ -242,8 +285,8 @@ std::vector<Metric> measureRun(const std::vector<RunInstant> &instants)
         scaled("p95_speed", "m/s", percentile(instants, motions, speedCurve, 0.95)),
         scaled("p95_accel", "m/s²", percentile(instants, motions, accelCurve, 0.95)),
     };
-    if (const auto turn = fastestTurn(instants, motions)) // an angle has no scale
-        metrics.push_back({"max_turn_rate", "rad/s", turn->value, turn->sigma});
+    if (const auto turn = fastestTurn(instants, motions))
+        metrics.push_back(*turn);
     addCircle(metrics, instants, motions, scale);
     const std::vector<TimeSpan> gaps = gapsBetween(instants);
     // The ends of a run say how straight it was only if all of it was seen.
@@ -479,7 +522,7 @@ const RunInstant &largest(const std::vector<RunInstant> &instants, Curve curve)
 {
     // Bridged points are no evidence.
     const auto sure = [&](const RunInstant &instant) {
-        return instant.measured ? instant.point->*curve.value - 2 * (instant.point->*curve.sigma)
+        return instant.measured ? leastOf({instant.point->*curve.value, instant.point->*curve.sigma})
                                 : std::numeric_limits<double>::lowest();
     };
     return *std::max_element(instants.begin(), instants.end(),

@@ -84,9 +84,8 @@ inline constexpr double sigmasNearPercentile = 1.5;
 UncertainValue percentile(const std::vector<RunInstant> &instants, const std::vector<MotionStretch> &motions,
                           Curve curve, double share);
 
-/// The instant of the largest significant value: by value minus twice σ, so a badly known point (at the ends,
-/// in a gap) does not win because of its uncertainty. The maximum of noisy values is too large by about their
-/// σ; of a smoothed curve that is little, and σ is stated. instants must not be empty.
+/// The instant of the largest significant value: by value minus three σ, so a badly known point (at the ends,
+/// in a gap) does not win because of its uncertainty. instants must not be empty.
 const RunInstant &largest(const std::vector<RunInstant> &instants, Curve curve);
 
 } // namespace odo

@@ -117,8 +117,8 @@ struct Metric
     std::string unit;
     double value = 0;
     std::optional<double> sigma;
-    /// The robot was not measured all the time, and what it did meanwhile can only make the value larger.
-    /// Metrics of such a run are of its measured part.
+    /// The robot was not measured all the time, or hardly known for some of it (max_turn_rate), and what it
+    /// did meanwhile can only make the value larger. Metrics of such a run are of its measured part.
     bool isAtLeast = false;
 };
 

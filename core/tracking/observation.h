@@ -36,6 +36,9 @@ struct Observation
     bool isDamaged = false;      ///< the frame could not be decoded; such are not stored
     Ellipse ellipse;
     Eigen::Matrix2d centreCovariancePx2 = Eigen::Matrix2d::Zero();
+    /// What no mean over frames makes smaller: how far the centre would be elsewhere if shadows were other
+    /// than was assumed, where that is nearly as likely. Zero where nothing was ambiguous.
+    Eigen::Matrix2d lastingCovariancePx2 = Eigen::Matrix2d::Zero();
     double areaPx = 0;
     double score = 0;           ///< 0 to 1: how well colour, size and shape agree with what is expected
     bool touchesBorder = false; ///< cut by the frame's edge: the centre is biased

@@ -243,13 +243,12 @@ private Q_SLOTS:
         QTest::addColumn<int>("motion");
         QTest::addColumn<QStringList>("names");
         QTest::newRow("circle with rests")
-            << 0
-            << QStringList{QStringLiteral("path_length"), QStringLiteral("duration"),
-                           QStringLiteral("mean_speed"), QStringLiteral("circle_radius"),
-                           QStringLiteral("straightness")};
+            << 0 << QStringList{QStringLiteral("path_length"),  QStringLiteral("duration"),
+                                QStringLiteral("mean_speed"),   QStringLiteral("circle_radius"),
+                                QStringLiteral("straightness"), QStringLiteral("max_speed")};
         QTest::newRow("wave") << 1
                               << QStringList{QStringLiteral("median_speed"), QStringLiteral("p95_speed"),
-                                             QStringLiteral("path_length"), QStringLiteral("max_speed")};
+                                             QStringLiteral("path_length")};
     }
     void sigmasAgreeWithMonteCarlo()
     {
@@ -267,7 +266,7 @@ private Q_SLOTS:
         }
         // The closed form of aCircleInClosedForm, where there is one: a metric may have a bias.
         const std::map<std::string, double> truths{
-            {"path_length", 3.52}, {"duration", 4.8}, {"mean_speed", 3.52 / 4.8}};
+            {"path_length", 3.52}, {"duration", 4.8}, {"mean_speed", 3.52 / 4.8}, {"max_speed", 0.8}};
         bool good = true;
         for (const QString &name : names) {
             const auto &all = values[name.toStdString()];
@@ -288,6 +287,44 @@ private Q_SLOTS:
             good &= all.size() > runs * 0.95 && ratio > 0.7 && ratio < (isOfEnds ? 2.5 : 1.5);
         }
         QVERIFY(good);
+    }
+
+    /// The largest of many equal speeds exceeds them by its noise: ± says so.
+    void theTopOfAnEvenSpeedHolds()
+    {
+        std::mt19937 random(11);
+        constexpr int runs = 100;
+        int inside = 0;
+        for (int run = 0; run < runs; ++run) {
+            const Metric top =
+                byName(measured(circleWithRests(0.5, 2, 0.8, 4), 7, 0.002, random))["max_speed"];
+            inside += std::abs(top.value - 0.8) < 2 * *top.sigma;
+        }
+        QVERIFY2(inside >= 95, qPrintable(QString::number(inside)));
+    }
+
+    /// A rate that is hardly known is not the fastest; but the robot may have turned as fast.
+    void aTurnThatIsHardlyKnownMayBeFaster()
+    {
+        const auto fastestTurn = [](double rate, double sigma) {
+            std::vector<Sample> samples(30);
+            std::vector<ProfilePoint> points(30);
+            for (std::size_t i = 0; i < points.size(); ++i) {
+                samples[i].time = fromSeconds(double(i) / 30);
+                samples[i].position = points[i].position = Eigen::Vector2d::Zero();
+                points[i].velocity = points[i].acceleration = Eigen::Vector2d::Zero();
+                points[i].valid = true;
+                points[i].body = {0, 0.01, 1, 0.05};
+            }
+            points[15].body = {0, 0.01, rate, sigma};
+            return byName(measureRun(samples, points))["max_turn_rate"];
+        };
+        QCOMPARE(fastestTurn(1, 0.05).value, 1.0);
+        QVERIFY(!fastestTurn(1, 0.05).isAtLeast);
+        QCOMPARE(fastestTurn(3, 2).value, 1.0);
+        QVERIFY(fastestTurn(3, 2).isAtLeast);
+        QCOMPARE(fastestTurn(-3, 0.1).value, 3.0);
+        QVERIFY(!fastestTurn(-3, 0.1).isAtLeast);
     }
 
     void whatIsNoCircleHasNoRadius()

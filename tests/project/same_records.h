@@ -86,7 +86,8 @@ inline bool sameObservation(const Observation &a, const Observation &b)
            same(a.ellipse.semiMajorPx, b.ellipse.semiMajorPx) &&
            same(a.ellipse.semiMinorPx, b.ellipse.semiMinorPx) &&
            same(a.ellipse.angleRad, b.ellipse.angleRad) &&
-           sameMatrix(a.centreCovariancePx2, b.centreCovariancePx2) && same(a.areaPx, b.areaPx) &&
+           sameMatrix(a.centreCovariancePx2, b.centreCovariancePx2) &&
+           sameMatrix(a.lastingCovariancePx2, b.lastingCovariancePx2) && same(a.areaPx, b.areaPx) &&
            same(a.score, b.score) && a.supportPx == b.supportPx;
 }
 

@@ -81,6 +81,15 @@ private Q_SLOTS:
         QVERIFY(asShadow && meanAreaPx(*asShadow) < 0.97 * meanAreaPx(*whole));
         const auto chosen = trackAndSettle(*views, {robot}, {});
         QVERIFY(chosen && meanAreaPx(chosen->views) == meanAreaPx(*whole));
+        // How far the shadow's outline would be elsewhere is stated where it is nearly as likely, never more.
+        for (std::size_t v = 0; v < chosen->views.size(); ++v) {
+            const std::vector<Observation> &kept = chosen->views[v].series[0].observations,
+                                           &other = (*asShadow)[v].series[0].observations;
+            for (std::size_t i = 0; i < kept.size(); ++i)
+                if (kept[i].found && other[i].found)
+                    QVERIFY(kept[i].lastingCovariancePx2.trace() <=
+                            (kept[i].ellipse.centrePx - other[i].ellipse.centrePx).squaredNorm());
+        }
     }
 
     void whatCannotBeReadIsAnError()

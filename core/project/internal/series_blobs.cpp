@@ -19,6 +19,8 @@ constexpr BlobLayout observationsLayout{'O', 1, 8 + 8 + 1 + 10 * 8};
 // with the support of each outline
 constexpr BlobLayout supportedLayout{'O', 2,
                                      observationsLayout.bytesPerRow + 4 * std::uint32_t(supportDirections)};
+// and with what the shadows leave in doubt
+constexpr BlobLayout doubtedLayout{'O', 3, supportedLayout.bytesPerRow + 3 * 8};
 constexpr BlobLayout samplesLayout{'S', 1, 8 + 8 + 1 + 8 * 8 + 4 + 8 + 4};
 constexpr BlobLayout pointsLayout{'P', 1, 1 + 12 * 8};
 // with the body's heading
@@ -184,7 +186,13 @@ QByteArray packObservations(std::span<const Observation> observations)
 {
     const bool hasSupport = std::ranges::any_of(
         observations, [](const Observation &o) { return o.supportPx.size() == supportDirections; });
-    BlobWriter writer(hasSupport ? supportedLayout : observationsLayout, observations.size());
+    const bool isDoubted = hasSupport && std::ranges::any_of(observations, [](const Observation &o) {
+                               return !o.lastingCovariancePx2.isZero();
+                           });
+    BlobWriter writer(isDoubted    ? doubtedLayout
+                      : hasSupport ? supportedLayout
+                                   : observationsLayout,
+                      observations.size());
     const auto column = [&](auto value) { putColumn(writer, observations, value); };
     column([](const Observation &o) { return o.frame; });
     column([](const Observation &o) { return static_cast<std::int64_t>(o.time.count()); });
@@ -203,14 +211,17 @@ QByteArray packObservations(std::span<const Observation> observations)
         column([k](const Observation &o) {
             return o.supportPx.size() == supportDirections ? o.supportPx[k] : 0.0F;
         });
+    if (isDoubted)
+        putCovariance(writer, observations, [](const Observation &o) { return o.lastingCovariancePx2; });
     return writer.take();
 }
 
 Result<void> unpackObservations(const QByteArray &bytes, const Message &what,
                                 std::vector<Observation> &appendTo)
 {
-    const BlobLayout &layout = layoutOf(bytes, observationsLayout, supportedLayout);
-    const bool hasSupport = layout.version == supportedLayout.version;
+    const BlobLayout &layout =
+        layoutOf(bytes, layoutOf(bytes, observationsLayout, supportedLayout), doubtedLayout);
+    const bool hasSupport = layout.version != observationsLayout.version;
     auto reader = ODO_TRY(BlobReader::open(bytes, layout, what));
     const auto rows = appended(appendTo, reader.rows());
     takeColumn<std::int64_t>(reader, rows, [](Observation &o, std::int64_t value) { o.frame = value; });
@@ -239,6 +250,9 @@ Result<void> unpackObservations(const QByteArray &bytes, const Message &what,
                 o.supportPx[k] = value;
         });
     }
+    if (layout.version == doubtedLayout.version)
+        takeCovariance(reader, rows,
+                       [](Observation &o) -> Eigen::Matrix2d & { return o.lastingCovariancePx2; });
     return {};
 }
 

@@ -199,61 +199,6 @@ std::size_t nearestTime(const std::vector<double> &timesS, double timeS)
     return static_cast<std::size_t>((isBefore ? before : after) - timesS.begin());
 }
 
-/// Whether a body would have to turn from one heading to the other faster than any robot does.
-bool isJump(const MeasuredHeading &from, const MeasuredHeading &to, double inS)
-{
-    constexpr double fastestRadPerS = 25, leastRad = std::numbers::pi / 4;
-    const double turnRad = std::abs(std::remainder(to.radians - from.radians, 2 * std::numbers::pi));
-    return turnRad > std::max(leastRad, fastestRadPerS * inS);
-}
-
-/// Leaves out headings to which the body jumps, and all where that leaves too few: then its outlines show no
-/// end of it reliably. Kept are as many as can follow one another without a jump.
-void leaveOutJumps(std::vector<std::optional<MeasuredHeading>> &headings, const std::vector<double> &timesS)
-{
-    constexpr double leastShare = 0.7;
-    struct Stretch
-    {
-        std::size_t first = 0, last = 0; ///< of the headings
-        std::size_t headings = 0, kept = 0;
-        std::optional<std::size_t> before; ///< the stretch that is kept before it
-    };
-    const auto jumps = [&](std::size_t from, std::size_t to) {
-        return isJump(*headings[from], *headings[to], timesS[to] - timesS[from]);
-    };
-    std::vector<Stretch> stretches;
-    double known = 0;
-    for (std::size_t i = 0; i < headings.size(); ++i) {
-        if (!headings[i])
-            continue;
-        known += 1;
-        if (stretches.empty() || jumps(stretches.back().last, i))
-            stretches.push_back({i, i});
-        stretches.back().last = i;
-        ++stretches.back().headings;
-    }
-    if (stretches.size() < 2)
-        return;
-    for (std::size_t s = 0; s < stretches.size(); ++s) {
-        for (std::size_t before = 0; before < s; ++before) {
-            if (stretches[before].kept <= stretches[s].kept ||
-                jumps(stretches[before].last, stretches[s].first))
-                continue;
-            stretches[s].kept = stretches[before].kept;
-            stretches[s].before = before;
-        }
-        stretches[s].kept += stretches[s].headings;
-    }
-    const auto last = std::ranges::max_element(stretches, {}, &Stretch::kept);
-    std::vector<std::optional<MeasuredHeading>> kept(headings.size());
-    for (std::optional<std::size_t> s = std::size_t(last - stretches.begin());
-         s && double(last->kept) >= leastShare * known; s = stretches[*s].before)
-        std::copy(headings.begin() + std::ptrdiff_t(stretches[*s].first),
-                  headings.begin() + std::ptrdiff_t(stretches[*s].last) + 1,
-                  kept.begin() + std::ptrdiff_t(stretches[*s].first));
-    headings = std::move(kept);
-}
-
 } // namespace
 
 std::vector<std::vector<BodyAxis>> directedAxes(const std::vector<ViewTrack> &views,
@@ -316,7 +261,6 @@ headingsOfBody(const std::vector<ViewTrack> &views, const std::vector<std::vecto
         if (!angles.isFrontKnown.front()[i])
             headings[i]->commonSigmaRad += unknownFrontSigmaRad;
     }
-    leaveOutJumps(headings, timesS);
     return headings;
 }
 

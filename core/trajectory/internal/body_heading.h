@@ -31,8 +31,8 @@ struct TrackedBody
 /// The body's heading at each observation of the first view, from the axes that the outlines of all views
 /// show next to it in time; directed as by directedAxes. A body whose size is not given is assumed to move
 /// along its width, if it mostly does. nullopt where no outline shows it, and everywhere for one that is
-/// nearly square and moves along no side of it, or seems to turn faster than any robot. With
-/// unknownFrontSigmaRad in a stretch in which it does not move along. Pure.
+/// nearly square and moves along no side of it. With unknownFrontSigmaRad in a stretch in which it does not
+/// move along. Pure.
 std::vector<std::optional<MeasuredHeading>>
 headingsOfBody(const std::vector<ViewTrack> &views, const std::vector<std::vector<Sighting>> &sightings,
                const TrackedBody &body);

@@ -50,7 +50,8 @@ FusedPosition fuse(std::span<const ViewPosition> positions)
         const Eigen::Matrix2d weight = covariance * totalCovariance(one.position).inverse();
         fused.position += weight * one.position.pointInWorld;
         fused.covariance += weight * one.position.pixelCovariance * weight.transpose();
-        fused.commonCovariance += weight * one.position.calibrationCovariance * weight.transpose();
+        fused.commonCovariance +=
+            weight * (one.position.calibrationCovariance + one.lastingCovariance) * weight.transpose();
         fused.displacementPerMetreHeight += weight * one.position.displacementPerMetreHeight;
         fused.views |= 1u << one.view;
     }
@@ -164,7 +165,8 @@ Found collect(const std::vector<std::vector<Sighting>> &views, std::size_t i, do
         evidence.bestScore = std::max(evidence.bestScore, sighting.score);
         allCut &= sighting.cut;
         areOutlines &= sighting.ofOutline;
-        const ViewPosition position{static_cast<std::uint32_t>(v), sighting.position};
+        const ViewPosition position{static_cast<std::uint32_t>(v), sighting.position,
+                                    sighting.lastingCovariance};
         if (sighting.cut || sighting.score < leastScore)
             uncertain.push_back(position);
         else

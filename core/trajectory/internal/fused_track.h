@@ -19,6 +19,7 @@ struct ViewPosition
 {
     std::uint32_t view = 0; ///< index of the view
     FloorPosition position;
+    Eigen::Matrix2d lastingCovariance = Eigen::Matrix2d::Zero(); ///< Sighting's
 };
 
 /// The part of single frames and the part of the calibration together, m².

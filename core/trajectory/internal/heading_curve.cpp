@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/trajectory/internal/heading_curve.h"
 
+#include "core/trajectory/internal/heading_sequence.h"
 #include "core/trajectory/internal/turning_smoother.h"
 
 #include <algorithm>
@@ -15,7 +16,6 @@ namespace odo {
 namespace {
 
 constexpr std::size_t leastHeadings = 5;
-constexpr double loneJumpRad = 0.5, togetherShare = 0.25;
 constexpr double mostSigmaRad = 0.5;  // beyond it a heading is as good as unknown
 constexpr double sharedOverRad = 0.2; // of a turn, over which the outlines' shared error changes
 
@@ -31,28 +31,21 @@ double difference(const Sample &from, const Sample &to)
     return std::remainder(to.heading->radians - from.heading->radians, 2 * std::numbers::pi);
 }
 
-/// Indices of the samples whose heading counts, in order of time. One that leaps away from both neighbours
-/// does not: behind it whole turns could not be counted.
+/// Indices of the samples whose heading counts, in order of time (headingsInSequence).
 std::vector<std::size_t> usedHeadings(const std::vector<Sample> &samples)
 {
     std::vector<std::size_t> used;
+    std::vector<TimedHeading> headings;
     for (std::size_t i = 0; i < samples.size(); ++i) {
         if (samples[i].heading && isUsed(samples[i]) &&
-            (used.empty() || samples[i].time > samples[used.back()].time))
+            (used.empty() || samples[i].time > samples[used.back()].time)) {
             used.push_back(i);
+            headings.push_back({toSeconds(samples[i].time), samples[i].heading->radians});
+        }
     }
     std::vector<std::size_t> kept;
-    for (std::size_t k = 0; k < used.size(); ++k) {
-        if (k > 0 && k + 1 < used.size()) {
-            const Sample &before = samples[used[k - 1]], &here = samples[used[k]],
-                         &after = samples[used[k + 1]];
-            const double leap =
-                std::min(std::abs(difference(before, here)), std::abs(difference(here, after)));
-            if (leap > loneJumpRad && std::abs(difference(before, after)) < togetherShare * leap)
-                continue;
-        }
+    for (const std::size_t k : headingsInSequence(headings))
         kept.push_back(used[k]);
-    }
     return kept;
 }
 

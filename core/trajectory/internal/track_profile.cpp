@@ -28,6 +28,23 @@ bool isMovingUnseen(const std::vector<Sample> &samples, const std::vector<RunIns
            (!isAtRest(instants.front()) && instants.front().timeS - firstS > longestS);
 }
 
+/// The error of the point that stands for the robot turns with the body: at a rate ω it is one of ωσ of the
+/// velocity, and of ω²σ of the acceleration.
+void addTurningErrors(const std::vector<Sample> &samples, std::vector<ProfilePoint> &points)
+{
+    double variance = 0; // of each direction; in a gap that of the sample before it
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        if (samples[i].position)
+            variance = samples[i].commonCovariance.trace() / 2;
+        ProfilePoint &point = points[i];
+        if (!point.valid || !point.body)
+            continue;
+        const double rate = point.body->turnRateRadps, sigma = std::sqrt(variance);
+        point.sigmaSpeedMps = std::hypot(point.sigmaSpeedMps, rate * sigma);
+        point.sigmaAccelMps2 = std::hypot(point.sigmaAccelMps2, rate * rate * sigma);
+    }
+}
+
 } // namespace
 
 Message cannotMeasurePath()
@@ -52,6 +69,7 @@ Result<Profile> profileOfTrack(FusedTrack track, const AnalysisOptions &options,
     Profile profile;
     profile.points = makePoints(track.samples, verdict.changes, options, verdict.noise);
     smoothHeadings(track.samples, options.longestBridgedGap, profile.points);
+    addTurningErrors(track.samples, profile.points);
     const auto used = static_cast<std::size_t>(
         std::count_if(track.samples.begin(), track.samples.end(),
                       [](const Sample &sample) { return sample.position && !isRejected(sample.flags); }));

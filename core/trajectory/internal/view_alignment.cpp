@@ -218,6 +218,7 @@ private:
         result.position.pixelCovariance = blend(a.position.pixelCovariance, b.position.pixelCovariance);
         result.position.calibrationCovariance =
             blend(a.position.calibrationCovariance, b.position.calibrationCovariance);
+        result.lastingCovariance = blend(a.lastingCovariance, b.lastingCovariance);
         result.position.displacementPerMetreHeight =
             blend(a.position.displacementPerMetreHeight, b.position.displacementPerMetreHeight);
         result.position.pointInWorld.setZero();

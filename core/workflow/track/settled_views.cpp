@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 namespace odo {
 
@@ -182,7 +183,7 @@ Outlines outlinesOf(const std::vector<RegisteredView> &views, const std::vector<
     return outlines;
 }
 
-/// Robots of which much may be such a shadow, and whose outlines are not explained well already.
+/// Robots of which much may be such a shadow.
 std::vector<Outlines> uncertainOutlines(const std::vector<RegisteredView> &views,
                                         const std::vector<RobotRecord> &robots,
                                         std::vector<TrackedView> &tracked, float ShadowAmbiguity::*share)
@@ -191,16 +192,21 @@ std::vector<Outlines> uncertainOutlines(const std::vector<RegisteredView> &views
     for (std::size_t r = 0; r < robots.size(); ++r) {
         if (meanAmbiguity(tracked, r, share) <= leastAmbiguity)
             continue;
-        Outlines outlines = outlinesOf(views, robots, tracked, r);
-        if (outlines.misfit.value_or(0) > goodMisfit)
-            uncertain.push_back(outlines);
+        uncertain.push_back(outlinesOf(views, robots, tracked, r));
     }
     return uncertain;
 }
 
+/// What solids explain well already is kept: other shadows only say how much of it is in doubt.
+bool isAnyUnexplained(const std::vector<Outlines> &outlines)
+{
+    return std::ranges::any_of(outlines,
+                               [](const Outlines &one) { return one.misfit.value_or(0) > goodMisfit; });
+}
+
 /// Whether solids explain the outlines of these robots better than before, by less than this share of the
-/// misfit, and nothing of them was lost. A few outlines are easily explained, so more of them may be
-/// explained less well.
+/// misfit, and nothing of them was lost. A few outlines are easily explained,
+/// so more of them may be explained less well.
 bool areBetter(const std::vector<Outlines> &now, const std::vector<Outlines> &before, double share)
 {
     double gain = 0; // of the logarithms
@@ -212,6 +218,52 @@ bool areBetter(const std::vector<Outlines> &now, const std::vector<Outlines> &be
                 double(now.size());
     }
     return gain > -std::log(share);
+}
+
+/// What was found with other shadows than those that are kept, of one robot.
+struct OtherShadows
+{
+    std::size_t robot = 0;
+    double share = 0; ///< how likely it is that these are the right ones
+    std::vector<std::vector<Observation>> views;
+};
+
+/// Of the robots whose outlines a solid explains nearly as well as those that are kept.
+std::vector<OtherShadows> nearlyAsLikely(const std::vector<TrackedView> &views,
+                                         const std::vector<Outlines> &outlines,
+                                         const std::vector<Outlines> &kept)
+{
+    constexpr double unlikely = 1.25; // times the misfit
+    std::vector<OtherShadows> likely;
+    for (std::size_t i = 0; i < kept.size(); ++i) {
+        if (!outlines[i].misfit || !kept[i].misfit)
+            continue;
+        const double worse = std::log(*outlines[i].misfit / *kept[i].misfit) / std::log(unlikely),
+                     likelihood = std::clamp(1 - worse, 0.0, 1.0);
+        if (likelihood <= 0)
+            continue;
+        OtherShadows &other = likely.emplace_back();
+        other.robot = kept[i].robot;
+        other.share = likelihood / (1 + likelihood);
+        for (const TrackedView &view : views)
+            other.views.push_back(view.series[other.robot].observations);
+    }
+    return likely;
+}
+
+/// Adds how far the centres would be elsewhere.
+void addDoubt(const OtherShadows &other, std::vector<TrackedView> &kept)
+{
+    for (std::size_t v = 0; v < kept.size(); ++v) {
+        std::vector<Observation> &its = kept[v].series[other.robot].observations;
+        for (std::size_t i = 0; i < std::min(its.size(), other.views[v].size()); ++i) {
+            const Observation &there = other.views[v][i];
+            if (!its[i].found || !there.found || its[i].frame != there.frame)
+                continue;
+            const Eigen::Vector2d away = there.ellipse.centrePx - its[i].ellipse.centrePx;
+            its[i].lastingCovariancePx2 += other.share * away * away.transpose();
+        }
+    }
 }
 
 } // namespace
@@ -237,8 +289,10 @@ Result<SettledViews> trackAndSettle(const std::vector<RegisteredView> &views,
     if (!best)
         return best;
     Background::Shadow shadow;
-    // Takes them for what they are where solids then explain the outlines of these robots better.
-    const auto tryShadows = [&](const Background::Shadow &tried, std::vector<Outlines> &known,
+    std::vector<OtherShadows> others;
+    // Takes them for what they are where solids then explain the outlines of these robots better, and where
+    // that is open.
+    const auto tryShadows = [&](const Background::Shadow &tried, std::vector<Outlines> &known, bool isOpen,
                                 double share = less) {
         if (known.empty() || control.isCancelled())
             return false;
@@ -250,12 +304,14 @@ Result<SettledViews> trackAndSettle(const std::vector<RegisteredView> &views,
         std::vector<Outlines> now;
         for (const Outlines &before : known)
             now.push_back(outlinesOf(views, robots, again->views, before.robot));
-        if (!areBetter(now, known, share))
-            return false;
-        best = std::move(again);
-        known = std::move(now);
-        shadow = tried;
-        return true;
+        const bool better = isOpen && areBetter(now, known, share);
+        if (better) {
+            std::swap(best, again);
+            std::swap(known, now);
+            shadow = tried;
+        }
+        std::ranges::move(nearlyAsLikely(again->views, now, known), std::back_inserter(others));
+        return better;
     };
     const auto uncertain = [&](float ShadowAmbiguity::*share) {
         return uncertainOutlines(views, robots, best->views, share);
@@ -269,15 +325,19 @@ Result<SettledViews> trackAndSettle(const std::vector<RegisteredView> &views,
     for (std::size_t r = 0; inParts && r < robots.size(); ++r)
         if (!namedRobot(robots[r]).colour)
             ofParts.push_back(outlinesOf(views, robots, best->views, r));
-    tryShadows(with(&Background::Shadow::connects, true), ofParts);
+    tryShadows(with(&Background::Shadow::connects, true), ofParts, true);
     std::vector<Outlines> tinted = uncertain(&ShadowAmbiguity::tinted);
-    tryShadows(with(&Background::Shadow::tint, Background::strongTint), tinted, clearlyLess);
+    tryShadows(with(&Background::Shadow::tint, Background::strongTint), tinted, isAnyUnexplained(tinted),
+               clearlyLess);
     std::vector<Outlines> deep = uncertain(&ShadowAmbiguity::deep);
+    const bool isDeepOpen = isAnyUnexplained(deep);
     for (const float darkest : darkerShadows)
-        if (!tryShadows(with(&Background::Shadow::darkest, darkest), deep))
+        if (!tryShadows(with(&Background::Shadow::darkest, darkest), deep, isDeepOpen))
             break;
     if (control.isCancelled())
         return cancelled(trackingSubject());
+    for (const OtherShadows &other : others)
+        addDoubt(other, best->views);
     return best;
 }
 
