@@ -31,6 +31,7 @@
 #include "ui/review/review_desk.h"
 #include "ui/review/review_page.h"
 #include "ui/testbed/testbed_page.h"
+#include "ui/views/present/present_source.h"
 #include "ui/views/widgets/command_keys.h"
 #include "ui/views/widgets/form_fields.h"
 
@@ -328,11 +329,19 @@ void MainWindow::connectPages()
     connect(m_pages.get(), &ProjectPages::shown, this, [this](Mode mode) {
         m_modeBar->setCurrent(static_cast<int>(mode));
         m_menus->setShown(mode);
+        if (mode == Mode::Record)
+            m_pages->review().desk().setPresented(&m_pages->record().presentation());
+        else if (mode == Mode::Review)
+            m_pages->review().desk().setPresented(nullptr);
         showDesk(mode);
         m_trials->setChosenTrials(m_pages->chosenTrials());
     });
     connect(m_pages.get(), &ProjectPages::changed, this, &MainWindow::showState);
-    connect(m_pages.get(), &ProjectPages::messageReady, m_messages, &WindowMessages::showDone);
+    connect(m_pages.get(), &ProjectPages::messageReady, m_messages,
+            [this](const QString &words, const std::vector<Message> &warnings) {
+                m_messages->showDone({words, warnings});
+            });
+    connect(m_pages.get(), &ProjectPages::warned, m_messages, &WindowMessages::keepWarning);
     connect(m_pages.get(), &ProjectPages::failed, this, &MainWindow::showFailure);
     connect(m_pages.get(), &ProjectPages::settled, this, &MainWindow::settled);
 }

@@ -176,10 +176,11 @@ QWidget *ProjectPages::makeStart()
 QWidget *ProjectPages::makeTestbed()
 {
     m_testbed = new TestbedPage(*m_workspace.project(), &m_stack);
-    connect(m_testbed, &TestbedPage::changed, this, [this](const QString &words) {
-        showOutcome(words);
-        refreshAllBut(m_testbed);
-    });
+    connect(m_testbed, &TestbedPage::changed, this,
+            [this](const QString &words, const std::vector<Message> &warnings) {
+                showOutcome(words, warnings);
+                refreshAllBut(m_testbed);
+            });
     connect(m_testbed, &TestbedPage::failed, this, &ProjectPages::failed);
     connect(m_testbed, &TestbedPage::settled, this, &ProjectPages::passOnSettled);
     return m_testbed;
@@ -188,10 +189,12 @@ QWidget *ProjectPages::makeTestbed()
 QWidget *ProjectPages::makeRecord()
 {
     m_record = new RecordPage(*m_workspace.project(), m_workspace.isReadOnly(), {}, &m_stack);
-    connect(m_record, &RecordPage::changed, this, [this](const QString &words) {
-        showOutcome(words);
-        refreshAllBut(m_record);
-    });
+    connect(m_record, &RecordPage::changed, this,
+            [this](const QString &words, const std::vector<Message> &warnings) {
+                showOutcome(words, warnings);
+                refreshAllBut(m_record);
+            });
+    connect(m_record, &RecordPage::warned, this, &ProjectPages::warned);
     connect(m_record, &RecordPage::failed, this, &ProjectPages::failed);
     connect(m_record, &RecordPage::testbedRequested, this, [this] { show(Mode::Testbed); });
     connect(m_record, &RecordPage::trialChosen, this, &ProjectPages::openTrial);
@@ -234,10 +237,10 @@ QWidget *ProjectPages::makeHistory()
     return m_history;
 }
 
-void ProjectPages::showOutcome(const QString &words)
+void ProjectPages::showOutcome(const QString &words, const std::vector<Message> &warnings)
 {
     if (!words.isEmpty())
-        Q_EMIT messageReady(words);
+        Q_EMIT messageReady(words, warnings);
 }
 
 void ProjectPages::openTrial(const QString &trial)

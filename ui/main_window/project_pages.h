@@ -12,6 +12,7 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <vector>
 
 class QStackedWidget;
 class QWidget;
@@ -92,7 +93,9 @@ Q_SIGNALS:
     void made(odo::WindowMode mode);
     void shown(odo::WindowMode mode);
     void changed(); ///< by one of the pages
-    void messageReady(const QString &words);
+    /// Something was done; the words contain the warnings.
+    void messageReady(const QString &words, const std::vector<odo::Message> &warnings);
+    void warned(const QString &words); ///< on the page itself, where it will go again
     void failed(const odo::Error &error);
     void settled();
 
@@ -106,7 +109,7 @@ private:
     QWidget *makeReview();
     QWidget *makeCompare();
     QWidget *makeHistory();
-    void showOutcome(const QString &words);
+    void showOutcome(const QString &words, const std::vector<Message> &warnings = {});
     void openTrial(const QString &trial);
     void refreshAllBut(const QWidget *page);
     void read(QWidget *page);

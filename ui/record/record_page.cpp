@@ -9,6 +9,7 @@
 #include "ui/record/internal/health_watch.h"
 #include "ui/record/internal/live_board.h"
 #include "ui/record/internal/run_card.h"
+#include "ui/record/internal/run_presentation.h"
 #include "ui/record/internal/run_recorder.h"
 #include "ui/record/internal/run_results.h"
 #include "ui/record/internal/running_cameras.h"
@@ -88,6 +89,7 @@ RecordPage::RecordPage(Project &project, bool readOnly, CameraAccess access, QWi
     setFocusProxy(m_start->button());
     makeActions();
     m_board = new LiveBoard(m_actions.mid(1));
+    m_presentation = new RunPresentation(*m_board, *m_run, this);
     m_health = std::make_unique<HealthWatch>(project, readOnly, m_cameras, *m_board, *m_warningBar);
     auto *content = new QWidget;
     auto *row = new QHBoxLayout;
@@ -187,8 +189,10 @@ void RecordPage::connectAll()
     connect(m_recorder, &RunRecorder::gaveUp, this, &RecordPage::takeGivenUp);
     connect(m_recorder, &RunRecorder::failed, this, &RecordPage::failed);
     connect(m_results, &RunResults::changed, this, &RecordPage::changed);
+    connect(m_results, &RunResults::shown, m_presentation, &RunPresentation::setResults);
     connect(m_results, &RunResults::failed, this, &RecordPage::failed);
     connect(m_result, &RunResultCard::openRequested, this, &RecordPage::trialChosen);
+    connect(m_warningBar, &WarningBar::warned, this, &RecordPage::warned);
     connect(m_warningBar, &WarningBar::clicked, this, &RecordPage::testbedRequested);
 }
 
@@ -324,6 +328,7 @@ void RecordPage::begin(Nanoseconds from)
     m_health->countFromNow();
     m_cameras.tracker()->beginRun(from);
     m_board->forgetPaths();
+    m_presentation->begin();
 }
 
 void RecordPage::end()
@@ -332,12 +337,18 @@ void RecordPage::end()
     const TaskRecord *task = m_run->lineUp().task(run.task);
     m_results->takeEnded(QString::fromStdString(run.trial), m_cameras.tracker()->endRun(),
                          task ? std::optional(*task) : std::nullopt);
+    m_presentation->end();
     m_recorder->end();
     if (!isVisible())
         hideEvent(nullptr);
 }
 
-void RecordPage::takeRecorded(const QString &trial, const QStringList &warnings)
+PresentSource &RecordPage::presentation() const
+{
+    return *m_presentation;
+}
+
+void RecordPage::takeRecorded(const QString &trial, const std::vector<Message> &warnings)
 {
     const NextRun driven = m_run->run();
     if (auto lineUp = LineUp::read(m_project, arePseudonymsShown())) {

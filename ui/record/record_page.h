@@ -35,8 +35,10 @@ QStringList networkInterfaces();
 class EmptyState;
 class HealthWatch;
 class LiveBoard;
+class PresentSource;
 class Project;
 class RunCard;
+class RunPresentation;
 class RunRecorder;
 class RunResultCard;
 class RunResults;
@@ -62,9 +64,13 @@ public:
     void followNetwork();
     /// For menus: record or stop, cameras, set-up doctor.
     QList<QAction *> actions() const { return m_actions; }
+    /// The run that is going on, or has just ended, for a presentation. Goes with the page.
+    PresentSource &presentation() const;
 
 Q_SIGNALS:
-    void changed(const QString &words); ///< the project has a new trial, or new metrics of one
+    /// The project has a new trial, or new metrics of one. The words contain the warnings.
+    void changed(const QString &words, const std::vector<odo::Message> &warnings);
+    void warned(const QString &words); ///< what the page says of cameras and disk just now
     void failed(const odo::Error &error);
     void trialChosen(const QString &trial);
     void testbedRequested();
@@ -89,7 +95,7 @@ private:
     void obey(const std::optional<RunOrder> &order);
     void begin(Nanoseconds from);
     void end();
-    void takeRecorded(const QString &trial, const QStringList &warnings);
+    void takeRecorded(const QString &trial, const std::vector<Message> &warnings);
     void takeGivenUp(const QString &trial, const Error &error);
     void tick();
     void checkHealth();
@@ -113,6 +119,7 @@ private:
     RunCard *m_run;
     RunResultCard *m_result;
     RunResults *m_results;
+    RunPresentation *m_presentation;
     EmptyState *m_empty;
     QStackedWidget *m_stack;
 };

@@ -2,14 +2,15 @@
 #include "ui/review/review_desk.h"
 
 #include "ui/review/internal/interval_panel.h"
-#include "ui/review/internal/present_window.h"
 #include "ui/review/internal/sample_table.h"
 #include "ui/review/internal/smoothing_panel.h"
+#include "ui/review/internal/trial_presentation.h"
 #include "ui/views/charts/chart_span.h"
 #include "ui/views/charts/profile_chart.h"
 #include "ui/views/image/camera_view.h"
 #include "ui/views/image/floor_read_out.h"
 #include "ui/views/map/floor_map.h"
+#include "ui/views/present/present_window.h"
 #include "ui/views/widgets/zoom_pan.h"
 
 #include <QAction>
@@ -39,7 +40,8 @@ ReviewDesk::ReviewDesk(Timeline &timeline, QWidget *parent)
       m_acceleration(new ProfileChart(timeline, *m_span, quantitiesFrom(Quantity::Acceleration))),
       m_intervals(new IntervalPanel), m_smoothing(new SmoothingPanel), m_samples(new SampleTable(timeline)),
       m_outlines(new QAction(tr("&Silhouettes of the robots"), this)),
-      m_loupe(new QAction(tr("Lo&upe on the robot"), this)), m_present(new QAction(tr("&Present"), this))
+      m_loupe(new QAction(tr("Lo&upe on the robot"), this)), m_present(new QAction(tr("&Present"), this)),
+      m_trial(new TrialPresentation(timeline, this)), m_presented(m_trial)
 {
     middle().addWidget(m_map);
     addDock(m_speed, QStringLiteral("speedDock"), m_speed->title(), 31);
@@ -78,7 +80,7 @@ ReviewDesk::ReviewDesk(Timeline &timeline, QWidget *parent)
 
 ReviewDesk::~ReviewDesk()
 {
-    delete m_presentation; // a window of its own, whose time line goes
+    delete m_presentation; // a window of its own, whose source goes
 }
 
 void ReviewDesk::showPresentation(bool shown)
@@ -88,11 +90,20 @@ void ReviewDesk::showPresentation(bool shown)
             m_presentation->close();
         return;
     }
-    m_presentation = new PresentWindow(m_timeline, *window());
+    m_presentation = new PresentWindow(*window());
     m_presentation->setAttribute(Qt::WA_DeleteOnClose);
     connect(m_presentation, &PresentWindow::closed, m_present, [this] { m_present->setChecked(false); });
-    m_presentation->setScene(m_scene);
+    m_presentation->setSource(m_presented);
     m_presentation->present();
+}
+
+void ReviewDesk::setPresented(PresentSource *source)
+{
+    if (m_presented == (source ? source : m_trial))
+        return;
+    m_presented = source ? source : m_trial;
+    if (m_presentation)
+        m_presentation->setSource(m_presented);
 }
 
 void ReviewDesk::makeZoomActions()
@@ -187,7 +198,6 @@ void ReviewDesk::setViewCount(std::size_t count)
     }
     while (m_views.size() < count) {
         auto *view = new CameraView(m_timeline);
-        view->setMinimumWidth(180);
         view->setOutlinesShown(m_outlines->isChecked());
         view->setLoupeShown(m_loupe->isChecked());
         middle().insertWidget(static_cast<int>(m_views.size()), view);
@@ -215,6 +225,8 @@ void ReviewDesk::setScene(const TrialScenePtr &scene)
     if (changed)
         endEnlarging(); // what is enlarged may go
     setViewCount(viewCount);
+    for (CameraView *view : m_views)
+        view->setMinimumWidth(leastViewWidth(viewCount));
     if (!m_zoom) {
         m_pane = m_map;
         m_zoom = &m_map->zoom();
@@ -233,8 +245,7 @@ void ReviewDesk::setScene(const TrialScenePtr &scene)
     m_smoothing->setScene(scene);
     m_samples->setScene(scene);
     m_scene = scene;
-    if (m_presentation)
-        m_presentation->setScene(scene);
+    m_trial->setScene(scene);
     if (changed)
         equaliseViews();
 }

@@ -21,10 +21,12 @@ class FloorMap;
 class IntervalPanel;
 class SmoothingPanel;
 class FloorReadOut;
+class PresentSource;
 class PresentWindow;
 class ProfileChart;
 class SampleTable;
 class Timeline;
+class TrialPresentation;
 class ZoomPan;
 struct FitOverlay;
 
@@ -52,6 +54,8 @@ public:
     /// Painted over the images; empty: nothing.
     void setOverlay(ImageOverlay overlay);
     void updateOverlay();
+    /// What the page for the projector shows instead of the trial; null, or when it goes: the trial again.
+    void setPresented(PresentSource *source);
 
 Q_SIGNALS:
     void settled();
@@ -87,6 +91,8 @@ private:
     QAction *m_loupe;
     QAction *m_present;
     QPointer<PresentWindow> m_presentation; ///< while it is open
+    TrialPresentation *m_trial;
+    QPointer<PresentSource> m_presented;
     TrialScenePtr m_scene;
     QList<QAction *> m_zoomActions;
     QPointer<QWidget> m_pane; ///< that the keys mean

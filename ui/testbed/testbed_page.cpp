@@ -110,14 +110,15 @@ TestbedPage::TestbedPage(Project &project, QWidget *parent)
     connect(m_checks, &CheckTools::registerRequested, m_tools, &TestbedTools::registerAgain);
     connect(m_checks, &CheckTools::changed, this, [this](const QString &words) {
         refresh();
-        Q_EMIT changed(words);
+        Q_EMIT changed(words, {});
     });
     connect(m_tools, &TestbedTools::failed, this, &TestbedPage::failed);
     connect(m_checks, &CheckTools::failed, this, &TestbedPage::failed);
-    connect(m_tools, &TestbedTools::changed, this, [this](const QString &words) {
-        refresh();
-        Q_EMIT changed(words);
-    });
+    connect(m_tools, &TestbedTools::changed, this,
+            [this](const QString &words, const std::vector<Message> &warnings) {
+                refresh();
+                Q_EMIT changed(words, warnings);
+            });
 }
 
 TestbedPage::~TestbedPage() = default;

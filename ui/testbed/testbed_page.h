@@ -52,8 +52,9 @@ public:
     void calibrate(const QStringList &stills);
 
 Q_SIGNALS:
-    void changed(const QString &words); ///< the project was changed
-    void tasksRequested();              ///< the user wants to see the tasks of this floor
+    /// The project was changed. The words contain the warnings.
+    void changed(const QString &words, const std::vector<odo::Message> &warnings);
+    void tasksRequested(); ///< the user wants to see the tasks of this floor
     void failed(const odo::Error &error);
     void settled();
 

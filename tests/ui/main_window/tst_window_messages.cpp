@@ -11,10 +11,14 @@
 #include "ui/main_window/main_window.h"
 #include "ui/main_window/workspace.h"
 #include "ui/models/shown_message.h"
+#include "ui/record/record_page.h"
+#include "ui/testbed/testbed_page.h"
 
 #include <QApplication>
 #include <QLabel>
 #include <QPushButton>
+#include <QScrollArea>
+#include <QScrollBar>
 #include <QSignalSpy>
 #include <QStackedWidget>
 #include <QTemporaryDir>
@@ -89,6 +93,48 @@ private Q_SLOTS:
         QCOMPARE(found.size(), std::size_t(remedy < 0 ? 0 : 1));
         if (remedy >= 0)
             QCOMPARE(int(found.front()), remedy);
+    }
+
+    /// What pages warn of is kept as well, with what can be done about it; what the page itself shows is not
+    /// shown again.
+    void pagesWarnToo()
+    {
+        auto *record = m_window->findChild<RecordPage *>();
+        Q_EMIT record->changed(QStringLiteral("Trial 9 is recorded."), {});
+        QCOMPARE(m_bar->text(), QStringLiteral("Trial 9 is recorded."));
+        QCOMPARE(m_messages->bell()->text(), QString());
+        Q_EMIT record->changed(QStringLiteral("Trial 1 is recorded. View B is not synchronised."),
+                               {unsynchronised()});
+        QCOMPARE(m_messages->bell()->text(), QStringLiteral("1"));
+        Q_EMIT m_window->findChild<TestbedPage *>()->changed(QStringLiteral("Camera A is registered. Poor."),
+                                                             {foreignWords("Poor")});
+        QCOMPARE(m_messages->bell()->text(), QStringLiteral("2"));
+        m_messages->hideBar();
+        Q_EMIT record->warned(QStringLiteral("The disk is nearly full: 2 min"));
+        QCOMPARE(m_messages->bell()->text(), QStringLiteral("3"));
+        QVERIFY(m_bar->isHidden());
+        QTest::mouseClick(m_messages->bell(), Qt::LeftButton);
+        QVERIFY(shows("nearly full") && shows("not synchronised") && shows("Poor"));
+        QVERIFY(button(*m_panel, "Synchronise…")->isVisible());
+    }
+
+    /// The list is as high as what it holds: nothing is cut off, and nothing scrolls that has room.
+    void theListFits()
+    {
+        m_messages->action()->trigger();
+        auto *scroll = m_panel->findChild<QScrollArea *>();
+        QCoreApplication::sendPostedEvents();
+        for (const QLabel *label : m_panel->findChildren<QLabel *>())
+            if (label->isVisible())
+                QVERIFY2(label->height() >= label->sizeHint().height(), qPrintable(label->text()));
+        QVERIFY(!scroll->isVisible());
+        m_messages->showWarning(QString(QStringLiteral("words that are not short ")).repeated(12));
+        m_messages->showError(other());
+        QCoreApplication::sendPostedEvents();
+        QVERIFY(scroll->isVisible());
+        QCOMPARE(scroll->verticalScrollBar()->maximum(), 0);
+        QVERIFY(!scroll->verticalScrollBar()->isVisible());
+        m_messages->action()->trigger();
     }
 
     /// However often it is said, it is one message; the bell counts messages.

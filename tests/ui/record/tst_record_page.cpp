@@ -14,6 +14,7 @@
 #include "ui/record/internal/run_card.h"
 #include "ui/record/internal/run_results.h"
 #include "ui/record/record_page.h"
+#include "ui/views/present/present_source.h"
 
 #include <QAction>
 #include <QApplication>
@@ -150,6 +151,12 @@ void TestRecordPage::recordsByKeyAndTheNextTeamIsUp()
     const NextRun up = part<RunCard>()->run();
     QCOMPARE(up.team, std::string("Falcon"));
     QCOMPARE(up.trial, std::string("Falcon 1"));
+    PresentSource &presentation = m_page->presentation();
+    QCOMPARE(presentation.run().team, QStringLiteral("Falcon"));
+    // 1.1 m/s all the way; the causal filter is off by some hundredths
+    QTRY_VERIFY(std::abs(QLocale().toDouble(presentation.speed(0)) - 1.1) < 0.2);
+    const std::unique_ptr<QWidget> map(presentation.makeMap());
+    QTRY_VERIFY(dynamic_cast<LiveMap &>(*map).latestPosition(0));
     QTRY_VERIFY_WITH_TIMEOUT(button()->isEnabled(), startMs);
     QSignalSpy changed(m_page.get(), &RecordPage::changed);
     QTest::keyClick(m_page.get(), Qt::Key_F9);
@@ -184,6 +191,12 @@ void TestRecordPage::recordsByKeyAndTheNextTeamIsUp()
     QCOMPARE(part<RunCard>()->run().trial, std::string("Otter 1"));
     QVERIFY(part<RunCard>()->isEnabled());
     QCOMPARE(changed.size(), 2); // recorded, measured
+    // the projector still has the run that has just ended
+    const PresentedRun presented = m_page->presentation().run();
+    QCOMPARE(presented.team, QStringLiteral("Falcon"));
+    QVERIFY(presented.more.contains(QStringLiteral("Falcon 1")));
+    QCOMPARE(presented.robots.size(), std::size_t(1));
+    QVERIFY(!presented.robots.front().results.empty());
 }
 
 void TestRecordPage::theRobotStartsAndEndsTheRun()

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The page for the projector: large, with the present speed, and never in the way of Review.
-#include "ui/review/internal/present_window.h"
+#include "ui/views/present/present_window.h"
 
 #include "tests/support/registered_test.h"
 #include "tests/ui/support/driven_window.h"
@@ -9,6 +9,7 @@
 #include "ui/models/number_text.h"
 #include "ui/models/results.h"
 #include "ui/models/timeline.h"
+#include "ui/review/internal/trial_presentation.h"
 #include "ui/review/review_desk.h"
 
 #include <QAction>
@@ -19,6 +20,22 @@
 
 using namespace odo;
 using namespace odo::test;
+
+namespace {
+
+class OtherRun : public PresentSource
+{
+public:
+    QWidget *makeMap() override { return new QLabel(QStringLiteral("map")); }
+    PresentedRun run() const override
+    {
+        return {QStringLiteral("Otter"), QStringLiteral("Otter 3"), {}, {{QStringLiteral("Blue 1"), {}, {}}}};
+    }
+    QString speed(std::size_t) const override { return speedNow; }
+    QString speedNow = QStringLiteral("0.70");
+};
+
+} // namespace
 
 class TestPresentWindow : public QObject
 {
@@ -32,8 +49,10 @@ private Q_SLOTS:
         Timeline timeline;
         timeline.setFrameTimes(scene->frameTimes());
         QWidget beside;
-        PresentWindow window(timeline, beside);
-        window.setScene(scene);
+        TrialPresentation trial(timeline);
+        trial.setScene(scene);
+        PresentWindow window(beside);
+        window.setSource(&trial);
         window.resize(1280, 720);
         window.show();
         const Profile &profile = scene->robots[0].analysis->profile;
@@ -69,8 +88,10 @@ private Q_SLOTS:
         Timeline timeline;
         timeline.setFrameTimes(scene->frameTimes());
         QWidget beside;
-        PresentWindow window(timeline, beside);
-        window.setScene(scene);
+        TrialPresentation trial(timeline);
+        trial.setScene(scene);
+        PresentWindow window(beside);
+        window.setSource(&trial);
         window.resize(1024, 600);
         window.show();
         QCOMPARE(window.size(), QSize(1024, 600));
@@ -82,8 +103,35 @@ private Q_SLOTS:
         for (const QLabel *label : window.findChildren<QLabel *>())
             speeds += label->accessibleName() == QLatin1String("Speed now") ? 1 : 0;
         QCOMPARE(speeds, 2);
-        window.setScene(nullptr);
+        trial.setScene(nullptr);
         QVERIFY(!says(window, "m/s"));
+    }
+
+    /// Another run comes, and goes before the window does.
+    void showsAnotherSource()
+    {
+        const TrialScenePtr scene = exampleScene({.frames = 30});
+        Timeline timeline;
+        timeline.setFrameTimes(scene->frameTimes());
+        ReviewDesk desk(timeline);
+        desk.setScene(scene);
+        desk.show();
+        for (QAction *each : desk.viewActions())
+            if (each->objectName() == QLatin1String("present"))
+                each->trigger();
+        const auto *window = desk.findChild<PresentWindow *>();
+        QVERIFY(window && says(*window, "Falcon"));
+        {
+            OtherRun other;
+            desk.setPresented(&other);
+            QVERIFY(says(*window, "Otter") && says(*window, "0.70") && !says(*window, "Falcon"));
+            other.speedNow = QStringLiteral("0.81");
+            Q_EMIT other.moved();
+            QVERIFY(says(*window, "0.81"));
+        }
+        QVERIFY(says(*window, "No trial"));
+        desk.setPresented(nullptr);
+        QVERIFY(says(*window, "Falcon"));
     }
 
     void isACommandOfReview()

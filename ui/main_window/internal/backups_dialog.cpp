@@ -83,9 +83,11 @@ BackupsDialog::BackupsDialog(const std::filesystem::path &project, bool readOnly
     m_changes->horizontalHeader()->setStretchLastSection(true);
     auto *right = new QWidget;
     auto *rightLayout = new QVBoxLayout(right);
-    rightLayout->setContentsMargins(0, 0, 0, 0);
+    rightLayout->setContentsMargins(8, 0, 0, 0);
+    rightLayout->setSpacing(8);
     rightLayout->addWidget(m_preview);
     rightLayout->addWidget(m_changes, 1);
+    rightLayout->addStretch(); // where there are no changes
     auto *halves = new QSplitter;
     halves->addWidget(m_list);
     halves->addWidget(right);

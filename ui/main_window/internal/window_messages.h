@@ -3,76 +3,18 @@
 
 #include "core/base/error.h"
 #include "ui/main_window/internal/done_work.h"
+#include "ui/main_window/internal/message_bar.h"
 #include "ui/main_window/internal/message_list.h"
+#include "ui/main_window/internal/message_panel.h"
 #include "ui/main_window/internal/remedies.h"
 
-#include <QFrame>
-#include <QList>
 #include <QObject>
 #include <QPointer>
 
 class QAction;
-class QLabel;
-class QPushButton;
-class QTimer;
 class QToolButton;
-class QVBoxLayout;
 
 namespace odo {
-
-/// A note over the foot of the page that says what went wrong, or what was done, until it is closed, another
-/// one comes, or some seconds have passed (not while it has the mouse or the focus). It moves nothing. Plain
-/// text only.
-class MessageBar : public QFrame
-{
-    Q_OBJECT
-public:
-    explicit MessageBar(QWidget *parent = nullptr);
-    void present(const WindowMessage &message);
-    /// In full, though a long one is shortened on screen; empty while hidden.
-    QString text() const;
-
-Q_SIGNALS:
-    void acted(qsizetype action); ///< its button was pressed
-    void closed();                ///< by a person
-
-private:
-    void leave();
-
-    QString m_fullText;
-    QLabel *m_icon, *m_text;
-    QList<QPushButton *> m_buttons;
-    QTimer *m_timer;
-};
-
-/// All warnings and errors that were not dismissed, over the page, each with its buttons. Esc closes it.
-class MessagePanel : public QFrame
-{
-    Q_OBJECT
-public:
-    explicit MessagePanel(MessageList &list, QWidget *parent = nullptr);
-    /// With all of its rows, in that width.
-    int heightFor(int width) const;
-
-Q_SIGNALS:
-    void closed();
-    void rowsChanged();
-
-protected:
-    void keyPressEvent(QKeyEvent *event) override;
-    void showEvent(QShowEvent *event) override;
-
-private:
-    void fill();
-    QWidget *makeRow(const WindowMessage &message);
-
-    MessageList &m_list;
-    QLabel *m_none;
-    QPushButton *m_dismissAll;
-    QToolButton *m_close;
-    QWidget *m_rows;
-    QVBoxLayout *m_rowLayout;
-};
 
 /// The messages of a window: each is shown for a while, and warnings and errors are kept in a list behind a
 /// bell until they are dismissed. GUI thread.
@@ -89,6 +31,8 @@ public:
     void showDone(const DoneWork &work);
     /// What somebody should know who was not asked.
     void showWarning(const QString &text);
+    /// A warning that is on the page already: only for the list.
+    void keepWarning(const QString &text);
     /// One more button for the message that was shown last.
     void offer(MessageAction action);
     /// What was offered for the project that is closed goes.

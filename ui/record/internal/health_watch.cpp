@@ -101,11 +101,14 @@ WarningBar::WarningBar(QWidget *parent) : QFrame(parent), m_words(new QLabel), m
 
 void WarningBar::setWords(const QString &words, const QString &button)
 {
+    const bool isNew = isHidden() && !words.isEmpty() && button.isEmpty();
     if (words != m_words->text())
         m_words->setText(words);
     m_button->setText(button);
     m_button->setVisible(!button.isEmpty());
     setVisible(!words.isEmpty());
+    if (isNew) // once: its numbers may change
+        Q_EMIT warned(words);
 }
 
 QString WarningBar::words() const

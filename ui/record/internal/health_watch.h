@@ -76,6 +76,7 @@ public:
     QString words() const;
 
 Q_SIGNALS:
+    void warned(const QString &words); ///< it came up with these, without a button
     void clicked();
 
 private:

@@ -90,16 +90,35 @@ void LiveBoard::setTarget(const std::optional<BroadcastTarget> &target)
                : tr("live"));
 }
 
+void LiveBoard::onMaps(const std::function<void(LiveMap &)> &act)
+{
+    act(*m_map);
+    m_moreMaps.removeAll(nullptr);
+    for (const QPointer<LiveMap> &map : m_moreMaps)
+        act(*map);
+}
+
+QWidget *LiveBoard::makeMap()
+{
+    auto *map = new LiveMap;
+    map->setFloor(m_floor);
+    map->setRobots(m_robots);
+    m_moreMaps << map;
+    return map;
+}
+
 void LiveBoard::setFloor(const TrialScenePtr &floor)
 {
+    m_floor = floor;
     for (std::size_t v = 0; v < m_areas.size(); ++v)
         m_areas[v]->setFloor(floor, v);
-    m_map->setFloor(floor);
+    onMaps([&](LiveMap &map) { map.setFloor(floor); });
 }
 
 void LiveBoard::setRobots(const std::vector<RobotRecord> &robots)
 {
-    m_map->setRobots(robots);
+    m_robots = robots;
+    onMaps([&](LiveMap &map) { map.setRobots(robots); });
     for (LiveImageArea *area : m_areas)
         area->setRobots(robots);
 }
@@ -112,7 +131,8 @@ void LiveBoard::setImage(const LiveFrame &live)
 
 void LiveBoard::addMoment(const LiveMoment &moment)
 {
-    m_map->addPosition(moment.robot, moment.position);
+    onMaps([&](LiveMap &map) { map.addPosition(moment.robot, moment.position); });
+    Q_EMIT momentShown();
     if (!moment.position.point.valid)
         return;
     for (LiveImageArea *area : m_areas)
@@ -121,7 +141,7 @@ void LiveBoard::addMoment(const LiveMoment &moment)
 
 void LiveBoard::forgetPaths()
 {
-    m_map->forgetPaths();
+    onMaps([](LiveMap &map) { map.forgetPaths(); });
     for (LiveImageArea *area : m_areas)
         area->forgetPaths();
 }

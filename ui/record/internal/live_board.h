@@ -8,7 +8,10 @@
 #include "ui/record/internal/running_cameras.h"
 #include "ui/views/map/map_painting.h"
 
+#include <QList>
+#include <QPointer>
 #include <QWidget>
+#include <functional>
 #include <vector>
 
 class QAction;
@@ -38,6 +41,8 @@ public:
     void setImage(const LiveFrame &live);
     void addMoment(const LiveMoment &moment);
     void forgetPaths();
+    /// One more that shows the same from now on; the caller owns it.
+    QWidget *makeMap();
     /// before: losses are counted from there.
     void setHealth(const CaptureHealth &health, const std::vector<WantedCamera> &cameras,
                    const LiveStatistics &live, const CaptureHealth &before);
@@ -47,13 +52,19 @@ public:
 
 Q_SIGNALS:
     void shownSizeChanged(std::size_t view, const QSize &devicePixels);
+    void momentShown(); ///< a robot is somewhere else
 
 private:
+    /// On the map and those that were made besides.
+    void onMaps(const std::function<void(LiveMap &)> &act);
     QSplitter *m_images;
     Card *m_mapCard;
     std::vector<Card *> m_cards;
     std::vector<LiveImageArea *> m_areas;
     LiveMap *m_map;
+    QList<QPointer<LiveMap>> m_moreMaps;
+    TrialScenePtr m_floor;
+    std::vector<RobotRecord> m_robots;
     FactList *m_health;
 };
 

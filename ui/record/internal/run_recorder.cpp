@@ -14,14 +14,6 @@ namespace {
 
 constexpr auto storeEach = std::chrono::seconds(1);
 
-QStringList wordsOf(const std::vector<Message> &sentences)
-{
-    QStringList words;
-    for (const Message &sentence : sentences)
-        words << shownWords(sentence);
-    return words;
-}
-
 } // namespace
 
 /// What is to be recorded, for the thread that does it.
@@ -91,7 +83,7 @@ void RunRecorder::report(const Error &error)
 }
 
 /// From now on another one may begin.
-void RunRecorder::tellEnd(const QString &trial, const Result<QStringList> &warnings)
+void RunRecorder::tellEnd(const QString &trial, const Result<std::vector<Message>> &warnings)
 {
     callLater(this, [this, trial, warnings] {
         m_state = State::Idle;
@@ -116,14 +108,15 @@ void RunRecorder::work(Order order)
     const auto project = Project::openAgain(m_project, Project::Access::ReadWrite);
     if (!project)
         return tellEnd(trial, tl::unexpected(project.error()));
-    const Result<QStringList> warnings = orShortage(cannotDoThis(), [&] { return record(order, **project); });
+    const Result<std::vector<Message>> warnings =
+        orShortage(cannotDoThis(), [&] { return record(order, **project); });
     order.session.reset(); // others may need the cameras
     tellEnd(trial, warnings);
     makeHashes(**project);
 }
 
 /// Gives the warnings.
-Result<QStringList> RunRecorder::record(const Order &order, Project &project)
+Result<std::vector<Message>> RunRecorder::record(const Order &order, Project &project)
 {
     auto trial = ODO_TRY(trialOf(project, order.run));
     const auto live = ODO_TRY(LiveTrial::begin(project, std::move(trial), order.cameras, *order.session,
@@ -133,7 +126,7 @@ Result<QStringList> RunRecorder::record(const Order &order, Project &project)
             report(stored.error());
     }
     ODO_TRY(runToEnd(*live, project, {}));
-    return wordsOf(live->warnings());
+    return live->warnings();
 }
 
 void RunRecorder::makeHashes(Project &project)

@@ -46,7 +46,7 @@ public:
 
 Q_SIGNALS:
     /// The trial is complete in the project. warnings: whole sentences.
-    void recorded(const QString &trial, const QStringList &warnings);
+    void recorded(const QString &trial, const std::vector<odo::Message> &warnings);
     /// It could not begin, with the errors of LiveTrial::begin; or it could not be completed, and what was
     /// recorded is when the project is opened again.
     void gaveUp(const QString &trial, const odo::Error &error);
@@ -58,11 +58,11 @@ private:
     struct Order;
 
     void work(Order order);
-    Result<QStringList> record(const Order &order, Project &project);
+    Result<std::vector<Message>> record(const Order &order, Project &project);
     bool isEndWanted();
     void makeHashes(Project &project);
     void awaitThread();
-    void tellEnd(const QString &trial, const Result<QStringList> &warnings);
+    void tellEnd(const QString &trial, const Result<std::vector<Message>> &warnings);
     void report(const Error &error);
 
     const std::filesystem::path m_project;

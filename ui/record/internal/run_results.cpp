@@ -213,10 +213,7 @@ void RunMeasuring::finish(const std::optional<Error> &error)
         std::vector<RunResultCard::Result> results;
         for (const TrackedRobot &robot : job->outcome().robots)
             results.push_back(resultOf(robot.name, robot.analysis.profile));
-        QStringList warnings;
-        for (const Message &warning : job->outcome().warnings)
-            warnings << shownWords(warning);
-        Q_EMIT measured(trial, results, job->outcome().verdict, warnings);
+        Q_EMIT measured(trial, results, job->outcome().verdict, job->outcome().warnings);
     }
     goOn();
 }
@@ -232,11 +229,11 @@ QString asSentence(QString words)
     return words;
 }
 
-QString withWarnings(const QString &said, const QStringList &warnings)
+QString withWarnings(const QString &said, const std::vector<Message> &warnings)
 {
     QStringList sentences{said};
-    for (const QString &warning : warnings)
-        sentences << asSentence(warning);
+    for (const Message &warning : warnings)
+        sentences << asSentence(shownWords(warning));
     return sentences.join(u' ');
 }
 
@@ -247,15 +244,19 @@ RunResults::RunResults(Project &project, RunResultCard &card, QObject *parent)
 {
     connect(m_measuring, &RunMeasuring::measuredLive, this,
             [this](const QString &trial, const auto &results) {
-                if (isShown(trial))
-                    m_card.setLiveResults(trial, results);
+                if (!isShown(trial))
+                    return;
+                m_card.setLiveResults(trial, results);
+                Q_EMIT shown(results);
             });
     connect(m_measuring, &RunMeasuring::measured, this,
             [this](const QString &trial, const auto &results, const TrialVerdict &verdict,
-                   const QStringList &warnings) {
-                if (isShown(trial))
+                   const std::vector<Message> &warnings) {
+                if (isShown(trial)) {
                     m_card.setFinalResults(trial, results, verdict);
-                Q_EMIT changed(withWarnings(tr("%1 is analysed.").arg(trial), warnings));
+                    Q_EMIT shown(results);
+                }
+                Q_EMIT changed(withWarnings(tr("%1 is analysed.").arg(trial), warnings), warnings);
             });
     connect(m_measuring, &RunMeasuring::failed, this, [this](const QString &trial, const Error &error) {
         showFailure(trial, tr("Recorded, but not analysed: %1").arg(asSentence(errorLine(error))));
@@ -270,10 +271,10 @@ void RunResults::takeEnded(const QString &trial, std::vector<LiveRun> runs,
     m_measuring->measureLive(trial, std::move(runs), task);
 }
 
-void RunResults::takeRecorded(const QString &trial, const QStringList &warnings)
+void RunResults::takeRecorded(const QString &trial, const std::vector<Message> &warnings)
 {
     m_measuring->track(trial);
-    Q_EMIT changed(withWarnings(tr("%1 is recorded.").arg(trial), warnings));
+    Q_EMIT changed(withWarnings(tr("%1 is recorded.").arg(trial), warnings), warnings);
 }
 
 void RunResults::takeGivenUp(const QString &trial, const Error &error)

@@ -82,7 +82,7 @@ public:
 Q_SIGNALS:
     void measuredLive(const QString &trial, const std::vector<odo::RunResultCard::Result> &results);
     void measured(const QString &trial, const std::vector<odo::RunResultCard::Result> &results,
-                  const odo::TrialVerdict &verdict, const QStringList &warnings);
+                  const odo::TrialVerdict &verdict, const std::vector<odo::Message> &warnings);
     void failed(const QString &trial, const odo::Error &error);
 
 private:
@@ -113,14 +113,17 @@ public:
     /// A run has ended, as it was seen live; its recording is being completed.
     void takeEnded(const QString &trial, std::vector<LiveRun> runs, const std::optional<TaskRecord> &task);
     /// The recording is complete in the project.
-    void takeRecorded(const QString &trial, const QStringList &warnings);
+    void takeRecorded(const QString &trial, const std::vector<Message> &warnings);
     /// There is no recording, and why.
     void takeGivenUp(const QString &trial, const Error &error);
     /// While somebody records, nothing is measured.
     void setRecording(bool recording) { m_measuring->setRecording(recording); }
 
 Q_SIGNALS:
-    void changed(const QString &words); ///< the project has a new trial, or new metrics of one
+    /// The project has a new trial, or new metrics of one. The words contain the warnings.
+    void changed(const QString &words, const std::vector<odo::Message> &warnings);
+    /// Those on the card now.
+    void shown(const std::vector<odo::RunResultCard::Result> &results);
     void failed(const odo::Error &error);
 
 private:

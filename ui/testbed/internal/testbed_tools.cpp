@@ -30,6 +30,8 @@
 #include <QInputDialog>
 #include <QString>
 #include <algorithm>
+#include <array>
+#include <string_view>
 
 class QAction;
 class QObject;
@@ -47,6 +49,20 @@ QAction *toolAction(const QString &icon, const QString &text, const QString &sho
 }
 
 namespace {
+
+/// A verdict that is not at least "usable".
+std::vector<Message> warningsIn(const Message &verdict)
+{
+    constexpr std::array bad{std::string_view("calibration.uncertain"), std::string_view("calibration.poor"),
+                             std::string_view("calibration.poor_measure_again")};
+    if (std::ranges::find(bad, std::string_view(verdict.code())) != bad.end())
+        return {verdict};
+    for (const MessageArgument &argument : verdict.arguments)
+        for (const Message &part : argument.parts)
+            if (!warningsIn(part).empty())
+                return {verdict};
+    return {};
+}
 
 /// Before a simulated camera somebody holds a board.
 Result<std::shared_ptr<CameraSource>> openWithBoard(const QString &uri)
@@ -178,7 +194,8 @@ void TestbedTools::calibrateBy(const QStringList &stills)
         Q_EMIT failed(stored.error());
     else
         Q_EMIT changed(tr("Camera %1 is calibrated. %2")
-                           .arg(wizard.result().camera, shownWords(stored->calibration.verdict)));
+                           .arg(wizard.result().camera, shownWords(stored->calibration.verdict)),
+                       warningsIn(stored->calibration.verdict));
 }
 
 void TestbedTools::registerCamera()
@@ -211,7 +228,8 @@ void TestbedTools::registerCamera()
     if (!stored)
         return Q_EMIT failed(stored.error());
     image.commit();
-    Q_EMIT changed(tr("Camera %1 is registered. %2").arg(wizard.camera(), shownWords(verdict)));
+    Q_EMIT changed(tr("Camera %1 is registered. %2").arg(wizard.camera(), shownWords(verdict)),
+                   warningsIn(verdict));
 }
 
 void TestbedTools::startRegisterViaCamera()
@@ -248,7 +266,8 @@ void TestbedTools::startRegisterViaCamera()
     image.commit();
     Q_EMIT changed(
         tr("Camera %1 is registered via camera %2. %3")
-            .arg(wizard.camera(), wizard.reference(), shownWords(job.record().registration.verdict)));
+            .arg(wizard.camera(), wizard.reference(), shownWords(job.record().registration.verdict)),
+        warningsIn(job.record().registration.verdict));
 }
 
 void TestbedTools::registerTogether()

@@ -48,7 +48,8 @@ public:
     void calibrateBy(const QStringList &stills);
 
 Q_SIGNALS:
-    void changed(const QString &words);
+    /// The words contain the warnings.
+    void changed(const QString &words, const std::vector<odo::Message> &warnings = {});
     void failed(const odo::Error &error);
 
 private:

@@ -8,6 +8,7 @@
 #include <QSettings>
 #include <QSplitter>
 #include <QWidget>
+#include <algorithm>
 #include <utility>
 
 namespace odo {
@@ -82,7 +83,7 @@ DockDesk::DockDesk(const QString &mode, QWidget *parent)
     setContextMenuPolicy(Qt::NoContextMenu);
     m_images->setHandleWidth(gap);
     m_images->setChildrenCollapsible(false);
-    m_images->setMinimumHeight(160);
+    m_images->setMinimumHeight(136);
     setCentralWidget(m_images);
 }
 
@@ -100,7 +101,7 @@ void DockDesk::addHiddenDock(QWidget *content, const QString &name, const QStrin
 {
     addDock(content, name, title, 0);
     m_docks.back().isHidden = true;
-    constexpr int leastHeight = 140; // some rows
+    constexpr int leastHeight = 120; // some rows
     content->setMinimumHeight(leastHeight);
     QDockWidget *dock = m_docks.back().widget;
     // from behind the other tabs to the front
@@ -179,6 +180,12 @@ void DockDesk::resetLayout()
     }
     resizeDocks(docks, heights, Qt::Vertical);
     equaliseViews();
+}
+
+int DockDesk::leastViewWidth(std::size_t views)
+{
+    constexpr int usual = 150, together = 360, least = 60;
+    return views < 2 ? usual : std::clamp(together / static_cast<int>(views), least, usual);
 }
 
 void DockDesk::equaliseViews()

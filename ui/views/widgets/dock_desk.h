@@ -30,12 +30,16 @@ public:
     /// One of those in the middle takes the whole desk; called again, all is as before. Later calls for
     /// another one only give that back.
     void toggleEnlarged(QWidget *pane);
+    /// It takes what is left: what is beside it comes first.
+    QSize sizeHint() const override { return minimumSizeHint(); }
 
 protected:
     /// What is side by side in the middle.
     QSplitter &middle() const { return *m_images; }
     /// All is as before one was enlarged.
     void endEnlarging();
+    /// Of each of so many images: together they leave the map its place in a window of 1024 pixels.
+    static int leastViewWidth(std::size_t views);
     /// Widths as they are at first: all images alike, the map, which is the last, a little narrower.
     void equaliseViews();
     /// Below those before it. name: for the arrangement that is kept; percent: of the desk's height, at

@@ -1,12 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/review/internal/present_window.h"
+#include "ui/views/present/present_window.h"
 
-#include "ui/models/number_text.h"
-#include "ui/models/results.h"
-#include "ui/models/shown_names.h"
-#include "ui/models/timeline.h"
-#include "ui/models/verdict_mark.h"
-#include "ui/views/map/floor_map.h"
+#include "ui/views/present/present_source.h"
 #include "ui/views/widgets/labels.h"
 
 #include <QCloseEvent>
@@ -24,14 +19,13 @@ namespace odo {
 namespace {
 
 constexpr QSize usualPresentSize(1280, 720), leastPresentSize(480, 270);
-constexpr std::size_t mostMetrics = 4;
 
-void setHeight(QWidget &label, double pixels, bool isBold = false)
+void setHeight(QWidget &widget, double pixels, bool isBold = false)
 {
-    QFont font = label.font();
+    QFont font = widget.font();
     font.setPixelSize(std::max(9, static_cast<int>(pixels)));
     font.setBold(isBold);
-    label.setFont(font);
+    widget.setFont(font);
 }
 
 QLabel *plainLabel(const QString &text = {})
@@ -43,45 +37,53 @@ QLabel *plainLabel(const QString &text = {})
 
 } // namespace
 
-PresentWindow::PresentWindow(Timeline &timeline, QWidget &beside)
-    : QWidget(&beside, Qt::Window), m_timeline(timeline), m_beside(beside), m_team(new ElidedLabel),
-      m_trial(new ElidedLabel), m_verdict(new BadgeLabel({})), m_map(new FloorMap(timeline)),
-      m_results(new QWidget), m_column(new QVBoxLayout(m_results))
+PresentWindow::PresentWindow(QWidget &beside)
+    : QWidget(&beside, Qt::Window), m_beside(beside), m_team(new ElidedLabel), m_more(new ElidedLabel),
+      m_badge(new BadgeLabel({})), m_body(new QHBoxLayout), m_results(new QWidget),
+      m_column(new QVBoxLayout(m_results))
 {
     setObjectName(QStringLiteral("page"));
     setAttribute(Qt::WA_StyledBackground);
     setWindowTitle(tr("Presentation"));
     setMinimumSize(leastPresentSize);
+    setFocusPolicy(Qt::StrongFocus); // not the map, whose frame would be seen
     m_team->setAccessibleName(tr("Team"));
-    m_trial->setAccessibleName(tr("Trial"));
-    m_trial->setObjectName(QStringLiteral("quiet"));
-    m_trial->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+    m_more->setAccessibleName(tr("Trial"));
+    m_more->setObjectName(QStringLiteral("quiet"));
+    m_more->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
     auto *head = new QHBoxLayout;
     head->addWidget(m_team, 3);
-    head->addWidget(m_verdict);
-    head->addWidget(m_trial, 2);
+    head->addWidget(m_badge);
+    head->addWidget(m_more, 2);
     m_column->setContentsMargins(0, 0, 0, 0);
-    auto *body = new QHBoxLayout;
-    body->setSpacing(16);
-    body->addWidget(m_map, 3);
-    body->addWidget(m_results, 2);
+    m_body->setSpacing(16);
+    m_body->addWidget(m_results, 2);
     auto *layout = new QVBoxLayout(this);
     layout->setContentsMargins(16, 10, 16, 16);
     layout->addLayout(head);
-    layout->addLayout(body, 1);
-    connect(&m_timeline, &Timeline::currentChanged, this, &PresentWindow::followTime);
+    layout->addLayout(m_body, 1);
 }
 
-void PresentWindow::setScene(const TrialScenePtr &scene)
+void PresentWindow::setSource(PresentSource *source)
 {
-    m_scene = scene;
-    m_map->setScene(scene);
+    if (m_source)
+        m_source->disconnect(this);
+    m_source = source;
+    delete m_map;
+    m_map = nullptr;
+    if (source) {
+        m_map = source->makeMap();
+        m_body->insertWidget(0, m_map, 3);
+        connect(source, &PresentSource::changed, this, &PresentWindow::fill);
+        connect(source, &PresentSource::moved, this, &PresentWindow::showSpeeds);
+        connect(source, &QObject::destroyed, this, [this] { setSource(nullptr); });
+    }
     fill();
 }
 
 bool PresentWindow::isSettled() const
 {
-    return m_map->isSettled();
+    return !m_source || m_source->isSettled();
 }
 
 void PresentWindow::fill()
@@ -91,38 +93,21 @@ void PresentWindow::fill()
     m_column = new QVBoxLayout(m_results);
     m_column->setContentsMargins(0, 0, 0, 0);
     m_robots.clear();
-    m_verdict->setBadge({});
-    if (!m_scene) {
-        m_team->setFullText(tr("No trial"));
-        m_trial->setFullText({});
-        return;
-    }
-    const QString team = shownTeam(m_scene->trial), trial = QString::fromStdString(m_scene->trial.name);
-    m_team->setFullText(team.isEmpty() ? trial : team);
-    QStringList more;
-    if (!team.isEmpty())
-        more << trial;
-    if (m_scene->task)
-        more << QString::fromStdString(m_scene->trial.task);
-    m_trial->setFullText(more.join(QStringLiteral(" · ")));
-    if (m_scene->verdict.level() != CheckLevel::Pass)
-        m_verdict->setBadge(verdictBadge(m_scene->verdict));
-    for (std::size_t robot = 0; robot < m_scene->robots.size(); ++robot)
-        addRobot(robot);
+    const PresentedRun run = m_source ? m_source->run() : PresentedRun{};
+    m_team->setFullText(run.team.isEmpty() && run.more.isEmpty() ? tr("No trial") : run.team);
+    m_more->setFullText(run.more);
+    m_badge->setBadge(run.badge);
+    for (const PresentedRobot &robot : run.robots)
+        addRobot(robot, run.robots.size() > 1);
     m_column->addStretch(1);
     fitType();
-    followTime();
+    showSpeeds();
 }
 
-void PresentWindow::addRobot(std::size_t robot)
+void PresentWindow::addRobot(const PresentedRobot &robot, bool isNamed)
 {
-    const SceneRobot &shown = m_scene->robots[robot];
-    RobotPart part{plainLabel(QString::fromStdString(shown.robot.name)),
-                   plainLabel(),
-                   plainLabel(shownUnits().speed.name),
-                   {},
-                   {}};
-    part.name->setVisible(m_scene->robots.size() > 1);
+    RobotPart part{plainLabel(robot.name), plainLabel(), plainLabel(robot.unit), {}, {}};
+    part.name->setVisible(isNamed);
     part.speed->setAccessibleName(tr("Speed now"));
     part.unit->setObjectName(QStringLiteral("quiet"));
     auto *now = new QHBoxLayout;
@@ -130,28 +115,19 @@ void PresentWindow::addRobot(std::size_t robot)
     now->addWidget(part.unit, 1, Qt::AlignBaseline);
     auto *grid = new QGridLayout;
     grid->setColumnStretch(1, 1);
-    const auto add = [&](const QString &name, const NumberText &value) {
+    for (const auto &[name, value] : robot.results) {
         auto *caption = plainLabel(name);
         caption->setObjectName(QStringLiteral("quiet"));
         caption->setWordWrap(true);
         const int row = grid->rowCount();
         grid->addWidget(caption, row, 0);
-        auto *number = plainLabel(value.text());
+        auto *number = plainLabel(value);
         number->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
         grid->addWidget(number, row, 1);
         part.captions.push_back(caption);
         part.values.push_back(number);
-    };
-    if (const auto score = scoreOf(*m_scene, robot))
-        add(metricName("score"), scoreNumber(*score));
-    if (shown.analysis) {
-        const std::size_t more = mostMetrics / (m_scene->robots.size() > 1 ? 2 : 1);
-        for (const Metric &metric : informativeMetrics(shown.analysis->profile.metrics, more))
-            add(metricName(metric.name), metricNumber(metric));
-    } else {
-        part.unit->setText(tr("Not tracked yet"));
     }
-    if (robot > 0)
+    if (!m_robots.empty())
         m_column->addSpacing(2 * m_column->spacing());
     m_column->addWidget(part.name);
     m_column->addLayout(now);
@@ -159,23 +135,10 @@ void PresentWindow::addRobot(std::size_t robot)
     m_robots.push_back(std::move(part));
 }
 
-void PresentWindow::followTime()
+void PresentWindow::showSpeeds()
 {
-    const Nanoseconds time = m_timeline.currentTime();
-    for (std::size_t robot = 0; robot < m_robots.size(); ++robot) {
-        const auto &analysis = m_scene->robots[robot].analysis;
-        if (!analysis)
-            continue;
-        const Profile &profile = partAt(*analysis, time);
-        const std::ptrdiff_t index = pointIndexAt(profile, time);
-        const bool isKnown = index >= 0 && profile.points[static_cast<std::size_t>(index)].valid;
-        constexpr int decimals = 2;
-        m_robots[robot].speed->setText(
-            isKnown ? QLocale().toString(profile.points[static_cast<std::size_t>(index)].speedMps *
-                                             shownUnits().speed.perSi,
-                                         'f', shownUnits().speed.perSi > 1 ? 0 : decimals)
-                    : QStringLiteral("–"));
-    }
+    for (std::size_t robot = 0; m_source && robot < m_robots.size(); ++robot)
+        m_robots[robot].speed->setText(m_source->speed(robot));
 }
 
 /// By the window's height, or less where it is narrow.
@@ -185,8 +148,10 @@ void PresentWindow::fitType()
     const double share =
         m_robots.size() > 1 ? 1.6 / static_cast<double>(std::min<std::size_t>(3, m_robots.size())) : 1;
     setHeight(*m_team, 8 * percent, true);
-    setHeight(*m_trial, 4 * percent);
-    setHeight(*m_verdict, 3 * percent);
+    setHeight(*m_more, 4 * percent);
+    setHeight(*m_badge, 3 * percent);
+    if (m_map)
+        setHeight(*m_map, 2.2 * percent);
     for (const RobotPart &part : m_robots) {
         setHeight(*part.name, 4 * percent, true);
         setHeight(*part.speed, 18 * percent * share, true);
@@ -212,6 +177,7 @@ void PresentWindow::present()
     }
     raise();
     activateWindow();
+    setFocus();
 }
 
 void PresentWindow::resizeEvent(QResizeEvent *event)
@@ -222,6 +188,10 @@ void PresentWindow::resizeEvent(QResizeEvent *event)
 
 void PresentWindow::keyPressEvent(QKeyEvent *event)
 {
+    const auto move = [this](PresentSource::Move how) {
+        if (m_source)
+            m_source->move(how);
+    };
     switch (event->key()) {
     case Qt::Key_Escape:
         close();
@@ -230,13 +200,13 @@ void PresentWindow::keyPressEvent(QKeyEvent *event)
         isFullScreen() ? showNormal() : showFullScreen();
         break;
     case Qt::Key_Space:
-        m_timeline.toggle();
+        move(PresentSource::Move::Play);
         break;
     case Qt::Key_Left:
-        m_timeline.step(-1);
+        move(PresentSource::Move::Back);
         break;
     case Qt::Key_Right:
-        m_timeline.step(1);
+        move(PresentSource::Move::Forward);
         break;
     default:
         QWidget::keyPressEvent(event);

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "ui/models/trial_scene.h"
-
+#include <QPointer>
 #include <QWidget>
 #include <vector>
 
@@ -14,20 +13,18 @@ namespace odo {
 
 class BadgeLabel;
 class ElidedLabel;
-class FloorMap;
-class Timeline;
+class PresentSource;
 
-/// The trial of Review for a projector: team, map, the speed now and the results, in type that grows with the
-/// window. It moves with the same time line. Space plays, the arrows step, F11 fills the screen, Esc closes
-/// it. GUI thread.
+/// A run for a projector: team, map, the speed now and the results, in type that grows with the window. Space
+/// plays, the arrows step, F11 fills the screen, Esc closes it. GUI thread.
 class PresentWindow : public QWidget
 {
     Q_OBJECT
 public:
     /// beside: a window of its own, on another screen than this one's if there is one.
-    PresentWindow(Timeline &timeline, QWidget &beside);
-    /// A null scene clears.
-    void setScene(const TrialScenePtr &scene);
+    explicit PresentWindow(QWidget &beside);
+    /// Shown until it goes or another one comes; null: nothing.
+    void setSource(PresentSource *source);
     /// Fills a second screen; on the only one it is a window.
     void present();
     bool isSettled() const;
@@ -48,16 +45,16 @@ private:
         std::vector<QLabel *> captions, values;
     };
     void fill();
-    void addRobot(std::size_t robot);
-    void followTime();
+    void addRobot(const struct PresentedRobot &robot, bool isNamed);
+    void showSpeeds();
     void fitType();
 
-    Timeline &m_timeline;
     QWidget &m_beside;
-    TrialScenePtr m_scene;
-    ElidedLabel *m_team, *m_trial;
-    BadgeLabel *m_verdict;
-    FloorMap *m_map;
+    QPointer<PresentSource> m_source;
+    ElidedLabel *m_team, *m_more;
+    BadgeLabel *m_badge;
+    QHBoxLayout *m_body;
+    QWidget *m_map = nullptr;
     QWidget *m_results;
     QVBoxLayout *m_column;
     std::vector<RobotPart> m_robots;
