@@ -228,6 +228,15 @@ void paintTrail(QPainter &painter, const TrialScene &scene, std::size_t robot, c
     paintPath(painter, positions, analysis->profile.heightM, view, map, colour);
 }
 
+bool hasLongTrail(const TrialScene &scene)
+{
+    constexpr std::size_t most = 1000;
+    std::size_t points = 0;
+    for (const SceneRobot &robot : scene.robots)
+        points += robot.analysis ? robot.analysis->profile.points.size() : 0;
+    return points > most;
+}
+
 void paintGhost(QPainter &painter, const GhostRobot &ghost, const FloorView &view, const ImageMap &map)
 {
     constexpr double usualM = 0.2, usualHeightM = 0.1;

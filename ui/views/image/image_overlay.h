@@ -59,6 +59,8 @@ void paintGhost(QPainter &painter, const GhostRobot &ghost, const FloorView &vie
 /// A robot's smoothed track at the height that its positions were computed for.
 void paintTrail(QPainter &painter, const TrialScene &scene, std::size_t robot, const FloorView &view,
                 const ImageMap &map, const QColor &colour);
+/// Whether painting the trails takes more than a few milliseconds.
+bool hasLongTrail(const TrialScene &scene);
 /// How robots are drawn in images.
 struct RobotMarkStyle
 {

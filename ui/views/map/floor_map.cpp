@@ -8,6 +8,7 @@
 #include "ui/views/charts/chart_image.h"
 #include "ui/views/charts/chart_overlay.h"
 #include "ui/views/image/image_overlay.h"
+#include "ui/views/image/patient_layer.h"
 #include "ui/views/map/floor_image.h"
 #include "ui/views/map/map_painting.h"
 #include "ui/views/map/trial_map.h"
@@ -47,12 +48,12 @@ public:
     void setColouring(MapColouring colouring);
     /// Of each robot of the scene; empty: not known yet.
     void setDisagreements(std::vector<ViewDisagreement> disagreements);
-    bool isSettled() const { return !m_maker.isRunning(); }
+    bool isSettled() const { return !m_maker.isRunning() && m_course->isSettled(); }
     QPointF fromWorld(const Eigen::Vector2d &point) const;
     ZoomPan &zoom() const { return *m_zoom; }
 
     QSize sizeHint() const override { return {340, 300}; }
-    QSize minimumSizeHint() const override { return {160, 140}; }
+    QSize minimumSizeHint() const override { return {160, 100}; }
 
 Q_SIGNALS:
     void settled();
@@ -61,6 +62,7 @@ protected:
     bool event(QEvent *event) override;
     void paintEvent(QPaintEvent *event) override;
     void resizeEvent(QResizeEvent *event) override;
+    void changeEvent(QEvent *event) override;
     void mousePressEvent(QMouseEvent *event) override;
     void mouseMoveEvent(QMouseEvent *event) override;
     void leaveEvent(QEvent *event) override;
@@ -73,11 +75,13 @@ private:
     void showFloor();
     void setHovered(const std::optional<QPointF> &position);
     void paintStill(QPainter &painter) const override;
+    void drawCourse(QPainter &painter);
     void paintDisagreements(QPainter &painter) const;
     void paintLegend(QPainter &painter) const;
 
     Timeline &m_timeline;
     ZoomPan *m_zoom;
+    PatientLayer *m_course; ///< trails and marks
     FloorImageMaker m_maker;
     TrialScenePtr m_scene;
     std::vector<UncertainInterval> m_stretches; ///< of the scene
@@ -91,13 +95,17 @@ private:
 };
 
 MapArea::MapArea(Timeline &timeline, QWidget *parent)
-    : MapCanvas(parent), m_timeline(timeline), m_zoom(new ZoomPan(*this)),
+    : MapCanvas(parent), m_timeline(timeline), m_zoom(new ZoomPan(*this)), m_course(new PatientLayer(*this)),
       m_bounds(Eigen::Vector2d(0, 0), Eigen::Vector2d(1, 1))
 {
     setFocusPolicy(Qt::StrongFocus);
     setMouseTracking(true);
     m_zoom->setDragFilter([this](const QPointF &position) { return !timeNear(position); });
-    connect(m_zoom, &ZoomPan::changed, this, &MapArea::forgetStill);
+    connect(m_zoom, &ZoomPan::changed, this, [this] {
+        m_course->renew();
+        forgetStill();
+    });
+    connect(m_course, &PatientLayer::ready, this, &MapArea::settled);
     connect(&m_timeline, &Timeline::currentChanged, this, qOverload<>(&QWidget::update));
     connect(&m_maker, &FloorImageMaker::ready, this, [this](const FloorImage &image) {
         m_floor = image;
@@ -124,8 +132,16 @@ void MapArea::setScene(TrialScenePtr scene)
 void MapArea::resizeEvent(QResizeEvent *event)
 {
     MapCanvas::resizeEvent(event);
+    m_course->renew();
     showFloor();
     m_maker.setScale(fittedPlan().scalePx() * devicePixelRatioF());
+}
+
+void MapArea::changeEvent(QEvent *event)
+{
+    if (event->type() == QEvent::PaletteChange || event->type() == QEvent::FontChange)
+        m_course->forget();
+    MapCanvas::changeEvent(event);
 }
 
 /// After its bounds or the widget's size have changed.
@@ -152,7 +168,8 @@ QPointF MapArea::fromWorld(const Eigen::Vector2d &point) const
 void MapArea::setColouring(MapColouring colouring)
 {
     m_colouring = colouring;
-    forgetStill();
+    m_course->forget();
+    update();
 }
 
 void MapArea::setDisagreements(std::vector<ViewDisagreement> disagreements)
@@ -166,6 +183,7 @@ void MapArea::setDisagreements(std::vector<ViewDisagreement> disagreements)
     std::sort(apart.begin(), apart.end());
     // A few extreme values must not leave one colour for all others.
     m_topDisagreementM = apart.empty() ? 0 : std::max(leastM, apart[(apart.size() - 1) * 95 / 100]);
+    m_course->forget();
     forgetStill();
 }
 
@@ -211,14 +229,28 @@ void MapArea::paintLegend(QPainter &painter) const
 void MapArea::paintStill(QPainter &painter) const
 {
     drawMapGround(painter, plan(), *m_scene, m_floor, palette());
-    for (const SceneRobot &robot : m_scene->robots) {
-        if (robot.analysis && m_colouring == MapColouring::Speed)
-            drawSpeedTrail(painter, plan(), robot.analysis->profile, m_topSpeedMps, palette());
-    }
+}
+
+void MapArea::drawCourse(QPainter &painter)
+{
+    const QRectF frame = QRectF(fromWorld(m_bounds.corner(Eigen::AlignedBox2d::TopLeft)),
+                                fromWorld(m_bounds.corner(Eigen::AlignedBox2d::BottomRight)))
+                             .normalized();
     if (m_colouring == MapColouring::Disagreement)
-        paintDisagreements(painter);
-    drawMapMarks(painter, plan(), *m_scene, palette());
-    paintLegend(painter);
+        return m_course->draw(painter, frame, false, [this]() -> PatientLayer::Paint {
+            return [this](QPainter &layer) {
+                paintDisagreements(layer);
+                drawMapMarks(layer, plan(), *m_scene, palette());
+            };
+        });
+    m_course->draw(painter, frame, hasLongTrail(*m_scene), [this]() -> PatientLayer::Paint {
+        return [scene = m_scene, plan = plan(), top = m_topSpeedMps, colours = palette()](QPainter &layer) {
+            for (const SceneRobot &robot : scene->robots)
+                if (robot.analysis)
+                    drawSpeedTrail(layer, plan, robot.analysis->profile, top, colours);
+            drawMapMarks(layer, plan, *scene, colours);
+        };
+    });
 }
 
 void MapArea::paintEvent(QPaintEvent *)
@@ -231,6 +263,8 @@ void MapArea::paintEvent(QPaintEvent *)
     }
     drawStill(painter);
     painter.setRenderHint(QPainter::Antialiasing);
+    drawCourse(painter);
+    paintLegend(painter);
     drawTrialRobots(painter, plan(), *m_scene, m_timeline.currentTime(), palette());
     if (m_hovered && !ChartImage::isPaintedBy(painter, *this)) {
         const Eigen::Vector2d point = plan().toWorld(*m_hovered);
@@ -312,6 +346,7 @@ FloorMap::FloorMap(Timeline &timeline, QWidget *parent)
     m_colouring->setFocusPolicy(Qt::TabFocus); // Space goes on playing
     m_colouring->addItems({tr("Speed"), tr("Disagreement")});
     m_colouring->setSizeAdjustPolicy(QComboBox::AdjustToContents);
+    m_colouring->setMinimumWidth(10 * fontMetrics().averageCharWidth()); // its list has the whole words
     m_how->setText(QStringLiteral("?"));
     m_how->setProperty("flat", true);
     m_how->setFocusPolicy(Qt::StrongFocus);

@@ -125,10 +125,14 @@ void drawMapGrid(QPainter &painter, const MapPlan &plan, const QPalette &palette
         painter.drawLine(QPointF(0, y), QPointF(plan.size.width(), y));
     painter.setRenderHint(QPainter::Antialiasing);
     painter.setPen(colours.muted);
+    const QString words = MapPaintingWords::tr("grid %1 %2").arg(ticks.label(ticks.step), unit.name);
+    const QFontMetrics metrics = painter.fontMetrics();
+    const int ofLegend = 110 + 14 * metrics.averageCharWidth(); // the scale of speeds comes first
+    if (metrics.horizontalAdvance(words) + ofLegend > plan.size.width())
+        return;
     painter.drawText(
         QRectF(0, plan.size.height() - MapPlan::footHeight, plan.size.width() - 10, MapPlan::footHeight - 6),
-        Qt::AlignRight | Qt::AlignBottom,
-        MapPaintingWords::tr("grid %1 %2").arg(ticks.label(ticks.step), unit.name));
+        Qt::AlignRight | Qt::AlignBottom, words);
 }
 
 void drawMapFoot(QPainter &painter, const MapPlan &plan, const QPalette &palette)
