@@ -81,7 +81,7 @@ CompareDesk::CompareDesk(Timeline &timeline, QWidget *parent)
         views->setAccessibleName(run == 0 ? tr("Camera of the first run") : tr("Camera of the second run"));
         views->setFocusPolicy(Qt::TabFocus);
         image->addToHeader(views);
-        image->setMinimumWidth(180);
+        image->setMinimumWidth(leastViewWidth(pictured));
         middle().addWidget(image);
         connect(views, &QComboBox::activated, this, &CompareDesk::showViews);
         connect(image, &CameraView::settled, this, &CompareDesk::settled);

@@ -181,9 +181,10 @@ void HistoryPage::setHub(const std::optional<HubAddress> &hub)
     m_tabs->setTabVisible(m_tabs->indexOf(m_hubRuns), hub.has_value());
 }
 
-/// Only what is seen is computed.
+/// Only what is seen is computed. What is known of one trial is beside the list of them.
 void HistoryPage::showChosenTab()
 {
+    m_detail->setVisible(m_tabs->currentWidget() == m_tableCard);
     if (m_tabs->currentWidget() == m_teams)
         m_teams->refresh();
     if (m_tabs->currentWidget() == m_results)
@@ -216,7 +217,7 @@ void HistoryPage::makeHeader()
     m_search->setObjectName(QStringLiteral("search"));
     m_search->setAccessibleName(tr("Search the trials"));
     m_search->setClearButtonEnabled(true);
-    m_search->setMinimumWidth(260);
+    m_search->setMinimumWidth(160);
     m_search->addAction(themeIcon(QStringLiteral("search")), QLineEdit::LeadingPosition);
     m_search->installEventFilter(this);
     connect(m_search, &QLineEdit::textChanged, this, &HistoryPage::filter);

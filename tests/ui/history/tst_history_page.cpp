@@ -65,6 +65,7 @@ private Q_SLOTS:
     void readsThousandsPieceByPiece();
     void whatIsReadOnlyIsNotMarked();
     void saysWhenThereIsNothing();
+    void fitsIntoLittle();
 
 private:
     /// A copy that a test may change.
@@ -76,6 +77,31 @@ private:
 void TestHistoryPage::initTestCase()
 {
     m_project = openStoredExample(m_folder.path().toStdString());
+}
+
+/// Where it is narrow the buttons have their icons alone; what is known of a trial is beside the list of
+/// trials only.
+void TestHistoryPage::fitsIntoLittle()
+{
+    HistoryPage page(*m_project);
+    page.refresh();
+    page.resize(1500, 600);
+    page.show();
+    auto *doubtful = page.findChild<QToolButton *>(QStringLiteral("doubtfulOnly"));
+    QCOMPARE(doubtful->toolButtonStyle(), Qt::ToolButtonTextBesideIcon);
+    const int least = page.minimumSizeHint().width();
+    QVERIFY2(least < 900, qPrintable(QString::number(least)));
+    page.resize(least, 600);
+    QTRY_COMPARE(doubtful->toolButtonStyle(), Qt::ToolButtonIconOnly);
+    QCOMPARE(page.width(), least);
+    page.resize(1500, 600);
+    QTRY_COMPARE(doubtful->toolButtonStyle(), Qt::ToolButtonTextBesideIcon);
+    auto *detail = page.findChild<TrialDetail *>();
+    QVERIFY(detail->isVisible());
+    page.findChild<QTabWidget *>()->setCurrentIndex(1);
+    QVERIFY(!detail->isVisible());
+    page.findChild<QTabWidget *>()->setCurrentIndex(0);
+    QVERIFY(detail->isVisible());
 }
 
 void TestHistoryPage::searchesAsYouType()

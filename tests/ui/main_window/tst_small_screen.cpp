@@ -1,16 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A laptop's screen of 1366×768, or one of 2732×1536 at 200 %: nothing may need more.
+// A laptop's screen of 1366×768, or one of 2732×1536 at 200 %, and at least 1024×600: nothing may need more.
 #include "tests/support/registered_test.h"
 #include "tests/ui/support/mnemonics.h"
 #include "tests/ui/support/stored_example.h"
+#include "ui/history/history_page.h"
+#include "ui/main_window/language.h"
 #include "ui/main_window/main_window.h"
 #include "ui/views/widgets/theme.h"
 
 #include <QApplication>
+#include <QDockWidget>
 #include <QHeaderView>
 #include <QSettings>
 #include <QStackedWidget>
 #include <QStandardPaths>
+#include <QTabWidget>
 #include <QTableView>
 #include <QTemporaryDir>
 #include <QTest>
@@ -72,6 +76,59 @@ private Q_SLOTS:
             QTRY_VERIFY(trials->horizontalHeader()->length() <= trials->viewport()->width());
         }
     }
+    void everyLanguageFits_data()
+    {
+        QTest::addColumn<QString>("code");
+        for (const Language &each : languages())
+            QTest::newRow(qPrintable(each.code)) << each.code;
+    }
+    /// Each page with each of its docks and tabs, in 1024×600.
+    void everyLanguageFits()
+    {
+        QFETCH(QString, code);
+        installLanguage(*qApp, code);
+        MainWindow window;
+        QVERIFY(window.openProject(m_project));
+        window.show();
+        QStringList complaints;
+        const auto look = [&](const QString &what) {
+            QTRY_VERIFY_WITH_TIMEOUT(window.isSettled(), 20000);
+            QCoreApplication::sendPostedEvents(); // its layouts know of it
+            const QSize least = window.minimumSizeHint();
+            if (least.width() > 1024 || least.height() > 600)
+                complaints << QStringLiteral("%1: %2×%3").arg(what).arg(least.width()).arg(least.height());
+            for (const QString &shared : test::sharedMnemonics(window))
+                complaints << what + QStringLiteral(": ") + shared;
+        };
+        for (const WindowMode mode : allModes) {
+            window.showMode(mode);
+            look(modeWord(mode));
+        }
+        window.showMode(WindowMode::Review);
+        for (QDockWidget *dock : window.findChildren<QDockWidget *>())
+            if (dock->window() == &window && dock->parentWidget()->isVisible()) {
+                dock->show();
+                dock->raise();
+                look(dock->objectName());
+            }
+        window.showMode(WindowMode::History);
+        auto *tabs = window.findChild<HistoryPage *>()->findChild<QTabWidget *>();
+        for (int tab = 0; tab < tabs->count(); ++tab)
+            if (tabs->isTabVisible(tab)) {
+                tabs->setCurrentIndex(tab);
+                look(tabs->tabText(tab));
+            }
+        window.resize(1024, 600);
+        QStringList needs;
+        const auto *pages = window.findChild<QStackedWidget *>();
+        for (int page = 0; page < pages->count(); ++page) {
+            const QSize least = pages->widget(page)->minimumSizeHint();
+            needs << QStringLiteral("%1×%2").arg(least.width()).arg(least.height());
+        }
+        QVERIFY2(window.size() == QSize(1024, 600), qPrintable(needs.join(u' ')));
+        QVERIFY2(complaints.isEmpty(), qPrintable(complaints.join(u'\n')));
+    }
+    void cleanup() { installLanguage(*qApp, QStringLiteral("en")); }
 };
 
 ODOGRAPH_TEST(TestSmallScreen, QApplication)

@@ -166,6 +166,14 @@ private Q_SLOTS:
         QTRY_VERIFY(table->isVisible());
         QVERIFY(!table->visibleRegion().isEmpty());
         QCOMPARE(table->model()->rowCount(), 90);
+        // the row of the present time can be seen from the beginning, and however high the dock is
+        m_timeline->setCurrentFrame(70);
+        for (const int height : {700, 560, 800}) {
+            desk.resize(1000, height);
+            QTRY_VERIFY(
+                table->viewport()->rect().contains(table->visualRect(table->currentIndex()).center()));
+            QCOMPARE(table->currentIndex().row(), 70);
+        }
         desk.resetLayout();
         QVERIFY(!table->isVisible());
     }

@@ -65,8 +65,20 @@ private Q_SLOTS:
         table.setItem(0, 0, new QTableWidgetItem(QString(60, u'm')));
         fill(table, 60);
         fitColumns(table, 1, {0});
-        QCOMPARE(table.columnWidth(0), 8 * table.fontMetrics().averageCharWidth());
+        QCOMPARE(table.columnWidth(0), 12 * table.fontMetrics().averageCharWidth());
         QVERIFY(table.horizontalHeader()->length() > table.viewport()->width()); // and can be scrolled
+    }
+
+    void noHeadingIsCut()
+    {
+        QTableWidget table(1, 3);
+        table.setHorizontalHeaderLabels({QStringLiteral("Trial"), QStringLiteral("A long heading"), {}});
+        for (const int column : {0, 1})
+            table.setItem(0, column, new QTableWidgetItem(QString(60, u'm')));
+        fill(table, 60);
+        fitColumns(table, 1, {0, 1});
+        QCOMPARE(table.columnWidth(1), table.horizontalHeader()->sectionSizeHint(1));
+        QVERIFY(table.columnWidth(1) > 8 * table.fontMetrics().averageCharWidth());
     }
 
 private:

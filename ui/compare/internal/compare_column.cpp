@@ -35,7 +35,7 @@ namespace odo {
 
 namespace {
 
-constexpr int columnWidth = 528, nameWidth = 88; ///< of a run in a heading
+constexpr int usualWidth = 528, leastWidth = 340, nameWidth = 88; ///< the last: of a run in a heading
 
 /// Mutes a difference that is not significant; its sign ≈ says the same.
 class DifferenceDelegate : public QStyledItemDelegate
@@ -78,11 +78,12 @@ QTableView *tableOf(DifferenceModel *model, const QString &name)
     table->setProperty("dense", true);
     table->setSelectionMode(QAbstractItemView::SingleSelection);
     table->setWordWrap(false);
+    table->setMinimumHeight(2 * (table->fontMetrics().height() + 9)); // its heading and a row
     table->setTextElideMode(Qt::ElideRight);
-    table->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     table->verticalHeader()->setDefaultSectionSize(table->fontMetrics().height() + 9);
-    table->horizontalHeader()->setMinimumSectionSize(40);
-    // Numbers are shown whole; a long name of a metric is cut.
+    // Numbers are shown whole; a long name of a metric is cut, and then the table scrolls.
+    constexpr int leastColumn = 76;
+    table->horizontalHeader()->setMinimumSectionSize(leastColumn);
     table->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
     table->horizontalHeader()->setSectionResizeMode(DifferenceModel::NameColumn, QHeaderView::Stretch);
     return table;
@@ -143,10 +144,16 @@ CompareColumn::CompareColumn(Timeline &timeline, QWidget *chooser, QWidget *pare
     layout->addWidget(m_result);
     layout->addWidget(m_sectorCard, 2);
     layout->addWidget(m_metricCard, 4);
-    setFixedWidth(columnWidth);
+    setMinimumWidth(leastWidth);
+    setMaximumWidth(usualWidth);
     m_metricGrid->setChoosable(howComputedWords());
     connect(m_metricGrid, &MetricGrid::chosen, this, &CompareColumn::explainMetric);
     connect(&m_timeline, &Timeline::currentChanged, this, &CompareColumn::showMetrics);
+}
+
+QSize CompareColumn::sizeHint() const
+{
+    return {usualWidth, QWidget::sizeHint().height()};
 }
 
 void CompareColumn::setScene(ComparisonScenePtr scene)

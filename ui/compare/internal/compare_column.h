@@ -32,6 +32,7 @@ class CompareColumn : public QWidget
 public:
     /// chooser: goes to the top.
     CompareColumn(Timeline &timeline, QWidget *chooser, QWidget *parent = nullptr);
+    QSize sizeHint() const override; ///< it gives way where the page is narrow
     void setScene(ComparisonScenePtr scene);
     void setGates(const std::vector<PathGate> &gates);
 

@@ -79,6 +79,8 @@ OwnMetricsDialog::OwnMetricsDialog(const ResultTable &table, const std::vector<O
     m_rows->setHorizontalHeaderLabels({tr("Name"), tr("Unit"), tr("Formula")});
     m_rows->setAccessibleName(tr("Own metrics"));
     m_rows->verticalHeader()->hide();
+    m_rows->horizontalHeader()->setHighlightSections(false);
+    m_rows->horizontalHeader()->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
     m_rows->horizontalHeader()->setSectionResizeMode(OwnFormula, QHeaderView::Stretch);
     m_rows->setTabKeyNavigation(false);
     for (const OwnMetric &metric : metrics)

@@ -32,7 +32,6 @@
 #include <QSplitter>
 #include <QStandardPaths>
 #include <QTimer>
-#include <QToolButton>
 #include <algorithm>
 #include <array>
 #include <set>
@@ -82,8 +81,9 @@ ResultsPanel::ResultsPanel(Project &project, QWidget *parent)
       m_model(new ResultsModel(this)), m_statistics(new ResultStatisticsModel(this)),
       m_metrics(QSettings().value(shownMetricsKey).toStringList()), m_card(new Card(tr("Results"), this)),
       m_class(makeChoice(tr("Class"), 8)), m_task(makeChoice(tr("Task"), 8)),
-      m_groups(makeChoice(tr("Group by"), 10)), m_search(new QLineEdit), m_metricButton(new QToolButton),
-      m_metricMenu(new QMenu(this)), m_table(makeTable(*m_model, tr("Results of the trials"))),
+      m_groups(makeChoice(tr("Group by"), 10)), m_search(new QLineEdit),
+      m_metricButton(new QPushButton(tr("Metrics"))), m_metricMenu(new QMenu(this)),
+      m_table(makeTable(*m_model, tr("Results of the trials"))),
       m_statisticsTable(makeTable(*m_statistics, tr("Statistics"))), m_statisticsTitle(new QLabel),
       m_statisticsTimer(new QTimer(this))
 {
@@ -116,11 +116,10 @@ void ResultsPanel::makeHeader()
     m_search->setClearButtonEnabled(true);
     m_search->addAction(themeIcon(QStringLiteral("search")), QLineEdit::LeadingPosition);
     connect(m_search, &QLineEdit::textChanged, this, &ResultsPanel::filter);
-    m_metricButton->setText(tr("Metrics"));
+    m_metricButton->setAutoDefault(false);
     m_metricButton->setToolTip(tr("Which metrics are shown"));
     m_metricButton->setAccessibleName(tr("Which metrics are shown"));
     m_metricButton->setFocusPolicy(Qt::StrongFocus);
-    m_metricButton->setPopupMode(QToolButton::InstantPopup);
     m_metricButton->setMenu(m_metricMenu);
     auto *save = new QPushButton(themeIcon(QStringLiteral("export")), tr("&Save table…"));
     save->setAutoDefault(false);
@@ -136,8 +135,8 @@ void ResultsPanel::makeTables()
         ResultsModel::VerdictColumn,
         new BadgeDelegate(ResultsModel::BadgeTextRole, ResultsModel::BadgeStateRole, m_table));
     m_table->sortByColumn(ResultsModel::DateColumn, Qt::DescendingOrder);
-    m_table->viewport()->installEventFilter(this);
     for (QTableView *table : {m_table, m_statisticsTable}) {
+        table->viewport()->installEventFilter(this);
         table->setSortingEnabled(true);
         table->installEventFilter(this);
         auto *copyAction = new QAction(tr("&Copy with headings"), table);
@@ -351,13 +350,18 @@ void ResultsPanel::showStatistics()
                                 m_model->table()->columns, by.by == ResultGrouping::By::Team);
     m_statisticsTable->setColumnHidden(ResultStatisticsModel::GroupColumn,
                                        by.by == ResultGrouping::By::Nothing);
-    fitColumns(*m_statisticsTable, ResultStatisticsModel::MetricColumn,
-               {ResultStatisticsModel::MetricColumn, ResultStatisticsModel::GroupColumn});
+    fitStatistics();
     const auto count = static_cast<int>(rows.size());
     m_statisticsTitle->setText(rows.size() == m_model->shownRows().size()
                                    ? tr("Statistics of %n run(s) shown", "", count)
                                    : tr("Statistics of %n selected run(s)", "", count));
     Q_EMIT settled();
+}
+
+void ResultsPanel::fitStatistics()
+{
+    fitColumns(*m_statisticsTable, ResultStatisticsModel::MetricColumn,
+               {ResultStatisticsModel::MetricColumn, ResultStatisticsModel::GroupColumn});
 }
 
 void ResultsPanel::updateTeams()
@@ -442,6 +446,8 @@ bool ResultsPanel::eventFilter(QObject *watched, QEvent *event)
 {
     if (watched == m_table->viewport() && event->type() == QEvent::Resize)
         fit();
+    if (watched == m_statisticsTable->viewport() && event->type() == QEvent::Resize)
+        fitStatistics(); // a scroll bar came
     if (watched == m_table && event->type() == QEvent::KeyPress) {
         const int key = static_cast<QKeyEvent *>(event)->key();
         if ((key == Qt::Key_Return || key == Qt::Key_Enter) && m_table->currentIndex().isValid()) {

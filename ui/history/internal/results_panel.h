@@ -15,9 +15,9 @@ class QComboBox;
 class QLabel;
 class QLineEdit;
 class QMenu;
+class QPushButton;
 class QTableView;
 class QTimer;
-class QToolButton;
 
 namespace odo {
 
@@ -69,6 +69,7 @@ private:
     ResultGrouping grouping() const;
     std::vector<std::size_t> countedRows() const;
     void fit();
+    void fitStatistics();
 
     ProjectReader *m_reader;
     BackgroundTask m_saving;
@@ -79,7 +80,7 @@ private:
     Card *m_card;
     QComboBox *m_class, *m_task, *m_groups;
     QLineEdit *m_search;
-    QToolButton *m_metricButton;
+    QPushButton *m_metricButton;
     QMenu *m_metricMenu;
     QTableView *m_table, *m_statisticsTable;
     QLabel *m_statisticsTitle;

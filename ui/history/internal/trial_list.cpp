@@ -84,6 +84,7 @@ TrialFilterBar::TrialFilterBar(QWidget *parent)
     m_doubtful->setToolTip(tr("Show only trials with doubtful or bad results"));
     for (QToolButton *button : {m_starred, m_doubtful}) {
         lower->addWidget(button);
+        m_buttons << button;
         connect(button, &QToolButton::toggled, this, &TrialFilterBar::changed);
     }
     lower->addStretch(1);
@@ -99,9 +100,41 @@ void TrialFilterBar::makeSwitch(QToolButton &button, const QString &icon, const 
     button.setFocusPolicy(Qt::TabFocus);
 }
 
-void TrialFilterBar::addAtEnd(QWidget *widget)
+void TrialFilterBar::addAtEnd(QToolButton *button)
 {
-    m_lower->addWidget(widget);
+    m_lower->addWidget(button);
+    m_buttons << button;
+}
+
+/// What the words beside the icons of all buttons take.
+int TrialFilterBar::widthOfWords() const
+{
+    constexpr int besideIcon = 4;
+    int width = 0;
+    for (const QToolButton *button : m_buttons)
+        if (!button->isHidden() && !button->icon().isNull())
+            width += button->fontMetrics().horizontalAdvance(button->text().remove(u'&')) + besideIcon;
+    return width;
+}
+
+QSize TrialFilterBar::minimumSizeHint() const
+{
+    QSize least = QWidget::minimumSizeHint();
+    const bool areWordsShown = std::ranges::any_of(m_buttons, [](const QToolButton *button) {
+        return button->toolButtonStyle() == Qt::ToolButtonTextBesideIcon;
+    });
+    if (areWordsShown)
+        least.rwidth() -= widthOfWords();
+    return least;
+}
+
+void TrialFilterBar::resizeEvent(QResizeEvent *event)
+{
+    QWidget::resizeEvent(event);
+    const bool isWide = width() >= minimumSizeHint().width() + widthOfWords();
+    for (QToolButton *button : m_buttons)
+        if (!button->icon().isNull())
+            button->setToolButtonStyle(isWide ? Qt::ToolButtonTextBesideIcon : Qt::ToolButtonIconOnly);
 }
 
 QComboBox *TrialFilterBar::addChoice(QLayout &row, const QString &name, const QString &any)

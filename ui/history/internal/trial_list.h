@@ -72,13 +72,19 @@ public:
     /// Keeps what is chosen where it is still there.
     void setOffer(const FilterOffer &offer);
     TrialFilter filter() const; ///< without a text
-    /// A small widget at the right end.
-    void addAtEnd(QWidget *widget);
+    /// A small button at the right end.
+    void addAtEnd(QToolButton *button);
+    /// Narrower, its buttons show their icons alone.
+    QSize minimumSizeHint() const override;
 
 Q_SIGNALS:
     void changed();
 
+protected:
+    void resizeEvent(QResizeEvent *event) override;
+
 private:
+    int widthOfWords() const;
     QComboBox *addChoice(QLayout &row, const QString &name, const QString &any);
     void showDates();
     static void makeSwitch(QToolButton &button, const QString &icon, const QString &text);
@@ -86,6 +92,7 @@ private:
     QComboBox *m_class, *m_team, *m_task, *m_robot, *m_dates, *m_listSection;
     QDateEdit *m_from, *m_to;
     QToolButton *m_starred, *m_doubtful;
+    QList<QToolButton *> m_buttons; ///< of the lower row
     QHBoxLayout *m_lower;
 };
 

@@ -1,12 +1,39 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/review/internal/figure_panel.h"
 
+#include <QBoxLayout>
 #include <QLabel>
 #include <QScrollArea>
-#include <QVBoxLayout>
 #include <utility>
 
 namespace odo {
+
+namespace {
+
+/// Words, and a plot beside them, or beneath them where it is narrow.
+class FigureRow : public QWidget
+{
+public:
+    FigureRow(QWidget *words, QWidget *plot) : m_layout(new QBoxLayout(QBoxLayout::TopToBottom, this))
+    {
+        m_layout->setContentsMargins(0, 0, 0, 0);
+        m_layout->addWidget(words, 1);
+        m_layout->addWidget(plot, 1);
+    }
+
+protected:
+    void resizeEvent(QResizeEvent *event) override
+    {
+        QWidget::resizeEvent(event);
+        constexpr int leastForBoth = 440;
+        m_layout->setDirection(width() < leastForBoth ? QBoxLayout::TopToBottom : QBoxLayout::LeftToRight);
+    }
+
+private:
+    QBoxLayout *m_layout;
+};
+
+} // namespace
 
 FigurePanel::FigurePanel(const QString &title, const QString &name, const QString &none, Compute compute,
                          QWidget *parent)
@@ -73,14 +100,15 @@ void FigurePanel::showFigures()
         words->setTextFormat(Qt::PlainText);
         words->setWordWrap(true);
         words->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
-        layout->addWidget(words);
+        words->setAlignment(Qt::AlignLeft | Qt::AlignTop);
         if (figure.plot)
-            layout->addWidget(figure.plot());
+            layout->addWidget(new FigureRow(words, figure.plot()), 1);
+        else
+            layout->addWidget(words);
         spoken << words->text();
     }
     if (m_made->empty())
-        layout->addWidget(new QLabel(m_none));
-    layout->addStretch(1);
+        layout->addWidget(new QLabel(m_none), 0, Qt::AlignTop);
     setAccessibleDescription(spoken.join(u'\n'));
 }
 

@@ -82,7 +82,7 @@ QString intervalText(const ViewIntervals &view)
 IntervalHistogram::IntervalHistogram(FrameIntervals intervals, QWidget *parent)
     : QWidget(parent), m_intervals(std::move(intervals))
 {
-    setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+    setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
     setAccessibleName(tr("Histogram of the frame intervals"));
 }
 

@@ -11,10 +11,10 @@
 #include <QComboBox>
 #include <QHeaderView>
 #include <QMenu>
+#include <QPushButton>
 #include <QSettings>
 #include <QSignalBlocker>
 #include <QTableView>
-#include <QToolButton>
 #include <algorithm>
 
 namespace odo {
@@ -55,6 +55,7 @@ SampleTable::SampleTable(Timeline &timeline, QWidget *parent)
     copyAction->setShortcutContext(Qt::WidgetShortcut);
     connect(copyAction, &QAction::triggered, this, &SampleTable::copy);
     m_table->addAction(copyAction);
+    m_table->viewport()->installEventFilter(this);
     connect(m_table->selectionModel(), &QItemSelectionModel::currentRowChanged, this,
             &SampleTable::goToCurrent);
     connect(&m_timeline, &Timeline::currentChanged, this, &SampleTable::followTime);
@@ -71,12 +72,11 @@ void SampleTable::makeHeader()
     m_robot->setMinimumContentsLength(8);
     m_robot->hide();
     connect(m_robot, &QComboBox::currentIndexChanged, this, &SampleTable::showRun);
-    auto *columns = new QToolButton;
-    columns->setText(tr("Columns"));
+    auto *columns = new QPushButton(tr("Columns"));
+    columns->setAutoDefault(false);
     columns->setToolTip(tr("Which columns are shown"));
     columns->setAccessibleName(tr("Which columns are shown"));
     columns->setFocusPolicy(Qt::TabFocus);
-    columns->setPopupMode(QToolButton::InstantPopup);
     columns->setMenu(m_columnMenu);
     addToHeader(m_robot);
     addToHeader(columns);
@@ -96,6 +96,14 @@ void SampleTable::showEvent(QShowEvent *event)
         fill();
     followTime();
     Card::showEvent(event);
+}
+
+/// However high the table becomes, the row of the present time is in it.
+bool SampleTable::eventFilter(QObject *watched, QEvent *event)
+{
+    if (event->type() == QEvent::Resize && m_table->currentIndex().isValid())
+        m_table->scrollTo(m_table->currentIndex());
+    return Card::eventFilter(watched, event);
 }
 
 void SampleTable::fill()

@@ -59,7 +59,7 @@ QString smoothingText(const RobotSmoothing &smoothing)
 ResidualPlot::ResidualPlot(CutoffAnalysis analysis, QWidget *parent)
     : QWidget(parent), m_analysis(std::move(analysis))
 {
-    setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+    setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
     setAccessibleName(tr("Residual against the cut-off"));
     for (const CutoffResidual &each : m_analysis.residuals)
         m_mostM = std::max(m_mostM, each.residualM);

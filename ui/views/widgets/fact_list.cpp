@@ -27,6 +27,7 @@
 #include <QStringList>
 #include <QToolButton>
 #include <QVBoxLayout>
+#include <algorithm>
 
 namespace odo {
 
@@ -107,8 +108,25 @@ FactList::FactList(Badges badges) : m_badges(badges), m_layout(new QGridLayout(t
 void FactList::setFacts(const QList<Fact> &facts)
 {
     empty(m_layout);
-    for (int row = 0; row < facts.size(); ++row)
+    m_widestName = 0;
+    for (int row = 0; row < facts.size(); ++row) {
         addRow(row, facts.at(row));
+        m_widestName = std::max(m_widestName, fontMetrics().horizontalAdvance(facts.at(row).name));
+    }
+    fitNames();
+}
+
+/// Names have one line each, but for long ones where their values would be left too little.
+void FactList::fitNames()
+{
+    constexpr double share = 0.45;
+    m_layout->setColumnMinimumWidth(0, std::min(m_widestName + 2, static_cast<int>(share * width())));
+}
+
+void FactList::resizeEvent(QResizeEvent *event)
+{
+    QWidget::resizeEvent(event);
+    fitNames();
 }
 
 QWidget *FactList::withBadgeBeneath(QLabel *value, const Fact &fact)
@@ -135,13 +153,13 @@ void FactList::addRow(int row, const Fact &fact)
     auto *name = new QLabel(fact.name, this);
     name->setObjectName(QStringLiteral("quiet"));
     auto *value = new QLabel(breakable(fact.value), this);
-    value->setWordWrap(true);
     value->setTextInteractionFlags(Qt::TextSelectableByMouse);
     value->setAccessibleName(QStringLiteral("%1: %2").arg(fact.name, fact.value));
     for (QLabel *label : {name, value}) {
         label->setTextFormat(Qt::PlainText);
         label->setAlignment(Qt::AlignLeft | Qt::AlignTop);
         label->setContentsMargins(0, rowMargin, 0, rowMargin + 1);
+        label->setWordWrap(true);
     }
     m_layout->addWidget(name, row, 0);
     const bool hasBadge = !fact.badge.text.isEmpty(), isBeside = hasBadge && m_badges == Badges::Beside;

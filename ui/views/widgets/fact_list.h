@@ -53,11 +53,14 @@ Q_SIGNALS:
 
 protected:
     void paintEvent(QPaintEvent *event) override;
+    void resizeEvent(QResizeEvent *event) override;
 
 private:
+    void fitNames();
     QWidget *withBadgeBeneath(QLabel *value, const Fact &fact);
     void addRow(int row, const Fact &fact);
     const Badges m_badges;
+    int m_widestName = 0;
     QGridLayout *m_layout;
 };
 

@@ -72,13 +72,16 @@ void showAsList(QTableView &table)
 
 namespace {
 
-/// The widest first, pixel by pixel, down to a width; gives what is still missing.
+/// The widest first, pixel by pixel, down to a width or that of its heading; gives what is still missing.
 int shrink(QHeaderView &header, const QList<int> &columns, int least, int missing)
 {
+    const auto spareOf = [&](int column) {
+        return header.sectionSize(column) - std::max(least, header.sectionSizeHint(column));
+    };
     for (; missing > 0; --missing) {
-        const auto widest =
-            std::ranges::max_element(columns, {}, [&](int column) { return header.sectionSize(column); });
-        if (widest == columns.end() || header.sectionSize(*widest) <= least)
+        const auto widest = std::ranges::max_element(
+            columns, {}, [&](int column) { return spareOf(column) > 0 ? header.sectionSize(column) : 0; });
+        if (widest == columns.end() || spareOf(*widest) <= 0)
             break;
         header.resizeSection(*widest, header.sectionSize(*widest) - 1);
     }
@@ -91,14 +94,15 @@ void fitColumns(QTableView &table, int taking, const QList<int> &shrinkable)
 {
     table.resizeColumnsToContents();
     QHeaderView &header = *table.horizontalHeader();
-    const int letter = table.fontMetrics().averageCharWidth(), least = 8 * letter, enough = 16 * letter;
+    const int letter = table.fontMetrics().averageCharWidth(), least = 8 * letter, leastFirst = 12 * letter,
+              enough = 16 * letter;
     const int spare = table.viewport()->width() - header.length();
     if (spare > 0)
         return header.resizeSection(taking, header.sectionSize(taking) + spare);
     int missing = -spare;
     missing = shrink(header, shrinkable, enough, missing);
     missing = shrink(header, shrinkable.mid(1), least, missing);
-    shrink(header, shrinkable, least, missing);
+    shrink(header, shrinkable.mid(0, 1), leastFirst, missing);
 }
 
 } // namespace odo

@@ -30,7 +30,7 @@ void showAsList(QTableView &table);
 
 /// Makes the columns as wide as their content. What is left goes to one of them; if they do not all fit, the
 /// shrinkable ones become narrower, the widest first: all to 16 letters, all but the first of them to eight,
-/// and then that one too.
+/// and then that one to twelve, but none below its heading. What does not fit then is reached by scrolling.
 void fitColumns(QTableView &table, int taking, const QList<int> &shrinkable);
 
 /// The record that a row shows; nullptr where no row is chosen (-1), or where the row shows none.

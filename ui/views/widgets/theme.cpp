@@ -5,6 +5,7 @@
 
 #include <QApplication>
 #include <QComboBox>
+#include <QDialog>
 #include <QGuiApplication>
 #include <QHash>
 #include <QIconEngine>
@@ -12,6 +13,7 @@
 #include <QPalette>
 #include <QPixmap>
 #include <QProxyStyle>
+#include <QScreen>
 #include <QStyleFactory>
 #include <QStyleOption>
 #include <QSvgRenderer>
@@ -246,7 +248,8 @@ QIcon themeIcon(const QString &name, const QColor &colour)
 /// Fusion, but for the frames of fields (lines, numbers, choices): Fusion makes them by darkening the
 /// window's colour, which can hardly be seen on a dark ground. Here they have 3:1 to what is on either side
 /// (WCAG 2.1, 1.4.11). No choice whose width is that of its contents asks for more room than 44 letters,
-/// whatever it offers.
+/// whatever it offers. A dialog that comes up is no larger than its screen, and its buttons have no icons of
+/// the desktop, some of which cannot be seen on a dark ground.
 class FramedStyle : public QProxyStyle
 {
     Q_OBJECT
@@ -258,6 +261,10 @@ public:
                             const QWidget *widget) const override;
     QSize sizeFromContents(ContentsType type, const QStyleOption *option, const QSize &size,
                            const QWidget *widget) const override;
+    int styleHint(StyleHint hint, const QStyleOption *option, const QWidget *widget,
+                  QStyleHintReturn *returned) const override;
+    using QProxyStyle::polish;
+    void polish(QWidget *widget) override;
 };
 
 namespace {
@@ -309,6 +316,22 @@ QSize FramedStyle::sizeFromContents(ContentsType type, const QStyleOption *optio
     if (choice && choice->sizeAdjustPolicy() != QComboBox::AdjustToMinimumContentsLengthWithIcon)
         wanted.setWidth(std::min(wanted.width(), mostLetters * option->fontMetrics.averageCharWidth()));
     return wanted;
+}
+
+int FramedStyle::styleHint(StyleHint hint, const QStyleOption *option, const QWidget *widget,
+                           QStyleHintReturn *returned) const
+{
+    if (hint == SH_DialogButtonBox_ButtonsHaveIcons)
+        return 0;
+    return QProxyStyle::styleHint(hint, option, widget, returned);
+}
+
+void FramedStyle::polish(QWidget *widget)
+{
+    QProxyStyle::polish(widget);
+    constexpr int titleBar = 32;
+    if (widget->isWindow() && qobject_cast<QDialog *>(widget))
+        widget->resize(widget->size().boundedTo(widget->screen()->availableSize() - QSize(0, titleBar)));
 }
 
 namespace {
