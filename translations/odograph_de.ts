@@ -2627,6 +2627,10 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <source>%1 in %2</source>
         <translation>%1 in %2</translation>
     </message>
+    <message>
+        <source>points</source>
+        <translation>Punkte</translation>
+    </message>
 </context>
 <context>
     <name>TrialCurves</name>
@@ -10997,7 +11001,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <name>odo::AccuracyDialog</name>
     <message>
         <source>may hang &amp;over the floor</source>
-        <translation>darf über dem Boden &amp;hängen</translation>
+        <translation>darf über dem Boden hän&amp;gen</translation>
     </message>
     <message>
         <source>&amp;Plan a camera</source>
@@ -13422,7 +13426,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <name>odo::HistoryPage</name>
     <message>
         <source>&amp;Compare</source>
-        <translation>&amp;Vergleichen</translation>
+        <translation>Verglei&amp;chen</translation>
     </message>
     <message>
         <source>Teams by &amp;pseudonym</source>
@@ -13802,7 +13806,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
 <context>
     <name>odo::ImageChoice</name>
     <message>
-        <source>The camera&apos;s &amp;newest recording</source>
+        <source>The camera&apos;s ne&amp;west recording</source>
         <translation>In der &amp;neuesten Aufnahme der Kamera</translation>
     </message>
     <message>
@@ -15266,7 +15270,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
     <message>
         <source>&amp;Looks at x, y</source>
-        <translation>&amp;Blickt auf x, y</translation>
+        <translation>Bl&amp;ickt auf x, y</translation>
     </message>
     <message>
         <source>D&amp;irection</source>
@@ -15325,10 +15329,6 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>Speed now</source>
         <translation>Geschwindigkeit jetzt</translation>
-    </message>
-    <message>
-        <source>Not tracked yet</source>
-        <translation>Noch nicht verfolgt</translation>
     </message>
 </context>
 <context>
@@ -16135,7 +16135,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
     <message>
         <source>&amp;Save table…</source>
-        <translation>Tabelle &amp;speichern…</translation>
+        <translation>Tabelle s&amp;peichern…</translation>
     </message>
     <message>
         <source>&amp;Copy with headings</source>
@@ -16653,7 +16653,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
     <message>
         <source>Te&amp;am</source>
-        <translation>Te&amp;am</translation>
+        <translation>&amp;Team</translation>
     </message>
     <message>
         <source>Tas&amp;k</source>
@@ -16665,11 +16665,11 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
     <message>
         <source>Trial &amp;name</source>
-        <translation>&amp;Versuchsname</translation>
+        <translation>Versuchs&amp;name</translation>
     </message>
     <message>
         <source>Be&amp;gins</source>
-        <translation>&amp;Beginnt</translation>
+        <translation>Beg&amp;innt</translation>
     </message>
     <message>
         <source>&amp;Laps</source>
@@ -16792,7 +16792,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
     <message>
         <source>&amp;Align by</source>
-        <translation>&amp;Ausrichten an</translation>
+        <translation>Aus&amp;richten an</translation>
     </message>
     <message>
         <source>Automatic: %1</source>
@@ -19326,6 +19326,13 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>Notes</source>
         <translation>Notizen</translation>
+    </message>
+</context>
+<context>
+    <name>odo::TrialPresentation</name>
+    <message>
+        <source>Not tracked yet</source>
+        <translation>Noch nicht verfolgt</translation>
     </message>
 </context>
 <context>

@@ -2627,6 +2627,10 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <source>%1 in %2</source>
         <translation>%1 en %2</translation>
     </message>
+    <message>
+        <source>points</source>
+        <translation>puntos</translation>
+    </message>
 </context>
 <context>
     <name>TrialCurves</name>
@@ -13802,7 +13806,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
 <context>
     <name>odo::ImageChoice</name>
     <message>
-        <source>The camera&apos;s &amp;newest recording</source>
+        <source>The camera&apos;s ne&amp;west recording</source>
         <translation>En la última g&amp;rabación de la cámara</translation>
     </message>
     <message>
@@ -15293,7 +15297,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     </message>
     <message>
         <source>&amp;Reports</source>
-        <translation>&amp;Informes</translation>
+        <translation>In&amp;formes</translation>
     </message>
     <message>
         <source>&amp;Keys</source>
@@ -15325,10 +15329,6 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <message>
         <source>Speed now</source>
         <translation>Velocidad ahora</translation>
-    </message>
-    <message>
-        <source>Not tracked yet</source>
-        <translation>Aún sin rastrear</translation>
     </message>
 </context>
 <context>
@@ -19326,6 +19326,13 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <message>
         <source>Notes</source>
         <translation>Notas</translation>
+    </message>
+</context>
+<context>
+    <name>odo::TrialPresentation</name>
+    <message>
+        <source>Not tracked yet</source>
+        <translation>Aún sin rastrear</translation>
     </message>
 </context>
 <context>

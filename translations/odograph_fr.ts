@@ -2627,6 +2627,10 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <source>%1 in %2</source>
         <translation>%1 en %2</translation>
     </message>
+    <message>
+        <source>points</source>
+        <translation>points</translation>
+    </message>
 </context>
 <context>
     <name>TrialCurves</name>
@@ -13802,7 +13806,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>odo::ImageChoice</name>
     <message>
-        <source>The camera&apos;s &amp;newest recording</source>
+        <source>The camera&apos;s ne&amp;west recording</source>
         <translation>Dans le &amp;dernier enregistrement de la caméra</translation>
     </message>
     <message>
@@ -15326,10 +15330,6 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <source>Speed now</source>
         <translation>Vitesse actuelle</translation>
     </message>
-    <message>
-        <source>Not tracked yet</source>
-        <translation>Pas encore suivi</translation>
-    </message>
 </context>
 <context>
     <name>odo::ProfileChart</name>
@@ -16135,7 +16135,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
     <message>
         <source>&amp;Save table…</source>
-        <translation>&amp;Enregistrer le tableau…</translation>
+        <translation>Enre&amp;gistrer le tableau…</translation>
     </message>
     <message>
         <source>&amp;Copy with headings</source>
@@ -16661,7 +16661,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
     <message>
         <source>R&amp;obots</source>
-        <translation>R&amp;obots</translation>
+        <translation>Robo&amp;ts</translation>
     </message>
     <message>
         <source>Trial &amp;name</source>
@@ -16784,7 +16784,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
     <message>
         <source>F&amp;irst</source>
-        <translation>Prem&amp;ier</translation>
+        <translation>Pre&amp;mier</translation>
     </message>
     <message>
         <source>Seco&amp;nd</source>
@@ -19326,6 +19326,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>Notes</source>
         <translation>Notes</translation>
+    </message>
+</context>
+<context>
+    <name>odo::TrialPresentation</name>
+    <message>
+        <source>Not tracked yet</source>
+        <translation>Pas encore suivi</translation>
     </message>
 </context>
 <context>

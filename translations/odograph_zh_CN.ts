@@ -2606,6 +2606,10 @@ Much more than expected means that a setting is wrong: the views are not synchro
         <source>%1 in %2</source>
         <translation>%1 (%2)</translation>
     </message>
+    <message>
+        <source>points</source>
+        <translation>分</translation>
+    </message>
 </context>
 <context>
     <name>TrialCurves</name>
@@ -13760,8 +13764,8 @@ Much more than expected means that a setting is wrong: the views are not synchro
 <context>
     <name>odo::ImageChoice</name>
     <message>
-        <source>The camera&apos;s &amp;newest recording</source>
-        <translation>相机的最新录像(&amp;N)</translation>
+        <source>The camera&apos;s ne&amp;west recording</source>
+        <translation>相机的最新录像(&amp;W)</translation>
     </message>
     <message>
         <source>The current image of a &amp;connected camera</source>
@@ -15277,10 +15281,6 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>Speed now</source>
         <translation>当前速度</translation>
-    </message>
-    <message>
-        <source>Not tracked yet</source>
-        <translation>尚未跟踪</translation>
     </message>
 </context>
 <context>
@@ -19248,6 +19248,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>Notes</source>
         <translation>备注</translation>
+    </message>
+</context>
+<context>
+    <name>odo::TrialPresentation</name>
+    <message>
+        <source>Not tracked yet</source>
+        <translation>尚未跟踪</translation>
     </message>
 </context>
 <context>

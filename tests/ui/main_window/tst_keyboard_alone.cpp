@@ -3,7 +3,11 @@
 #include "tests/support/registered_test.h"
 #include "tests/ui/support/driven_window.h"
 #include "tests/ui/support/stored_example.h"
+#include "ui/history/history_page.h"
+#include "ui/history/internal/own_metrics_dialog.h"
 #include "ui/main_window/main_window.h"
+#include "ui/review/review_desk.h"
+#include "ui/review/review_page.h"
 #include "ui/views/widgets/theme.h"
 
 #include <QAbstractButton>
@@ -18,6 +22,7 @@
 #include <QLineEdit>
 #include <QMenu>
 #include <QScrollBar>
+#include <QTabWidget>
 #include <QTemporaryDir>
 #include <QTest>
 #include <QTextEdit>
@@ -32,6 +37,8 @@ private Q_SLOTS:
     void initTestCase();
     void modes_data();
     void modes();
+    void docksAndTabs();
+    void ownMetrics();
     void dialogs();
 
 private:
@@ -146,6 +153,44 @@ void TestKeyboardAlone::modes()
     m_window->showMode(static_cast<WindowMode>(mode));
     test::waitFor(*m_window);
     QCOMPARE(test::told(complaintsOf(*m_window)), 0);
+}
+
+/// What is hidden at first.
+void TestKeyboardAlone::docksAndTabs()
+{
+    QStringList complaints;
+    const auto look = [&](const QString &what) {
+        test::waitFor(*m_window);
+        for (const QString &each : complaintsOf(*m_window))
+            complaints << what + QStringLiteral(" · ") + each;
+    };
+    m_window->showMode(WindowMode::Review);
+    const auto docks = m_window->findChild<ReviewPage *>()->desk().dockActions();
+    QVERIFY(docks.size() >= 5);
+    for (QAction *dock : docks) {
+        if (!dock->isChecked())
+            dock->trigger();
+        look(dock->text());
+    }
+    m_window->findChild<ReviewPage *>()->desk().resetLayout();
+    m_window->showMode(WindowMode::History);
+    auto *tabs = m_window->findChild<HistoryPage *>()->findChild<QTabWidget *>();
+    for (const int tab : {1, 2}) {
+        tabs->setCurrentIndex(tab);
+        look(tabs->tabText(tab));
+    }
+    tabs->setCurrentIndex(0);
+    QCOMPARE(test::told(complaints), 0);
+}
+
+void TestKeyboardAlone::ownMetrics()
+{
+    ResultTable table;
+    OwnMetricsDialog dialog(table, {{"half", "m", "0.5 * path_length"}});
+    dialog.show();
+    QCOMPARE(test::told(complaintsOf(dialog)), 0);
+    QTest::keyClick(QApplication::focusWidget() ? QApplication::focusWidget() : &dialog, Qt::Key_Escape);
+    QVERIFY(!dialog.isVisible());
 }
 
 void TestKeyboardAlone::dialogs()

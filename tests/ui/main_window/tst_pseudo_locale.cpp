@@ -2,6 +2,7 @@
 // Every window in a language that nobody speaks: what was never given to a translator stands out.
 #include "tests/support/registered_test.h"
 #include "tests/ui/support/driven_window.h"
+#include "tests/ui/support/mnemonics.h"
 #include "tests/ui/support/pseudo_words.h"
 #include "tests/ui/support/stored_example.h"
 #include "ui/main_window/language.h"
@@ -142,7 +143,8 @@ void TestPseudoLocale::everyLanguageFits_data()
         QTest::newRow(qPrintable(each.code)) << each.code;
 }
 
-/// In a window as small as a laptop has it, and in dialogs as large as they come.
+/// In a window as small as a laptop has it, and in dialogs as large as they come. None needs more than the
+/// smallest screen has beside a title bar, and no key means two things in it.
 void TestPseudoLocale::everyLanguageFits()
 {
     QFETCH(QString, code);
@@ -162,6 +164,14 @@ void TestPseudoLocale::everyLanguageFits()
     test::lookAtDialogs(window, [&](const QAction &command, QDialog &dialog) {
         waitForCameras(window);
         for (const QString &each : cutOffAtLast(dialog))
+            cut << command.text() + QStringLiteral(" · ") + each;
+        const QSize least = dialog.minimumSizeHint().expandedTo(dialog.minimumSize());
+        if (least.width() > 1024 || least.height() > 568)
+            cut << QStringLiteral("%1 needs %2×%3")
+                       .arg(command.text())
+                       .arg(least.width())
+                       .arg(least.height());
+        for (const QString &each : test::sharedMnemonics(dialog))
             cut << command.text() + QStringLiteral(" · ") + each;
     });
     cut.removeDuplicates();

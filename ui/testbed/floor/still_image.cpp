@@ -11,6 +11,7 @@
 
 #include <QHBoxLayout>
 #include <QRadioButton>
+#include <QRegularExpression>
 #include <QVBoxLayout>
 
 namespace odo {
@@ -117,7 +118,7 @@ QHBoxLayout *indented(QWidget *widget, bool stretched)
 } // namespace
 
 ImageChoice::ImageChoice(const LiveCameras &live, const QString &fileName, QWidget *parent)
-    : QWidget(parent), m_fromRecording(new QRadioButton(tr("The camera's &newest recording"))),
+    : QWidget(parent), m_fromRecording(new QRadioButton(tr("The camera's ne&west recording"))),
       m_fromLive(new QRadioButton(tr("The current image of a &connected camera"))),
       m_fromFile(new QRadioButton(tr("An image or a &video"))), m_live(new LiveCameraBox(live)),
       m_file(new PathField(fileName, imageFileFilter()))
@@ -136,6 +137,13 @@ ImageChoice::ImageChoice(const LiveCameras &live, const QString &fileName, QWidg
     connect(m_live, &QComboBox::currentIndexChanged, this, &ImageChoice::updateChoices);
     connect(m_file, &PathField::changed, this, &ImageChoice::changed);
     updateChoices();
+}
+
+void ImageChoice::removeKeys()
+{
+    static const QRegularExpression key(QStringLiteral("\\(&\\w\\)|&")); // some languages have it in brackets
+    for (QRadioButton *choice : {m_fromRecording, m_fromLive, m_fromFile})
+        choice->setText(choice->text().remove(key));
 }
 
 void ImageChoice::setRecording(const std::optional<std::filesystem::path> &file)

@@ -58,6 +58,8 @@ public:
     /// live must outlive it. fileName: of the line for the file, for a screen reader.
     ImageChoice(const LiveCameras &live, const QString &fileName, QWidget *parent = nullptr);
 
+    /// Beside another one in a dialog: no key with Alt is to mean both.
+    void removeKeys();
     /// Of the camera that is chosen; nullopt: it has none. It is taken where there is one, unless something
     /// else was chosen.
     void setRecording(const std::optional<std::filesystem::path> &file);

@@ -190,6 +190,8 @@ ReferenceCameraPage::ReferenceCameraPage(const std::vector<FloorCamera> &cameras
       m_image(new ImageChoice(live, tr("Image or video of the camera to register"))),
       m_referenceImage(new ImageChoice(live, tr("Image or video of the registered camera")))
 {
+    for (ImageChoice *choice : {m_image, m_referenceImage})
+        choice->removeKeys();
     for (const FloorCamera &camera : m_cameras)
         m_camera->addItem(camera.name);
     for (const CheckCamera &camera : m_registered)

@@ -224,7 +224,9 @@ ChartDrawing trendDrawing(const TeamStanding &team)
     drawing.axes.style = ChartStyle::Dates;
     drawing.axes.left = metric.unit == "1"
                             ? name
-                            : TrendChartWords::tr("%1 in %2").arg(name, QString::fromStdString(metric.unit));
+                            : TrendChartWords::tr("%1 in %2")
+                                  .arg(name, metric.unit == "points" ? TrendChartWords::tr("points")
+                                                                     : QString::fromStdString(metric.unit));
     drawing.low = double(dayOf(firstMs).startOfDay().toMSecsSinceEpoch());
     drawing.high = double(dayOf(lastMs).addDays(1).startOfDay().toMSecsSinceEpoch());
     return drawing;
