@@ -21,11 +21,12 @@
 #include "ui/record/internal/run_results.h"
 #include "ui/record/record_page.h"
 #include "ui/report/report_dialog.h"
-#include "ui/review/internal/present_window.h"
+#include "ui/review/review_desk.h"
 #include "ui/review/review_page.h"
 #include "ui/testbed/check/camera_position_dialog.h"
 #include "ui/testbed/floor/floor_wizard.h"
 #include "ui/testbed/lens/lens_wizard.h"
+#include "ui/views/present/present_window.h"
 #include "ui/views/widgets/form_fields.h"
 #include "ui/views/widgets/spike_list.h"
 #include "ui/views/widgets/theme.h"
@@ -34,15 +35,19 @@
 #include <QApplication>
 #include <QComboBox>
 #include <QDir>
+#include <QDockWidget>
 #include <QLineEdit>
 #include <QListWidget>
+#include <QMenu>
 #include <QPushButton>
 #include <QSqlDatabase>
 #include <QSqlError>
 #include <QSqlQuery>
 #include <QTabWidget>
 #include <QTableView>
+#include <QTableWidget>
 #include <QTest>
+#include <QToolButton>
 
 using namespace odo;
 using namespace odo::test;
@@ -116,6 +121,7 @@ private:
     QString project() const { return path(QStringLiteral("lesson/demo.odo")); }
     QStringList calibrationImages(const QString &camera) const;
     void showTrial(const QString &trial, Nanoseconds at);
+    void takeDock(const char *name, const QString &picture);
     ReviewPage &reviewPage() { return *m_book->window().findChild<ReviewPage *>(); }
 
     // Its name is in some of the pictures, and shall be the same each time.
@@ -304,12 +310,32 @@ void TestManualPictures::review()
     disagreement->trigger();
     m_book->takeWindow(QStringLiteral("disagreement"));
     disagreement->trigger();
+    takeDock("dataDock", QStringLiteral("data"));
+    takeDock("intervalDock", QStringLiteral("frame_intervals"));
+    takeDock("smoothingDock", QStringLiteral("smoothing"));
+    named<QToolButton>(m_book->window(), "In millimetres: How was this computed?")->click();
+    auto *passport = m_book->window().findChild<QDialog *>(QStringLiteral("explanation"));
+    QVERIFY(passport);
+    m_book->take(*passport, QStringLiteral("passport"));
+    delete passport;
     auto *present = m_book->window().findChild<QAction *>(QStringLiteral("present"));
     present->trigger();
     auto *presentation = m_book->window().findChild<PresentWindow *>();
     QTRY_VERIFY_WITH_TIMEOUT(presentation && presentation->isSettled(), patienceMs);
     m_book->take(*presentation, QStringLiteral("present"));
     presentation->close();
+}
+
+/// Of its own, so that it shows enough.
+void TestManualPictures::takeDock(const char *name, const QString &picture)
+{
+    auto *dock = m_book->window().findChild<QDockWidget *>(QString::fromLatin1(name));
+    dock->setFloating(true);
+    dock->resize(760, 250);
+    dock->show();
+    waitFor(m_book->window());
+    m_book->take(*dock->widget(), picture);
+    reviewPage().desk().resetLayout();
 }
 
 void TestManualPictures::spikes()
@@ -347,6 +373,17 @@ void TestManualPictures::history()
     tabs->setCurrentIndex(1);
     waitFor(m_book->window());
     m_book->takeWindow(QStringLiteral("results"));
+    Person person({[this](QDialog &dialog) {
+        QTest::mouseClick(button(dialog, "Add"), Qt::LeftButton);
+        auto *rows = dialog.findChild<QTableWidget *>();
+        const QStringList row{QStringLiteral("energy per kg"), QStringLiteral("J/kg"),
+                              QStringLiteral("0.5 * max_speed^2")};
+        for (int column = 0; column < row.size(); ++column)
+            rows->item(0, column)->setText(row.at(column));
+        m_book->take(dialog, QStringLiteral("own_metrics"));
+        dialog.done(QDialog::Rejected);
+    }});
+    named<QPushButton>(*page, "Which metrics are shown")->menu()->actions().constLast()->trigger();
     tabs->setCurrentIndex(2);
     waitFor(m_book->window());
     for (QComboBox *box : page->findChildren<QComboBox *>())
@@ -382,6 +419,7 @@ void TestManualPictures::reports()
     });
     showTrial(eight, 3 * second);
     m_book->takeDialog("export", QStringLiteral("export"));
+    m_book->takeDialog("backups", QStringLiteral("backups"));
     m_book->takeDialog("exportVideo", QStringLiteral("export_video"));
 }
 
