@@ -122,6 +122,7 @@ private:
     QStringList calibrationImages(const QString &camera) const;
     void showTrial(const QString &trial, Nanoseconds at);
     void takeDock(const char *name, const QString &picture);
+    void takeOwnMetrics(const HistoryPage &page);
     ReviewPage &reviewPage() { return *m_book->window().findChild<ReviewPage *>(); }
 
     // Its name is in some of the pictures, and shall be the same each time.
@@ -331,7 +332,7 @@ void TestManualPictures::takeDock(const char *name, const QString &picture)
 {
     auto *dock = m_book->window().findChild<QDockWidget *>(QString::fromLatin1(name));
     dock->setFloating(true);
-    dock->resize(760, 250);
+    dock->resize(800, 250);
     dock->show();
     waitFor(m_book->window());
     m_book->take(*dock->widget(), picture);
@@ -373,17 +374,7 @@ void TestManualPictures::history()
     tabs->setCurrentIndex(1);
     waitFor(m_book->window());
     m_book->takeWindow(QStringLiteral("results"));
-    Person person({[this](QDialog &dialog) {
-        QTest::mouseClick(button(dialog, "Add"), Qt::LeftButton);
-        auto *rows = dialog.findChild<QTableWidget *>();
-        const QStringList row{QStringLiteral("energy per kg"), QStringLiteral("J/kg"),
-                              QStringLiteral("0.5 * max_speed^2")};
-        for (int column = 0; column < row.size(); ++column)
-            rows->item(0, column)->setText(row.at(column));
-        m_book->take(dialog, QStringLiteral("own_metrics"));
-        dialog.done(QDialog::Rejected);
-    }});
-    named<QPushButton>(*page, "Which metrics are shown")->menu()->actions().constLast()->trigger();
+    takeOwnMetrics(*page);
     tabs->setCurrentIndex(2);
     waitFor(m_book->window());
     for (QComboBox *box : page->findChildren<QComboBox *>())
@@ -394,6 +385,21 @@ void TestManualPictures::history()
     m_book->takeDialog("classes", QStringLiteral("classes"));
     m_book->takeDialog("robots", QStringLiteral("robots"));
     m_book->takeDialog("changes", QStringLiteral("changes"));
+}
+
+void TestManualPictures::takeOwnMetrics(const HistoryPage &page)
+{
+    Person person({[this](QDialog &dialog) {
+        QTest::mouseClick(button(dialog, "Add"), Qt::LeftButton);
+        auto *rows = dialog.findChild<QTableWidget *>();
+        const QStringList row{QStringLiteral("energy_per_kg"), QStringLiteral("J/kg"),
+                              QStringLiteral("0.5 * max_speed^2")};
+        for (int column = 0; column < row.size(); ++column)
+            rows->item(0, column)->setText(row.at(column));
+        m_book->take(dialog, QStringLiteral("own_metrics"));
+        dialog.done(QDialog::Rejected);
+    }});
+    named<QPushButton>(page, "Which metrics are shown")->menu()->actions().constLast()->trigger();
 }
 
 void TestManualPictures::tasks()

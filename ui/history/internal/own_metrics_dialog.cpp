@@ -82,6 +82,8 @@ OwnMetricsDialog::OwnMetricsDialog(const ResultTable &table, const std::vector<O
     m_rows->horizontalHeader()->setHighlightSections(false);
     m_rows->horizontalHeader()->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
     m_rows->horizontalHeader()->setSectionResizeMode(OwnFormula, QHeaderView::Stretch);
+    constexpr int nameLetters = 26;
+    m_rows->setColumnWidth(OwnName, nameLetters * m_rows->fontMetrics().averageCharWidth());
     m_rows->setTabKeyNavigation(false);
     for (const OwnMetric &metric : metrics)
         addRow(metric);

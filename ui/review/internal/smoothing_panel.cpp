@@ -130,11 +130,14 @@ void ResidualPlot::paintEvent(QPaintEvent *)
         const double x = at(hz->value, 0).x();
         painter.setPen(QPen(colours.text, 1.5, style));
         painter.drawLine(QPointF(x, area.top()), QPointF(x, area.bottom()));
-        painter.drawText(QRectF(x + 5, area.top() + share * area.height(), area.right() - x, 18),
-                         Qt::AlignLeft | Qt::AlignVCenter, words);
+        const QRectF label(x + 4, area.top() + share * area.height(),
+                           painter.fontMetrics().horizontalAdvance(words) + 2,
+                           painter.fontMetrics().height());
+        painter.fillRect(label, colours.card); // the other mark may be beneath it
+        painter.drawText(label, Qt::AlignCenter, words);
     };
-    mark(m_analysis.automaticHz, tr("automatic"), Qt::SolidLine, 0);
     mark(m_analysis.chosenHz, tr("residual analysis"), Qt::DotLine, 0.2);
+    mark(m_analysis.automaticHz, tr("automatic"), Qt::SolidLine, 0);
 }
 
 QString ResidualPlot::wordsAt(double x) const
