@@ -162,14 +162,15 @@ private Q_SLOTS:
             if (each->text() == QLatin1String("Data"))
                 shown = each;
         QVERIFY(shown && !shown->isChecked());
+        m_timeline->setCurrentFrame(70);
         shown->trigger();
         QTRY_VERIFY(table->isVisible());
         QVERIFY(!table->visibleRegion().isEmpty());
         QCOMPARE(table->model()->rowCount(), 90);
         // the row of the present time can be seen from the beginning, and however high the dock is
-        m_timeline->setCurrentFrame(70);
         for (const int height : {700, 560, 800}) {
             desk.resize(1000, height);
+            QCoreApplication::processEvents();
             QTRY_VERIFY(
                 table->viewport()->rect().contains(table->visualRect(table->currentIndex()).center()));
             QCOMPARE(table->currentIndex().row(), 70);
