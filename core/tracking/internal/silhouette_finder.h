@@ -4,6 +4,7 @@
 #include "core/geometry/silhouette.h"
 #include "core/tracking/background.h"
 #include "core/tracking/chroma.h"
+#include "core/tracking/observation.h"
 #include "core/tracking/searched_area.h"
 
 #include <memory>
