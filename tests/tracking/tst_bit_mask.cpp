@@ -149,6 +149,31 @@ private Q_SLOTS:
         QVERIFY(isAs(mask.grown(), [&](int x, int y) { return around(x, y, 1) >= 1; }));
         QVERIFY(isAs(mask.grown(4), [&](int x, int y) { return around(x, y, 4) >= 1; }));
     }
+    void columnsEndAtTheirPixels_data() { sizes(); }
+    void columnsEndAtTheirPixels()
+    {
+        QFETCH(int, width);
+        BitMask mask = speckled(width, 9, 0.15);
+        mask.put(0, 4, false);
+        mask.put(width - 1, 5, true);
+        QVERIFY(!mask.at(0, 4));
+        QVERIFY(mask.at(width - 1, 5));
+        const std::vector<int> tops = mask.topOfColumns(), bottoms = mask.bottomOfColumns();
+        QCOMPARE(int(tops.size()), width);
+        QCOMPARE(int(bottoms.size()), width);
+        for (int x = 0; x < width; ++x) {
+            int top = -1, bottom = -1;
+            for (int y = 0; y < mask.height(); ++y) {
+                if (!mask.at(x, y))
+                    continue;
+                top = top < 0 ? y : top;
+                bottom = y;
+            }
+            QCOMPARE(tops[std::size_t(x)], top);
+            QCOMPARE(bottoms[std::size_t(x)], bottom);
+        }
+    }
+
     void runsAreSetAndFound_data() { sizes(); }
     void runsAreSetAndFound()
     {

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <cstddef>
 #include <cstring>
-#include <memory>
 #include <numeric>
 #include <utility>
 
@@ -30,6 +29,14 @@ void widen(const std::uint64_t *from, std::uint64_t *__restrict into, std::ptrdi
 {
     for (std::ptrdiff_t i = 0; i < count; ++i)
         into[i] = from[i] | toTheRight(from + i) | toTheLeft(from + i);
+}
+
+/// Memory for so many words, which is kept: until the thread asks for it again.
+std::uint64_t *workingSpace(std::ptrdiff_t words)
+{
+    thread_local std::vector<std::uint64_t> space;
+    space.resize(std::max(space.size(), std::size_t(words)));
+    return space.data();
 }
 
 /// Half the widths of a disc's rows, from its middle outwards.
@@ -59,6 +66,8 @@ void BitMask::setRow(int y, const std::uint8_t *values, int x0, int x1)
     for (; x + atOnce <= x1; x += atOnce) {
         Word bytes = 0;
         std::memcpy(&bytes, values + (x - x0), atOnce);
+        if (bytes == 0) // nearly always
+            continue;
         // each byte's bit is shifted to its own position in the top byte
         const Word bits = (bytes * 0x0102040810204080U) >> 56;
         const int shift = x % wordBits;
@@ -100,6 +109,32 @@ int BitMask::lastSet(int x, int y) const
             return (w + 1) * wordBits - 1 - std::countl_zero(rest);
     }
     return -1;
+}
+
+/// Of each column the first row with a pixel of the set, in the order from `begin` to before `end`.
+std::vector<int> BitMask::endOfColumns(int begin, int end, int step) const
+{
+    std::vector<int> ends(std::size_t(m_width), -1);
+    for (int w = 0; w < m_words; ++w) {
+        Word found = 0;
+        for (int y = begin; y != end; y += step) {
+            const Word here = row(y)[w];
+            for (Word fresh = here & ~found; fresh != 0; fresh &= fresh - 1)
+                ends[std::size_t(w * wordBits + std::countr_zero(fresh))] = y;
+            found |= here;
+        }
+    }
+    return ends;
+}
+
+std::vector<int> BitMask::topOfColumns() const
+{
+    return endOfColumns(0, m_height, 1);
+}
+
+std::vector<int> BitMask::bottomOfColumns() const
+{
+    return endOfColumns(m_height - 1, -1, -1);
 }
 
 BitMask BitMask::cropped(const PixelRect &part) const
@@ -232,8 +267,9 @@ BitMask BitMask::spread(std::span<const int> halfWidths, Word inverted, Word out
     const auto count = std::ptrdiff_t(m_bits.size()),
                margin = (std::ptrdiff_t(halfWidths.size()) - 1) * m_words, stride = count + 2 * margin;
     // three images with rows of what lies outside above and below
-    const auto work = std::make_unique_for_overwrite<Word[]>(std::size_t(3 * stride));
-    Word *source = work.get() + margin, *wide = source + stride, *wider = wide + stride;
+    thread_local std::vector<Word> work; // of that size once for all
+    work.resize(std::max(work.size(), std::size_t(3 * stride)));
+    Word *source = work.data() + margin, *wide = source + stride, *wider = wide + stride;
     for (Word *image : {source, wide, wider}) {
         std::fill_n(image - margin, margin, outside);
         std::fill_n(image + count, margin, outside);
@@ -283,8 +319,12 @@ BitMask BitMask::crowded() const
 {
     BitMask result(m_width, m_height);
     const auto count = std::ptrdiff_t(m_bits.size()), stride = count + 2 * m_words;
-    std::vector<Word> work(std::size_t(3 * stride)); // three images with an empty row above and below
-    Word *source = work.data() + m_words, *ones = source + stride, *twos = ones + stride;
+    // three images with an empty row above and below
+    Word *source = workingSpace(3 * stride) + m_words, *ones = source + stride, *twos = ones + stride;
+    for (Word *image : {source, ones, twos}) {
+        std::fill_n(image - m_words, m_words, 0);
+        std::fill_n(image + count, m_words, 0);
+    }
     std::ranges::copy(m_bits, source);
     // of each pixel and its neighbours in the row, their number in two bits
     for (std::ptrdiff_t i = 0; i < count; ++i) {

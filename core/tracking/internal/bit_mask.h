@@ -29,6 +29,11 @@ public:
     bool at(int x, int y) const { return (row(y)[x / wordBits] >> (x % wordBits)) & 1; }
     void clear(int x, int y) { row(y)[x / wordBits] &= ~(Word(1) << (x % wordBits)); }
     void set(int x, int y) { row(y)[x / wordBits] |= Word(1) << (x % wordBits); }
+    void put(int x, int y, bool belongs)
+    {
+        clear(x, y);
+        row(y)[x / wordBits] |= Word(belongs) << (x % wordBits);
+    }
 
     /// Adds the pixels of a row from x0 up to, not including, x1.
     void setRun(int y, int x0, int x1);
@@ -38,6 +43,9 @@ public:
     int nextClear(int x, int y) const { return next(x, y, ~Word(0)); }
     /// The last pixel of a row before x that belongs to the set; −1 where there is none.
     int lastSet(int x, int y) const;
+    /// Of each column the first row, or the last one, whose pixel belongs to the set; −1 where there is none.
+    std::vector<int> topOfColumns() const;
+    std::vector<int> bottomOfColumns() const;
 
     /// Adds the pixels of a row from x0 up to, not including, x1 whose byte is 1, not 0.
     void setRow(int y, const std::uint8_t *values, int x0, int x1);
@@ -114,6 +122,7 @@ private:
     int next(int x, int y, Word inverted) const;
     /// of one word
     static Word bitsOf(int x0, int x1) { return (~Word(0) >> (wordBits - (x1 - x0))) << (x0 % wordBits); }
+    std::vector<int> endOfColumns(int begin, int end, int step) const;
     void setSpare(Word *rows, Word outside) const;
     BitMask spread(std::span<const int> halfWidths, Word inverted, Word outside) const;
 
