@@ -254,6 +254,36 @@ private Q_SLOTS:
         QVERIFY(std::abs(inverse - BackgroundNoise::unit / std::sqrt(noise2)) < 1);
     }
 
+    /// In a row of any length, at the frame's borders too, where a slope is that to the sample itself.
+    void rowsOfNoiseAreThoseOfTheirSamples()
+    {
+        Background background = backgroundOf(chequeredFloor());
+        std::mt19937 random(7);
+        for (std::uint8_t &sigma : background.y.sigmas)
+            sigma = std::uint8_t(8 + random() % 40);
+        const Background::Plane &plane = background.y;
+        const auto at = [&](int x, int y) {
+            return int(plane.row(std::clamp(y, 0, plane.height - 1))[std::clamp(x, 0, plane.width - 1)]);
+        };
+        constexpr double factor = 1.25;
+        for (const int y : {0, 1, 77, plane.height - 1}) {
+            for (const auto &[first, last] :
+                 {std::pair(0, plane.width), std::pair(0, 1), std::pair(5, 18),
+                  std::pair(plane.width - 3, plane.width), std::pair(plane.width - 1, plane.width)}) {
+                std::vector<float> noise2(std::size_t(last - first) + 1, -1.0F);
+                noise2InRow(plane, float(factor), y, first, last, noise2.data());
+                for (int x = first; x < last; ++x) {
+                    const double sigma = plane.sigmaRow(y)[x] / 8.0, dx = at(x + 1, y) - at(x - 1, y),
+                                 dy = at(x, y + 1) - at(x, y - 1), jitter = 0.08 * factor,
+                                 expected = sigma * sigma + jitter * jitter * (dx * dx + dy * dy);
+                    QVERIFY2(std::abs(double(noise2[std::size_t(x - first)]) - expected) < 1e-4 * expected,
+                             qPrintable(QStringLiteral("%1 %2").arg(x).arg(y)));
+                }
+                QCOMPARE(noise2.back(), -1.0F); // nothing is written beyond
+            }
+        }
+    }
+
     /// A codec leaves errors where the floor's colours change: there a shadow may be a little off in its
     /// chroma, and on a floor of one colour it may not.
     void aCodedPatternMayBeOffInItsShadow()

@@ -3,6 +3,7 @@
 
 #include "core/tracking/internal/difference_windows.h"
 #include "core/tracking/internal/fetch_early.h"
+#include "core/tracking/internal/wide_vectors.h"
 
 #include <algorithm>
 #include <cassert>
@@ -57,7 +58,8 @@ ChromaEnlarger::ChromaEnlarger(const FrameFormat &format, const PixelRect &part)
     m_blended.resize(std::size_t(m_samples.width() + 2 * atOnce));
 }
 
-void ChromaEnlarger::enlargeRow(const cv::Mat1s &samples, int y, int first, int last, std::int16_t *into)
+ODO_WIDE_VECTORS void ChromaEnlarger::enlargeRow(const cv::Mat1s &samples, int y, int first, int last,
+                                                 std::int16_t *into)
 {
     const int shift = m_format.chromaShiftX, skipped = first >> shift,
               count = (last - first + atOnce - 1) / atOnce * atOnce >> shift;
@@ -191,7 +193,8 @@ void forBlocks(int first, int last, int width, const Function &function)
 
 } // namespace
 
-void ComparedRow::markDifferences(std::uint8_t *__restrict differs, std::uint8_t *__restrict plain) const
+ODO_WIDE_VECTORS void ComparedRow::markDifferences(std::uint8_t *__restrict differs,
+                                                   std::uint8_t *__restrict plain) const
 {
     constexpr auto least = std::uint16_t(differsInSigmas2 * shareUnit * shareUnit);
     constexpr auto lumaStep = Fixed(leastLumaStep * lumaUnit),
@@ -217,7 +220,7 @@ void ComparedRow::markDifferences(std::uint8_t *__restrict differs, std::uint8_t
     });
 }
 
-void ComparedRow::markDarkened(int first, int last, std::uint8_t *__restrict darkened) const
+ODO_WIDE_VECTORS void ComparedRow::markDarkened(int first, int last, std::uint8_t *__restrict darkened) const
 {
     constexpr auto leastFloor = Fixed(darkestFloor * lumaUnit), mostLight = Fixed(lightest * halfUnit);
     constexpr auto tolerance = Fixed(1.5F * chromaUnit), ofHue = Fixed(0.1F * 2 * halfUnit),
@@ -286,12 +289,32 @@ void ComparedWindow::compare(const Frame &frame, const LightGain &gain, const Di
     positionAround(m_differs.crowded().bounds(), part.rect); // single pixels are noise
 }
 
-float ComparedWindow::chromaNoise2(int x, int y) const
+/// Of the noisier plane, at the sample that each pixel lies in.
+void ComparedWindow::readChromaNoise2(int y, int first, int last, float *__restrict into) const
 {
-    const int cx = (m_rect.x0 + x) >> m_background.format.chromaShiftX,
-              cy = (m_rect.y0 + y) >> m_background.format.chromaShiftY;
-    return std::max(noise2At(m_background.u, m_gain.factor, cx, cy),
-                    noise2At(m_background.v, m_gain.factor, cx, cy));
+    constexpr int block = 64;
+    std::array<float, block> ofU{}, ofV{};
+    const int shift = m_background.format.chromaShiftX,
+              row = (m_rect.y0 + y) >> m_background.format.chromaShiftY;
+    for (int begin = first; begin < last; begin += block) {
+        const int x0 = m_rect.x0 + begin, x1 = m_rect.x0 + std::min(last, begin + block),
+                  sample = x0 >> shift, end = ((x1 - 1) >> shift) + 1;
+        noise2InRow(m_background.u, m_gain.factor, row, sample, end, ofU.data());
+        noise2InRow(m_background.v, m_gain.factor, row, sample, end, ofV.data());
+        for (int x = x0; x < x1; ++x) {
+            const auto i = std::size_t((x >> shift) - sample);
+            into[x - m_rect.x0 - first] = std::max(ofU[i], ofV[i]);
+        }
+    }
+}
+
+void ComparedWindow::fetchNoise(int y, int first, int last) const
+{
+    const int shift = m_background.format.chromaShiftX,
+              row = (m_rect.y0 + y) >> m_background.format.chromaShiftY;
+    fetchEarly(m_background.y.sigmaRow(m_rect.y0 + y) + m_rect.x0 + first, last - first);
+    for (const Background::Plane *plane : {&m_background.u, &m_background.v})
+        fetchEarly(plane->sigmaRow(row) + ((m_rect.x0 + first) >> shift), ((last - first) >> shift) + 1);
 }
 
 void ComparedWindow::compareRows(const DifferenceWindow &part)
@@ -313,12 +336,12 @@ void ComparedWindow::compareRows(const DifferenceWindow &part)
         compareRow(part, y, enlarger);
 }
 
-/// Of a row of pixels: that of the sample which each lies in.
-void ComparedWindow::readChromaInverse(int x0, int width, int y)
+/// Of a row of pixels in a row of samples: that of the sample which each lies in.
+void ComparedWindow::readChromaInverse(int x0, int width, int chromaY)
 {
     const int shift = m_background.format.chromaShiftX, perSample = 1 << shift,
               samples = (width + perSample - 1) >> shift;
-    const std::int16_t *row = m_noise.chromaRow(y >> m_background.format.chromaShiftY) + (x0 >> shift);
+    const std::int16_t *row = m_noise.chromaRow(chromaY) + (x0 >> shift);
     std::int16_t *__restrict into = m_chromaInverse.data();
     if (perSample == 2) { // nearly always
         for (int k = 0; k < samples; ++k)
@@ -338,13 +361,19 @@ void ComparedWindow::compareRow(const DifferenceWindow &part, int y, ChromaEnlar
               ahead = std::min(imageY + windowRowsAhead, part.rect.y1 - 1);
     fetchEarly(m_frame->y.row(ahead) + x0, width);
     fetchEarly(m_background.y.row(ahead) + x0, width);
-    fetchEarly(reinterpret_cast<const std::uint8_t *>(m_noise.lumaRow(ahead) + x0), 2 * width);
+    const auto fetchShorts = [](const std::int16_t *values, int count) {
+        fetchEarly(reinterpret_cast<const std::uint8_t *>(values), 2 * count);
+    };
+    const int shiftX = m_background.format.chromaShiftX, shiftY = m_background.format.chromaShiftY;
+    fetchShorts(m_noise.lumaRow(ahead) + x0, width);
+    fetchShorts(m_noise.chromaRow(ahead >> shiftY) + (x0 >> shiftX), width >> shiftX);
     const auto enlarge = [&](const cv::Mat1s &samples, cv::Mat1s &plane) {
         std::int16_t *row = plane[y] + band.begin;
         enlarger.enlargeRow(samples, y, band.begin, band.end, row);
         return row;
     };
-    readChromaInverse(x0, width, imageY);
+    if (y % DifferenceLattice::step == 0 || imageY >> shiftY != (imageY - 1) >> shiftY)
+        readChromaInverse(x0, width, imageY >> shiftY); // otherwise it is as in the row before
     const ComparedRow row{width,
                           m_gain,
                           m_background.shadow,

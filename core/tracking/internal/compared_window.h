@@ -132,12 +132,18 @@ public:
         return {m_gain.factor * float(m_background.y.row(m_rect.y0 + y)[m_rect.x0 + x] - m_gain.black),
                 m_uBehind(y, x) / chromaUnit, m_vBehind(y, x) / chromaUnit};
     }
-    /// Variances of the background.
+    /// Variances of the background: at a pixel, and of a row's pixels from column first to before last.
     float lumaNoise2(int x, int y) const
     {
         return noise2At(m_background.y, m_gain.factor, m_rect.x0 + x, m_rect.y0 + y);
     }
-    float chromaNoise2(int x, int y) const;
+    void readLumaNoise2(int y, int first, int last, float *into) const
+    {
+        noise2InRow(m_background.y, m_gain.factor, m_rect.y0 + y, m_rect.x0 + first, m_rect.x0 + last, into);
+    }
+    void readChromaNoise2(int y, int first, int last, float *__restrict into) const;
+    /// Asks for what they are made of to be brought near the processor, before they are read.
+    void fetchNoise(int y, int first, int last) const;
 
     /// A row of luma as coded, and of chroma as seen in units of 1 / chromaUnit.
     const std::uint8_t *lumaRow(int y) const { return m_frame->y.row(m_rect.y0 + y) + m_rect.x0; }
@@ -154,7 +160,7 @@ public:
 private:
     void compareRows(const DifferenceWindow &part);
     void compareRow(const DifferenceWindow &part, int y, ChromaEnlarger &enlarger);
-    void readChromaInverse(int x0, int width, int y);
+    void readChromaInverse(int x0, int width, int chromaY);
     void positionAround(const PixelRect &found, const PixelRect &part);
 
     const Background &m_background;

@@ -3,6 +3,7 @@
 
 #include "core/tracking/internal/bit_mask.h"
 #include "core/tracking/internal/fetch_early.h"
+#include "core/tracking/internal/wide_vectors.h"
 
 #include <algorithm>
 #include <cmath>
@@ -111,7 +112,7 @@ void takeEvery(const std::uint8_t *row, int count, std::uint8_t *into)
 }
 
 /// The samples of a row's lattice; shift: of the plane's columns against the luma's.
-void takeRow(const std::uint8_t *row, int shift, int count, std::uint8_t *into)
+ODO_WIDE_VECTORS void takeRow(const std::uint8_t *row, int shift, int count, std::uint8_t *into)
 {
     static_assert(DifferenceLattice::step == 4);
     if (shift == 0)
@@ -135,9 +136,9 @@ std::uint8_t apart(std::uint8_t a, std::uint8_t b)
 
 /// Where the difference is a step at all, as bytes of 0 or 1: few are, and only those are compared with the
 /// noise.
-void findSteps(const std::uint8_t *y, const std::uint8_t *u, const std::uint8_t *v,
-               const std::uint8_t *yBehind, const std::uint8_t *uBehind, const std::uint8_t *vBehind,
-               int count, std::uint8_t *__restrict steps)
+ODO_WIDE_VECTORS void findSteps(const std::uint8_t *y, const std::uint8_t *u, const std::uint8_t *v,
+                                const std::uint8_t *yBehind, const std::uint8_t *uBehind,
+                                const std::uint8_t *vBehind, int count, std::uint8_t *__restrict steps)
 {
     constexpr auto lumaStep = std::uint8_t(leastLumaStep), chromaStep = std::uint8_t(leastChromaStep);
     for (int i = 0; i < count; ++i) {
@@ -245,35 +246,31 @@ namespace {
 // of a plane's slope: what coding and a lens that breathes move, samples
 constexpr float textureJitter = 0.08F;
 
-/// Of a row of samples and those above and below it.
-struct NoiseRows
+std::int16_t inverseOf(float noise2)
 {
-    const std::uint8_t *here, *above, *below, *sigma;
-
-    NoiseRows(const Background::Plane &plane, int y)
-        : here(plane.row(y)), above(plane.row(std::max(0, y - 1))),
-          below(plane.row(std::min(plane.height - 1, y + 1))), sigma(plane.sigmaRow(y))
-    {
-    }
-    float at(int x, int left, int right, float jitter2) const
-    {
-        const int slopeX = here[right] - here[left], slopeY = below[x] - above[x];
-        return squared(float(sigma[x]) * Background::sigmaUnit) +
-               jitter2 * (squared(float(slopeX)) + squared(float(slopeY)));
-    }
-};
-
-std::int16_t inverseOf(float sigma)
-{
-    return std::int16_t(float(BackgroundNoise::unit) / sigma);
+    return std::int16_t(float(BackgroundNoise::unit) / std::sqrt(noise2));
 }
 
 } // namespace
 
-float noise2At(const Background::Plane &plane, float factor, int x, int y)
+void noise2InRow(const Background::Plane &plane, float factor, int y, int first, int last,
+                 float *__restrict into)
 {
-    return NoiseRows(plane, y).at(x, std::max(0, x - 1), std::min(plane.width - 1, x + 1),
-                                  squared(textureJitter * factor));
+    const float jitter2 = squared(textureJitter * factor);
+    const std::uint8_t *here = plane.row(y), *above = plane.row(std::max(0, y - 1)),
+                       *below = plane.row(std::min(plane.height - 1, y + 1)), *sigma = plane.sigmaRow(y);
+    const auto at = [=](int x, int left, int right) {
+        const int slopeX = here[right] - here[left], slopeY = below[x] - above[x];
+        return squared(float(sigma[x]) * Background::sigmaUnit) +
+               jitter2 * (squared(float(slopeX)) + squared(float(slopeY)));
+    };
+    const int begin = std::max(first, 1), end = std::min(last, plane.width - 1);
+    if (first < begin)
+        into[0] = at(0, 0, std::min(1, end));
+    for (int x = begin; x < end; ++x)
+        into[x - first] = at(x, x - 1, x + 1);
+    if (end < last)
+        into[end - first] = at(end, std::max(0, end - 1), end);
 }
 
 BackgroundNoise::BackgroundNoise(const Background &background)
@@ -281,19 +278,17 @@ BackgroundNoise::BackgroundNoise(const Background &background)
       m_chroma(background.u.values.size())
 {
     static_assert(Background::leastSigma >= 1); // so that all inverses fit
+    const auto lumaWidth = std::size_t(m_lumaWidth), chromaWidth = std::size_t(m_chromaWidth);
+    std::vector<float> ofLuma(lumaWidth), ofU(chromaWidth), ofV(chromaWidth);
     for (int y = 0; y < background.y.height; ++y) {
-        const NoiseRows rows(background.y, y);
-        std::int16_t *__restrict into = m_luma.data() + std::ptrdiff_t(y) * m_lumaWidth;
-        for (int x = 1; x < m_lumaWidth - 1; ++x)
-            into[x] = inverseOf(std::sqrt(rows.at(x, x - 1, x + 1, squared(textureJitter))));
-        for (const int x : {0, m_lumaWidth - 1})
-            into[x] = inverseOf(std::sqrt(noise2At(background.y, 1, x, y)));
+        noise2InRow(background.y, 1, y, 0, m_lumaWidth, ofLuma.data());
+        std::ranges::transform(ofLuma, m_luma.begin() + std::ptrdiff_t(y) * m_lumaWidth, inverseOf);
     }
     for (int y = 0; y < background.u.height; ++y) {
-        std::int16_t *into = m_chroma.data() + std::ptrdiff_t(y) * m_chromaWidth;
-        for (int x = 0; x < m_chromaWidth; ++x)
-            into[x] = inverseOf(
-                std::sqrt(std::max(noise2At(background.u, 1, x, y), noise2At(background.v, 1, x, y))));
+        noise2InRow(background.u, 1, y, 0, m_chromaWidth, ofU.data());
+        noise2InRow(background.v, 1, y, 0, m_chromaWidth, ofV.data());
+        std::ranges::transform(ofU, ofV, m_chroma.begin() + std::ptrdiff_t(y) * m_chromaWidth,
+                               [](float u2, float v2) { return inverseOf(std::max(u2, v2)); });
     }
 }
 

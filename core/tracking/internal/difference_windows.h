@@ -89,8 +89,18 @@ private:
     std::vector<std::int16_t> m_luma, m_chroma;
 };
 
-/// The variance of one plane of a background at a sample, with what its slopes make, in another light.
-float noise2At(const Background::Plane &plane, float factor, int x, int y);
+/// The variances of one plane of a background in another light, with what its slopes make, at the samples of
+/// a row from column first to before last.
+void noise2InRow(const Background::Plane &plane, float factor, int y, int first, int last,
+                 float *__restrict into);
+
+/// That of one sample.
+inline float noise2At(const Background::Plane &plane, float factor, int x, int y)
+{
+    float noise2 = 0;
+    noise2InRow(plane, factor, y, x, x + 1, &noise2);
+    return noise2;
+}
 
 /// When a pixel differs from its background: by at least one of these steps, and by more than this sum of
 /// squares in units of the noise.

@@ -7,215 +7,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 #include <numeric>
 
 namespace odo {
-
-namespace {
-
-constexpr int patchReach = 3; // of the patches that are judged, pixels to each side
-constexpr int patchRows = 2 * patchReach + 1, patchPixels = patchRows * patchRows;
-constexpr int leastPatch = 16;     // pixels
-constexpr int flatness = 4;        // the variance of the texture behind against that of what is seen
-constexpr double clearTexture = 6; // its variance against the noise's
-// code values, of a patch's mean chroma against that of the floor in shadow
-constexpr float otherHue = 2.2F;
-constexpr double codedChroma = 0.05; // of the chroma's variation about a pixel: by which a codec errs
-constexpr double mostMirrored = 0.2; // of a floor's luma: what it mirrors of the room
-constexpr float logUnit = 1024;      // of the fixed-point sums: finer than the steps of code values
-constexpr int hueUnit = 256;
-constexpr std::int64_t ratioUnit = 1 << 30,
-                       ratioPerHue = ratioUnit * int(ComparedWindow::chromaUnit) / hueUnit;
-
-// A log sum holds three sums in one number: of the logarithms of luma above black in units of 1 / logUnit
-// (the upper bits), of the pixels (6 bits), and of the squares of the logarithms (the lower 32 bits). A patch
-// is too small for one to run into the next.
-constexpr int pixelsShift = 32, logShift = 38;
-static_assert(patchPixels < 1 << (logShift - pixelsShift));
-
-/// The log sum of one pixel, for each luma above black.
-std::array<std::uint64_t, 256> makeLogSums()
-{
-    std::array<std::uint64_t, 256> sums{};
-    for (std::size_t i = 1; i < sums.size(); ++i) {
-        const auto log = std::uint64_t(std::lround(logUnit * std::log(float(i))));
-        sums[i] = (log << logShift) + (std::uint64_t(1) << pixelsShift) + log * log;
-    }
-    return sums;
-}
-
-std::size_t pixelsIn(std::uint64_t logSum)
-{
-    return (logSum >> pixelsShift) % (1U << (logShift - pixelsShift));
-}
-
-/// n² times the variance of n logarithms.
-std::int64_t scaledVariance(std::size_t n, std::uint64_t logSum)
-{
-    const auto sum = std::int64_t(logSum >> logShift), squares = std::int64_t(std::uint32_t(logSum));
-    return std::int64_t(n) * squares - sum * sum;
-}
-
-/// By how much the summed chroma of n pixels of the floor's own hue may be off.
-constexpr auto mostOff = [] {
-    std::array<std::int64_t, patchPixels + 1> most{};
-    for (std::size_t n = 0; n < most.size(); ++n)
-        most[n] = std::int64_t(otherHue * float(hueUnit) * float(n));
-    return most;
-}();
-
-/// How much the background's chroma varies about a pixel, as far as its patch reaches.
-float chromaTexture(const ComparedWindow &window, int x, int y)
-{
-    const PixelColour here = window.behind(x, y);
-    float most = 0;
-    for (const int cy : {std::max(0, y - patchReach), std::min(window.height() - 1, y + patchReach)}) {
-        for (const int cx : {std::max(0, x - patchReach), std::min(window.width() - 1, x + patchReach)}) {
-            const PixelColour corner = window.behind(cx, cy);
-            most = std::max({most, std::abs(corner.u - here.u), std::abs(corner.v - here.v)});
-        }
-    }
-    return most;
-}
-
-/// Whether the summed chroma of n pixels is off that of the floor in shadow by more than its own, than
-/// shadows are tinted, and than a codec errs where the floor's chroma varies. A glossy floor mirrors neutral
-/// light of the room; where a dark robot is mirrored instead, that is missing, and the floor's hue is purer
-/// than in shadow.
-bool isOtherHue(const ComparedWindow &window, std::size_t n, std::int64_t offU, std::int64_t offV, int x,
-                int y)
-{
-    if (std::max(std::abs(offU), std::abs(offV)) <= mostOff[n])
-        return false;
-    const PixelColour seen = window.seen(x, y), behind = window.behind(x, y);
-    const Chroma off{double(offU), double(offV)}, hue = hueUnit * double(n) * Chroma(behind.u, behind.v);
-    const double darker = 1 - double(seen.luma) / std::max(1.0, double(behind.luma)),
-                 purer = std::clamp(off.dot(hue) / std::max(1.0, hue.squaredNorm()), 0.0,
-                                    std::clamp(darker, 0.0, mostMirrored));
-    const double tint = window.shadow().tint * std::max(0.0, double(behind.luma) - double(seen.luma)),
-                 coded = codedChroma * double(chromaTexture(window, x, y));
-    return (off - purer * hue).cwiseAbs().maxCoeff() >
-           double(mostOff[n]) + hueUnit * double(n) * (tint + coded);
-}
-
-} // namespace
-
-void FloorShade::Sums::add(const Sums &other)
-{
-    seen += other.seen;
-    behind += other.behind;
-    offU += other.offU;
-    offV += other.offV;
-}
-
-void FloorShade::Sums::remove(const Sums &other)
-{
-    seen -= other.seen;
-    behind -= other.behind;
-    offU -= other.offU;
-    offV -= other.offV;
-}
-
-void FloorShade::find(const ComparedWindow &window)
-{
-    m_shade = window.darkened();
-    m_byHue.reset(m_shade.width(), m_shade.height());
-    readGain(window.gain());
-    m_columns.assign(std::size_t(m_shade.width() + 2 * patchReach), {});
-    m_rows.resize(patchRows);
-    for (std::vector<Sums> &row : m_rows)
-        row.resize(std::size_t(m_shade.width()));
-    const PixelRect box = m_shade.bounds();
-    for (int y = box.y0; y < box.y1 + patchReach; ++y) {
-        if (y - patchRows >= box.y0)
-            removeRow(window, y - patchRows); // the one above the patch of the row judged now
-        if (y < box.y1)
-            takeRow(window, y);
-        if (y - patchReach >= box.y0)
-            judgeRow(window, y - patchReach);
-    }
-}
-
-/// Divides once for each luma instead of for each pixel.
-void FloorShade::readGain(const LightGain &gain)
-{
-    for (int i = 0; i < int(m_perLuma.size()); ++i)
-        m_perLuma[std::size_t(i)] = std::int32_t(float(ratioUnit) / std::max(1.0F, gain.factor * float(i)));
-}
-
-std::vector<FloorShade::Sums> &FloorShade::rowAt(int y)
-{
-    return m_rows[std::size_t(y) % patchRows];
-}
-
-void FloorShade::removeRow(const ComparedWindow &window, int y)
-{
-    const Sums *sums = rowAt(y).data();
-    Sums *columns = m_columns.data() + patchReach;
-    window.darkened().forEachInRow(y, [&](int x) { columns[x].remove(sums[x]); });
-}
-
-/// Adds a row to the columns. Floor in shadow has the chroma of the background times the ratio of luma as
-/// seen to that of the background.
-void FloorShade::takeRow(const ComparedWindow &window, int y)
-{
-    static const std::array<std::uint64_t, 256> logSums = makeLogSums();
-    const auto black = std::size_t(window.gain().black);
-    const std::uint8_t *luma = window.lumaRow(y), *lumaBehind = window.lumaBehindRow(y);
-    const std::int16_t *u = window.uRow(y), *v = window.vRow(y), *uBehind = window.uBehindRow(y),
-                       *vBehind = window.vBehindRow(y);
-    const auto off = [](std::int64_t seen, std::int64_t behind, std::int64_t ratio) {
-        return (ratioUnit * seen - ratio * behind) / ratioPerHue;
-    };
-    Sums *sums = rowAt(y).data(), *columns = m_columns.data() + patchReach;
-    window.darkened().forEachInRow(y, [&](int x) {
-        // both above 0; the gain would add to all logarithms, and to no variance
-        const std::size_t now = luma[x] - black, before = lumaBehind[x] - black;
-        const std::int64_t ratio = std::int64_t(now) * m_perLuma[before]; // of luma
-        sums[x] = {logSums[now], logSums[before], off(u[x], uBehind[x], ratio), off(v[x], vBehind[x], ratio)};
-        columns[x].add(sums[x]);
-    });
-}
-
-/// Takes from the shade what the patch around it shows to be none.
-void FloorShade::judgeRow(const ComparedWindow &window, int y)
-{
-    Sums sums;
-    int next = -1; // the pixel whose patch the sums hold, save for its last column
-    window.darkened().forEachInRow(y, [&](int x) {
-        const Sums *patch = m_columns.data() + x; // its first column
-        if (x != next) {
-            sums = {};
-            for (int i = 0; i < patchRows - 1; ++i)
-                sums.add(patch[i]);
-        }
-        sums.add(patch[patchRows - 1]);
-        judge(window, sums, x, y);
-        sums.remove(patch[0]);
-        next = x + 1;
-    });
-}
-
-/// Compares the variances of the logarithms, which a shadow's factor leaves as they are.
-inline void FloorShade::judge(const ComparedWindow &window, const Sums &sums, int x, int y)
-{
-    const std::size_t n = pixelsIn(sums.seen);
-    if (n < leastPatch)
-        return;
-    if (isOtherHue(window, n, sums.offU, sums.offV, x, y)) {
-        m_byHue.set(x, y);
-        m_shade.clear(x, y);
-        return;
-    }
-    const std::int64_t varianceBehind = scaledVariance(n, sums.behind);
-    if (flatness * scaledVariance(n, sums.seen) >= varianceBehind)
-        return;
-    const float luma = std::max(1.0F, window.seen(x, y).luma);
-    if (double(varianceBehind) * double(squared(luma)) >
-        clearTexture * double(n * n) * double(squared(logUnit) * window.lumaNoise2(x, y)))
-        m_shade.clear(x, y);
-}
 
 void EdgePixels::makeRoom(std::size_t pixels)
 {
@@ -299,7 +93,7 @@ void RegionEdge::measure(const ComparedWindow &w, const FloorShade &shade, const
     m_edge.findCovered();
     cover(region);
     m_meanChroma = meanChromaOf(w, part, all.core);
-    findPoints(all.near, {w.rect().x0 + part.x0, w.rect().y0 + part.y0});
+    findPoints({w.rect().x0 + part.x0, w.rect().y0 + part.y0});
 }
 
 /// Adds pixels on the edge, with both sides of it in the square around each that reaches so far.
@@ -309,16 +103,40 @@ void RegionEdge::addEdge(const Surroundings &all, const BitMask &edge, int reach
     const Summed summed{all.core & around, outside - all.shaded, outside & all.shaded};
     const PixelRect box = edge.bounds();
     m_columns.assign(std::size_t(edge.width() + 2 * reach), {});
+    m_shadedRows.resize(2 * hueReach + 2); // up to the row that is taken away again
     // the sums are as far ahead as is read
     for (int y = std::max(0, box.y0 - reach); y < box.y1 + reach; ++y) {
-        if (y < edge.height())
+        if (y < box.y1)
+            all.window.fetchNoise(all.part.y0 + y, all.part.x0 + box.x0, all.part.x0 + box.x1);
+        if (y < edge.height()) {
+            readShaded(all, summed.shaded, y);
             sumUp(all, summed, y, reach, [](std::int32_t &sum, int value) { sum += value; });
+        }
         const int row = y - reach, left = row - reach - 1;
         if (left >= 0)
             sumUp(all, summed, left, reach, [](std::int32_t &sum, int value) { sum -= value; });
         if (row >= 0)
             addEdgeRow(all, edge, reach, row);
     }
+}
+
+std::vector<RegionEdge::Shaded> &RegionEdge::shadedRow(int y)
+{
+    return m_shadedRows[std::size_t(y) % m_shadedRows.size()];
+}
+
+void RegionEdge::readShaded(const Surroundings &all, const BitMask &shaded, int y)
+{
+    std::vector<Shaded> &row = shadedRow(y);
+    row.resize(std::size_t(shaded.width()));
+    shaded.forEachInRow(y, [&](int x) {
+        const PixelColour seen = all.window.seen(all.part.x0 + x, all.part.y0 + y),
+                          behind = all.window.behind(all.part.x0 + x, all.part.y0 + y);
+        const float light = seen.luma / behind.luma;
+        row[std::size_t(x)] = {int(float(EdgePixels::lightUnit) * light),
+                               int((seen.u - light * behind.u) * ComparedWindow::chromaUnit),
+                               int((seen.v - light * behind.v) * ComparedWindow::chromaUnit)};
+    });
 }
 
 /// Changes the columns' sums by a row's pixels.
@@ -345,19 +163,17 @@ void RegionEdge::sumUp(const Surroundings &all, const Summed &summed, int y, int
             change(columns[x][E::outsideLight], E::lightUnit);
         }
     });
+    const std::vector<Shaded> &shaded = shadedRow(y);
     summed.shaded.forEachInRow(y, [&](int x) {
-        const PixelColour seen = w.seen(left + x, top + y), behind = w.behind(left + x, top + y);
-        const float light = seen.luma / behind.luma;
         change(columns[x][E::outsideCount], 1);
-        change(columns[x][E::outsideLight], int(float(E::lightUnit) * light));
-        change(columns[x][E::outsideTintU], int((seen.u - light * behind.u) * ComparedWindow::chromaUnit));
-        change(columns[x][E::outsideTintV], int((seen.v - light * behind.v) * ComparedWindow::chromaUnit));
+        change(columns[x][E::outsideLight], shaded[std::size_t(x)].light);
+        change(columns[x][E::outsideTintU], shaded[std::size_t(x)].tintU);
+        change(columns[x][E::outsideTintV], shaded[std::size_t(x)].tintV);
     });
 }
 
 void RegionEdge::addEdgeRow(const Surroundings &all, const BitMask &edge, int reach, int y)
 {
-    const ComparedWindow &w = all.window;
     EdgePixels &pixels = m_edge;
     pixels.makeRoom(pixels.count + std::size_t(edge.width()));
     const std::size_t first = pixels.count;
@@ -375,81 +191,100 @@ void RegionEdge::addEdgeRow(const Surroundings &all, const BitMask &edge, int re
             for (std::size_t k = 0; k < sums.size(); ++k)
                 sums[k] -= m_columns[std::size_t(begin)][k];
         pixels.around[pixels.count] = sums;
-        pixels.at[pixels.count++] = std::size_t(y * edge.width() + x);
+        pixels.at[pixels.count++] = {x, y};
     });
-    const int left = all.part.x0 - y * edge.width(), row = all.part.y0 + y;
-    for (std::size_t i = first; i < pixels.count; ++i) {
-        const PixelColour seen = w.seen(left + int(pixels.at[i]), row),
-                          behind = w.behind(left + int(pixels.at[i]), row);
-        pixels.luma[i] = seen.luma;
-        pixels.u[i] = seen.u;
-        pixels.v[i] = seen.v;
-        pixels.lumaBehind[i] = behind.luma;
-        pixels.uBehind[i] = behind.u;
-        pixels.vBehind[i] = behind.v;
-    }
-    for (std::size_t i = first; i < pixels.count; ++i) {
-        pixels.lumaNoise2[i] = w.lumaNoise2(left + int(pixels.at[i]), row);
-        pixels.chromaNoise2[i] = w.chromaNoise2(left + int(pixels.at[i]), row);
-    }
+    if (pixels.count > first)
+        readEdgeRow(all, edge, y, first);
 }
 
-/// Fills in what the region covers of each pixel: on the edge as was found where its sides differ, otherwise
-/// all or nothing.
+/// Reads a row's pixels of the edge, which have numbers from first on.
+void RegionEdge::readEdgeRow(const Surroundings &all, const BitMask &edge, int y, std::size_t first)
+{
+    const ComparedWindow &w = all.window;
+    EdgePixels &pixels = m_edge;
+    const int left = all.part.x0, row = all.part.y0 + y;
+    const int firstX = edge.nextSet(0, y), lastX = edge.lastSet(edge.width(), y) + 1;
+    m_lumaNoise2.resize(std::size_t(w.width()));
+    m_chromaNoise2.resize(std::size_t(w.width()));
+    w.readLumaNoise2(row, left + firstX, left + lastX, m_lumaNoise2.data());
+    w.readChromaNoise2(row, left + firstX, left + lastX, m_chromaNoise2.data());
+    std::size_t i = first;
+    edge.forEachRunInRow(y, [&](int x0, int x1) {
+        std::copy(m_lumaNoise2.begin() + (x0 - firstX), m_lumaNoise2.begin() + (x1 - firstX),
+                  pixels.lumaNoise2.begin() + std::ptrdiff_t(i));
+        std::copy(m_chromaNoise2.begin() + (x0 - firstX), m_chromaNoise2.begin() + (x1 - firstX),
+                  pixels.chromaNoise2.begin() + std::ptrdiff_t(i));
+        for (int x = left + x0; x < left + x1; ++x, ++i) {
+            const PixelColour seen = w.seen(x, row), behind = w.behind(x, row);
+            pixels.luma[i] = seen.luma;
+            pixels.u[i] = seen.u;
+            pixels.v[i] = seen.v;
+            pixels.lumaBehind[i] = behind.luma;
+            pixels.uBehind[i] = behind.u;
+            pixels.vBehind[i] = behind.v;
+        }
+    });
+}
+
+/// Finds what the region covers of each pixel: on the edge as was found where its sides differ, otherwise all
+/// or nothing.
 void RegionEdge::cover(const BitMask &region)
 {
-    m_covered.create(region.height(), region.width());
-    for (int y = 0; y < region.height(); ++y) {
-        std::fill_n(m_covered[y], region.width(), 0.0F);
-        region.forEachRunInRow(
-            y, [&](int x0, int x1) { std::fill(m_covered[y] + x0, m_covered[y] + x1, 1.0F); });
+    m_mostly = region;
+    m_isBlend.reset(region.width(), region.height());
+    m_covered.resize(std::size_t(region.width()) * std::size_t(region.height()));
+    for (std::size_t i = 0; i < m_edge.count; ++i) {
+        const auto [part, clearness] = m_edge.found[i];
+        const int x = m_edge.at[i].x(), y = m_edge.at[i].y();
+        if (clearness >= 0) {
+            m_isBlend.set(x, y);
+            m_covered[std::size_t(y * region.width() + x)] = std::clamp(part, 0.0F, 1.0F);
+            m_mostly.put(x, y, part >= half);
+        }
     }
-    float *covered = m_covered[0];
-    for (std::size_t i = 0; i < m_edge.count; ++i)
-        if (const auto [part, clearness] = m_edge.found[i]; clearness >= 0)
-            covered[m_edge.at[i]] = std::clamp(part, 0.0F, 1.0F);
 }
 
-void RegionEdge::findPoints(const BitMask &near, const Eigen::Vector2d &origin)
+float RegionEdge::coveredAt(int x, int y) const
+{
+    if (m_isBlend.at(x, y))
+        return m_covered[std::size_t(y * m_isBlend.width() + x)];
+    return m_mostly.at(x, y) ? 1.0F : 0.0F;
+}
+
+/// Of a pixel that is mostly covered and the one before it, which is not or lies outside: how far before the
+/// middle of the former the edge is.
+double RegionEdge::backFrom(int x, int y, int xBefore, int yBefore) const
+{
+    if (xBefore < 0 || yBefore < 0 || xBefore >= m_mostly.width() || yBefore >= m_mostly.height())
+        return 0;
+    const float here = coveredAt(x, y), before = coveredAt(xBefore, yBefore);
+    return double((here - half) / (here - before));
+}
+
+void RegionEdge::findPoints(const Eigen::Vector2d &origin)
 {
     m_points.clear();
-    // Of lines from one end, each from the pixel before the first that may belong to the region as far as
-    // there is such; turn: 1 or −1, to which side a hull turns that goes from line to line.
-    const auto walk = [&](int from, int to, double turn, int step, const auto &spanOf, const auto &valueAt,
-                          const auto &pointAt) {
+    const BitMask &mostly = m_mostly;
+    const PixelRect box = mostly.bounds();
+    // turn: 1 or −1, to which side a hull turns that goes from line to line
+    const auto addRows = [&](double turn, int step, const auto &endOf) {
         const std::size_t first = m_points.size();
-        for (int line = from; line < to; ++line) {
-            const auto [low, high] = spanOf(line);
-            const int begin = step > 0 ? low : high - 1, end = step > 0 ? high : low - 1;
-            float before = 0;
-            for (int at = begin; at != end; at += step) {
-                const float here = valueAt(line, at);
-                if (here >= half) {
-                    const double back = at != begin ? double((here - half) / (here - before)) : 0;
-                    addToChain(m_points, first, turn, origin + pointAt(line, at - step * back));
-                    break;
-                }
-                before = here;
-            }
-        }
+        for (int y = box.y0; y < box.y1; ++y)
+            if (const int x = endOf(y); x >= 0 && x < mostly.width())
+                addToChain(m_points, first, turn,
+                           origin + Eigen::Vector2d(x - step * backFrom(x, y, x - step, y), y));
     };
-    const PixelRect box = near.bounds();
-    const auto inRow = [&](int y, int x) { return m_covered(y, x); };
-    const auto inColumn = [&](int x, int y) { return m_covered(y, x); };
-    const auto onRow = [](int y, double x) { return Eigen::Vector2d(x, y); };
-    const auto onColumn = [](int x, double y) { return Eigen::Vector2d(x, y); };
-    const auto ofRow = [&](int y) {
-        const int last = near.lastSet(near.width(), y);
-        return last < 0 ? std::pair(0, 0)
-                        : std::pair(std::max(0, near.nextSet(0, y) - 1), std::min(near.width(), last + 2));
+    addRows(-1, 1, [&](int y) { return mostly.nextSet(0, y); });
+    addRows(1, -1, [&](int y) { return mostly.lastSet(mostly.width(), y); });
+    const auto addColumns = [&](double turn, int step, const std::vector<int> &ends) {
+        const std::size_t first = m_points.size();
+        for (int x = box.x0; x < box.x1; ++x)
+            if (const int y = ends[std::size_t(x)]; y >= 0)
+                addToChain(m_points, first, turn,
+                           origin + Eigen::Vector2d(x, y - step * backFrom(x, y, x, y - step)));
     };
-    const auto ofColumn = [&](int) {
-        return std::pair(std::max(0, box.y0 - 1), std::min(near.height(), box.y1 + 1));
-    };
-    walk(box.y0, box.y1, -1, 1, ofRow, inRow, onRow);
-    walk(box.y0, box.y1, 1, -1, ofRow, inRow, onRow);
-    walk(box.x0, box.x1, 1, 1, ofColumn, inColumn, onColumn);
-    walk(box.x0, box.x1, -1, -1, ofColumn, inColumn, onColumn);
+    addColumns(1, 1, mostly.topOfColumns());
+    addColumns(-1, -1, mostly.bottomOfColumns());
 }
 
 } // namespace odo

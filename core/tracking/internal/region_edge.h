@@ -3,6 +3,7 @@
 
 #include "core/tracking/chroma.h"
 #include "core/tracking/internal/compared_window.h"
+#include "core/tracking/internal/floor_shade.h"
 
 #include <array>
 #include <cstddef>
@@ -10,49 +11,6 @@
 #include <vector>
 
 namespace odo {
-
-/// Finds which foreground pixels may be floor in shadow: darker by a factor, with the floor's chroma
-/// darkened alike. A flat surface of the floor's own hue looks the same; where the floor behind has texture
-/// and the surface has none, it is no shadow. Keeps its memory. One thread at a time.
-class FloorShade
-{
-public:
-    void find(const ComparedWindow &window);
-
-    /// Pixels of the window that may be floor in shadow.
-    const BitMask &shade() const { return m_shade; }
-    /// Those that only the mean hue of the pixels around distinguishes from a shadow: where such a surface
-    /// ends is known to some pixels.
-    const BitMask &byHue() const { return m_byHue; }
-
-private:
-    /// Of pixels that may be in shadow: the log sums of luma as seen and behind, and by how much the chroma
-    /// is off that of the floor in shadow. Whole numbers, so that pixels can be added and removed without
-    /// loss.
-    struct Sums
-    {
-        std::uint64_t seen = 0, behind = 0;
-        std::int64_t offU = 0, offV = 0;
-
-        void add(const Sums &other);
-        void remove(const Sums &other);
-    };
-
-    void readGain(const LightGain &gain);
-    std::vector<Sums> &rowAt(int y);
-    void removeRow(const ComparedWindow &window, int y);
-    void takeRow(const ComparedWindow &window, int y);
-    void judgeRow(const ComparedWindow &window, int y);
-    void judge(const ComparedWindow &window, const Sums &sums, int x, int y);
-
-    BitMask m_shade, m_byHue;
-    /// reciprocals of the background's luma in the frame's light, fixed point, by its luma above black
-    std::array<std::int32_t, 256> m_perLuma{};
-    /// of a patch's height; only the pixels that may be in shadow are written
-    std::vector<std::vector<Sums>> m_rows;
-    /// what the rows add up to, with half a patch more at both ends
-    std::vector<Sums> m_columns;
-};
 
 /// Pixels on a region's edge, one value of each kind for each, so that many are computed at once. Luma and
 /// chroma as in PixelColour.
@@ -74,8 +32,8 @@ struct EdgePixels
     };
     static constexpr int lightUnit = 4096;
 
-    std::size_t count = 0;       ///< in use of the values below
-    std::vector<std::size_t> at; ///< where they are, for whoever fills in the values
+    std::size_t count = 0;           ///< in use of the values below
+    std::vector<Eigen::Vector2i> at; ///< where they are, for whoever fills in the values
     std::vector<Sums> around;
     std::vector<float> luma, u, v;                   ///< as seen
     std::vector<float> lumaBehind, uBehind, vBehind; ///< of the floor in full light
@@ -123,16 +81,30 @@ private:
         BitMask inside, lit, shaded; ///< of those outside: on the floor in light and in shadow
     };
     void addEdge(const Surroundings &all, const BitMask &edge, int reach);
+    /// Of a pixel of floor in shadow what EdgePixels::Sums take of it.
+    struct Shaded
+    {
+        std::int32_t light = 0, tintU = 0, tintV = 0;
+    };
+    std::vector<Shaded> &shadedRow(int y);
+    void readShaded(const Surroundings &all, const BitMask &shaded, int y);
     template <class Change>
     void sumUp(const Surroundings &all, const Summed &summed, int y, int reach, const Change &change);
     void addEdgeRow(const Surroundings &all, const BitMask &edge, int reach, int y);
+    void readEdgeRow(const Surroundings &all, const BitMask &edge, int y, std::size_t first);
     void cover(const BitMask &region);
-    void findPoints(const BitMask &near, const Eigen::Vector2d &origin);
+    float coveredAt(int x, int y) const;
+    double backFrom(int x, int y, int xBefore, int yBefore) const;
+    void findPoints(const Eigen::Vector2d &origin);
 
     /// of the rows around one, with as many more at both ends as is read
     std::vector<EdgePixels::Sums> m_columns;
+    /// of the rows that are summed up; only the pixels in shadow are written
+    std::vector<std::vector<Shaded>> m_shadedRows;
     EdgePixels m_edge;
-    cv::Mat1f m_covered; ///< part of each pixel
+    std::vector<float> m_lumaNoise2, m_chromaNoise2; ///< of a row from its first edge pixel on
+    BitMask m_mostly, m_isBlend;  ///< pixels that are covered by half or more, and those partly covered
+    std::vector<float> m_covered; ///< part of the latter, row by row
     std::vector<Eigen::Vector2d> m_points;
     Chroma m_meanChroma = Chroma::Zero();
 };

@@ -5,6 +5,7 @@
 #include "core/tracking/internal/bit_mask.h"
 #include "core/tracking/internal/compared_window.h"
 #include "core/tracking/internal/difference_windows.h"
+#include "core/tracking/internal/floor_shade.h"
 #include "core/tracking/internal/region_edge.h"
 #include "core/tracking/internal/searched_mask.h"
 #include "core/tracking/internal/silhouette_parts.h"
