@@ -257,8 +257,10 @@ private Q_SLOTS:
     /// In a row of any length, at the frame's borders too, where a slope is that to the sample itself.
     void rowsOfNoiseAreThoseOfTheirSamples()
     {
-        Background background = backgroundOf(chequeredFloor());
+        Background background = backgroundOf(Painter(format, {80, 80, 80}));
         std::mt19937 random(7);
+        for (std::uint8_t &value : background.y.values)
+            value = std::uint8_t(random());
         for (std::uint8_t &sigma : background.y.sigmas)
             sigma = std::uint8_t(8 + random() % 40);
         const Background::Plane &plane = background.y;
