@@ -40,8 +40,9 @@ constexpr double frozenPx = 0.3, mostFrozenPx = 1, frozenShare = 0.1, leastFroze
 constexpr double abruptShare = 0.5; // of the speed before, in the last step
 constexpr std::int64_t fewestFrozen = 3;
 constexpr double areaTolerance = 0.06, areaShare = 0.5;
-// of a robot that might stop and start from one frame to the next
-constexpr double hardestMps2 = 8, steadyShare = 0.25, mostSteadyShare = 0.4, steadyNoise = 6;
+// of a robot that might stop and start from one frame to the next: as its change of velocity is spread over
+// an interval, which it would take only a third of
+constexpr double hardestMps2 = 3, steadyShare = 0.25, mostSteadyShare = 0.4, steadyNoise = 6;
 
 /// What one robot says of the interval before a frame.
 struct RobotWord
@@ -49,8 +50,10 @@ struct RobotWord
     LeapTest test;
     std::optional<DelayFit> delay;
     std::int64_t repeats = 0, unseen = 0; ///< frames in it that repeat one, or show nothing
+    bool isSameImage = false;             ///< all that repeat are the very same image
     std::int64_t frozen = 0;              ///< frames before it that repeat one, while the robot went on
     double metresPerPx = 0;
+    double changeMps2 = 0;  ///< that stops it, or starts it, within an interval
     bool isSameArea = true; ///< as before, by as smooth a course
 
     bool leaps() const
@@ -66,6 +69,14 @@ struct RobotWord
         return test.apart > clearlyApart && beyond > clearSharpness * test.irregularPx &&
                beyond > clearlyApart * test.noisePx && beyond > leastSteps * test.fastestPx &&
                beyond * metresPerPx > leastLeapM;
+    }
+    /// Whether frames were doubled and not the robot stopped for as long.
+    bool couldHardlyStop() const
+    {
+        return moves() && (isSameImage || (changeMps2 > hardestMps2 &&
+                                           test.irregularPx < std::clamp(steadyNoise * test.noisePx,
+                                                                         steadyShare * test.stepPx,
+                                                                         mostSteadyShare * test.stepPx)));
     }
     bool moves() const { return test.stepPx > leastMotion * test.noisePx; }
 };
@@ -125,7 +136,8 @@ private:
                 const double frameCount = double(all[i].frame - all[i - 1].frame);
                 const Eigen::Vector2d beyond = all[i].px - all[i - 1].px - frameCount * (in + out) / 2;
                 const double ofBlow = frameCount * (in - out).norm() / 2;
-                if (frameCount > 1 || beyond.norm() > ofBlow + leastBeyond * track.noisePx / 2)
+                if (frameCount > 1 || track.repeatsBefore(i) > 0 ||
+                    beyond.norm() > ofBlow + leastBeyond * track.noisePx / 2)
                     frames.insert(all[i].frame);
             }
         }
@@ -168,7 +180,9 @@ private:
         word.test = leapTest(*around, m_usualS);
         word.repeats = track.repeatsBefore(index);
         word.unseen = all[index].frame - all[index - 1].frame - 1 - word.repeats;
+        word.isSameImage = track.isSameImageBefore(index);
         word.metresPerPx = all[index].metresPerPx;
+        word.changeMps2 = word.test.stepPx * word.metresPerPx / (m_usualS * m_usualS);
         const double intervalS = all[index].timeS - all[index - 1].timeS;
         if (word.moves())
             word.delay = fitDelay(*around, word.test.noisePx, 0.1 * m_usualS - intervalS,
@@ -241,13 +255,15 @@ private:
         for (const CleanTrack &track : m_tracks)
             if (auto word = wordOf(track, frame))
                 words.push_back(std::move(*word));
-        if (std::ranges::none_of(words, &RobotWord::leaps))
+        const bool isLeap = std::ranges::any_of(words, &RobotWord::leaps);
+        // a robot that stood is evidence of its own
+        if (!isLeap && std::ranges::none_of(words, [](const RobotWord &word) { return word.repeats > 0; }))
             return std::nullopt;
         for (const RobotWord &word : words)
             clearness = std::max(clearness, word.test.apart);
-        if (auto step = delayOf(words, frame))
+        if (auto step = delayOf(words, frame); step && (isLeap || step->kind != FrameStep::Kind::Lost))
             return step;
-        return leapOf(words, frame);
+        return isLeap ? leapOf(words, frame) : std::nullopt;
     }
 
     /// The delay that all robots share, of a whole number of frames.
@@ -274,18 +290,23 @@ private:
         for (const RobotWord &word : words) {
             if (word.moves() && !agrees(word, double(frames) * m_usualS))
                 return std::nullopt;
-            if (word.moves() && frames < 0 && !couldHardlyStop(word, frames))
+            if (word.moves() && frames < 0 && word.repeats != -frames)
                 return std::nullopt;
         }
         FrameStep step;
-        step.kind = frames > 0 ? FrameStep::Kind::Lost : FrameStep::Kind::Doubled;
         step.frame = frame;
         step.frames = std::abs(frames);
+        fillLeap(words, step);
+        step.kind = FrameStep::Kind::Lost;
+        if (frames < 0)
+            step.kind = std::ranges::any_of(words, &RobotWord::couldHardlyStop) ? FrameStep::Kind::Doubled
+                                                                                : FrameStep::Kind::Stood;
+        if (step.kind == FrameStep::Kind::Stood)
+            return step;
         step.step.lengthS = double(frames) * m_usualS;
         step.step.sigmaS = sigmaS;
         if (frames < 0)
             step.step.squeezedS = -step.step.lengthS;
-        fillLeap(words, step);
         return step;
     }
 
@@ -295,16 +316,6 @@ private:
                std::abs(word.delay->delayS - delayS) <
                    robotsApartSigmas *
                        std::hypot(word.delay->sigmaS, wholeFrame * m_usualS / 2, cubicShare * delayS);
-    }
-
-    /// Whether frames were doubled and not the robot stopped for as long.
-    bool couldHardlyStop(const RobotWord &word, std::int64_t frames) const
-    {
-        const double changeMps2 = word.test.stepPx * word.metresPerPx / (m_usualS * m_usualS);
-        return word.repeats == -frames && changeMps2 > hardestMps2 &&
-               word.test.irregularPx < std::clamp(steadyNoise * word.test.noisePx,
-                                                  steadyShare * word.test.stepPx,
-                                                  mostSteadyShare * word.test.stepPx);
     }
 
     /// A leap that nothing explains, of all robots that move or of one that is alone.

@@ -35,6 +35,7 @@ struct FrameStep
     enum class Kind {
         Lost,     ///< frames are missing, and the stamps go on as if they were not
         Doubled,  ///< frames repeat the one before, and later stamps are late
+        Stood,    ///< likewise, or a slow robot stopped so briefly; nothing is corrected
         Leap,     ///< the robot is somewhere else in the next frame; why is not known
         Frozen,   ///< frames repeat the one before, and then the robot is where it would have got meanwhile
         Repeated, ///< all along one frame in so many repeats the one before (FrameConversion)
@@ -43,14 +44,14 @@ struct FrameStep
     };
     Kind kind = Kind::Leap;
     std::int64_t frame = 0;  ///< the first frame after it
-    std::int64_t frames = 0; ///< missing, doubled or frozen, or in how many one repeats; 0 of a leap
+    std::int64_t frames = 0; ///< missing, doubled, stood or frozen, or in how many one repeats; 0 of a leap
     double leapM = 0;        ///< how far the robots got beyond what the time stamps explain
     ClockStep step;          ///< that corrects the stamps; of length 0 of others
 };
 
 /// Tests each interval between two frames of one view by how the robots move: over lost frames all of them
 /// leap along their ways, with the same velocity before and after, by a whole number of frames; where a frame
-/// was doubled, all stand for it and then go on with the velocity they had. The motion before and after is
+/// was doubled, all stand for it and then go on with the velocity they had, as none could that stops. The motion before and after is
 /// fitted by one cubic in time whose second part is delayed (least squares); a collision, a start and a brake
 /// change the velocity, not the position, and explain nothing of either. Where robots leap at once, but not
 /// along one smooth way, it is a Leap. Steps need robots that move: one that rests shows no time. In order;

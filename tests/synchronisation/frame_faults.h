@@ -18,6 +18,7 @@ enum class FrameFault {
     None,
     Lost,
     Doubled,
+    SameImage, ///< doubled, and not coded once more
     Frozen,
     Pause,
     LongFrozen,
@@ -121,7 +122,7 @@ public:
                     note(lost, takenS);
                 addFrame(takenS, again > 0, hiddenFromS);
             }
-            if (repeats[i] > 1 && m_fault == FrameFault::Doubled)
+            if (repeats[i] > 1 && isDoubled())
                 note(1 - repeats[i], takenS);
             if (repeats[i] > 0)
                 before = 0;
@@ -131,6 +132,7 @@ public:
     }
 
 private:
+    bool isDoubled() const { return m_fault == FrameFault::Doubled || m_fault == FrameFault::SameImage; }
     double unit() { return std::uniform_real_distribution<double>(0, 1)(m_random); }
     double normal() { return std::normal_distribution<double>(0, 1)(m_random); }
     void note(std::int64_t lost, double takenS)
@@ -156,7 +158,7 @@ private:
                 std::fill_n(repeats.begin() + std::ptrdiff_t(at), 1 + int(10 * unit()), 0);
             if (m_fault == FrameFault::Pause)
                 std::fill_n(repeats.begin() + std::ptrdiff_t(at), int((0.6 + 1.4 * unit()) * m_view.rate), 0);
-            if (m_fault == FrameFault::Doubled)
+            if (isDoubled())
                 repeats[at] = 2 + int(4 * unit());
             if (m_fault == FrameFault::LongFrozen && place == 0) {
                 const int frozen = int((0.3 + 0.9 * unit()) * m_view.rate);
@@ -175,7 +177,8 @@ private:
     void addFrame(double takenS, bool isAgain, double hiddenFromS)
     {
         Observation seen = isAgain ? m_view.observations.back() : seenAt(takenS, hiddenFromS);
-        if (isAgain) // coded once more
+        seen.duplicateFrame = isAgain && m_fault == FrameFault::SameImage;
+        if (isAgain && !seen.duplicateFrame) // coded once more
             seen.ellipse.centrePx += 0.01 * Eigen::Vector2d(normal(), normal());
         seen.frame = std::int64_t(m_view.observations.size());
         seen.time = fromSeconds(double(seen.frame) / m_view.rate);

@@ -79,6 +79,23 @@ private Q_SLOTS:
         }
     }
 
+    /// Of a robot that is so slow that it might have stopped.
+    void aBriefStopIsNotedAndNothingCorrected()
+    {
+        int noted = 0;
+        for (unsigned seed = 7001; seed <= 7020; ++seed) {
+            Trial trial(FrameFaultDrawer(FrameFault::Doubled, seed).draw());
+            const auto stamped = trial.views.front().recording.frameTimes;
+            correctFrameTimes(trial.views, trial.robots, trial.tracked);
+            const auto steps = notedSteps(trial.tracked.front().series.front());
+            noted += int(std::ranges::count(steps, FrameStep::Kind::Stood, &FrameStep::kind));
+            if (std::ranges::none_of(
+                    steps, [](const FrameStep &step) { return step.kind == FrameStep::Kind::Doubled; }))
+                QCOMPARE(trial.views.front().recording.frameTimes, stamped);
+        }
+        QVERIFY(noted >= 3);
+    }
+
     /// The times are right by then, and still the run's page says that they were not.
     void whatWasCorrectedBeforeIsNotedAgain()
     {
@@ -164,6 +181,12 @@ private Q_SLOTS:
                  std::vector<std::string>{
                      "view 'A' in trial 'run': after 3.20 s a frame repeats the one before, and its time "
                      "stamps count it as time; later times were corrected"});
+        QCOMPARE(
+            said({stepOf(FrameStep::Kind::Stood, 2, 34)}),
+            std::vector<std::string>{
+                "view 'A' in trial 'run': after 3.10 s the robot stands for 2 frames and goes on at the same "
+                "speed: the frames repeat the one before, and times after them are too late by them, or the "
+                "robot stopped; times were not corrected"});
         QCOMPARE(
             said({stepOf(FrameStep::Kind::Leap, 0, 34)}),
             std::vector<std::string>{

@@ -130,6 +130,30 @@ private Q_SLOTS:
         QVERIFY(!m_project->trials().find("joined"));
     }
 
+    /// The time between them is in no file: of AVI the second would follow at once, of MP4 it would be
+    /// ignored.
+    void filesThatWereJoinedByteByByteAreRefused()
+    {
+        QVERIFY(imported("one", evenTimes(60, 30)).empty());
+        for (const std::string kind : {"avi", "mp4", "mov"}) {
+            const std::string ending = '.' + kind, twice = kind + "-twice";
+            QVERIFY(remux(path("one.mkv"), path(kind + ending)));
+            std::ofstream joined(path(twice + ending), std::ios::binary);
+            for (int part = 0; part < 2; ++part)
+                joined << std::ifstream(path(kind + ending), std::ios::binary).rdbuf();
+            joined.close();
+            QVERIFY(importFile(kind.c_str(), ending.c_str()).empty());
+            const auto words = importFile(twice.c_str(), ending.c_str());
+            QVERIFY(!words.empty());
+            QVERIFY2(
+                words.front().starts_with("video '" + twice + ending +
+                                          "': it consists of several video files joined byte by byte, so "
+                                          "the time between them is unknown; import each of these files "
+                                          "as its own trial"),
+                words.front().c_str());
+        }
+    }
+
     /// What editors make of such a file: its clock waits until it would go on.
     void aClockThatStandsStillIsRefused()
     {

@@ -11,7 +11,7 @@ namespace odo {
 namespace {
 
 // of a robot that repeats itself
-constexpr double stillPx = 0.06, stillShare = 0.06, leastStepPx = 0.8;
+constexpr double stillPx = 0.06, stillShare = 0.06, leastStepPx = 0.4;
 constexpr std::size_t mostStill = 6;
 
 /// White noise of a coordinate, from third differences, which no robot's motion reaches.
@@ -55,13 +55,23 @@ std::size_t stillAt(const FrameTrack &track, std::size_t index)
     return 0;
 }
 
+std::int64_t countBetween(const std::vector<std::int64_t> &frames, std::int64_t after, std::int64_t before)
+{
+    return std::max<std::int64_t>(0, std::ranges::lower_bound(frames, before) -
+                                         std::ranges::upper_bound(frames, after));
+}
+
 } // namespace
 
 std::int64_t CleanTrack::repeatsBefore(std::size_t index) const
 {
-    const auto from = std::ranges::upper_bound(repeats, positions[index - 1].frame),
-               to = std::ranges::lower_bound(repeats, positions[index].frame);
-    return std::max<std::int64_t>(0, to - from);
+    return countBetween(repeats, positions[index - 1].frame, positions[index].frame);
+}
+
+bool CleanTrack::isSameImageBefore(std::size_t index) const
+{
+    const std::int64_t all = repeatsBefore(index);
+    return all > 0 && countBetween(marked, positions[index - 1].frame, positions[index].frame) == all;
 }
 
 CleanTrack cleaned(const FrameTrack &track)
@@ -69,13 +79,17 @@ CleanTrack cleaned(const FrameTrack &track)
     CleanTrack clean;
     clean.noisePx = whiteNoisePx(track);
     for (std::size_t i = 0; i < track.size(); ++i) {
-        if (std::size_t still = stillAt(track, i); still > 0) {
-            for (; still > 1; --still)
-                clean.repeats.push_back(track[i++].frame);
-            clean.repeats.push_back(track[i].frame);
-        } else {
+        const std::size_t still = stillAt(track, i);
+        if (still == 0) {
             clean.positions.push_back(track[i]);
+            continue;
         }
+        for (const std::size_t end = i + still; i < end; ++i) {
+            clean.repeats.push_back(track[i].frame);
+            if (track[i].isRepeat)
+                clean.marked.push_back(track[i].frame);
+        }
+        --i;
     }
     return clean;
 }

@@ -131,7 +131,7 @@ Result<void> ImportTrialJob::readVideo(std::size_t view, const CancelToken &canc
     const auto reader = ODO_TRY(VideoReader::open(m_views[view].file, cancel));
     const VideoInfo &info = reader->info();
     const bool areGiven = m_settings.rate.has_value() || !own.times.empty();
-    ODO_TRY(checkTimes(own.source.called, info, areGiven));
+    ODO_TRY(checkTimes(own.source.called, m_views[view].file, info, areGiven));
     const std::optional<double> rate =
         areGiven ? m_settings.rate : ODO_TRY(filmedRate(own.source.called, info));
     RecordingRecord recording;

@@ -19,8 +19,8 @@ namespace {
 
 // behind the tracker's version in a series
 constexpr const char *lostWords = "; lost ", *doubledWords = "; doubled ", *leapWords = "; leap ",
-                     *repeatedWords = "; repeated ", *frozenWords = "; frozen ", *fieldsWords = "; fields ",
-                     *combedWords = "; combed ";
+                     *stoodWords = "; stood ", *repeatedWords = "; repeated ", *frozenWords = "; frozen ",
+                     *fieldsWords = "; fields ", *combedWords = "; combed ";
 constexpr std::size_t mostNoted = 30; ///< of a view; more say nothing else
 constexpr std::size_t mostSaid = 3;   ///< one by one
 constexpr double leastOfFrame = 0.6;  ///< that times are corrected by
@@ -32,6 +32,8 @@ const char *wordsOf(FrameStep::Kind kind)
         return lostWords;
     case FrameStep::Kind::Doubled:
         return doubledWords;
+    case FrameStep::Kind::Stood:
+        return stoodWords;
     case FrameStep::Kind::Repeated:
         return repeatedWords;
     case FrameStep::Kind::Frozen:
@@ -191,7 +193,7 @@ std::vector<FrameStep> notedSteps(const ObservationSeries &series)
 {
     std::vector<FrameStep> steps;
     using enum FrameStep::Kind;
-    for (const auto kind : {Fields, Combed, Repeated, Lost, Doubled, Frozen, Leap}) {
+    for (const auto kind : {Fields, Combed, Repeated, Lost, Doubled, Stood, Frozen, Leap}) {
         const char *words = wordsOf(kind);
         for (std::size_t at = series.algorithm.find(words); at != std::string::npos;
              at = series.algorithm.find(words, at + 1)) {
@@ -244,6 +246,17 @@ Message stepWords(const FrameStep &step, MessageArgument at)
                    : ODO_TEXT("workflow.frames_doubled_unseen",
                               "after %1 %2 frames repeat the one before, and its time stamps count them as "
                               "time; later times were corrected")(std::move(at), step.frames);
+    case FrameStep::Kind::Stood:
+        return step.frames == 1
+                   ? ODO_TEXT(
+                         "workflow.one_frame_stood",
+                         "after %1 the robot stands for a frame and goes on at the same speed: the frame "
+                         "repeats the one before, and times after it are too late by it, or the robot "
+                         "stopped; times were not corrected")(std::move(at))
+                   : ODO_TEXT("workflow.frames_stood",
+                              "after %1 the robot stands for %2 frames and goes on at the same speed: the "
+                              "frames repeat the one before, and times after them are too late by them, or "
+                              "the robot stopped; times were not corrected")(std::move(at), step.frames);
     case FrameStep::Kind::Repeated:
         return ODO_TEXT("workflow.video_converted",
                         "one frame in %1 repeats the one before, because the video was converted to a higher "
@@ -275,10 +288,11 @@ std::vector<Message> stepSentences(const std::string &trialName, const Recording
 {
     const auto at = [&](const FrameStep &step) {
         const auto before = std::size_t(std::max<std::int64_t>(
-            0,
-            step.frame - 1 -
-                (step.kind == FrameStep::Kind::Doubled || step.kind == FrameStep::Kind::Frozen ? step.frames
-                                                                                               : 0)));
+            0, step.frame - 1 -
+                   (step.kind == FrameStep::Kind::Doubled || step.kind == FrameStep::Kind::Stood ||
+                            step.kind == FrameStep::Kind::Frozen
+                        ? step.frames
+                        : 0)));
         const bool isKnown = before < view.frameTimes.size();
         return quantity(isKnown ? toSeconds(clockOf(view).commonTime(view.frameTimes[before])) : 0, 2, "s");
     };

@@ -3,6 +3,7 @@
 
 #include "core/base/error.h"
 #include "core/project/project.h"
+#include "core/video/frame_times.h"
 #include "core/workflow/shared_words.h"
 #include "core/workflow/track/internal/clip_offsets.h"
 #include "core/workflow/track/track_warnings.h"
@@ -80,6 +81,13 @@ void takeOffset(RecordingRecord &recording, const RecordingRecord &first, const 
 double durationOf(const RecordingRecord &recording)
 {
     return recording.frameTimes.empty() ? 0 : toSeconds(recording.frameTimes.back());
+}
+
+/// By the frames themselves: fields of interlaced ones come at twice the rate that the file states. 0 of one.
+double measuredRate(const RecordingRecord &recording)
+{
+    const Nanoseconds usual = spacingOf(recording.frameTimes).usual;
+    return usual > Nanoseconds(0) ? 1 / toSeconds(usual) : 0;
 }
 
 Result<bool> isSlowMotion(const std::vector<RegisteredView> &views, const CancelToken &cancel)
@@ -253,7 +261,7 @@ Result<std::vector<Message>> commonTimeWarnings(const Message &what,
                      quantity(commonS, 2, "s")),
                  ODO_TEXT("workflow.check_views_of_one_run",
                           "only one view measures the rest, so check that both belong to one run"));
-        const double a = first.framesPerSecond, b = other.framesPerSecond;
+        const double a = measuredRate(first), b = measuredRate(other);
         const bool isLabelWrong = std::abs(other.clockRate) > largestClockRate; // said already
         if (a > 0 && b > 0 && std::abs(a - b) > 0.02 * a && !isLabelWrong)
             warn(ODO_TEXT("workflow.unequal_rates", "%1 and %2")(std::lround(a),

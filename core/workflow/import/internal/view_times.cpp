@@ -2,6 +2,7 @@
 #include "core/workflow/import/internal/view_times.h"
 
 #include "core/video/frame_times.h"
+#include "core/workflow/import/internal/joined_file.h"
 #include "core/workflow/shared_words.h"
 
 #include <cmath>
@@ -13,9 +14,16 @@ Message giveCameraRate()
     return ODO_TEXT("workflow.give_camera_rate", "give the rate at which the camera took the frames");
 }
 
-Result<void> checkTimes(const std::filesystem::path &file, const VideoInfo &info, bool areGiven)
+Result<void> checkTimes(const std::filesystem::path &called, const std::filesystem::path &file,
+                        const VideoInfo &info, bool areGiven)
 {
-    const Message what = ODO_TEXT("workflow.video", "video '%1'")(Named::file(file.filename()));
+    const Message what = ODO_TEXT("workflow.video", "video '%1'")(Named::file(called.filename()));
+    if (isSeveralFiles(file))
+        return fail(ErrorCode::Undetermined, what,
+                    ODO_TEXT("workflow.several_files_in_one",
+                             "it consists of several video files joined byte by byte, so the time between "
+                             "them is unknown"),
+                    ODO_TEXT("workflow.import_parts", "import each of these files as its own trial"));
     if (info.restartsAt)
         return fail(
             ErrorCode::Undetermined, what,

@@ -17,9 +17,11 @@ using GivenTimes = std::vector<Nanoseconds>;
 /// The general advice where a file does not say it.
 Message giveCameraRate();
 
-/// Refuses times that are out of order, and those that are made up, or that no camera's frames have, where
-/// nobody gives others. file: as messages call it. Pure.
-Result<void> checkTimes(const std::filesystem::path &file, const VideoInfo &info, bool areGiven);
+/// Refuses files that hold several videos, times that are out of order, and those that are made up, or that
+/// no camera's frames have, where nobody gives others. called: as messages call the file. Reads the file's
+/// headers.
+Result<void> checkTimes(const std::filesystem::path &called, const std::filesystem::path &file,
+                        const VideoInfo &info, bool areGiven);
 
 /// The rate at which the camera took the frames of slow motion or time lapse, where its file says so; nothing
 /// where the frames play about as fast as they were taken. Undetermined: the two differ by too little to be
