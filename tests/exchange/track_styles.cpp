@@ -103,6 +103,17 @@ Line rosLine()
     };
 }
 
+/// `ros2 topic echo --csv`: no header, all fields in order, and no quotes. zeros: numbers behind the pose.
+Line echoLine(const QByteArray &frames, int zeros)
+{
+    return [=](std::size_t, const DrivenRun::Row &row) {
+        const qint64 ns = 1403636579763555584LL + std::llround(row.t * 1e9);
+        return QByteArray::number(ns / 1'000'000'000) + ',' + QByteArray::number(ns % 1'000'000'000) + ',' +
+               frames + ',' + number(row.x, 6) + ',' + number(row.y, 6) + ",0.0,0.0,0.0,0.0,1.0" +
+               QByteArray(",0.0").repeated(zeros);
+    };
+}
+
 QByteArray frame(const DrivenRun::Row &row)
 {
     return QByteArray::number(std::lround(row.t * DrivenRun::rate));
@@ -147,6 +158,10 @@ std::vector<TrackStyle> made()
                                    QByteArray::number(ns % 1'000'000'000) + ',' + number(row.x, 6) + ',' +
                                    number(row.y, 6);
                         }));
+    all.push_back(plain("ROS 2 echo of poses", "", "", echoLine("map", 0)));
+    all.push_back(plain("ROS 2 echo of odometry", "", "", echoLine("odom,base_link", 36 + 6 + 36)));
+    all.push_back(plain("no header", "", "", columns(1, 3, 1, 4)));
+    all.push_back(plain("no header, German", "", "", columns(1, 3, 1, 4, ';', ',')));
     all.push_back(plain("Kinovea", "Time (ms);Trajectory 1/X (cm);Trajectory 1/Y (cm)\n", "",
                         columns(1000, 0, 100, 2, ';', ',')));
     all.push_back(plain("TRex",

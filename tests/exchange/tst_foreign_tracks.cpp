@@ -147,6 +147,8 @@ private Q_SLOTS:
         row("us", micro, "exchange.time_steps_too_long", "us");
         row("ms that the header calls s", wrongSeconds, "exchange.time_steps_too_long", "ms");
         row("mm that the header calls m", wrongMetres, "exchange.too_fast_as_said", "");
+        QByteArray metres = styleNamed("no header").write(run);
+        row("metres below millimetres", "t_s,x_mm,y_mm\n" + metres, "exchange.too_small_as_said", "m");
         row("metres of Tracker", styleNamed("Tracker").write(run), "read", "");
         row("pixels", styleNamed("DeepLabCut").write(run), "exchange.frames_without_rate", "");
         row("frame numbers", styleNamed("frame numbers").write(run), "exchange.frames_without_rate", "");

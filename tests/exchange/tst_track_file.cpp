@@ -150,6 +150,15 @@ private Q_SLOTS:
             "#multi:\n\tA\t\tB\t\t\nt\tx\ty\tx\ty\t\n0\t0\t-1\t5\t5\t\n0.1\t0.5\t-1.5\t6\t6\t\n0.2\t1\t-"
             "2\t7\t7\t\n",
             "tracker");
+        row("no header", "0,0,-1\n0.1,0.5,-1.5\n0.2,1,-2\n", "csv");
+        row("no header, with tabs", "0\t0\t-1\n0.1\t0.5\t-1.5\n0.2\t1\t-2\n", "csv");
+        row("no header, with clock times", "0:00:00.0;0;-1\n0:00:00.1;0,5;-1,5\n0:00:00.2;1;-2\n", "csv");
+        row("points of ROS 2, without a frame", "0,0,,0,-1,0\n0,100000000,,0.5,-1.5,0\n0,200000000,,1,-2,0\n",
+            "rosbag");
+        row("transforms of ROS 2",
+            "0,0,odom,base_link,0,-1,0,0,0,0,1\n0,100000000,odom,base_link,0.5,-1.5,0,0,0,0,1\n"
+            "0,200000000,odom,base_link,1,-2,0,0,0,0,1\n",
+            "rosbag");
         row("Tracker, named pairs", "t\txball (m)\tyball (m)\n0\t0\t-1\n0.1\t0.5\t-1.5\n0.2\t1\t-2\n",
             "tracker");
     }
@@ -211,7 +220,15 @@ private Q_SLOTS:
         row("blank lines", "\n\n",
             ":2: it has no header with a time, x and y, and it is not a TUM file; begin the file with the "
             "line t_s,x_mm,y_mm, or write lines of timestamp tx ty tz qx qy qz qw");
-        row("no header", "0,1,2\n1,2,3\n", header);
+        const char *assumed =
+            ":1: it has no header, and its columns do not look like time, x and y; begin the file with the "
+            "line t_s,x_mm,y_mm, or write lines of timestamp tx ty tz qx qy qz qw";
+        row("no header, four columns", "0,1,2,3\n1,2,3,4\n", header);
+        row("no header, lines above", "run 1\n0,1,2\n1,2,3\n2,3,4\n",
+            QByteArray(header).replace(":1", ":2").constData());
+        row("no header, times last", "5,1,0\n4,2,1\n3,3,2\n", assumed);
+        row("no header, x rises unevenly", "0,1,0\n0.1,2,0\n0.15,2,0\n0.3,2,0\n0.37,2,0\n0.6,2,0\n", assumed);
+        row("no header, and nothing moves", "0,0,0\n1,0,0\n2,0,0\n", assumed);
         row("another header", "a,b,c\n", header);
         row("header alone", "t_s,x_mm,y_mm\n",
             ":1: the track has 0 positions; choose a file with three positions or more");

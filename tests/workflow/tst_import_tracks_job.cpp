@@ -8,6 +8,7 @@
 #include "core/workflow/import/import_tracks_job.h"
 #include "core/workflow/track/reanalysis.h"
 #include "core/workflow/track/track_job.h"
+#include "core/workflow/track/trial_verdict.h"
 #include "core/workflow/trial_sources.h"
 #include "tests/support/registered_test.h"
 #include "tests/support/said_error.h"
@@ -65,6 +66,13 @@ class TestImportTracksJob : public QObject
     AnalysisRecord analysisOf(const char *trial)
     {
         return m_project->analyses().current(m_project->trials().find(trial)->id)->at(0);
+    }
+    std::string precisionOf(const char *trial)
+    {
+        const auto found = m_project->trials().find(trial);
+        const auto verdict = verdictOn(*m_project, *found, {}, *m_project->analyses().current(found->id));
+        const auto check = std::ranges::find(verdict->checks, "positions_precise", &TrialCheck::code);
+        return check->text.english();
     }
     std::string errorOf(const ImportTracksSettings &settings)
     {
@@ -148,6 +156,8 @@ private Q_SLOTS:
         settings.sigmaM = 0.005;
         QVERIFY(import(settings));
         QVERIFY(analysisOf("known").profile.points[50].sigmaXM >= 0.005);
+        QVERIFY(precisionOf("lap").find("errors that change slowly do not show") != std::string::npos);
+        QCOMPARE(precisionOf("known"), std::string("positions are precise for the run's extent"));
         const auto source = importedTracksOf(*m_project, *m_project->trials().find("known"))->front();
         QVERIFY2(source.reading.english().ends_with("; accurate to 5.00 mm, as given"),
                  source.reading.english().c_str());

@@ -88,6 +88,9 @@ double coarseRounding(const CourseFacts &course)
 Result<FileTrack> understood(RawTrack raw, const RawTable &table, Understanding how)
 {
     const TrackFormat format = table.columns.format;
+    if (table.columns.areAssumed)
+        how.facts.push_back(
+            ODO_TEXT("exchange.columns_assumed", "it has no header: its columns count as time, x and y"));
     if (table.thousands != 0)
         how.facts.push_back(table.thousands == '.'
                                 ? ODO_TEXT("exchange.points_group_thousands", "points separate thousands")

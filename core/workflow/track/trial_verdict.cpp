@@ -316,6 +316,29 @@ Result<void> checkSharing(Project &project, const AnalysisRecord &analysis, cons
     return {};
 }
 
+/// Whether words are in a message or in what it is put together from.
+bool says(const Message &message, std::string_view code)
+{
+    const auto isIn = [&](const MessageArgument &argument) {
+        return std::ranges::any_of(argument.parts, [&](const Message &part) { return says(part, code); });
+    };
+    return message.code() == code || std::ranges::any_of(message.arguments, isIn);
+}
+
+/// Of a track that states no accuracy the scatter is all that can be judged.
+Result<void> passScatter(Project &project, const TrialRecord &trial, Checks &checks)
+{
+    const auto tracks = ODO_TRY(importedTracksOf(project, trial));
+    if (std::ranges::any_of(tracks, [](const ImportedTrack &track) {
+            return says(track.reading, "workflow.slow_errors_not_seen");
+        }))
+        checks.pass(positionsPrecise,
+                    ODO_TEXT("workflow.passed_scatter",
+                             "positions scatter little for the run's extent; errors that change slowly do "
+                             "not show, and are covered only where the accuracy of the source is given"));
+    return {};
+}
+
 void passTheRest(bool isFilmed, std::size_t views, Checks &checks)
 {
     checks.pass(resultsIntact, ODO_TEXT("workflow.passed_results", "the stored results are as computed"));
@@ -406,6 +429,7 @@ Result<TrialVerdict> verdictOn(Project &project, const TrialRecord &trial,
     }
     for (std::size_t i = 0; used.size() > 1 && i < used.size(); ++i)
         checkSynchronisation(*recordings[used[i]], *recordings.front(), trial.name, checks);
+    ODO_TRY(passScatter(project, trial, checks));
     passTheRest(!recordings.empty(), used.size(), checks);
     TrialVerdict verdict = checks.take();
     verdict.acceptance = ODO_TRY(project.verdicts().acceptance(trial.id));

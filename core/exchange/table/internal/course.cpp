@@ -48,11 +48,13 @@ namespace {
 
 constexpr std::size_t mostLooked = 20'000; // rows say as much as all
 
-/// The coarsest power of ten that the numbers are multiples of, but for a few.
+/// The coarsest power of ten that the numbers are multiples of, but for a few; 0 where all of them are 0.
 double resolutionOf(const RawTrack &track, const std::vector<std::size_t> &rows)
 {
     constexpr int finest = 11;
     constexpr double coarsest = 100;
+    if (std::ranges::all_of(rows, [&](std::size_t i) { return track.x[i] == 0 && track.y[i] == 0; }))
+        return 0;
     double unit = 1 / coarsest;
     for (int digits = 0; digits < finest; ++digits, unit *= 10) {
         const auto isOff = [&](double value) {

@@ -57,6 +57,7 @@ struct TableColumns
     std::size_t columns = 0;     ///< of them all
     bool mayHaveUnnamed = false; ///< the header ends with a delimiter; rows may have a cell behind it
     bool hasUnits = false;       ///< the time or a position
+    bool areAssumed = false;     ///< there is no header: the first may be times, the others x and y
 };
 
 /// Reads a header by the names of its columns (ColumnName), with the row above for the names of tracks.

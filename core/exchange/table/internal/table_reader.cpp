@@ -3,6 +3,8 @@
 
 #include "core/base/plain_text.h"
 #include "core/exchange/table/internal/column_name.h"
+#include "core/exchange/table/internal/course.h"
+#include "core/exchange/table/internal/headerless.h"
 #include "core/exchange/table/internal/stamps.h"
 #include "core/exchange/table/internal/table_rows.h"
 #include "core/exchange/text_file.h"
@@ -18,7 +20,6 @@ namespace {
 constexpr std::size_t mostTrackBytes = std::size_t(256) << 20;
 constexpr int linesAboveHeader = 60;
 constexpr int linesBetweenQuestions = 4096; // about cancellation
-constexpr std::size_t kittiCells = 12;
 
 /// Walks through a file: to its header, and from there row by row.
 class TableReader
@@ -48,6 +49,7 @@ public:
         }
         auto table = ODO_TRY(rows.finish(m_lines->number()));
         table.cutLine = cutLine;
+        ODO_TRY(checkAssumed(table));
         return table;
     }
 
@@ -70,10 +72,11 @@ private:
     Result<bool> findTrcHeader();
     Result<bool> takeHeader(std::string_view line);
     void rememberRemark(std::string_view content);
-    void takeHeaderless();
+    bool takeHeaderless();
     void lookForUnit();
     Result<NumberStyle> surveyed();
     Result<void> readUnitsRow();
+    Result<void> checkAssumed(const RawTable &table) const;
 
     const std::filesystem::path &m_file;
     const TrackReading &m_reading;
@@ -130,18 +133,22 @@ void TableReader::rememberRemark(std::string_view content)
         m_remark = std::move(**header);
 }
 
-/// Lines of numbers alone: the poses of TUM and KITTI, or columns that a remark names.
-void TableReader::takeHeaderless()
+/// Lines without a header, of a known format or as a remark names their columns. False: it is not known what
+/// they hold.
+bool TableReader::takeHeaderless()
 {
-    m_delimiter = ' '; // tabs part as well
+    if (m_delimiter != ',' && m_delimiter != ';')
+        m_delimiter = ' '; // tabs part as well
     splitCells(m_line, m_delimiter, m_cells);
-    const std::size_t tumCells = tumColumns().columns;
-    if (m_remark && m_remark->columns == m_cells.size() && m_remark->columns != tumCells)
-        m_table.columns = *m_remark;
-    else
-        m_table.columns = m_cells.size() == kittiCells ? kittiColumns() : tumColumns();
+    const bool isRemarked =
+        m_remark && m_remark->columns == m_cells.size() && m_remark->columns != tumColumns().columns;
+    auto columns = isRemarked ? m_remark : headerlessColumns(m_cells, m_delimiter);
+    if (!columns)
+        return false;
+    m_table.columns = std::move(*columns);
     m_isFirstRowWaiting = true;
     m_rowsAfter = m_lines->number() - 1;
+    return true;
 }
 
 /// False in the value: the line is no header, whatever parts its cells.
@@ -241,12 +248,12 @@ Result<void> TableReader::findHeader()
         m_delimiter = delimiterOf(m_line);
         splitCells(m_line, m_delimiter, m_cells);
         const bool isNumberAlone = above > 0 && m_cells.size() == 1; // Vicon's rate
-        const bool isRemarkedClock = m_remark && m_delimiter == ' ' && m_remark->columns == m_cells.size() &&
-                                     stampOf(m_cells[0], {}).has_value();
-        if ((beginsAsNumber(m_line) || isRemarkedClock) && !isNumberAlone) {
-            if (above > 0 || m_delimiter == ',' || m_delimiter == ';')
+        const std::size_t clockCells = m_remark && m_delimiter == ' ' ? m_remark->columns : 3;
+        const bool isClock =
+            above == 0 && m_cells.size() == clockCells && stampOf(m_cells[0], {}).has_value();
+        if ((beginsAsNumber(m_line) && !isNumberAlone) || isClock) {
+            if (above > 0 || !takeHeaderless())
                 break;
-            takeHeaderless();
             return {};
         }
         lookForUnit();
@@ -348,6 +355,18 @@ Result<NumberStyle> TableReader::surveyed()
     }
     m_isFirstRowWaiting = false;
     return outcome.style;
+}
+
+Result<void> TableReader::checkAssumed(const RawTable &table) const
+{
+    const RawTrack &track = table.tracks.front();
+    const bool isKnown = !table.columns.areAssumed || track.stampKind != Stamp::Kind::Number;
+    if (isKnown || (mayBeTimes(track.stamps) && (spreadOf(track.x) > 0 || spreadOf(track.y) > 0)))
+        return {};
+    return fail(ErrorCode::InvalidInput, atLineOf(m_file, m_reading, m_rowsAfter + 1),
+                ODO_TEXT("exchange.no_header_and_no_times",
+                         "it has no header, and its columns do not look like time, x and y"),
+                beginWithHeaderOrTum());
 }
 
 } // namespace

@@ -91,6 +91,25 @@ std::optional<LengthUnit> likelyUnit(double speed, double floor)
     return likely;
 }
 
+/// Metres below a header that says millimetres: a course of a millimetre, as smooth as that of a robot.
+Result<void> checkNotTiny(const RawTrack &track, TrackFormat format, double speed, double floor,
+                          const Understanding &how)
+{
+    constexpr double tinyM = 0.01, leastSteps = 12; // a robot at rest gets no farther than a few of its steps
+    const double saidM = floor / perMetre(*track.columns.x.unit);
+    const bool isOfPerson = format == TrackFormat::Csv || format == TrackFormat::Tracker;
+    if (!isOfPerson || saidM == floor || saidM > tinyM || floor < smallFloorM || speed < slowRobot ||
+        !isPlausible(speed, floor) || floor < leastSteps * courseOf(track).usualStep)
+        return {};
+    return how.wrong(
+        track.lines.front(),
+        ODO_TEXT("exchange.too_small_as_said",
+                 "in the unit that its header gives, the robot would stay within %1")(
+            quantity(toMillimetres(saidM), 1, "mm")),
+        ODO_TEXT("exchange.choose_likely_unit", "choose their unit: m, cm, mm, in, ft or px; %1 is likely")(
+            std::string(wordOf(LengthUnit::Metre))));
+}
+
 tl::unexpected<Error> pixelsAreNoLengths(TrackFormat format, const RawTrack &track, const Understanding &how)
 {
     const bool isFormat = format == TrackFormat::DeepLabCut || format == TrackFormat::Sleap;
@@ -183,8 +202,10 @@ Result<double> unitsPerMetre(const RawTrack &track, TrackFormat format, const st
             ODO_TEXT("exchange.too_fast_as_said", "in the units that it gives, the robot would drive at %1")(
                 quantity(speed / perSaid, 0, "m/s")),
             ODO_TEXT("exchange.check_both_units", "choose the units of its times and positions"));
-    if (track.columns.x.unit)
+    if (track.columns.x.unit) {
+        ODO_TRY(checkNotTiny(track, format, speed, floor, how));
         return perSaid;
+    }
     const bool isOfFormat = said || format == TrackFormat::Tum || format == TrackFormat::Kitti;
     if (isOfFormat && speed <= fastVehicle)
         return 1.0;
