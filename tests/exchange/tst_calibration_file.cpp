@@ -25,6 +25,70 @@ distortion_model: plumb_bob
 distortion_coefficients: {rows: 1, cols: 5, data: [-0.1, 2e-2, 0, 0, 0]}
 )";
 
+// The same camera as other programs write it: COLMAP and Metashape count from the corner of the first pixel.
+const QByteArray openCvXml = R"(<?xml version="1.0"?>
+<opencv_storage>
+<image_width>640</image_width> <image_height>480</image_height>
+<camera_matrix type_id="opencv-matrix">
+  <rows>3</rows>
+  <cols>3</cols>
+  <dt>d</dt>
+  <data>
+    5.005e+02 0. 320.25 0. 501. 240. 0. 0. 1.</data></camera_matrix>
+<distortion_coefficients type_id="opencv-matrix">
+  <rows>5</rows>
+  <cols>1</cols>
+  <dt>d</dt>
+  <data>
+    -0.1 2.0000000000000000e-02 1e-3
+    -0.002 0.</data></distortion_coefficients>
+</opencv_storage>
+)";
+const QByteArray colmap = R"(# Camera list with one line of data per camera:
+#   CAMERA_ID, MODEL, WIDTH, HEIGHT, PARAMS[]
+# Number of cameras: 1
+1 OPENCV 640 480 500.5 501 320.75 240.5 -0.1 0.02 0.001 -0.002
+)";
+const QByteArray metashape = R"(<?xml version="1.0" encoding="UTF-8"?>
+<calibration>
+  <projection>frame</projection>
+  <width>640</width>
+  <height>480</height>
+  <f>501</f>
+  <cx>0.75</cx>
+  <cy>0.5</cy>
+  <b1>-0.5</b1>
+  <k1>-0.1</k1>
+  <k2>0.02</k2>
+  <p1>-0.002</p1>
+  <p2>0.001</p2>
+  <date>2024-05-06T10:11:03Z</date>
+</calibration>
+)";
+const QByteArray metashapeCameras = R"(<?xml version="1.0" encoding="UTF-8"?>
+<document version="1.5.0">
+  <chunk label="Chunk 1" enabled="true">
+    <sensors next_id="1">
+      <sensor id="0" label="head, 4 mm" type="frame">
+        <resolution width="640" height="480"/>
+        <property name="layer_index" value="0"/>
+        <calibration type="frame" class="initial">
+          <resolution width="640" height="480"/>
+          <f>600</f>
+        </calibration>
+        <calibration type="frame" class="adjusted">
+          <resolution width="640" height="480"/>
+          <f>501</f> <cx>0.75</cx> <cy>0.5</cy> <b1>-0.5</b1> <k1>-0.1</k1> <k2>0.02</k2>
+          <p1>-0.002</p1> <p2>0.001</p2>
+        </calibration>
+        <covariance><params>f cx cy</params><coeffs>1 0 0 0 1 0 0 0 1</coeffs></covariance>
+      </sensor>
+    </sensors>
+    <cameras next_id="1"><camera id="0" sensor_id="0" label="a.jpg"/></cameras>
+  </chunk>
+</document>
+)";
+
 // The same camera as seven programs write it, and twice as a file of two cameras.
 const QByteArray rosMessage = R"(header:
   frame_id: head
@@ -177,6 +241,17 @@ private Q_SLOTS:
                    R"("distortion_model":"rectilinear","distortion_coefficients":[-0.1,0.02,0.001,-0.002,0]})")
             << QString();
         QTest::newRow("OpenCV with capitals") << upperCase << QString();
+        QTest::newRow("OpenCV, XML") << openCvXml << QString();
+        QTest::newRow("COLMAP") << colmap << QString();
+        QTest::newRow("COLMAP, with commas")
+            << QByteArray(colmap).replace("1 OPENCV", "7 OPENCV").replace(' ', ',').replace("#,", "# ")
+            << QString();
+        QTest::newRow("one of two of COLMAP")
+            << colmap + QByteArray("2 SIMPLE_PINHOLE 3008 4096 1900 1504 2048\n") << QStringLiteral("1");
+        QTest::newRow("Metashape, lens calibration") << metashape << QString();
+        QTest::newRow("Metashape, cameras") << metashapeCameras << QString();
+        QTest::newRow("Metashape, cameras, by the sensor's name")
+            << metashapeCameras << QStringLiteral("head, 4 mm");
         QTest::newRow("anipose") << toml << QString();
         QTest::newRow("anipose, by its name") << toml << QStringLiteral("head");
         QTest::newRow("caliscope") << twoInToml << QStringLiteral("0");
@@ -197,6 +272,30 @@ private Q_SLOTS:
         std::vector<double> distortion = read->distortion;
         distortion.resize(5);
         QVERIFY((distortion == std::vector<double>{-0.1, 0.02, 0.001, -0.002, 0}));
+    }
+    void fisheyesOfOtherPrograms()
+    {
+        for (const QByteArray &text :
+             {QByteArray("1 OPENCV_FISHEYE 640 480 500.5 501 320.75 240.5 -0.1 0.02 0.001 -0.002\n"),
+              QByteArray(metashape)
+                  .replace("frame", "fisheye")
+                  .replace("<p1>-0.002</p1>", "<k3>0.001</k3>")
+                  .replace("<p2>0.001</p2>", "<k4>-0.002</k4>")}) {
+            const auto read = readIntrinsics(write(text));
+            QVERIFY2(read.has_value(), read ? "" : read.error().message().c_str());
+            QCOMPARE(read->model, LensModel::Fisheye);
+            QCOMPARE(read->cxPx, 320.25);
+            QVERIFY((read->distortion == std::vector<double>{-0.1, 0.02, 0.001, -0.002}));
+        }
+        const auto full = readIntrinsics(
+            write("1 FULL_OPENCV 640 480 500.5 501 320.75 240.5 -0.1 0.02 0.001 -0.002 0.3 0.4 0.5 0.6\n"));
+        QVERIFY2(full.has_value(), full ? "" : full.error().message().c_str());
+        QVERIFY((full->distortion == std::vector<double>{-0.1, 0.02, 0.001, -0.002, 0.3, 0.4, 0.5, 0.6}));
+        const auto radial = readIntrinsics(write("1 SIMPLE_RADIAL 640 480 500 320 240 -0.1\n"));
+        QVERIFY2(radial.has_value(), radial ? "" : radial.error().message().c_str());
+        QCOMPARE(radial->fyPx, 500.0);
+        QCOMPARE(radial->cyPx, 239.5);
+        QCOMPARE(radial->distortion.front(), -0.1);
     }
     /// Five columns, as some write of eight numbers.
     void coefficientsCountByThemselves()
@@ -354,8 +453,22 @@ private Q_SLOTS:
         row("height before width", QByteArray(toml).replace("[ 640, 480,]", "[ 480, 640,]"),
             ":1: its width and height are exchanged: the image centre (320.2, 240.0) is that of 640 × 480 "
             "pixels, not 480 × 640");
-        row("XML", "<?xml version=\"1.0\"?>\n<opencv_storage>\n</opencv_storage>\n",
-            ":1: it is written in XML");
+        row("XML without a camera", "<?xml version=\"1.0\"?>\n<opencv_storage>\n</opencv_storage>\n",
+            "the entry 'image_width' is missing");
+        row("XML that ends too early", openCvXml.left(200), "it is not valid XML (");
+        row("deep XML", QByteArray("<a>").repeated(200), "it is not valid XML (too large)");
+        row("XML with an entity that grows",
+            "<!DOCTYPE a [<!ENTITY b \"0 0 0 0\"><!ENTITY c \"&b;&b;&b;&b;\"><!ENTITY d "
+            "\"&c;&c;&c;&c;\">]>\n<a>&d;</a>",
+            "the entry 'image_width' is missing");
+        row("a lens of COLMAP", QByteArray(colmap).replace("OPENCV", "FOV"),
+            ":4: the lens model 'FOV' is unknown");
+        row("COLMAP without a coefficient", QByteArray(colmap).replace(" -0.002", ""),
+            ":4: the lens model 'OPENCV' is unknown");
+        row("a skewed camera of Metashape", QByteArray(metashape).replace("<b1>", "<b2>-4.2</b2><b1>"),
+            "'camera_matrix' is not of the form fx 0 cx, 0 fy cy, 0 0 1");
+        row("a fourth coefficient of Metashape", QByteArray(metashape).replace("<p1>", "<k4>0.1</k4><p1>"),
+            "the lens model 'frame + k4' is unknown");
         row("five numbers", QByteArray(kalibr).replace("320.25,", "320.25, 0,"),
             ":3: 'camera_matrix' has 5 numbers instead of 3 × 3");
         row("TOML that ends too early", toml.left(60), "it is not valid TOML");

@@ -303,7 +303,8 @@ private:
 Message useCalibrationFile()
 {
     return ODO_TEXT("exchange.use_calibration_file",
-                    "use a calibration file as ROS, OpenCV, Kalibr, anipose or PhotonVision writes it");
+                    "use a calibration file as ROS, OpenCV, Kalibr, COLMAP, Metashape, anipose or "
+                    "PhotonVision writes it");
 }
 
 std::vector<CalibrationEntry> calibrationEntries(const YamlNode &root)

@@ -2,6 +2,7 @@
 #include "core/exchange/internal/calibration_tree.h"
 
 #include "core/base/units.h"
+#include "core/exchange/internal/calibration_styles.h"
 #include "core/exchange/text_file.h"
 
 #include <algorithm>
@@ -189,9 +190,9 @@ Result<YamlNode> parseCalibrationTree(const std::filesystem::path &file, const s
         return treeOfIni(lines);
     if (const auto first = std::ranges::find_if_not(lines, isRemark);
         first != lines.end() && first->starts_with('<'))
-        return fail(ErrorCode::InvalidInput, atLine(file, 1),
-                    ODO_TEXT("exchange.is_xml", "it is written in XML"),
-                    ODO_TEXT("exchange.save_as_yaml", "save the calibration as YAML or JSON"));
+        return treeOfXml(file, text, advice);
+    if (auto cameras = treeOfColmap(lines))
+        return std::move(*cameras);
     if (isToml(lines))
         return parseToml(file, text, advice);
     return parseYaml(file, std::string(firstMessage(text)), advice);

@@ -293,7 +293,7 @@ void TestbedTools::registerTogether()
 void TestbedTools::importCalibration()
 {
     const QString file = QFileDialog::getOpenFileName(&m_window, tr("Lens calibration of a camera"), {},
-                                                      tr("Calibrations (*.yaml *.yml *.json *.toml *.ini);;"
+                                                      tr("Calibrations (*.yaml *.yml *.json *.toml *.ini *.xml *.txt);;"
                                                          "All files (*)"));
     if (file.isEmpty())
         return;

@@ -49,7 +49,7 @@ namespace {
 constexpr std::size_t mostLooked = 20'000; // rows say as much as all
 
 /// The coarsest power of ten that the numbers are multiples of, but for a few; 0 where all of them are 0.
-double resolutionOf(const RawTrack &track, const std::vector<std::size_t> &rows)
+double courseResolution(const RawTrack &track, const std::vector<std::size_t> &rows)
 {
     constexpr int finest = 11;
     constexpr double coarsest = 100;
@@ -110,7 +110,7 @@ CourseFacts courseOf(const RawTrack &track)
     }
     course.repeats = static_cast<double>(repeats) / static_cast<double>(rows.size());
     course.usualStep = percentileOf(std::move(steps), 50);
-    course.resolution = resolutionOf(track, rows);
+    course.resolution = courseResolution(track, rows);
     course.noise = noiseOf(track, rows);
     return course;
 }
