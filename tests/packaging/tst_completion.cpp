@@ -14,10 +14,12 @@
 #include <QTemporaryDir>
 #include <QTest>
 #include <algorithm>
+#include <array>
 #include <csignal>
 #include <fcntl.h>
 #include <poll.h>
 #include <pty.h>
+#include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
 #include <vector>
@@ -27,7 +29,8 @@ using namespace odo::test;
 
 namespace {
 
-constexpr int keyMs = 60, completionMs = 500, longestWaitMs = 20'000;
+constexpr int longestWaitMs = 20'000;
+const QByteArray prompt = "ready> ", endOfAnswer = "end of words\n", runEnd = "the words were kept";
 
 QString completionFile(const char *name)
 {
@@ -35,28 +38,49 @@ QString completionFile(const char *name)
            QLatin1String(name);
 }
 
-/// A shell at a terminal.
+/// A shell at a terminal, and the pipe `answer` in its folder, through which a command says what it was
+/// called with.
 class TerminalShell
 {
 public:
     TerminalShell(const QStringList &call, const QString &folder)
     {
+        const QByteArray pipe = (folder + QStringLiteral("/answer")).toUtf8();
+        static_cast<void>(::mkfifo(pipe.constData(), 0600));
+        m_answers = ::open(pipe.constData(), O_RDWR | O_NONBLOCK | O_CLOEXEC);
         m_child = ::forkpty(&m_terminal, nullptr, nullptr, nullptr);
         if (m_child == 0)
             become(call, folder);
-        readUntilQuiet(completionMs);
+        waitUntil([this] { // the shell's own prompt
+            return std::ranges::any_of(std::array{"$ ", "% ", "> ", "# "},
+                                       [this](const char *end) { return m_screen.contains(end); });
+        });
     }
     ~TerminalShell()
     {
         ::close(m_terminal);
+        ::close(m_answers);
         ::kill(m_child, SIGKILL);
         ::waitpid(m_child, nullptr, 0);
     }
-    void type(const QString &keys, int quietMs = keyMs)
+    void type(const QString &keys)
     {
         const QByteArray bytes = keys.toUtf8();
         QCOMPARE(::write(m_terminal, bytes.constData(), std::size_t(bytes.size())), bytes.size());
-        readUntilQuiet(quietMs);
+    }
+    bool waitForPrompt()
+    {
+        return waitUntil([this] { return m_screen.contains(prompt); });
+    }
+    /// What the command that is typed last says through the pipe, when the shell can read the next line.
+    QByteArray answer(qsizetype typedAt)
+    {
+        m_answer.clear();
+        const bool isThere = waitUntil([this, typedAt] {
+            const qsizetype ran = m_screen.indexOf(runEnd, typedAt);
+            return m_answer.endsWith(endOfAnswer) && ran >= 0 && m_screen.indexOf(prompt, ran) >= 0;
+        });
+        return isThere ? m_answer.chopped(endOfAnswer.size()) : QByteArray();
     }
     QByteArray screen() const { return m_screen; }
 
@@ -74,25 +98,42 @@ private:
             ::execvp(pointers.front(), pointers.data());
         ::_exit(1);
     }
-    void readUntilQuiet(int quietMs)
+    /// Whether something was there within a time.
+    bool readScreen(int waitMs)
     {
-        pollfd ready{m_terminal, POLLIN, 0};
+        pollfd ready[2]{{m_terminal, POLLIN, 0}, {m_answers, POLLIN, 0}};
+        if (::poll(ready, 2, waitMs) <= 0)
+            return false;
+        char block[4096];
+        if ((ready[1].revents & POLLIN) != 0) {
+            if (const auto count = ::read(m_answers, block, sizeof block); count > 0)
+                m_answer.append(block, count);
+        }
+        if ((ready[0].revents & POLLIN) == 0)
+            return ready[0].revents == 0;
+        const auto count = ::read(m_terminal, block, sizeof block);
+        if (count <= 0)
+            return false;
+        m_screen.append(block, count);
+        if (QByteArray(block, count).contains("\x1b[c")) // fish asks what the terminal is
+            static_cast<void>(::write(m_terminal, "\x1b[?1;2c", 7));
+        return true;
+    }
+    template <class Condition>
+    bool waitUntil(const Condition &condition)
+    {
         QElapsedTimer clock;
         clock.start();
-        while (clock.elapsed() < longestWaitMs && ::poll(&ready, 1, quietMs) > 0) {
-            char block[4096];
-            const auto count = ::read(m_terminal, block, sizeof block);
-            if (count <= 0)
-                return;
-            m_screen.append(block, count);
-            if (QByteArray(block, count).contains("\x1b[c")) // fish asks what the terminal is
-                static_cast<void>(::write(m_terminal, "\x1b[?1;2c", 7));
-        }
+        while (!condition())
+            if (clock.hasExpired(longestWaitMs) || !readScreen(longestWaitMs))
+                return false;
+        return true;
     }
 
+    int m_answers = -1;
     int m_terminal = -1;
     pid_t m_child = -1;
-    QByteArray m_screen;
+    QByteArray m_screen, m_answer;
 };
 
 const QStringList trials{QStringLiteral("stop-and-go"),       QStringLiteral("circle"),
@@ -111,21 +152,14 @@ class TestCompletion : public QObject
     /// The words of a line that Tab has completed, behind the program's name.
     QStringList completedLine(TerminalShell &shell, const QString &line)
     {
-        const QString kept = m_folder.filePath(QStringLiteral("kept"));
-        QFile::remove(kept);
-        shell.type(line);
-        shell.type(QStringLiteral("\t"), completionMs);
-        shell.type(QStringLiteral("\x01./keep "));
-        shell.type(QStringLiteral("\r"));
-        QElapsedTimer clock;
-        clock.start();
-        while (!QFile::exists(kept) && clock.elapsed() < longestWaitMs)
-            QTest::qWait(50);
-        QFile file(kept);
-        if (!file.open(QIODevice::ReadOnly))
+        // the shell reads the keys behind the Tab when it has completed the line
+        const qsizetype typedAt = shell.screen().size();
+        shell.type(line + QStringLiteral("\t\x01./keep \r"));
+        const QByteArray words = shell.answer(typedAt);
+        if (words.isEmpty())
             return {QStringLiteral("nothing: ") + QString::fromUtf8(shell.screen().right(400))};
-        QStringList words = QString::fromUtf8(file.readAll()).split(u'\n');
-        return words.mid(1, words.size() - 2);
+        const QStringList lines = QString::fromUtf8(words).split(u'\n');
+        return lines.mid(1, lines.size() - 2);
     }
     static QStringList wordsFor(const QStringList &words)
     {
@@ -165,7 +199,7 @@ private Q_SLOTS:
         QVERIFY((*project)->trials().setBinned(deleted.id, true));
         QFile keep(m_folder.filePath(QStringLiteral("keep")));
         QVERIFY(keep.open(QIODevice::WriteOnly));
-        keep.write("#!/bin/sh\nprintf '%s\\n' \"$@\" >kept.new; mv kept.new kept\n");
+        keep.write("#!/bin/sh\nprintf '%s\\n' \"$@\" 'end of words' >answer; echo the words were kept\n");
         keep.close();
         QVERIFY(keep.setPermissions(keep.permissions() | QFileDevice::ExeOwner));
         QVERIFY(QDir(m_folder.path()).mkpath(QStringLiteral("home")));
@@ -321,7 +355,12 @@ private Q_SLOTS:
             QSKIP("this shell is not installed");
         qputenv("TERM", shell.first() == u"fish" ? "xterm" : "dumb");
         TerminalShell terminal(shell, m_folder.path());
-        terminal.type(prepare + u'\r', completionMs);
+        // the prompt that it then shows is not what is typed
+        const QString shown = shell.first() == u"fish"
+                                  ? QStringLiteral("; function fish_prompt; echo -n rea'dy> '; end\r")
+                                  : QStringLiteral("; PS1=rea'dy> '\r");
+        terminal.type(prepare + shown);
+        QVERIFY2(terminal.waitForPrompt(), terminal.screen().constData());
         const QString show = QStringLiteral("show"), project = QStringLiteral("my class.odo");
         const QString before = QStringLiteral("odograph show 'my class.odo' ");
         QCOMPARE(completedLine(terminal, QStringLiteral("odograph expo")),
