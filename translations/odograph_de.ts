@@ -9227,6 +9227,13 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
 </context>
 <context>
+    <name>exchange.columns_assumed</name>
+    <message>
+        <source>it has no header: its columns count as time, x and y</source>
+        <translation>sie hat keine Kopfzeile: Ihre Spalten gelten als Zeit, x und y</translation>
+    </message>
+</context>
+<context>
     <name>exchange.commas_group_thousands</name>
     <message>
         <source>commas separate thousands</source>
@@ -9500,13 +9507,6 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
 </context>
 <context>
-    <name>exchange.is_xml</name>
-    <message>
-        <source>it is written in XML</source>
-        <translation>in XML geschrieben</translation>
-    </message>
-</context>
-<context>
     <name>exchange.key_is_no_text</name>
     <message>
         <source>a key is not text, or a bracket is not closed</source>
@@ -9689,6 +9689,13 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
 </context>
 <context>
+    <name>exchange.no_header_and_no_times</name>
+    <message>
+        <source>it has no header, and its columns do not look like time, x and y</source>
+        <translation>eine Kopfzeile fehlt, und die Spalten sehen nicht wie Zeit, x und y aus</translation>
+    </message>
+</context>
+<context>
     <name>exchange.no_list_of_numbers</name>
     <message>
         <source>&apos;%1&apos; is not a list of numbers</source>
@@ -9763,6 +9770,13 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>it is not valid TOML (%1)</source>
         <translation>sie ist kein gültiges TOML (%1)</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.no_valid_xml</name>
+    <message>
+        <source>it is not valid XML (%1)</source>
+        <translation>sie ist kein gültiges XML (%1)</translation>
     </message>
 </context>
 <context>
@@ -10067,13 +10081,6 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
 </context>
 <context>
-    <name>exchange.save_as_yaml</name>
-    <message>
-        <source>save the calibration as YAML or JSON</source>
-        <translation>speichern Sie die Kalibrierung als YAML oder JSON</translation>
-    </message>
-</context>
-<context>
     <name>exchange.save_with_commas</name>
     <message>
         <source>save it with commas</source>
@@ -10291,6 +10298,13 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
 </context>
 <context>
+    <name>exchange.too_small_as_said</name>
+    <message>
+        <source>in the unit that its header gives, its positions stay within %1</source>
+        <translation>in der Einheit der Kopfzeile bleiben die Positionen innerhalb von %1</translation>
+    </message>
+</context>
+<context>
     <name>exchange.too_wide_in_metres</name>
     <message>
         <source>its positions have no unit, and in metres the floor would be %1 wide</source>
@@ -10384,8 +10398,8 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
 <context>
     <name>exchange.use_calibration_file</name>
     <message>
-        <source>use a calibration file as ROS, OpenCV, Kalibr, anipose or PhotonVision writes it</source>
-        <translation>verwenden Sie eine Kalibrierdatei, wie ROS, OpenCV, Kalibr, anipose oder PhotonVision sie schreibt</translation>
+        <source>use a calibration file as ROS, OpenCV, Kalibr, COLMAP, Metashape, anipose or PhotonVision writes it</source>
+        <translation>verwenden Sie eine Kalibrierdatei, wie ROS, OpenCV, Kalibr, COLMAP, Metashape, anipose oder PhotonVision sie schreibt</translation>
     </message>
 </context>
 <context>
@@ -18494,12 +18508,12 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <translation>Markerplan %1 hat %2 Marker.</translation>
     </message>
     <message>
-        <source>Calibrations (*.yaml *.yml *.json *.toml *.ini);;All files (*)</source>
-        <translation>Kalibrierungen (*.yaml *.yml *.json *.toml *.ini);;Alle Dateien (*)</translation>
-    </message>
-    <message>
         <source>The file holds several cameras. Which one is %1?</source>
         <translation>Die Datei enthält mehrere Kameras. Welche davon ist %1?</translation>
+    </message>
+    <message>
+        <source>Calibrations (*.yaml *.yml *.json *.toml *.ini *.xml *.txt);;All files (*)</source>
+        <translation>Kalibrierungen (*.yaml *.yml *.json *.toml *.ini *.xml *.txt);;Alle Dateien (*)</translation>
     </message>
 </context>
 <context>
@@ -26389,6 +26403,13 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
 </context>
 <context>
+    <name>workflow.frames_stood</name>
+    <message>
+        <source>after %1 the robot stands for %2 frames and goes on at the same speed: the frames repeat the one before, and times after them are too late by them, or the robot stopped; times were not corrected</source>
+        <translation>nach %1 steht der Roboter %2 Bilder lang und fährt gleich schnell weiter: Die Bilder wiederholen das vorige, und die Zeiten danach sind um sie zu spät, oder der Roboter hielt an; Zeiten wurden nicht berichtigt</translation>
+    </message>
+</context>
+<context>
     <name>workflow.frames_without_board</name>
     <message>
         <source>%1 frames: %2</source>
@@ -26701,6 +26722,13 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>import of trial &apos;%1&apos;</source>
         <translation>Import des Versuchs &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.import_parts</name>
+    <message>
+        <source>import each of these files as its own trial</source>
+        <translation>jede dieser Dateien als eigenen Versuch importieren</translation>
     </message>
 </context>
 <context>
@@ -27600,6 +27628,13 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
 </context>
 <context>
+    <name>workflow.one_frame_stood</name>
+    <message>
+        <source>after %1 the robot stands for a frame and goes on at the same speed: the frame repeats the one before, and times after it are too late by it, or the robot stopped; times were not corrected</source>
+        <translation>nach %1 steht der Roboter ein Bild lang und fährt gleich schnell weiter: Das Bild wiederholt das vorige, und die Zeiten danach sind um es zu spät, oder der Roboter hielt an; Zeiten wurden nicht berichtigt</translation>
+    </message>
+</context>
+<context>
     <name>workflow.only_frame</name>
     <message>
         <source>its only frame is 0</source>
@@ -27716,6 +27751,13 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>the stored results are as computed</source>
         <translation>die gespeicherten Ergebnisse sind die berechneten</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.passed_scatter</name>
+    <message>
+        <source>positions scatter little for the run&apos;s extent; errors that change slowly do not show, and are covered only where the accuracy of the source is given</source>
+        <translation>die Positionen streuen wenig für die Ausdehnung des Laufs; Fehler, die sich langsam ändern, zeigen sich nicht und sind nur enthalten, wo die Genauigkeit der Quelle angegeben ist</translation>
     </message>
 </context>
 <context>
@@ -28409,6 +28451,13 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>assigning names to the robots</source>
         <translation>Roboter werden zugeordnet</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.several_files_in_one</name>
+    <message>
+        <source>it consists of several video files joined byte by byte, so the time between them is unknown</source>
+        <translation>sie besteht aus mehreren Videodateien, die Byte für Byte aneinandergehängt wurden, sodass die Zeit zwischen ihnen unbekannt ist</translation>
     </message>
 </context>
 <context>

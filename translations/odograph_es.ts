@@ -9227,6 +9227,13 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     </message>
 </context>
 <context>
+    <name>exchange.columns_assumed</name>
+    <message>
+        <source>it has no header: its columns count as time, x and y</source>
+        <translation>no tiene cabecera: sus columnas cuentan como tiempo, x e y</translation>
+    </message>
+</context>
+<context>
     <name>exchange.commas_group_thousands</name>
     <message>
         <source>commas separate thousands</source>
@@ -9500,13 +9507,6 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     </message>
 </context>
 <context>
-    <name>exchange.is_xml</name>
-    <message>
-        <source>it is written in XML</source>
-        <translation>está escrito en XML</translation>
-    </message>
-</context>
-<context>
     <name>exchange.key_is_no_text</name>
     <message>
         <source>a key is not text, or a bracket is not closed</source>
@@ -9689,6 +9689,13 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     </message>
 </context>
 <context>
+    <name>exchange.no_header_and_no_times</name>
+    <message>
+        <source>it has no header, and its columns do not look like time, x and y</source>
+        <translation>no tiene cabecera y sus columnas no parecen tiempo, x e y</translation>
+    </message>
+</context>
+<context>
     <name>exchange.no_list_of_numbers</name>
     <message>
         <source>&apos;%1&apos; is not a list of numbers</source>
@@ -9763,6 +9770,13 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <message>
         <source>it is not valid TOML (%1)</source>
         <translation>no es TOML válido (%1)</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.no_valid_xml</name>
+    <message>
+        <source>it is not valid XML (%1)</source>
+        <translation>no es XML válido (%1)</translation>
     </message>
 </context>
 <context>
@@ -10067,13 +10081,6 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     </message>
 </context>
 <context>
-    <name>exchange.save_as_yaml</name>
-    <message>
-        <source>save the calibration as YAML or JSON</source>
-        <translation>guarde la calibración como YAML o JSON</translation>
-    </message>
-</context>
-<context>
     <name>exchange.save_with_commas</name>
     <message>
         <source>save it with commas</source>
@@ -10291,6 +10298,13 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     </message>
 </context>
 <context>
+    <name>exchange.too_small_as_said</name>
+    <message>
+        <source>in the unit that its header gives, its positions stay within %1</source>
+        <translation>en la unidad que indica su cabecera, sus posiciones no salen de %1</translation>
+    </message>
+</context>
+<context>
     <name>exchange.too_wide_in_metres</name>
     <message>
         <source>its positions have no unit, and in metres the floor would be %1 wide</source>
@@ -10384,8 +10398,8 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
 <context>
     <name>exchange.use_calibration_file</name>
     <message>
-        <source>use a calibration file as ROS, OpenCV, Kalibr, anipose or PhotonVision writes it</source>
-        <translation>use un archivo de calibración como los que escriben ROS, OpenCV, Kalibr, anipose o PhotonVision</translation>
+        <source>use a calibration file as ROS, OpenCV, Kalibr, COLMAP, Metashape, anipose or PhotonVision writes it</source>
+        <translation>use un archivo de calibración como los que escriben ROS, OpenCV, Kalibr, COLMAP, Metashape, anipose o PhotonVision</translation>
     </message>
 </context>
 <context>
@@ -18494,12 +18508,12 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <translation>El plano %1 tiene %2 marcadores.</translation>
     </message>
     <message>
-        <source>Calibrations (*.yaml *.yml *.json *.toml *.ini);;All files (*)</source>
-        <translation>Calibraciones (*.yaml *.yml *.json *.toml *.ini);;Todos los archivos (*)</translation>
-    </message>
-    <message>
         <source>The file holds several cameras. Which one is %1?</source>
         <translation>El archivo contiene varias cámaras. ¿Cuál de ellas es %1?</translation>
+    </message>
+    <message>
+        <source>Calibrations (*.yaml *.yml *.json *.toml *.ini *.xml *.txt);;All files (*)</source>
+        <translation>Calibraciones (*.yaml *.yml *.json *.toml *.ini *.xml *.txt);;Todos los archivos (*)</translation>
     </message>
 </context>
 <context>
@@ -26389,6 +26403,13 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     </message>
 </context>
 <context>
+    <name>workflow.frames_stood</name>
+    <message>
+        <source>after %1 the robot stands for %2 frames and goes on at the same speed: the frames repeat the one before, and times after them are too late by them, or the robot stopped; times were not corrected</source>
+        <translation>después de %1 el robot se queda quieto durante %2 fotogramas y sigue a la misma velocidad: los fotogramas repiten el anterior y los tiempos posteriores llevan ese retraso, o el robot se detuvo; los tiempos no se corrigieron</translation>
+    </message>
+</context>
+<context>
     <name>workflow.frames_without_board</name>
     <message>
         <source>%1 frames: %2</source>
@@ -26701,6 +26722,13 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <message>
         <source>import of trial &apos;%1&apos;</source>
         <translation>importación del ensayo &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.import_parts</name>
+    <message>
+        <source>import each of these files as its own trial</source>
+        <translation>importe cada uno de estos archivos como un ensayo propio</translation>
     </message>
 </context>
 <context>
@@ -27600,6 +27628,13 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     </message>
 </context>
 <context>
+    <name>workflow.one_frame_stood</name>
+    <message>
+        <source>after %1 the robot stands for a frame and goes on at the same speed: the frame repeats the one before, and times after it are too late by it, or the robot stopped; times were not corrected</source>
+        <translation>después de %1 el robot se queda quieto durante un fotograma y sigue a la misma velocidad: el fotograma repite el anterior y los tiempos posteriores llevan ese retraso, o el robot se detuvo; los tiempos no se corrigieron</translation>
+    </message>
+</context>
+<context>
     <name>workflow.only_frame</name>
     <message>
         <source>its only frame is 0</source>
@@ -27716,6 +27751,13 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <message>
         <source>the stored results are as computed</source>
         <translation>los resultados guardados son los calculados</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.passed_scatter</name>
+    <message>
+        <source>positions scatter little for the run&apos;s extent; errors that change slowly do not show, and are covered only where the accuracy of the source is given</source>
+        <translation>las posiciones se dispersan poco para la extensión del recorrido; los errores que cambian lentamente no se ven y solo están incluidos donde se indica la exactitud de la fuente</translation>
     </message>
 </context>
 <context>
@@ -28409,6 +28451,13 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <message>
         <source>assigning names to the robots</source>
         <translation>determinando qué robot es cuál</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.several_files_in_one</name>
+    <message>
+        <source>it consists of several video files joined byte by byte, so the time between them is unknown</source>
+        <translation>consta de varios archivos de vídeo unidos byte a byte, así que el tiempo entre ellos es desconocido</translation>
     </message>
 </context>
 <context>

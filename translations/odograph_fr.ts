@@ -9227,6 +9227,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
 </context>
 <context>
+    <name>exchange.columns_assumed</name>
+    <message>
+        <source>it has no header: its columns count as time, x and y</source>
+        <translation>il n’a pas d’en-tête : ses colonnes comptent comme temps, x et y</translation>
+    </message>
+</context>
+<context>
     <name>exchange.commas_group_thousands</name>
     <message>
         <source>commas separate thousands</source>
@@ -9500,13 +9507,6 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
 </context>
 <context>
-    <name>exchange.is_xml</name>
-    <message>
-        <source>it is written in XML</source>
-        <translation>il est écrit en XML</translation>
-    </message>
-</context>
-<context>
     <name>exchange.key_is_no_text</name>
     <message>
         <source>a key is not text, or a bracket is not closed</source>
@@ -9689,6 +9689,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
 </context>
 <context>
+    <name>exchange.no_header_and_no_times</name>
+    <message>
+        <source>it has no header, and its columns do not look like time, x and y</source>
+        <translation>il n’a pas d’en-tête, et ses colonnes ne ressemblent pas à un temps, x et y</translation>
+    </message>
+</context>
+<context>
     <name>exchange.no_list_of_numbers</name>
     <message>
         <source>&apos;%1&apos; is not a list of numbers</source>
@@ -9763,6 +9770,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>it is not valid TOML (%1)</source>
         <translation>ce n&apos;est pas du TOML valide (%1)</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.no_valid_xml</name>
+    <message>
+        <source>it is not valid XML (%1)</source>
+        <translation>ce n’est pas du XML valide (%1)</translation>
     </message>
 </context>
 <context>
@@ -10067,13 +10081,6 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
 </context>
 <context>
-    <name>exchange.save_as_yaml</name>
-    <message>
-        <source>save the calibration as YAML or JSON</source>
-        <translation>enregistrez l’étalonnage en YAML ou en JSON</translation>
-    </message>
-</context>
-<context>
     <name>exchange.save_with_commas</name>
     <message>
         <source>save it with commas</source>
@@ -10291,6 +10298,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
 </context>
 <context>
+    <name>exchange.too_small_as_said</name>
+    <message>
+        <source>in the unit that its header gives, its positions stay within %1</source>
+        <translation>dans l’unité que donne son en-tête, ses positions restent dans %1</translation>
+    </message>
+</context>
+<context>
     <name>exchange.too_wide_in_metres</name>
     <message>
         <source>its positions have no unit, and in metres the floor would be %1 wide</source>
@@ -10384,8 +10398,8 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>exchange.use_calibration_file</name>
     <message>
-        <source>use a calibration file as ROS, OpenCV, Kalibr, anipose or PhotonVision writes it</source>
-        <translation>utilisez un fichier d&apos;étalonnage tel que l&apos;écrivent ROS, OpenCV, Kalibr, anipose ou PhotonVision</translation>
+        <source>use a calibration file as ROS, OpenCV, Kalibr, COLMAP, Metashape, anipose or PhotonVision writes it</source>
+        <translation>utilisez un fichier d’étalonnage tel que l’écrivent ROS, OpenCV, Kalibr, COLMAP, Metashape, anipose ou PhotonVision</translation>
     </message>
 </context>
 <context>
@@ -18494,12 +18508,12 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <translation>Le plan %1 a %2 marqueurs.</translation>
     </message>
     <message>
-        <source>Calibrations (*.yaml *.yml *.json *.toml *.ini);;All files (*)</source>
-        <translation>Étalonnages (*.yaml *.yml *.json *.toml *.ini);;Tous les fichiers (*)</translation>
-    </message>
-    <message>
         <source>The file holds several cameras. Which one is %1?</source>
         <translation>Le fichier contient plusieurs caméras. Laquelle est %1 ?</translation>
+    </message>
+    <message>
+        <source>Calibrations (*.yaml *.yml *.json *.toml *.ini *.xml *.txt);;All files (*)</source>
+        <translation>Étalonnages (*.yaml *.yml *.json *.toml *.ini *.xml *.txt);;Tous les fichiers (*)</translation>
     </message>
 </context>
 <context>
@@ -26389,6 +26403,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
 </context>
 <context>
+    <name>workflow.frames_stood</name>
+    <message>
+        <source>after %1 the robot stands for %2 frames and goes on at the same speed: the frames repeat the one before, and times after them are too late by them, or the robot stopped; times were not corrected</source>
+        <translation>après %1, le robot est immobile pendant %2 images et repart à la même vitesse : les images répètent la précédente et les temps suivants sont en retard d’autant, ou le robot s’est arrêté ; les temps n’ont pas été corrigés</translation>
+    </message>
+</context>
+<context>
     <name>workflow.frames_without_board</name>
     <message>
         <source>%1 frames: %2</source>
@@ -26701,6 +26722,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>import of trial &apos;%1&apos;</source>
         <translation>import de l’essai &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.import_parts</name>
+    <message>
+        <source>import each of these files as its own trial</source>
+        <translation>importez chacun de ces fichiers comme un essai distinct</translation>
     </message>
 </context>
 <context>
@@ -27600,6 +27628,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
 </context>
 <context>
+    <name>workflow.one_frame_stood</name>
+    <message>
+        <source>after %1 the robot stands for a frame and goes on at the same speed: the frame repeats the one before, and times after it are too late by it, or the robot stopped; times were not corrected</source>
+        <translation>après %1, le robot est immobile pendant une image et repart à la même vitesse : l’image répète la précédente et les temps suivants sont en retard d’autant, ou le robot s’est arrêté ; les temps n’ont pas été corrigés</translation>
+    </message>
+</context>
+<context>
     <name>workflow.only_frame</name>
     <message>
         <source>its only frame is 0</source>
@@ -27716,6 +27751,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>the stored results are as computed</source>
         <translation>les résultats enregistrés sont ceux calculés</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.passed_scatter</name>
+    <message>
+        <source>positions scatter little for the run&apos;s extent; errors that change slowly do not show, and are covered only where the accuracy of the source is given</source>
+        <translation>les positions sont peu dispersées pour l’étendue de la course ; les erreurs qui changent lentement ne se voient pas et ne sont comprises que si l’exactitude de la source est donnée</translation>
     </message>
 </context>
 <context>
@@ -28409,6 +28451,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>assigning names to the robots</source>
         <translation>identification des robots</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.several_files_in_one</name>
+    <message>
+        <source>it consists of several video files joined byte by byte, so the time between them is unknown</source>
+        <translation>il se compose de plusieurs fichiers vidéo mis bout à bout octet par octet, si bien que le temps entre eux est inconnu</translation>
     </message>
 </context>
 <context>

@@ -9204,6 +9204,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>exchange.columns_assumed</name>
+    <message>
+        <source>it has no header: its columns count as time, x and y</source>
+        <translation>머리글이 없어 열을 시간, x, y로 봅니다</translation>
+    </message>
+</context>
+<context>
     <name>exchange.commas_group_thousands</name>
     <message>
         <source>commas separate thousands</source>
@@ -9477,13 +9484,6 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
-    <name>exchange.is_xml</name>
-    <message>
-        <source>it is written in XML</source>
-        <translation>XML로 쓰였습니다</translation>
-    </message>
-</context>
-<context>
     <name>exchange.key_is_no_text</name>
     <message>
         <source>a key is not text, or a bracket is not closed</source>
@@ -9666,6 +9666,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>exchange.no_header_and_no_times</name>
+    <message>
+        <source>it has no header, and its columns do not look like time, x and y</source>
+        <translation>머리글이 없고 열이 시간, x, y로 보이지 않습니다</translation>
+    </message>
+</context>
+<context>
     <name>exchange.no_list_of_numbers</name>
     <message>
         <source>&apos;%1&apos; is not a list of numbers</source>
@@ -9740,6 +9747,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>it is not valid TOML (%1)</source>
         <translation>올바른 TOML이 아닙니다(%1)</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.no_valid_xml</name>
+    <message>
+        <source>it is not valid XML (%1)</source>
+        <translation>올바른 XML이 아닙니다(%1)</translation>
     </message>
 </context>
 <context>
@@ -10044,13 +10058,6 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
-    <name>exchange.save_as_yaml</name>
-    <message>
-        <source>save the calibration as YAML or JSON</source>
-        <translation>보정을 YAML 또는 JSON으로 저장하십시오</translation>
-    </message>
-</context>
-<context>
     <name>exchange.save_with_commas</name>
     <message>
         <source>save it with commas</source>
@@ -10268,6 +10275,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>exchange.too_small_as_said</name>
+    <message>
+        <source>in the unit that its header gives, its positions stay within %1</source>
+        <translation>머리글에 적힌 단위대로라면 위치가 %1 안에 머뭅니다</translation>
+    </message>
+</context>
+<context>
     <name>exchange.too_wide_in_metres</name>
     <message>
         <source>its positions have no unit, and in metres the floor would be %1 wide</source>
@@ -10361,8 +10375,8 @@ Much more than expected means that a setting is wrong: the views are not synchro
 <context>
     <name>exchange.use_calibration_file</name>
     <message>
-        <source>use a calibration file as ROS, OpenCV, Kalibr, anipose or PhotonVision writes it</source>
-        <translation>ROS, OpenCV, Kalibr, anipose 또는 PhotonVision이 저장한 보정 파일을 사용하십시오</translation>
+        <source>use a calibration file as ROS, OpenCV, Kalibr, COLMAP, Metashape, anipose or PhotonVision writes it</source>
+        <translation>ROS, OpenCV, Kalibr, COLMAP, Metashape, anipose 또는 PhotonVision이 저장한 보정 파일을 사용하십시오</translation>
     </message>
 </context>
 <context>
@@ -18424,12 +18438,12 @@ Much more than expected means that a setting is wrong: the views are not synchro
         <translation>배치 %1에 마커가 %2개 있습니다.</translation>
     </message>
     <message>
-        <source>Calibrations (*.yaml *.yml *.json *.toml *.ini);;All files (*)</source>
-        <translation>보정 파일 (*.yaml *.yml *.json *.toml *.ini);;모든 파일 (*)</translation>
-    </message>
-    <message>
         <source>The file holds several cameras. Which one is %1?</source>
         <translation>파일에 카메라가 여러 대 들어 있습니다. %1은(는) 어느 것입니까?</translation>
+    </message>
+    <message>
+        <source>Calibrations (*.yaml *.yml *.json *.toml *.ini *.xml *.txt);;All files (*)</source>
+        <translation>보정 파일 (*.yaml *.yml *.json *.toml *.ini *.xml *.txt);;모든 파일 (*)</translation>
     </message>
 </context>
 <context>
@@ -26310,6 +26324,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>workflow.frames_stood</name>
+    <message>
+        <source>after %1 the robot stands for %2 frames and goes on at the same speed: the frames repeat the one before, and times after them are too late by them, or the robot stopped; times were not corrected</source>
+        <translation>%1 이후 로봇이 프레임 %2개 동안 서 있다가 같은 속도로 계속 갑니다. 프레임이 앞 프레임을 반복하여 이후의 시간이 그만큼 늦거나, 로봇이 멈춘 것입니다. 시간은 보정되지 않았습니다</translation>
+    </message>
+</context>
+<context>
     <name>workflow.frames_without_board</name>
     <message>
         <source>%1 frames: %2</source>
@@ -26622,6 +26643,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>import of trial &apos;%1&apos;</source>
         <translation>시행 &apos;%1&apos; 가져오기</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.import_parts</name>
+    <message>
+        <source>import each of these files as its own trial</source>
+        <translation>각 파일을 별도의 시행으로 가져오십시오</translation>
     </message>
 </context>
 <context>
@@ -27521,6 +27549,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>workflow.one_frame_stood</name>
+    <message>
+        <source>after %1 the robot stands for a frame and goes on at the same speed: the frame repeats the one before, and times after it are too late by it, or the robot stopped; times were not corrected</source>
+        <translation>%1 이후 로봇이 프레임 1개 동안 서 있다가 같은 속도로 계속 갑니다. 프레임이 앞 프레임을 반복하여 이후의 시간이 그만큼 늦거나, 로봇이 멈춘 것입니다. 시간은 보정되지 않았습니다</translation>
+    </message>
+</context>
+<context>
     <name>workflow.only_frame</name>
     <message>
         <source>its only frame is 0</source>
@@ -27637,6 +27672,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>the stored results are as computed</source>
         <translation>저장된 결과가 계산된 것과 같습니다</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.passed_scatter</name>
+    <message>
+        <source>positions scatter little for the run&apos;s extent; errors that change slowly do not show, and are covered only where the accuracy of the source is given</source>
+        <translation>주행 범위에 비해 위치의 흩어짐이 작습니다. 천천히 변하는 오차는 드러나지 않으며, 원본의 정확도를 입력한 경우에만 포함됩니다</translation>
     </message>
 </context>
 <context>
@@ -28330,6 +28372,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>assigning names to the robots</source>
         <translation>로봇 구별 중</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.several_files_in_one</name>
+    <message>
+        <source>it consists of several video files joined byte by byte, so the time between them is unknown</source>
+        <translation>여러 영상 파일이 바이트 단위로 이어진 것이어서 그 사이의 시간을 알 수 없습니다</translation>
     </message>
 </context>
 <context>

@@ -9204,6 +9204,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>exchange.columns_assumed</name>
+    <message>
+        <source>it has no header: its columns count as time, x and y</source>
+        <translation>没有标题行：各列视为时间、x 和 y</translation>
+    </message>
+</context>
+<context>
     <name>exchange.commas_group_thousands</name>
     <message>
         <source>commas separate thousands</source>
@@ -9477,13 +9484,6 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
-    <name>exchange.is_xml</name>
-    <message>
-        <source>it is written in XML</source>
-        <translation>其格式为 XML</translation>
-    </message>
-</context>
-<context>
     <name>exchange.key_is_no_text</name>
     <message>
         <source>a key is not text, or a bracket is not closed</source>
@@ -9666,6 +9666,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>exchange.no_header_and_no_times</name>
+    <message>
+        <source>it has no header, and its columns do not look like time, x and y</source>
+        <translation>没有标题行，且各列不像是时间、x 和 y</translation>
+    </message>
+</context>
+<context>
     <name>exchange.no_list_of_numbers</name>
     <message>
         <source>&apos;%1&apos; is not a list of numbers</source>
@@ -9740,6 +9747,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>it is not valid TOML (%1)</source>
         <translation>不是有效的 TOML（%1）</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.no_valid_xml</name>
+    <message>
+        <source>it is not valid XML (%1)</source>
+        <translation>不是有效的 XML（%1）</translation>
     </message>
 </context>
 <context>
@@ -10044,13 +10058,6 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
-    <name>exchange.save_as_yaml</name>
-    <message>
-        <source>save the calibration as YAML or JSON</source>
-        <translation>请将标定另存为 YAML 或 JSON</translation>
-    </message>
-</context>
-<context>
     <name>exchange.save_with_commas</name>
     <message>
         <source>save it with commas</source>
@@ -10268,6 +10275,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>exchange.too_small_as_said</name>
+    <message>
+        <source>in the unit that its header gives, its positions stay within %1</source>
+        <translation>按标题行给出的单位，其位置都在 %1 之内</translation>
+    </message>
+</context>
+<context>
     <name>exchange.too_wide_in_metres</name>
     <message>
         <source>its positions have no unit, and in metres the floor would be %1 wide</source>
@@ -10361,8 +10375,8 @@ Much more than expected means that a setting is wrong: the views are not synchro
 <context>
     <name>exchange.use_calibration_file</name>
     <message>
-        <source>use a calibration file as ROS, OpenCV, Kalibr, anipose or PhotonVision writes it</source>
-        <translation>请使用 ROS、OpenCV、Kalibr、anipose 或 PhotonVision 写出的标定文件</translation>
+        <source>use a calibration file as ROS, OpenCV, Kalibr, COLMAP, Metashape, anipose or PhotonVision writes it</source>
+        <translation>请使用 ROS、OpenCV、Kalibr、COLMAP、Metashape、anipose 或 PhotonVision 写出的标定文件</translation>
     </message>
 </context>
 <context>
@@ -18424,12 +18438,12 @@ Much more than expected means that a setting is wrong: the views are not synchro
         <translation>布局 %1 有 %2 个标记。</translation>
     </message>
     <message>
-        <source>Calibrations (*.yaml *.yml *.json *.toml *.ini);;All files (*)</source>
-        <translation>标定文件 (*.yaml *.yml *.json *.toml *.ini);;所有文件 (*)</translation>
-    </message>
-    <message>
         <source>The file holds several cameras. Which one is %1?</source>
         <translation>文件中有多台相机。%1 是哪一台？</translation>
+    </message>
+    <message>
+        <source>Calibrations (*.yaml *.yml *.json *.toml *.ini *.xml *.txt);;All files (*)</source>
+        <translation>标定文件 (*.yaml *.yml *.json *.toml *.ini *.xml *.txt);;所有文件 (*)</translation>
     </message>
 </context>
 <context>
@@ -26310,6 +26324,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>workflow.frames_stood</name>
+    <message>
+        <source>after %1 the robot stands for %2 frames and goes on at the same speed: the frames repeat the one before, and times after them are too late by them, or the robot stopped; times were not corrected</source>
+        <translation>%1 之后机器人静止 %2 帧，然后以相同速度继续：要么这些帧重复了前一帧，之后的时间因此偏晚，要么机器人停了下来；时间未校正</translation>
+    </message>
+</context>
+<context>
     <name>workflow.frames_without_board</name>
     <message>
         <source>%1 frames: %2</source>
@@ -26622,6 +26643,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>import of trial &apos;%1&apos;</source>
         <translation>导入试验“%1”</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.import_parts</name>
+    <message>
+        <source>import each of these files as its own trial</source>
+        <translation>将每个文件作为单独的试验导入</translation>
     </message>
 </context>
 <context>
@@ -27521,6 +27549,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>workflow.one_frame_stood</name>
+    <message>
+        <source>after %1 the robot stands for a frame and goes on at the same speed: the frame repeats the one before, and times after it are too late by it, or the robot stopped; times were not corrected</source>
+        <translation>%1 之后机器人静止一帧，然后以相同速度继续：要么该帧重复了前一帧，之后的时间因此偏晚，要么机器人停了下来；时间未校正</translation>
+    </message>
+</context>
+<context>
     <name>workflow.only_frame</name>
     <message>
         <source>its only frame is 0</source>
@@ -27637,6 +27672,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>the stored results are as computed</source>
         <translation>存储的结果与计算的一致</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.passed_scatter</name>
+    <message>
+        <source>positions scatter little for the run&apos;s extent; errors that change slowly do not show, and are covered only where the accuracy of the source is given</source>
+        <translation>相对于行驶范围，位置的散布很小；缓慢变化的误差显现不出来，只有给出来源的准确度时才包括在内</translation>
     </message>
 </context>
 <context>
@@ -28330,6 +28372,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>assigning names to the robots</source>
         <translation>正在分辨各机器人</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.several_files_in_one</name>
+    <message>
+        <source>it consists of several video files joined byte by byte, so the time between them is unknown</source>
+        <translation>它由多个视频文件逐字节拼接而成，因此它们之间的时间未知</translation>
     </message>
 </context>
 <context>

@@ -104,7 +104,7 @@ Result<void> checkNotTiny(const RawTrack &track, TrackFormat format, double spee
     return how.wrong(
         track.lines.front(),
         ODO_TEXT("exchange.too_small_as_said",
-                 "in the unit that its header gives, the robot would stay within %1")(
+                 "in the unit that its header gives, its positions stay within %1")(
             quantity(toMillimetres(saidM), 1, "mm")),
         ODO_TEXT("exchange.choose_likely_unit", "choose their unit: m, cm, mm, in, ft or px; %1 is likely")(
             std::string(wordOf(LengthUnit::Metre))));
