@@ -147,6 +147,11 @@ private Q_SLOTS:
         row("us", micro, "exchange.time_steps_too_long", "us");
         row("ms that the header calls s", wrongSeconds, "exchange.time_steps_too_long", "ms");
         row("mm that the header calls m", wrongMetres, "exchange.too_fast_as_said", "");
+        QByteArray either = "t_s,x,y\n"; // 1.6 m/s in cm, or 0.16 m/s in mm
+        for (const auto &one : run.rows)
+            either += QByteArray::number(one.t, 'f', 4) + ',' + QByteArray::number(one.x * 316, 'f', 2) +
+                      ',' + QByteArray::number(one.y * 316, 'f', 2) + '\n';
+        row("cm or mm", either, "exchange.too_fast_in_metres", "");
         QByteArray metres = styleNamed("no header").write(run);
         row("metres below millimetres", "t_s,x_mm,y_mm\n" + metres, "exchange.too_small_as_said", "m");
         row("metres of Tracker", styleNamed("Tracker").write(run), "read", "");

@@ -125,6 +125,11 @@ private Q_SLOTS:
             "\xef\xbb\xbft_s;x_mm;y_mm\r\n0;0;-1000\r\n0,1;500,0;-1500\r\n0,2;1000;-2000,000\r\n", "csv");
         row("spreadsheet with units", "t [s],x [m],y [m]\n0,0,-1\n0.1,0.5,-1.5\n0.2,1,-2\n", "csv");
         row("other units", "time (ms);x/cm;y [mm]\n0;0;-1000\n100;50;-1500\n200;100;-2000\n", "csv");
+        row("units in words",
+            "Zeit in Sekunden;X in Zentimetern;Y in Zentimetern\n0;0;-100\n0,1;50;-150\n0,2;100;-200\n",
+            "csv");
+        row("units in words of one", "Zeit [Sekunde],x [Meter],y [Metre]\n0,0,-1\n0.1,0.5,-1.5\n0.2,1,-2\n",
+            "csv");
         row("other columns, in another order",
             "y_mm,note,x_mm,raw_x_mm,timestamp\n-1000,\"a,b\",0,7,0\n-1500,,500,8,0.1\n-2000,,1000,9,0.2\n",
             "csv");

@@ -73,22 +73,24 @@ bool isPlausible(double speedMps, double floorM)
     return speedMps <= fastRobot && floorM <= wideFloorM;
 }
 
-/// The unit that gives the speed most like a robot's.
+/// The unit that gives the speed most like a robot's; none where another one does nearly as well.
 std::optional<LengthUnit> likelyUnit(double speed, double floor)
 {
+    constexpr double clearly = 3; // times nearer
     std::optional<LengthUnit> likely;
-    double least = std::numeric_limits<double>::max();
+    double least = std::numeric_limits<double>::max(), next = least;
     for (const LengthUnit unit : {LengthUnit::Centimetre, LengthUnit::Millimetre}) {
         const double speedMps = speed / perMetre(unit), floorM = floor / perMetre(unit);
         if (!isPlausible(speedMps, floorM) || speedMps < slowRobot || floorM < smallFloorM)
             continue;
         const double off = std::abs(std::log(speedMps / usualRobot));
+        next = std::min(next, std::max(off, least));
         if (off < least) {
             least = off;
             likely = unit;
         }
     }
-    return likely;
+    return next - least > std::log(clearly) ? likely : std::nullopt;
 }
 
 /// Metres below a header that says millimetres: a course of a millimetre, as smooth as that of a robot.
