@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/video/internal/stream_format.h"
 #include "core/video/jpeg.h"
 #include "tests/support/registered_test.h"
 #include "tests/video/jpeg_images.h"
@@ -23,6 +24,7 @@ private Q_SLOTS:
     void damaged();
     void paddedIsSound();
     void leavesTheUnusual();
+    void twoFieldsAreOneFrame();
     void memoryOutlivesTheDecoder();
 };
 
@@ -206,6 +208,23 @@ void TestJpegDecoder::leavesTheUnusual()
     other.chromaShiftY = 0;
     QCOMPARE(decoder.decode(jpegOf(other, {}), std::nullopt, frame), Outcome::NotSuitable);
     QCOMPARE(decoder.decode(jpegOf(format, {.restartRows = 1}), std::nullopt, frame), Outcome::Decoded);
+}
+
+/// As AVI has them, each coded as an image of half the height.
+void TestJpegDecoder::twoFieldsAreOneFrame()
+{
+    FrameFormat field, stated;
+    field.width = stated.width = 320;
+    field.height = 120;
+    stated.height = 240;
+    AVPixelFormat pixels = AV_PIX_FMT_YUVJ420P;
+    std::vector<std::uint8_t> one = jpegOf(field, {}), two = one;
+    two.insert(two.end(), one.begin(), one.end());
+    FrameFormat format = stated;
+    judgeByMost({two, two, two}, format, pixels);
+    QCOMPARE(format.height, 240);
+    judgeByMost({one, one, one}, format, pixels); // a container that is wrong
+    QCOMPARE(format.height, 120);
 }
 
 void TestJpegDecoder::memoryOutlivesTheDecoder()

@@ -130,6 +130,18 @@ Result<FrameFormat> streamFormat(const VideoInput &input)
     return *format;
 }
 
+namespace {
+
+/// Whether behind an image's end another one begins, as where each field of a frame is an image of its own.
+bool holdsTwoImages(const std::vector<std::uint8_t> &jpegs)
+{
+    constexpr std::array<std::uint8_t, 2> begin{0xff, 0xd8}, end{0xff, 0xd9};
+    const auto behind = std::search(jpegs.begin(), jpegs.end(), end.begin(), end.end());
+    return std::search(behind, jpegs.end(), begin.begin(), begin.end()) != jpegs.end();
+}
+
+} // namespace
+
 void judgeByMost(const std::vector<std::vector<std::uint8_t>> &jpegs, FrameFormat &format,
                  AVPixelFormat &pixelFormat)
 {
@@ -145,7 +157,9 @@ void judgeByMost(const std::vector<std::vector<std::uint8_t>> &jpegs, FrameForma
     if (most == votes.end() || 2 * most->second <= jpegs.size() || most->first == layoutOf(format))
         return;
     const auto [width, height, shiftX, shiftY] = most->first;
-    if (libav::isTooLarge(width, height))
+    const bool areFields = width == format.width && height == (format.height + 1) / 2 &&
+                           2 * std::ranges::count_if(jpegs, &holdsTwoImages) > std::ssize(jpegs);
+    if (libav::isTooLarge(width, height) || areFields) // which libav weaves into one frame
         return;
     format.width = width;
     format.height = height;

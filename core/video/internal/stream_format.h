@@ -18,7 +18,8 @@ namespace odo {
 Result<FrameFormat> streamFormat(const VideoInput &input);
 
 /// Size and chroma of an MJPEG stream as most of these of its frames have it by their headers, where they
-/// agree: libav judges a stream by one frame, which may be a damaged one.
+/// agree: libav judges a stream by one frame, which may be a damaged one. Frames of two images, one for each
+/// field, stay as the container says.
 void judgeByMost(const std::vector<std::vector<std::uint8_t>> &jpegs, FrameFormat &format,
                  AVPixelFormat &pixelFormat);
 
