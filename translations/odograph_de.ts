@@ -26405,7 +26405,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
 <context>
     <name>workflow.frames_stood</name>
     <message>
-        <source>after %1 the robot stands for %2 frames and goes on at the same speed: the frames repeat the one before, and times after them are too late by them, or the robot stopped; times were not corrected</source>
+        <source>after %1 the robot rests for %2 frames and then goes on at the same speed: either the frames repeat the one before and later times are too late, or the robot stopped; times were not corrected</source>
         <translation>nach %1 steht der Roboter %2 Bilder lang und fährt gleich schnell weiter: Die Bilder wiederholen das vorige, und die Zeiten danach sind um sie zu spät, oder der Roboter hielt an; Zeiten wurden nicht berichtigt</translation>
     </message>
 </context>
@@ -27630,7 +27630,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
 <context>
     <name>workflow.one_frame_stood</name>
     <message>
-        <source>after %1 the robot stands for a frame and goes on at the same speed: the frame repeats the one before, and times after it are too late by it, or the robot stopped; times were not corrected</source>
+        <source>after %1 the robot rests for a frame and then goes on at the same speed: either the frame repeats the one before and later times are too late, or the robot stopped; times were not corrected</source>
         <translation>nach %1 steht der Roboter ein Bild lang und fährt gleich schnell weiter: Das Bild wiederholt das vorige, und die Zeiten danach sind um es zu spät, oder der Roboter hielt an; Zeiten wurden nicht berichtigt</translation>
     </message>
 </context>

@@ -26405,7 +26405,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
 <context>
     <name>workflow.frames_stood</name>
     <message>
-        <source>after %1 the robot stands for %2 frames and goes on at the same speed: the frames repeat the one before, and times after them are too late by them, or the robot stopped; times were not corrected</source>
+        <source>after %1 the robot rests for %2 frames and then goes on at the same speed: either the frames repeat the one before and later times are too late, or the robot stopped; times were not corrected</source>
         <translation>después de %1 el robot se queda quieto durante %2 fotogramas y sigue a la misma velocidad: los fotogramas repiten el anterior y los tiempos posteriores llevan ese retraso, o el robot se detuvo; los tiempos no se corrigieron</translation>
     </message>
 </context>
@@ -27630,7 +27630,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
 <context>
     <name>workflow.one_frame_stood</name>
     <message>
-        <source>after %1 the robot stands for a frame and goes on at the same speed: the frame repeats the one before, and times after it are too late by it, or the robot stopped; times were not corrected</source>
+        <source>after %1 the robot rests for a frame and then goes on at the same speed: either the frame repeats the one before and later times are too late, or the robot stopped; times were not corrected</source>
         <translation>después de %1 el robot se queda quieto durante un fotograma y sigue a la misma velocidad: el fotograma repite el anterior y los tiempos posteriores llevan ese retraso, o el robot se detuvo; los tiempos no se corrigieron</translation>
     </message>
 </context>

@@ -26405,7 +26405,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>workflow.frames_stood</name>
     <message>
-        <source>after %1 the robot stands for %2 frames and goes on at the same speed: the frames repeat the one before, and times after them are too late by them, or the robot stopped; times were not corrected</source>
+        <source>after %1 the robot rests for %2 frames and then goes on at the same speed: either the frames repeat the one before and later times are too late, or the robot stopped; times were not corrected</source>
         <translation>après %1, le robot est immobile pendant %2 images et repart à la même vitesse : les images répètent la précédente et les temps suivants sont en retard d’autant, ou le robot s’est arrêté ; les temps n’ont pas été corrigés</translation>
     </message>
 </context>
@@ -27630,7 +27630,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>workflow.one_frame_stood</name>
     <message>
-        <source>after %1 the robot stands for a frame and goes on at the same speed: the frame repeats the one before, and times after it are too late by it, or the robot stopped; times were not corrected</source>
+        <source>after %1 the robot rests for a frame and then goes on at the same speed: either the frame repeats the one before and later times are too late, or the robot stopped; times were not corrected</source>
         <translation>après %1, le robot est immobile pendant une image et repart à la même vitesse : l’image répète la précédente et les temps suivants sont en retard d’autant, ou le robot s’est arrêté ; les temps n’ont pas été corrigés</translation>
     </message>
 </context>

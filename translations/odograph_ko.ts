@@ -26326,7 +26326,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
 <context>
     <name>workflow.frames_stood</name>
     <message>
-        <source>after %1 the robot stands for %2 frames and goes on at the same speed: the frames repeat the one before, and times after them are too late by them, or the robot stopped; times were not corrected</source>
+        <source>after %1 the robot rests for %2 frames and then goes on at the same speed: either the frames repeat the one before and later times are too late, or the robot stopped; times were not corrected</source>
         <translation>%1 이후 로봇이 프레임 %2개 동안 서 있다가 같은 속도로 계속 갑니다. 프레임이 앞 프레임을 반복하여 이후의 시간이 그만큼 늦거나, 로봇이 멈춘 것입니다. 시간은 보정되지 않았습니다</translation>
     </message>
 </context>
@@ -27551,7 +27551,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
 <context>
     <name>workflow.one_frame_stood</name>
     <message>
-        <source>after %1 the robot stands for a frame and goes on at the same speed: the frame repeats the one before, and times after it are too late by it, or the robot stopped; times were not corrected</source>
+        <source>after %1 the robot rests for a frame and then goes on at the same speed: either the frame repeats the one before and later times are too late, or the robot stopped; times were not corrected</source>
         <translation>%1 이후 로봇이 프레임 1개 동안 서 있다가 같은 속도로 계속 갑니다. 프레임이 앞 프레임을 반복하여 이후의 시간이 그만큼 늦거나, 로봇이 멈춘 것입니다. 시간은 보정되지 않았습니다</translation>
     </message>
 </context>

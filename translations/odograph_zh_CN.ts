@@ -26326,7 +26326,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
 <context>
     <name>workflow.frames_stood</name>
     <message>
-        <source>after %1 the robot stands for %2 frames and goes on at the same speed: the frames repeat the one before, and times after them are too late by them, or the robot stopped; times were not corrected</source>
+        <source>after %1 the robot rests for %2 frames and then goes on at the same speed: either the frames repeat the one before and later times are too late, or the robot stopped; times were not corrected</source>
         <translation>%1 之后机器人静止 %2 帧，然后以相同速度继续：要么这些帧重复了前一帧，之后的时间因此偏晚，要么机器人停了下来；时间未校正</translation>
     </message>
 </context>
@@ -27551,7 +27551,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
 <context>
     <name>workflow.one_frame_stood</name>
     <message>
-        <source>after %1 the robot stands for a frame and goes on at the same speed: the frame repeats the one before, and times after it are too late by it, or the robot stopped; times were not corrected</source>
+        <source>after %1 the robot rests for a frame and then goes on at the same speed: either the frame repeats the one before and later times are too late, or the robot stopped; times were not corrected</source>
         <translation>%1 之后机器人静止一帧，然后以相同速度继续：要么该帧重复了前一帧，之后的时间因此偏晚，要么机器人停了下来；时间未校正</translation>
     </message>
 </context>

@@ -51,11 +51,12 @@ struct FrameStep
 
 /// Tests each interval between two frames of one view by how the robots move: over lost frames all of them
 /// leap along their ways, with the same velocity before and after, by a whole number of frames; where a frame
-/// was doubled, all stand for it and then go on with the velocity they had, as none could that stops. The motion before and after is
-/// fitted by one cubic in time whose second part is delayed (least squares); a collision, a start and a brake
-/// change the velocity, not the position, and explain nothing of either. Where robots leap at once, but not
-/// along one smooth way, it is a Leap. Steps need robots that move: one that rests shows no time. In order;
-/// pure, any thread. tracks: of all robots of a view; frameTimes: of all its frames.
+/// was doubled, all stand for it and then go on with the velocity they had, as none could that stops. The
+/// motion before and after is fitted by one cubic in time whose second part is delayed (least squares); a
+/// collision, a start and a brake change the velocity, not the position, and explain nothing of either. Where
+/// robots leap at once, but not along one smooth way, it is a Leap. Steps need robots that move: one that
+/// rests shows no time. In order; pure, any thread. tracks: of all robots of a view; frameTimes: of all its
+/// frames.
 std::vector<FrameStep> findFrameSteps(const std::vector<FrameTrack> &tracks,
                                       const std::vector<Nanoseconds> &frameTimes);
 

@@ -184,9 +184,10 @@ private Q_SLOTS:
         QCOMPARE(
             said({stepOf(FrameStep::Kind::Stood, 2, 34)}),
             std::vector<std::string>{
-                "view 'A' in trial 'run': after 3.10 s the robot stands for 2 frames and goes on at the same "
-                "speed: the frames repeat the one before, and times after them are too late by them, or the "
-                "robot stopped; times were not corrected"});
+                "view 'A' in trial 'run': after 3.10 s the robot rests for 2 frames and then goes on at the "
+                "same "
+                "speed: either the frames repeat the one before and later times are too late, or the robot "
+                "stopped; times were not corrected"});
         QCOMPARE(
             said({stepOf(FrameStep::Kind::Leap, 0, 34)}),
             std::vector<std::string>{

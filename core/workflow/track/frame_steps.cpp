@@ -250,13 +250,14 @@ Message stepWords(const FrameStep &step, MessageArgument at)
         return step.frames == 1
                    ? ODO_TEXT(
                          "workflow.one_frame_stood",
-                         "after %1 the robot stands for a frame and goes on at the same speed: the frame "
-                         "repeats the one before, and times after it are too late by it, or the robot "
+                         "after %1 the robot rests for a frame and then goes on at the same speed: either "
+                         "the frame repeats the one before and later times are too late, or the robot "
                          "stopped; times were not corrected")(std::move(at))
-                   : ODO_TEXT("workflow.frames_stood",
-                              "after %1 the robot stands for %2 frames and goes on at the same speed: the "
-                              "frames repeat the one before, and times after them are too late by them, or "
-                              "the robot stopped; times were not corrected")(std::move(at), step.frames);
+                   : ODO_TEXT(
+                         "workflow.frames_stood",
+                         "after %1 the robot rests for %2 frames and then goes on at the same speed: either "
+                         "the frames repeat the one before and later times are too late, or the robot "
+                         "stopped; times were not corrected")(std::move(at), step.frames);
     case FrameStep::Kind::Repeated:
         return ODO_TEXT("workflow.video_converted",
                         "one frame in %1 repeats the one before, because the video was converted to a higher "

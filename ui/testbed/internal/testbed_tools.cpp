@@ -292,9 +292,10 @@ void TestbedTools::registerTogether()
 
 void TestbedTools::importCalibration()
 {
-    const QString file = QFileDialog::getOpenFileName(&m_window, tr("Lens calibration of a camera"), {},
-                                                      tr("Calibrations (*.yaml *.yml *.json *.toml *.ini *.xml *.txt);;"
-                                                         "All files (*)"));
+    const QString file =
+        QFileDialog::getOpenFileName(&m_window, tr("Lens calibration of a camera"), {},
+                                     tr("Calibrations (*.yaml *.yml *.json *.toml *.ini *.xml *.txt);;"
+                                        "All files (*)"));
     if (file.isEmpty())
         return;
     const Result<std::vector<std::string>> held = camerasInCalibration(pathOf(file));
