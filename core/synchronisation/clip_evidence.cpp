@@ -21,7 +21,9 @@ constexpr double leastDisagreementS = 0.002; // less is no harm
 std::optional<Eigen::Vector2d> positionSeen(const FloorView &view, const Observation &observation,
                                             double heightM)
 {
-    if (!observation.found || observation.score < leastEvidenceScore || observation.touchesBorder)
+    // a frame that repeats the one before shows nothing of its own time
+    if (!observation.found || observation.duplicateFrame || observation.score < leastEvidenceScore ||
+        observation.touchesBorder)
         return std::nullopt;
     return view.floorFromPixel(observation.ellipse.centrePx, heightM / 2);
 }

@@ -108,6 +108,7 @@ private Q_SLOTS:
     void likeRobotsAreNotTakenForOneAnother();
     void likeRobotsThatLeaveNothingToCompare();
     void oneRobotOfTwoLikeOnes();
+    void repeatedFramesShowNoPosition();
     void worksWithoutAnyRobot();
 };
 
@@ -226,6 +227,22 @@ void TestClipEvidence::oneRobotOfTwoLikeOnes()
     const auto found = filmed.find();
     QVERIFY2(found, found ? "" : found.error().message().c_str());
     QVERIFY(std::abs(found->clock.offsetS - 0.321) < 0.002);
+}
+
+/// As where the image of a view was frozen for a time: the robot was elsewhere then.
+void TestClipEvidence::repeatedFramesShowNoPosition()
+{
+    Filmed filmed({wandering(0.3, {0, 0})}, {RgbColour{}}, 1.3);
+    std::vector<Observation> &seen = filmed.views[1].robots.front();
+    for (std::size_t i = 100; i < 112; ++i) {
+        seen[i].ellipse = seen[99].ellipse;
+        seen[i].duplicateFrame = true;
+    }
+    const auto tracks = motionTracks(filmed.views, filmed.robots, filmed.names);
+    for (const TimedPosition &position : tracks[1].front().positions)
+        QVERIFY(position.timeS < toSeconds(seen[99].time) + 1e-6 ||
+                position.timeS > toSeconds(seen[111].time) + 1e-6);
+    QCOMPARE(tracks[1].front().positions.size(), seen.size() - 12);
 }
 
 void TestClipEvidence::worksWithoutAnyRobot()
