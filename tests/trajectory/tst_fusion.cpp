@@ -155,11 +155,11 @@ private Q_SLOTS:
                 1e-6 * expected);
         // And two pixels along x where a shadow may be a part of it.
         view.observations.front().lastingCovariancePx2(0, 0) = 4;
-        const Sighting doubted = positionObservations(view, 0).front();
+        const Sighting ambiguous = positionObservations(view, 0).front();
         const double variance = std::pow(2 * 0.002, 2);
-        QVERIFY(std::abs(doubted.lastingCovariance(0, 0) - variance) < 1e-6 * variance);
-        QVERIFY(std::abs(doubted.lastingCovariance(1, 1)) < 1e-6 * variance);
-        QVERIFY(doubted.position.calibrationCovariance == sighting.position.calibrationCovariance);
+        QVERIFY(std::abs(ambiguous.lastingCovariance(0, 0) - variance) < 1e-6 * variance);
+        QVERIFY(std::abs(ambiguous.lastingCovariance(1, 1)) < 1e-6 * variance);
+        QVERIFY(ambiguous.position.calibrationCovariance == sighting.position.calibrationCovariance);
     }
     void anOffsetIsLedOnAsFarAsItsCauseReaches()
     {

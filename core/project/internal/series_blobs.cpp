@@ -19,8 +19,8 @@ constexpr BlobLayout observationsLayout{'O', 1, 8 + 8 + 1 + 10 * 8};
 // with the support of each outline
 constexpr BlobLayout supportedLayout{'O', 2,
                                      observationsLayout.bytesPerRow + 4 * std::uint32_t(supportDirections)};
-// and with what the shadows leave in doubt
-constexpr BlobLayout doubtedLayout{'O', 3, supportedLayout.bytesPerRow + 3 * 8};
+// and with what the shadows leave ambiguous
+constexpr BlobLayout ambiguousLayout{'O', 3, supportedLayout.bytesPerRow + 3 * 8};
 constexpr BlobLayout samplesLayout{'S', 1, 8 + 8 + 1 + 8 * 8 + 4 + 8 + 4};
 constexpr BlobLayout pointsLayout{'P', 1, 1 + 12 * 8};
 // with the body's heading
@@ -186,10 +186,10 @@ QByteArray packObservations(std::span<const Observation> observations)
 {
     const bool hasSupport = std::ranges::any_of(
         observations, [](const Observation &o) { return o.supportPx.size() == supportDirections; });
-    const bool isDoubted = hasSupport && std::ranges::any_of(observations, [](const Observation &o) {
-                               return !o.lastingCovariancePx2.isZero();
-                           });
-    BlobWriter writer(isDoubted    ? doubtedLayout
+    const bool isAmbiguous = hasSupport && std::ranges::any_of(observations, [](const Observation &o) {
+                                 return !o.lastingCovariancePx2.isZero();
+                             });
+    BlobWriter writer(isAmbiguous  ? ambiguousLayout
                       : hasSupport ? supportedLayout
                                    : observationsLayout,
                       observations.size());
@@ -211,7 +211,7 @@ QByteArray packObservations(std::span<const Observation> observations)
         column([k](const Observation &o) {
             return o.supportPx.size() == supportDirections ? o.supportPx[k] : 0.0F;
         });
-    if (isDoubted)
+    if (isAmbiguous)
         putCovariance(writer, observations, [](const Observation &o) { return o.lastingCovariancePx2; });
     return writer.take();
 }
@@ -220,7 +220,7 @@ Result<void> unpackObservations(const QByteArray &bytes, const Message &what,
                                 std::vector<Observation> &appendTo)
 {
     const BlobLayout &layout =
-        layoutOf(bytes, layoutOf(bytes, observationsLayout, supportedLayout), doubtedLayout);
+        layoutOf(bytes, layoutOf(bytes, observationsLayout, supportedLayout), ambiguousLayout);
     const bool hasSupport = layout.version != observationsLayout.version;
     auto reader = ODO_TRY(BlobReader::open(bytes, layout, what));
     const auto rows = appended(appendTo, reader.rows());
@@ -250,7 +250,7 @@ Result<void> unpackObservations(const QByteArray &bytes, const Message &what,
                 o.supportPx[k] = value;
         });
     }
-    if (layout.version == doubtedLayout.version)
+    if (layout.version == ambiguousLayout.version)
         takeCovariance(reader, rows,
                        [](Observation &o) -> Eigen::Matrix2d & { return o.lastingCovariancePx2; });
     return {};

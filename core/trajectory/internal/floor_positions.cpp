@@ -64,14 +64,14 @@ void layAt(Sighting &sighting, const FloorView &view, const Eigen::Vector2d &pix
     }
 }
 
-/// What shadows leave in doubt of an outline, on the plane where it was positioned.
-void addDoubt(Sighting &sighting, const FloorView &view, const Observation &observation, double planeM)
+/// What shadows leave ambiguous of an outline, on the plane where it was positioned.
+void addAmbiguity(Sighting &sighting, const FloorView &view, const Observation &observation, double planeM)
 {
     const Eigen::Matrix2d &lastingPx2 = observation.lastingCovariancePx2;
     if (!sighting.seen || lastingPx2.isZero() || !lastingPx2.allFinite())
         return;
-    if (const auto doubt = view.locate(observation.ellipse.centrePx, lastingPx2, planeM))
-        sighting.lastingCovariance = doubt->pixelCovariance;
+    if (const auto spread = view.locate(observation.ellipse.centrePx, lastingPx2, planeM))
+        sighting.lastingCovariance = spread->pixelCovariance;
 }
 
 } // namespace
@@ -87,7 +87,7 @@ std::vector<Sighting> positionObservations(const ViewTrack &view, double planeM)
         if (canBePositioned(observation, sighting))
             layAt(sighting, *view.floorView, observation.ellipse.centrePx,
                   usableCovariance(observation.centreCovariancePx2), planeM);
-        addDoubt(sighting, *view.floorView, observation, planeM);
+        addAmbiguity(sighting, *view.floorView, observation, planeM);
         sightings.push_back(sighting);
     }
     return sightings;
@@ -176,7 +176,7 @@ BodySightings positionInView(const ViewTrack &view, const SolidShape &shape,
             layAt(sighting, *view.floorView, pixel->pixel,
                   usableCovariance(observation.centreCovariancePx2) + pixel->covariance, middleHeightM(shape),
                   uncertainty.unexplainedPx);
-        addDoubt(sighting, *view.floorView, observation, middleHeightM(shape));
+        addAmbiguity(sighting, *view.floorView, observation, middleHeightM(shape));
         if (sighting.seen) {
             const Eigen::Vector2d forward(std::cos(axes[i].angleRad), std::sin(axes[i].angleRad)),
                 left(-forward.y(), forward.x());

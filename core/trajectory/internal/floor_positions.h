@@ -21,7 +21,7 @@ struct Sighting
     bool ofOutline = false; ///< by background subtraction, not by a colour
     double score = 0;
     FloorPosition position{};
-    /// m², of what shadows leave in doubt of the outlines: common to the run. It does not say which view is
+    /// m², of what shadows leave ambiguous of the outlines: common to the run. It does not say which view is
     /// better, so it is no part of the position's.
     Eigen::Matrix2d lastingCovariance = Eigen::Matrix2d::Zero();
 };

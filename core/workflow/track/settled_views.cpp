@@ -197,7 +197,7 @@ std::vector<Outlines> uncertainOutlines(const std::vector<RegisteredView> &views
     return uncertain;
 }
 
-/// What solids explain well already is kept: other shadows only say how much of it is in doubt.
+/// What solids explain well already is kept: other shadows only say how uncertain it is.
 bool isAnyUnexplained(const std::vector<Outlines> &outlines)
 {
     return std::ranges::any_of(outlines,
@@ -252,7 +252,7 @@ std::vector<OtherShadows> nearlyAsLikely(const std::vector<TrackedView> &views,
 }
 
 /// Adds how far the centres would be elsewhere.
-void addDoubt(const OtherShadows &other, std::vector<TrackedView> &kept)
+void addUncertainty(const OtherShadows &other, std::vector<TrackedView> &kept)
 {
     for (std::size_t v = 0; v < kept.size(); ++v) {
         std::vector<Observation> &its = kept[v].series[other.robot].observations;
@@ -337,7 +337,7 @@ Result<SettledViews> trackAndSettle(const std::vector<RegisteredView> &views,
     if (control.isCancelled())
         return cancelled(trackingSubject());
     for (const OtherShadows &other : others)
-        addDoubt(other, best->views);
+        addUncertainty(other, best->views);
     return best;
 }
 
