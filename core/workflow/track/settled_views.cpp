@@ -183,7 +183,7 @@ Outlines outlinesOf(const std::vector<RegisteredView> &views, const std::vector<
     return outlines;
 }
 
-/// Robots of which much may be such a shadow.
+/// Robots of which much may be such a shadow, and whose outlines are not explained well already.
 std::vector<Outlines> uncertainOutlines(const std::vector<RegisteredView> &views,
                                         const std::vector<RobotRecord> &robots,
                                         std::vector<TrackedView> &tracked, float ShadowAmbiguity::*share)
@@ -192,21 +192,16 @@ std::vector<Outlines> uncertainOutlines(const std::vector<RegisteredView> &views
     for (std::size_t r = 0; r < robots.size(); ++r) {
         if (meanAmbiguity(tracked, r, share) <= leastAmbiguity)
             continue;
-        uncertain.push_back(outlinesOf(views, robots, tracked, r));
+        Outlines outlines = outlinesOf(views, robots, tracked, r);
+        if (outlines.misfit.value_or(0) > goodMisfit)
+            uncertain.push_back(outlines);
     }
     return uncertain;
 }
 
-/// What solids explain well already is kept: other shadows only say how uncertain it is.
-bool isAnyUnexplained(const std::vector<Outlines> &outlines)
-{
-    return std::ranges::any_of(outlines,
-                               [](const Outlines &one) { return one.misfit.value_or(0) > goodMisfit; });
-}
-
 /// Whether solids explain the outlines of these robots better than before, by less than this share of the
-/// misfit, and nothing of them was lost. A few outlines are easily explained,
-/// so more of them may be explained less well.
+/// misfit, and nothing of them was lost. A few outlines are easily explained, so more of them may be
+/// explained less well.
 bool areBetter(const std::vector<Outlines> &now, const std::vector<Outlines> &before, double share)
 {
     double gain = 0; // of the logarithms
@@ -228,17 +223,20 @@ struct OtherShadows
     std::vector<std::vector<Observation>> views;
 };
 
-/// Of the robots whose outlines a solid explains nearly as well as those that are kept.
+/// Of the robots whose outlines a solid explains nearly as well as those that are kept, and those not well.
+/// evenShare: of the kept misfit, where both would be as likely.
 std::vector<OtherShadows> nearlyAsLikely(const std::vector<TrackedView> &views,
                                          const std::vector<Outlines> &outlines,
-                                         const std::vector<Outlines> &kept)
+                                         const std::vector<Outlines> &kept, double evenShare)
 {
-    constexpr double unlikely = 1.25; // times the misfit
+    constexpr double unlikely = 1.15; // times that
     std::vector<OtherShadows> likely;
     for (std::size_t i = 0; i < kept.size(); ++i) {
-        if (!outlines[i].misfit || !kept[i].misfit)
+        if (!outlines[i].misfit || kept[i].misfit.value_or(0) <= goodMisfit ||
+            outlines[i].found < nearlyAsOften * kept[i].found)
             continue;
-        const double worse = std::log(*outlines[i].misfit / *kept[i].misfit) / std::log(unlikely),
+        const double worse =
+                         std::log(*outlines[i].misfit / (evenShare * *kept[i].misfit)) / std::log(unlikely),
                      likelihood = std::clamp(1 - worse, 0.0, 1.0);
         if (likelihood <= 0)
             continue;
@@ -290,9 +288,8 @@ Result<SettledViews> trackAndSettle(const std::vector<RegisteredView> &views,
         return best;
     Background::Shadow shadow;
     std::vector<OtherShadows> others;
-    // Takes them for what they are where solids then explain the outlines of these robots better, and where
-    // that is open.
-    const auto tryShadows = [&](const Background::Shadow &tried, std::vector<Outlines> &known, bool isOpen,
+    // Takes them for what they are where solids then explain the outlines of these robots better.
+    const auto tryShadows = [&](const Background::Shadow &tried, std::vector<Outlines> &known,
                                 double share = less) {
         if (known.empty() || control.isCancelled())
             return false;
@@ -304,13 +301,14 @@ Result<SettledViews> trackAndSettle(const std::vector<RegisteredView> &views,
         std::vector<Outlines> now;
         for (const Outlines &before : known)
             now.push_back(outlinesOf(views, robots, again->views, before.robot));
-        const bool better = isOpen && areBetter(now, known, share);
+        const bool better = areBetter(now, known, share);
         if (better) {
             std::swap(best, again);
             std::swap(known, now);
             shadow = tried;
         }
-        std::ranges::move(nearlyAsLikely(again->views, now, known), std::back_inserter(others));
+        std::ranges::move(nearlyAsLikely(again->views, now, known, better ? 1 / share : share),
+                          std::back_inserter(others));
         return better;
     };
     const auto uncertain = [&](float ShadowAmbiguity::*share) {
@@ -325,14 +323,12 @@ Result<SettledViews> trackAndSettle(const std::vector<RegisteredView> &views,
     for (std::size_t r = 0; inParts && r < robots.size(); ++r)
         if (!namedRobot(robots[r]).colour)
             ofParts.push_back(outlinesOf(views, robots, best->views, r));
-    tryShadows(with(&Background::Shadow::connects, true), ofParts, true);
+    tryShadows(with(&Background::Shadow::connects, true), ofParts);
     std::vector<Outlines> tinted = uncertain(&ShadowAmbiguity::tinted);
-    tryShadows(with(&Background::Shadow::tint, Background::strongTint), tinted, isAnyUnexplained(tinted),
-               clearlyLess);
+    tryShadows(with(&Background::Shadow::tint, Background::strongTint), tinted, clearlyLess);
     std::vector<Outlines> deep = uncertain(&ShadowAmbiguity::deep);
-    const bool isDeepOpen = isAnyUnexplained(deep);
     for (const float darkest : darkerShadows)
-        if (!tryShadows(with(&Background::Shadow::darkest, darkest), deep, isDeepOpen))
+        if (!tryShadows(with(&Background::Shadow::darkest, darkest), deep))
             break;
     if (control.isCancelled())
         return cancelled(trackingSubject());
