@@ -189,11 +189,13 @@ void addCircle(std::vector<Metric> &metrics, const std::vector<RunInstant> &inst
                            std::hypot(circle->sigmaRadiusM, scale * circle->radiusM)});
 }
 
-/// σ of the largest of noisy values: its own, and how far the largest of several that are equal exceeds them.
-/// Of n with normal errors that is σ√(2 ln n) at most; n counts the peaks that may be the true largest. What
-/// errors all of them share makes none of them larger than others: σ is what the peaks scatter, at most.
-double sigmaOfLargest(const std::vector<UncertainValue> &values, const UncertainValue &largest)
+/// The largest of noisy values, by leastOf. σ: its own, and how far the largest of several that are equal
+/// exceeds them. Of n with normal errors that is σ√(2 ln n) at most; n counts the peaks that may be the true
+/// largest. What errors all of them share makes none of them larger than others: σ is what the peaks scatter,
+/// at most.
+UncertainValue largestOf(const std::vector<UncertainValue> &values)
 {
+    const UncertainValue largest = *std::ranges::max_element(values, {}, leastOf);
     double peaks = 0, below = 0, squares = 0;
     for (std::size_t i = 0; i < values.size(); ++i) {
         const double here = values[i].value;
@@ -207,9 +209,9 @@ double sigmaOfLargest(const std::vector<UncertainValue> &values, const Uncertain
     }
     const double variance = largest.sigma * largest.sigma;
     if (peaks < 2)
-        return largest.sigma;
+        return largest;
     const double scatter = (squares - below * below / peaks) / (peaks - 1);
-    return std::sqrt(variance + 2 * std::log(peaks) * std::min(variance, scatter));
+    return {largest.value, std::sqrt(variance + 2 * std::log(peaks) * std::min(variance, scatter))};
 }
 
 UncertainValue largestValue(const std::vector<RunInstant> &instants, Curve curve)
@@ -218,9 +220,10 @@ UncertainValue largestValue(const std::vector<RunInstant> &instants, Curve curve
     for (const RunInstant &instant : instants)
         if (instant.measured)
             values.push_back({instant.point->*curve.value, instant.point->*curve.sigma});
-    const ProfilePoint &point = *largest(instants, curve).point;
-    const UncertainValue found{point.*curve.value, point.*curve.sigma};
-    return {found.value, sigmaOfLargest(values, found)};
+    if (!values.empty())
+        return largestOf(values);
+    const ProfilePoint &bridged = *instants.front().point;
+    return {bridged.*curve.value, bridged.*curve.sigma};
 }
 
 /// The fastest turn, of the body wherever that was measured, also at standstill; elsewhere of the path. Where
@@ -240,12 +243,12 @@ std::optional<Metric> fastestTurn(const std::vector<RunInstant> &instants,
     }
     if (rates.empty())
         return std::nullopt;
-    const UncertainValue fastest = *std::ranges::max_element(rates, {}, leastOf);
-    const double sigma = sigmaOfLargest(rates, fastest); // an angle has no scale
+    const UncertainValue fastest = largestOf(rates);
     const bool mayBeFaster = std::ranges::any_of(rates, [&](const UncertainValue &rate) {
-        return rate.value + 2 * rate.sigma > fastest.value + sigmasOfLargest * sigma;
+        return rate.value + 2 * rate.sigma > fastest.value + sigmasOfLargest * fastest.sigma;
     });
-    return Metric{"max_turn_rate", "rad/s", fastest.value, sigma, mayBeFaster};
+    return Metric{"max_turn_rate", "rad/s", fastest.value, fastest.sigma,
+                  mayBeFaster}; // an angle has no scale
 }
 
 } // namespace

@@ -14,15 +14,6 @@ namespace {
 
 constexpr double cornerToCentrePx = 0.5; // COLMAP and Metashape count from the corner of the first pixel
 
-YamlNode scalarNode(std::string text, int line)
-{
-    YamlNode node;
-    node.kind = YamlNode::Kind::Scalar;
-    node.text = std::move(text);
-    node.line = line;
-    return node;
-}
-
 YamlNode mappingNode(int line)
 {
     YamlNode node;
@@ -254,6 +245,15 @@ void addMetashape(const YamlNode &node, YamlNode &cameras)
 }
 
 } // namespace
+
+YamlNode scalarNode(std::string text, int line)
+{
+    YamlNode node;
+    node.kind = YamlNode::Kind::Scalar;
+    node.text = std::move(text);
+    node.line = line;
+    return node;
+}
 
 std::optional<YamlNode> treeOfColmap(const std::vector<std::string_view> &lines)
 {

@@ -4,10 +4,14 @@
 #include "core/exchange/internal/yaml_document.h"
 
 #include <optional>
+#include <string>
 #include <string_view>
 #include <vector>
 
 namespace odo {
+
+/// A value on a line of a file.
+YamlNode scalarNode(std::string text, int line);
 
 /// The cameras of COLMAP's cameras.txt, each under its number and with the entries that ROS has: its lens
 /// models as those of OpenCV, its pixels from the centre of the first one. A model that OpenCV does not have

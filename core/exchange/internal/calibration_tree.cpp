@@ -32,15 +32,6 @@ bool isRemark(std::string_view line)
     return line.empty() || line.front() == '#';
 }
 
-YamlNode scalar(std::string text, int line)
-{
-    YamlNode node;
-    node.kind = YamlNode::Kind::Scalar;
-    node.text = std::move(text);
-    node.line = line;
-    return node;
-}
-
 /// Videre's INI: a section a camera, names on lines of their own, numbers below them.
 YamlNode treeOfIni(const std::vector<std::string_view> &lines)
 {
@@ -62,7 +53,7 @@ YamlNode treeOfIni(const std::vector<std::string_view> &lines)
             values = nullptr;
             if (line != "[image]" && line.back() == ']' && !root.find("camera_name"))
                 root.entries.push_back(
-                    {"camera_name", scalar(std::string(line.substr(1, line.size() - 2)), number)});
+                    {"camera_name", scalarNode(std::string(line.substr(1, line.size() - 2)), number)});
         } else if (line.find_first_of("0123456789") == std::string_view::npos) {
             const auto known = std::ranges::find(names, line, &decltype(names)::value_type::first);
             values = nullptr;
@@ -76,7 +67,7 @@ YamlNode treeOfIni(const std::vector<std::string_view> &lines)
         } else if (values != nullptr) {
             for (std::string_view rest = line; !rest.empty();) {
                 const auto end = std::min(rest.find_first_of(" \t"), rest.size());
-                values->items.push_back(scalar(std::string(rest.substr(0, end)), number));
+                values->items.push_back(scalarNode(std::string(rest.substr(0, end)), number));
                 rest = withoutBlanks(rest.substr(end));
             }
         }

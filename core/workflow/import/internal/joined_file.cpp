@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/workflow/import/internal/joined_file.h"
 
+#include <QtEndian>
 #include <array>
 #include <cstdint>
 #include <fstream>
@@ -18,22 +19,6 @@ using PartHead = std::array<char, headBytes>;
 std::string_view textAt(const PartHead &head, std::size_t at)
 {
     return {head.data() + at, 4};
-}
-
-std::uint64_t bigEndianAt(const PartHead &head, std::size_t at, std::size_t count)
-{
-    std::uint64_t value = 0;
-    for (std::size_t i = at; i < at + count; ++i)
-        value = value << 8 | std::uint8_t(head[i]);
-    return value;
-}
-
-std::uint64_t littleEndianAt(const PartHead &head, std::size_t at)
-{
-    std::uint64_t value = 0;
-    for (std::size_t i = at + 4; i-- > at;)
-        value = value << 8 | std::uint8_t(head[i]);
-    return value;
 }
 
 /// Nothing at the end of the file.
@@ -55,7 +40,7 @@ bool isSeveralAvi(std::ifstream &file)
     for (auto head = headAt(file, at); head && textAt(*head, 0) == "RIFF"; head = headAt(file, at)) {
         if (at > 0 && textAt(*head, 8) == "AVI ")
             return true;
-        const std::uint64_t length = littleEndianAt(*head, 4);
+        const std::uint64_t length = qFromLittleEndian<quint32>(head->data() + 4);
         at += 8 + length + length % 2;
     }
     return false;
@@ -68,8 +53,8 @@ bool isSeveralMp4(std::ifstream &file)
     for (auto head = headAt(file, at); head; head = headAt(file, at)) {
         if (at > 0 && textAt(*head, 4) == "ftyp")
             return true;
-        const std::uint64_t stated = bigEndianAt(*head, 0, 4),
-                            length = stated == 1 ? bigEndianAt(*head, 8, 8) : stated;
+        const std::uint64_t stated = qFromBigEndian<quint32>(head->data()),
+                            length = stated == 1 ? qFromBigEndian<quint64>(head->data() + 8) : stated;
         if (length < 8 || length > std::uint64_t(std::numeric_limits<std::streamoff>::max()))
             return false;
         at += length;
