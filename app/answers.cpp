@@ -2,12 +2,14 @@
 #include "app/answers.h"
 
 #include "core/analysis/gate_passages.h"
+#include "core/analysis/metrics.h"
 #include "core/base/units.h"
 #include "core/project/message_json.h"
 #include "core/video/frame_turn.h"
 
 #include <QDateTime>
 #include <QJsonArray>
+#include <algorithm>
 #include <cmath>
 
 namespace odo {
@@ -54,6 +56,12 @@ const char *codeWord(ErrorCode code)
         break;
     }
     return "internal";
+}
+
+bool isLowerBound(const Profile &profile, std::string_view name)
+{
+    const auto metric = std::ranges::find(profile.metrics, name, &Metric::name);
+    return metric != profile.metrics.end() && metric->isAtLeast;
 }
 
 } // namespace
@@ -163,6 +171,31 @@ QStringList verdictLines(const TrialVerdict &verdict)
     if (verdict.isAccepted())
         lines << QStringLiteral("  accepted: %1").arg(QString::fromStdString(verdict.acceptance->reason));
     return lines;
+}
+
+void insertMainMetrics(QJsonObject &robot, const Profile &profile)
+{
+    QJsonArray lowerBounds;
+    const auto insert = [&](QLatin1StringView key, std::string_view name) {
+        robot.insert(key, metricValue(profile, name));
+        if (isLowerBound(profile, name))
+            lowerBounds.append(key);
+    };
+    insert(QLatin1StringView("path_length_m"), "path_length");
+    insert(QLatin1StringView("duration_s"), "duration");
+    insert(QLatin1StringView("mean_speed_m_s"), "mean_speed");
+    insert(QLatin1StringView("max_speed_m_s"), "max_speed");
+    robot.insert(QStringLiteral("at_least"), lowerBounds);
+}
+
+QString mainMetricsText(const Profile &profile)
+{
+    const auto figure = [&](std::string_view name, int decimals) {
+        return (isLowerBound(profile, name) ? QStringLiteral("at least ") : QString()) +
+               QString::number(metricValue(profile, name), 'f', decimals);
+    };
+    return QStringLiteral("path %1 m in %2 s, top speed %3 m/s")
+        .arg(figure("path_length", 3), figure("duration", 2), figure("max_speed", 3));
 }
 
 void insertMeasuredTime(QJsonObject &robot, const Profile &profile)

@@ -26,6 +26,10 @@ QJsonObject verdictLevelJson(const TrialVerdict &verdict);
 QJsonArray metricsJson(const std::vector<Metric> &metrics);
 /// "Verdict: doubtful", with the sentences that say why, and the reason why it was accepted.
 QStringList verdictLines(const TrialVerdict &verdict);
+/// path_length_m, duration_s, mean_speed_m_s and max_speed_m_s; at_least names those that are lower bounds.
+void insertMainMetrics(QJsonObject &robot, const Profile &profile);
+/// "path 4.485 m in 3.20 s, top speed 1.640 m/s"; "at least" stands before what is a lower bound.
+QString mainMetricsText(const Profile &profile);
 /// gaps[{from_s, to_s}], when nothing was measured, and measured_s, how long something was.
 void insertMeasuredTime(QJsonObject &robot, const Profile &profile);
 /// When it is ambiguous which robot it is: [{from_s, to_s, others[]}].

@@ -2204,6 +2204,10 @@ Das Verfahren folgt S. Park, „Computational Vision for Automatic Tracking and 
             <numerusform>(%n Messpunkte)</numerusform>
         </translation>
     </message>
+    <message>
+        <source>Not measured for %1</source>
+        <translation>%1 lang nicht gemessen</translation>
+    </message>
 </context>
 <context>
     <name>SceneDisagreement</name>

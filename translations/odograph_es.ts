@@ -2204,6 +2204,10 @@ El método sigue a S. Park, “Computational Vision for Automatic Tracking and O
             <numerusform>(%n muestras)</numerusform>
         </translation>
     </message>
+    <message>
+        <source>Not measured for %1</source>
+        <translation>Sin medición durante %1</translation>
+    </message>
 </context>
 <context>
     <name>SceneDisagreement</name>

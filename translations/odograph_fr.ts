@@ -2204,6 +2204,10 @@ La méthode suit S. Park, «&#xa0;Computational Vision for Automatic Tracking an
             <numerusform>(%n échantillons)</numerusform>
         </translation>
     </message>
+    <message>
+        <source>Not measured for %1</source>
+        <translation>Non mesuré pendant %1</translation>
+    </message>
 </context>
 <context>
     <name>SceneDisagreement</name>
@@ -3336,7 +3340,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <name>analysis.formula_max_turn_rate</name>
     <message>
         <source>How fast the robot turns, to the left or right, where the amount minus 3σ is largest. Of the body where its heading was measured, also on the spot: the rate of the smoothed heading. Elsewhere of the direction of motion: (vx·ay − vy·ax)/|v|² of the smoothed curve. &quot;At least&quot; where it may have turned faster because the rate is hardly known.</source>
-        <translation>La vitesse à laquelle le robot tourne, dans un sens ou dans l’autre, là où sa valeur moins 3σ est maximale. Celle du corps là où son cap a été mesuré, aussi sur place : la variation du cap lissé. Ailleurs, celle de la direction du mouvement : (vx·ay − vy·ax)/|v|² de la courbe lissée. « Au moins » là où il a pu tourner plus vite parce que la variation est à peine connue.</translation>
+        <translation>La vitesse à laquelle le robot tourne, dans un sens ou dans l’autre, là où sa valeur moins 3σ est maximale. Celle du corps là où son cap a été mesuré, aussi sur place : la variation du cap lissé. Ailleurs, celle de la direction du mouvement : (vx·ay − vy·ax)/|v|² de la courbe lissée. «&#xa0;Au moins&#xa0;» là où il a pu tourner plus vite parce que la variation est à peine connue.</translation>
     </message>
 </context>
 <context>
@@ -4267,7 +4271,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <name>analysis.uncertainty_max_turn_rate</name>
     <message>
         <source>of the body: that of the smoothed heading&apos;s rate; of the direction of motion: σ² = σa²/|v|² + |a|²σv²/|v|⁴, first order; of n peaks within 2σ also σ√(2 ln n)</source>
-        <translation>du corps : celle de la variation du cap lissé ; de la direction du mouvement : σ² = σa²/|v|² + |a|²σv²/|v|⁴, au premier ordre ; pour n pics à moins de 2σ, aussi σ√(2 ln n)</translation>
+        <translation>du corps : celle de la variation du cap lissé ; de la direction du mouvement : σ² = σa²/|v|² + |a|²σv²/|v|⁴, au premier ordre&#xa0;; pour n pics à moins de 2σ, aussi σ√(2 ln n)</translation>
     </message>
 </context>
 <context>
@@ -4295,7 +4299,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <name>analysis.uncertainty_of_curve</name>
     <message>
         <source>that of the smoothed curve there; how far the largest of n equal values exceeds them, σ√(2 ln n) at most, of the n peaks within 2σ; and the calibration&apos;s scale uncertainty</source>
-        <translation>celui de la courbe lissée à cet endroit ; ce dont le plus grand de n valeurs égales les dépasse, σ√(2 ln n) au plus, pour n pics à moins de 2σ ; et l’erreur d’échelle de l’étalonnage</translation>
+        <translation>celui de la courbe lissée à cet endroit&#xa0;; ce dont le plus grand de n valeurs égales les dépasse, σ√(2 ln n) au plus, pour n pics à moins de 2σ&#xa0;; et l’erreur d’échelle de l’étalonnage</translation>
     </message>
 </context>
 <context>

@@ -2186,6 +2186,10 @@ GNU 일반 공중 사용 허가서(GPL) 버전 3 이상을 따르는 자유 소�
             <numerusform>(샘플 %n개)</numerusform>
         </translation>
     </message>
+    <message>
+        <source>Not measured for %1</source>
+        <translation>%1 동안 측정되지 않음</translation>
+    </message>
 </context>
 <context>
     <name>SceneDisagreement</name>
@@ -3313,7 +3317,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <name>analysis.formula_max_turn_rate</name>
     <message>
         <source>How fast the robot turns, to the left or right, where the amount minus 3σ is largest. Of the body where its heading was measured, also on the spot: the rate of the smoothed heading. Elsewhere of the direction of motion: (vx·ay − vy·ax)/|v|² of the smoothed curve. &quot;At least&quot; where it may have turned faster because the rate is hardly known.</source>
-        <translation>로봇이 도는 빠르기로, 방향에 관계없이 크기에서 3σ를 뺀 값이 가장 큰 곳의 값입니다. 몸체의 방향을 측정한 곳에서는 제자리 회전을 포함해 몸체의 값(평활화된 방향의 변화율)이고, 그 밖에는 움직임 방향의 값, 즉 평활화된 곡선의 (vx·ay − vy·ax)/|v|²입니다. 변화율을 거의 알 수 없어 더 빨리 돌았을 수 있으면 "최소"로 표시합니다.</translation>
+        <translation>로봇이 도는 빠르기로, 방향에 관계없이 크기에서 3σ를 뺀 값이 가장 큰 곳의 값입니다. 몸체의 방향을 측정한 곳에서는 제자리 회전을 포함해 몸체의 값(평활화된 방향의 변화율)이고, 그 밖에는 움직임 방향의 값, 즉 평활화된 곡선의 (vx·ay − vy·ax)/|v|²입니다. 변화율을 거의 알 수 없어 더 빨리 돌았을 수 있으면 &quot;최소&quot;로 표시합니다.</translation>
     </message>
 </context>
 <context>

@@ -2186,6 +2186,10 @@ The method follows S. Park, “Computational Vision for Automatic Tracking and O
             <numerusform>（%n 个采样点）</numerusform>
         </translation>
     </message>
+    <message>
+        <source>Not measured for %1</source>
+        <translation>%1 未测量</translation>
+    </message>
 </context>
 <context>
     <name>SceneDisagreement</name>

@@ -2,7 +2,6 @@
 #include "app/answers.h"
 #include "app/command_call.h"
 #include "app/commands/commands.h"
-#include "core/analysis/metrics.h"
 #include "core/base/platform/sleep_inhibitor.h"
 #include "core/base/units.h"
 #include "core/project/repositories.h"
@@ -24,11 +23,8 @@ QJsonObject robotJson(const TrackedRobot &robot)
         {QStringLiteral("spikes"), qint64(profile.spikes.size())},
         {QStringLiteral("mean_view_disagreement_mm"), toMillimetres(profile.meanViewDisagreementM)},
         {QStringLiteral("look"), robot.isFoundByColour ? QStringLiteral("colour") : QStringLiteral("any")},
-        {QStringLiteral("height_m"), profile.heightM},
-        {QStringLiteral("path_length_m"), metricValue(profile, "path_length")},
-        {QStringLiteral("duration_s"), metricValue(profile, "duration")},
-        {QStringLiteral("mean_speed_m_s"), metricValue(profile, "mean_speed")},
-        {QStringLiteral("max_speed_m_s"), metricValue(profile, "max_speed")}};
+        {QStringLiteral("height_m"), profile.heightM}};
+    insertMainMetrics(json, profile);
     json.insert(QStringLiteral("clearance_mm"),
                 profile.clearanceM ? QJsonValue(toMillimetres(*profile.clearanceM)) : QJsonValue());
     json.insert(QStringLiteral("doubtful_s"), optionalJson(robot.ambiguousS));
@@ -42,15 +38,12 @@ QJsonObject robotJson(const TrackedRobot &robot)
 QString robotText(const TrackedRobot &robot)
 {
     const Profile &profile = robot.analysis.profile;
-    return QStringLiteral("%1: %2 of %3 frames, %4, path %5 m in %6 s, top speed %7 m/s%8")
-        .arg(QString::fromStdString(robot.name))
-        .arg(robot.tracked)
-        .arg(robot.frames)
-        .arg(counted(profile.spikes.size(), QStringLiteral("spike")))
-        .arg(metricValue(profile, "path_length"), 0, 'f', 3)
-        .arg(metricValue(profile, "duration"), 0, 'f', 2)
-        .arg(metricValue(profile, "max_speed"), 0, 'f', 3)
-        .arg(taskRemark(profile));
+    const QString found = QStringLiteral("%1 of %2 frames, %3, ")
+                              .arg(robot.tracked)
+                              .arg(robot.frames)
+                              .arg(counted(profile.spikes.size(), QStringLiteral("spike")));
+    return QString::fromStdString(robot.name) + QStringLiteral(": ") + found + mainMetricsText(profile) +
+           taskRemark(profile);
 }
 
 /// "R=VIEW,SECONDS,X,Y", or "R=none".
@@ -60,7 +53,7 @@ Result<std::vector<RobotPointer>> pointersOf(const CommandCall &call)
     constexpr qsizetype figures = 3;
     std::vector<RobotPointer> pointers;
     for (const auto &[robot, where] : pairs) {
-        RobotPointer &pointer = pointers.emplace_back(RobotPointer{robot});
+        RobotPointer &pointer = pointers.emplace_back(RobotPointer{robot, {}});
         if (where == "none")
             continue;
         const QStringList parts = QString::fromStdString(where).split(u',');

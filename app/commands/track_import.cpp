@@ -4,7 +4,6 @@
 #include "app/answers.h"
 #include "app/command_call.h"
 #include "app/command_output.h"
-#include "core/analysis/metrics.h"
 #include "core/base/error.h"
 #include "core/project/names.h"
 #include "core/workflow/import/import_tracks_job.h"
@@ -74,14 +73,11 @@ private:
 QString robotText(const ImportTracksJob::Imported &one)
 {
     const Profile &profile = one.analysis.profile;
-    const QString figures = QStringLiteral("%1, %2, path %3 m in %4 s, top speed %5 m/s")
-                                .arg(counted(profile.points.size(), QStringLiteral("position")))
-                                .arg(counted(profile.spikes.size(), QStringLiteral("spike")))
-                                .arg(metricValue(profile, "path_length"), 0, 'f', 3)
-                                .arg(metricValue(profile, "duration"), 0, 'f', 2)
-                                .arg(metricValue(profile, "max_speed"), 0, 'f', 3);
-    return QString::fromStdString(one.robot.name) + QStringLiteral(": ") + figures + taskRemark(profile) +
-           QStringLiteral("\n  ") + importedTrackText(one.source);
+    const QString counts = QStringLiteral("%1, %2, ")
+                               .arg(counted(profile.points.size(), QStringLiteral("position")))
+                               .arg(counted(profile.spikes.size(), QStringLiteral("spike")));
+    return QString::fromStdString(one.robot.name) + QStringLiteral(": ") + counts + mainMetricsText(profile) +
+           taskRemark(profile) + QStringLiteral("\n  ") + importedTrackText(one.source);
 }
 
 QJsonObject robotJson(const ImportTracksJob::Imported &one)
@@ -89,11 +85,8 @@ QJsonObject robotJson(const ImportTracksJob::Imported &one)
     const Profile &profile = one.analysis.profile;
     QJsonObject json{{QStringLiteral("samples"), qint64(profile.points.size())},
                      {QStringLiteral("spikes"), qint64(profile.spikes.size())},
-                     {QStringLiteral("path_length_m"), metricValue(profile, "path_length")},
-                     {QStringLiteral("duration_s"), metricValue(profile, "duration")},
-                     {QStringLiteral("mean_speed_m_s"), metricValue(profile, "mean_speed")},
-                     {QStringLiteral("max_speed_m_s"), metricValue(profile, "max_speed")},
                      {QStringLiteral("imported"), importedTrackJson(one.source)}};
+    insertMainMetrics(json, profile);
     insertMeasuredTime(json, profile);
     insertTaskAnswers(json, profile);
     return json;

@@ -104,6 +104,21 @@ private Q_SLOTS:
                      .exitStatus,
                  0);
     }
+    void whatGapsMakeALowerBoundIsSaid()
+    {
+        QByteArrayList rows = circle(0.7).split('\n');
+        rows.remove(40, 125); // 2.5 s
+        write("gap.tum", rows.join('\n'));
+        const QStringList call{u"import"_s,   m_project,    u"--trial"_s,
+                               u"gap json"_s, u"--track"_s, u"red="_s + path("gap.tum"),
+                               u"--json"_s};
+        const QJsonObject robot = good(call).json()[u"robots"_s][u"red"_s].toObject();
+        QVERIFY(robot[u"at_least"_s].toArray().contains(u"path_length_m"_s));
+        QVERIFY(!robot[u"at_least"_s].toArray().contains(u"mean_speed_m_s"_s));
+        const ProgramRun text = good(
+            {u"import"_s, m_project, u"--trial"_s, u"gap text"_s, u"--track"_s, u"red="_s + path("gap.tum")});
+        QVERIFY2(text.out.contains("path at least "), text.out.constData());
+    }
     void roundTrips_data()
     {
         QTest::addColumn<QStringList>("how");

@@ -118,11 +118,6 @@ namespace {
 
 constexpr int mostDecimals = 6;
 
-QString tr(const char *text)
-{
-    return QCoreApplication::translate("odo::NumberText", text);
-}
-
 /// The position of the first significant digit: 0 for 1 to 9.99, -1 for 0.1 to 0.999.
 int leadingPosition(double magnitude)
 {

@@ -70,7 +70,9 @@ void RobotPointing::fill(QMenu &menu, std::size_t view, const QPointF &pixel)
     for (const std::string &robot : all)
         if (isPointedOut(robot))
             connect(menu.addAction(tr("Find %1 automatically").arg(shown(robot))), &QAction::triggered, this,
-                    [this, robot] { request({robot}); });
+                    [this, robot] {
+                        request({robot, {}});
+                    });
 }
 
 void RobotPointing::request(RobotPointer pointer)

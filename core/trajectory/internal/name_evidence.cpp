@@ -358,7 +358,7 @@ NameEvidence gatherEvidence(const std::vector<NamedView> &views, const std::vect
         for (std::size_t slot = 0; slot < evidence.slots[v]; ++slot) {
             const auto &observations = observationsOf(views[v], considered, slot);
             for (const Tracklet &tracklet : cutIntoTracklets(observations, clockOf(views[v])))
-                evidence.tracklets.push_back(judged({v, slot, tracklet}, views[v], observations));
+                evidence.tracklets.push_back(judged({v, slot, tracklet, 1, {}, 0}, views[v], observations));
         }
         evidence.hueShiftRad.push_back(hueShiftOf(views[v], considered, evidence.givenHueRad));
     }

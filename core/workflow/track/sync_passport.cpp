@@ -130,8 +130,11 @@ SyncPassport syncPassport(const TrialRecord &trial, const std::vector<const Reco
     passport.topSpeedMps = topSpeed(profiles);
     for (std::size_t i = 1; i < recordings.size(); ++i) {
         const RecordingRecord &recording = *recordings[i];
-        ViewPassport view{recording.cameraName, recording.syncMethod, recording.startOffsetS,
-                          recording.clockRate};
+        ViewPassport view;
+        view.camera = recording.cameraName;
+        view.method = recording.syncMethod;
+        view.offsetS = recording.startOffsetS;
+        view.clockRate = recording.clockRate;
         addPairing(*recordings.front(), recording, view);
         if (isStepMeasured(recording)) {
             view.sigmaOffsetS = recording.startOffsetSigmaS;

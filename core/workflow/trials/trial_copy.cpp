@@ -113,13 +113,14 @@ Result<TrialRecord> copyTrial(Project &project, const std::string &trial, const 
                     endRecordingFirst());
     const std::string free = name.empty() ? ODO_TRY(freeName(project, original.name)) : name;
     TrialRecord copy;
+    const auto add = [&]() -> Result<RecordId> {
+        copy = ODO_TRY(addCopy(project, original, free));
+        return copy.id;
+    };
     ODO_TRY(addTrial(project,
                      ODO_TEXT("workflow.copy_trial", "copy trial %1 to %2")(Named::trial(original.name),
                                                                             Named::trial(free)),
-                     [&]() -> Result<RecordId> {
-                         copy = ODO_TRY(addCopy(project, original, free));
-                         return copy.id;
-                     }));
+                     add));
     return copy;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/registered_test.h"
 #include "tests/ui/support/example_scene.h"
+#include "ui/models/number_text.h"
 #include "ui/report/internal/run_painting.h"
 #include "ui/report/trial_report.h"
 
@@ -73,6 +74,21 @@ private Q_SLOTS:
         const auto events = runEvents(profile, 12);
         QCOMPARE(events.front().words, QStringLiteral("First seen, moving already"));
         QCOMPARE(events.back().words, QStringLiteral("Last seen, still moving"));
+    }
+    void whatWasNotMeasuredIsTold()
+    {
+        Profile profile = straightRun();
+        for (std::size_t i = 30; i < 50; ++i)
+            profile.points[i].valid = false;
+        profile.gaps = {{profile.samples[29].time, profile.samples[50].time}};
+        addSpikes(profile, {55, 56, 70});
+        const auto events = runEvents(profile, 4);
+        const auto gap = std::ranges::find(events, RunEvent::Kind::Gap, &RunEvent::kind);
+        QVERIFY(gap != events.end());
+        QCOMPARE(gap->words, QStringLiteral("Not measured for ") + secondsText(fromSeconds(1.05)));
+        QCOMPARE(gap->until, profile.samples[50].time);
+        QCOMPARE(gap->position.x(), profile.points[29].position.x());
+        QCOMPARE(std::ranges::count(events, RunEvent::Kind::Spike, &RunEvent::kind), 0);
     }
     void spikesInARowAreOne()
     {

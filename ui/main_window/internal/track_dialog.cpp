@@ -51,7 +51,10 @@ TrackDialog::TrackDialog(const QString &trial, const QStringList &robots, const 
 
 TrackSettings TrackDialog::settings() const
 {
-    return {m_robots->checkedNames(), static_cast<Smoother>(m_smoother->currentData().toInt()), false, {}};
+    TrackSettings settings;
+    settings.robots = m_robots->checkedNames();
+    settings.smoother = static_cast<Smoother>(m_smoother->currentData().toInt());
+    return settings;
 }
 
 } // namespace odo

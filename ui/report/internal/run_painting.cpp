@@ -35,7 +35,7 @@ struct Weighed
     RunEvent event;
     int weight = 0;
 };
-constexpr int motionWeight = 30000, gateWeight = 20000, mostSpikeWeight = 10000;
+constexpr int motionWeight = 40000, mostGapWeight = 39999, gateWeight = 20000, mostSpikeWeight = 10000;
 
 std::optional<Eigen::Vector2d> positionAt(const Profile &profile, Nanoseconds time)
 {
@@ -77,6 +77,19 @@ void addTopSpeed(const Profile &profile, std::vector<Weighed> &events)
     events.push_back({{RunEvent::Kind::TopSpeed, 0, time, time, top->position,
                        RunEventsWords::tr("Top speed, %1").arg(speedText(top->speedMps, top->sigmaSpeedMps))},
                       motionWeight});
+}
+
+void addGaps(const Profile &profile, std::vector<Weighed> &events)
+{
+    for (const TimeSpan &gap : profile.gaps) {
+        const auto position = positionAt(profile, gap.begin);
+        const double seconds = toSeconds(gap.end - gap.begin);
+        if (position)
+            events.push_back(
+                {{RunEvent::Kind::Gap, 0, gap.begin, gap.end, *position,
+                  RunEventsWords::tr("Not measured for %1").arg(secondsText(gap.end - gap.begin))},
+                 int(std::min<double>(gateWeight + 1 + 10 * seconds, mostGapWeight))});
+    }
 }
 
 void addGates(const Profile &profile, std::vector<Weighed> &events)
@@ -121,6 +134,7 @@ std::vector<RunEvent> runEvents(const Profile &profile, std::size_t most)
     std::vector<Weighed> found;
     addMotion(profile, found);
     addTopSpeed(profile, found);
+    addGaps(profile, found);
     addGates(profile, found);
     addSpikes(profile, found);
     std::ranges::stable_sort(found, std::ranges::greater(), &Weighed::weight);

@@ -109,7 +109,6 @@ bool mayBeTimes(const std::vector<long double> &stamps)
     for (const auto &[length, rows] : lengths)
         counts.push_back(rows);
     std::ranges::sort(counts, std::greater<>());
-    counts.resize(std::min<std::size_t>(counts.size(), 2));
     return static_cast<double>(counts.front() + (counts.size() > 1 ? counts[1] : 0)) >= leastEven * count;
 }
 
