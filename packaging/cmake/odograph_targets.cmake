@@ -78,6 +78,38 @@ odograph_precompiled(gui_test LINKS odograph_test_options Qt6::Gui Qt6::Test HEA
 odograph_precompiled(widgets_test LINKS odograph_test_options Qt6::Widgets Qt6::Test
   HEADERS ${qt_headers} ${widget_headers} ${test_headers})
 
+# odograph_moc_own(TARGET PLACE/unit): makes unit.moc, which unit.cpp includes.
+function(odograph_moc_own target unit)
+  get_filename_component(place ${CMAKE_CURRENT_BINARY_DIR}/${unit} DIRECTORY)
+  set(moc ${CMAKE_CURRENT_BINARY_DIR}/${unit}.moc)
+  add_custom_command(OUTPUT ${moc}
+    COMMAND Qt6::moc -o ${moc} ${CMAKE_CURRENT_SOURCE_DIR}/${unit}.cpp
+    DEPENDS ${unit}.cpp VERBATIM)
+  target_sources(${target} PRIVATE ${moc})
+  target_include_directories(${target} PRIVATE ${place})
+endfunction()
+
+# odograph_moc(TARGET): runs moc over the headers of its sources, and over the sources that include what it makes of them. AUTOMOC would read all headers of Qt and of the standard library for each of ours: a second and a half, not a fiftieth.
+function(odograph_moc target)
+  set(headers "")
+  get_target_property(sources ${target} SOURCES)
+  foreach(source ${sources})
+    string(REGEX REPLACE "\\.(cpp|h)$" "" unit ${source})
+    if(EXISTS ${CMAKE_CURRENT_SOURCE_DIR}/${unit}.h)
+      list(APPEND headers ${CMAKE_CURRENT_SOURCE_DIR}/${unit}.h)
+    endif()
+    file(STRINGS ${CMAKE_CURRENT_SOURCE_DIR}/${source} own REGEX "^#include \"[a-z_]+\\.moc\"" LIMIT_COUNT 1)
+    if(own)
+      odograph_moc_own(${target} ${unit})
+    endif()
+  endforeach()
+  set(moc ${CMAKE_CURRENT_BINARY_DIR}/${target}_moc.cpp)
+  add_custom_command(OUTPUT ${moc}
+    COMMAND sh ${PROJECT_SOURCE_DIR}/packaging/cmake/moc_headers.sh $<TARGET_FILE:Qt6::moc> ${PROJECT_SOURCE_DIR} ${moc} ${headers}
+    DEPENDS ${headers} ${PROJECT_SOURCE_DIR}/packaging/cmake/moc_headers.sh VERBATIM)
+  target_sources(${target} PRIVATE ${moc})
+endfunction()
+
 # odograph_library(NAME SOURCES a.cpp ... [LINKS public...] [PRIVATE_LINKS private...] [QT|WIDGETS])
 # QT, WIDGETS: runs moc over the sources; WIDGETS where they are linked with Qt's widgets.
 function(odograph_library name)
@@ -86,7 +118,7 @@ function(odograph_library name)
   target_link_libraries(${name} PUBLIC odograph_options ${ARG_LINKS} PRIVATE ${ARG_PRIVATE_LINKS})
   set(kind std)
   if(ARG_QT OR ARG_WIDGETS)
-    set_target_properties(${name} PROPERTIES AUTOMOC ON)
+    odograph_moc(${name})
     set(kind qt)
   endif()
   if(ARG_WIDGETS)
@@ -102,18 +134,6 @@ set(quick_linker "")
 if(ODOGRAPH_HAS_GOLD)
   set(quick_linker -fuse-ld=gold)
 endif()
-
-# odograph_moc_own(TARGET PLACE/tst_unit): makes tst_unit.moc, which tst_unit.cpp includes. AUTOMOC would start CMake twice for
-# each program.
-function(odograph_moc_own target unit)
-  get_filename_component(place ${CMAKE_CURRENT_BINARY_DIR}/${unit} DIRECTORY)
-  set(moc ${CMAKE_CURRENT_BINARY_DIR}/${unit}.moc)
-  add_custom_command(OUTPUT ${moc}
-    COMMAND Qt6::moc -o ${moc} ${CMAKE_CURRENT_SOURCE_DIR}/${unit}.cpp
-    DEPENDS ${unit}.cpp VERBATIM)
-  target_sources(${target} PRIVATE ${moc})
-  target_include_directories(${target} PRIVATE ${place})
-endfunction()
 
 # odograph_test_program(NAME KIND): a program that tests are compiled into; KIND: of its precompiled headers.
 function(odograph_test_program name kind)

@@ -125,6 +125,15 @@ private Q_SLOTS:
             QVERIFY2(seen.shadowAmbiguity.deep < 0.03F,
                      qPrintable(QString::number(seen.shadowAmbiguity.deep)));
         }
+        // half the light: floor where shadows are that dark, the robot's where none is
+        const SeenSilhouette cut = seenWith(Background::Shadow().darkest, 0.5, red),
+                             whole = seenWith(0.55F, 0.5, red);
+        QVERIFY2(std::abs(leftEnd(cut) - low.x()) < 1.5, qPrintable(QString::number(leftEnd(cut))));
+        QVERIFY2(leftEnd(whole) < low.x() - 18, qPrintable(QString::number(leftEnd(whole))));
+        // of those 640 pixels some lie farther out than is looked: 8 columns count, 256 of 1728
+        QVERIFY2(cut.shadowAmbiguity.light > 0.1F, qPrintable(QString::number(cut.shadowAmbiguity.light)));
+        QVERIFY2(whole.shadowAmbiguity.light < 0.03F,
+                 qPrintable(QString::number(whole.shadowAmbiguity.light)));
     }
 
     /// The lamp's light is yellow, and what is left in its shadow comes from a window: bluer by an eleventh

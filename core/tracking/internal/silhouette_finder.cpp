@@ -153,21 +153,28 @@ BitMask cutAppendages(BitMask &region, const BitMask &edge)
     return cut;
 }
 
-/// Of a few of a region's pixels. Black is no shadow.
-ShadowAmbiguity shadowAmbiguityOf(const ComparedWindow &w, const BitMask &region, const PixelRect &part)
+/// Of a few pixels of a region and beside it. shade: of the window, as part is. Black is no shadow.
+ShadowAmbiguity shadowAmbiguityOf(const ComparedWindow &w, const BitMask &shade, const BitMask &region,
+                                  const PixelRect &part)
 {
     constexpr int step = 4;                                                              // pixels
     constexpr float deepest = 0.15F, lightest = 0.95F, surelyTinted = 1.5F, sameHue = 3; // code values
-    int pixels = 0, deep = 0, tinted = 0;
+    constexpr float ofAnyShadow = 0.7F; // of the floor's luma is left in what most lamps leave dark
+    int pixels = 0, deep = 0, tinted = 0, light = 0;
     for (int y = 0; y < region.height(); y += step) {
         for (int x = 0; x < region.width(); x += step) {
-            if (!region.at(x, y))
+            const bool isRobot = region.at(x, y);
+            if (!isRobot && !shade.at(part.x0 + x, part.y0 + y))
                 continue;
             const PixelColour seen = w.seen(part.x0 + x, part.y0 + y),
                               behind = w.behind(part.x0 + x, part.y0 + y);
-            const float left = seen.luma / std::max(1.0F, behind.luma),
-                        off =
-                            std::max(std::abs(seen.u - left * behind.u), std::abs(seen.v - left * behind.v));
+            const float left = seen.luma / std::max(1.0F, behind.luma);
+            if (!isRobot) {
+                light += left < ofAnyShadow;
+                continue;
+            }
+            const float off =
+                std::max(std::abs(seen.u - left * behind.u), std::abs(seen.v - left * behind.v));
             const bool isDeep = left < w.shadow().darkest;
             ++pixels;
             deep += left > deepest && isDeep && off < sameHue;
@@ -176,7 +183,7 @@ ShadowAmbiguity shadowAmbiguityOf(const ComparedWindow &w, const BitMask &region
         }
     }
     const auto all = float(std::max(1, pixels));
-    return {float(deep) / all, float(tinted) / all};
+    return {float(deep) / all, float(tinted) / all, float(light) / all};
 }
 
 } // namespace
@@ -304,7 +311,7 @@ bool SilhouetteFinder::Impl::measure(BitMask region, const BitMask &edgePixels, 
         region.count() < leastFilled * silhouette.moments.areaPx2)
         return false;
     silhouette.meanChroma = edge.meanChroma();
-    silhouette.shadowAmbiguity = shadowAmbiguityOf(window, region, part);
+    silhouette.shadowAmbiguity = shadowAmbiguityOf(window, shade.shade(), region, part);
     silhouette.clearShare = double((clear.cropped(part) & region).count()) / double(region.count());
     const int right = background.y.width - 2, bottom = background.y.height - 2;
     silhouette.touchesBorder =

@@ -190,12 +190,14 @@ SeenSilhouette joined(const std::vector<SeenSilhouette> &seen, const std::vector
         whole.clearShare += one.moments.areaPx2 * one.clearShare;
         whole.shadowAmbiguity.deep += float(one.moments.areaPx2) * one.shadowAmbiguity.deep;
         whole.shadowAmbiguity.tinted += float(one.moments.areaPx2) * one.shadowAmbiguity.tinted;
+        whole.shadowAmbiguity.light += float(one.moments.areaPx2) * one.shadowAmbiguity.light;
         area += one.moments.areaPx2;
     }
     whole.meanChroma /= area;
     whole.clearShare /= area;
     whole.shadowAmbiguity.deep /= float(area);
     whole.shadowAmbiguity.tinted /= float(area);
+    whole.shadowAmbiguity.light /= float(area);
     measureHull(whole, std::move(points));
     return whole;
 }

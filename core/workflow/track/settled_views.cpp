@@ -8,7 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
+#include <map>
 
 namespace odo {
 
@@ -114,11 +114,11 @@ double ambiguousSeconds(const std::vector<AmbiguousName> &ambiguities)
 namespace {
 
 // each is tried where the one before it is better than what was known
-constexpr float darkerShadows[] = {0.20F, 0.15F};
+constexpr float darkerShadows[] = {0.20F, 0.15F}, lighterShadows[] = {0.55F, 0.7F};
 constexpr double leastAmbiguity = 0.1; // share of a robot's pixels, over the frames
 constexpr double goodMisfit = 0.5;     // a quarter of a pixel
 constexpr double less = 0.98;          // of the misfit
-constexpr double clearlyLess = 0.9;    // where shadows that are not there would be as likely: tinted ones
+constexpr double clearlyLess = 0.9;    // where a shadow could as well be part of a robot that does not turn
 constexpr double nearlyAsOften = 0.9;  // of the frames in which it was found
 constexpr double firstPart = 0.7, nextPart = 0.1;
 
@@ -184,16 +184,18 @@ Outlines outlinesOf(const std::vector<RegisteredView> &views, const std::vector<
 }
 
 /// Robots of which much may be such a shadow, and whose outlines are not explained well already.
+/// misfitOfNone: counts where no solid explains them at all.
 std::vector<Outlines> uncertainOutlines(const std::vector<RegisteredView> &views,
                                         const std::vector<RobotRecord> &robots,
-                                        std::vector<TrackedView> &tracked, float ShadowAmbiguity::*share)
+                                        std::vector<TrackedView> &tracked, float ShadowAmbiguity::*share,
+                                        double misfitOfNone)
 {
     std::vector<Outlines> uncertain;
     for (std::size_t r = 0; r < robots.size(); ++r) {
         if (meanAmbiguity(tracked, r, share) <= leastAmbiguity)
             continue;
         Outlines outlines = outlinesOf(views, robots, tracked, r);
-        if (outlines.misfit.value_or(0) > goodMisfit)
+        if (outlines.misfit.value_or(misfitOfNone) > goodMisfit)
             uncertain.push_back(outlines);
     }
     return uncertain;
@@ -218,48 +220,47 @@ bool areBetter(const std::vector<Outlines> &now, const std::vector<Outlines> &be
 /// What was found with other shadows than those that are kept, of one robot.
 struct OtherShadows
 {
-    std::size_t robot = 0;
-    double share = 0; ///< how likely it is that these are the right ones
-    std::vector<std::vector<Observation>> views;
+    Outlines outlines;
+    double evenShare = 1; ///< of the kept misfit, where both would be as likely
+    std::vector<std::map<std::int64_t, Eigen::Vector2d>> centres; ///< of each view, by frame
 };
 
-/// Of the robots whose outlines a solid explains nearly as well as those that are kept, and those not well.
-/// evenShare: of the kept misfit, where both would be as likely.
-std::vector<OtherShadows> nearlyAsLikely(const std::vector<TrackedView> &views,
-                                         const std::vector<Outlines> &outlines,
-                                         const std::vector<Outlines> &kept, double evenShare)
+OtherShadows otherShadows(const std::vector<TrackedView> &views, const Outlines &outlines, double evenShare)
 {
-    constexpr double unlikely = 1.15; // times that
-    std::vector<OtherShadows> likely;
-    for (std::size_t i = 0; i < kept.size(); ++i) {
-        if (!outlines[i].misfit || kept[i].misfit.value_or(0) <= goodMisfit ||
-            outlines[i].found < nearlyAsOften * kept[i].found)
-            continue;
-        const double worse =
-                         std::log(*outlines[i].misfit / (evenShare * *kept[i].misfit)) / std::log(unlikely),
-                     likelihood = std::clamp(1 - worse, 0.0, 1.0);
-        if (likelihood <= 0)
-            continue;
-        OtherShadows &other = likely.emplace_back();
-        other.robot = kept[i].robot;
-        other.share = likelihood / (1 + likelihood);
-        for (const TrackedView &view : views)
-            other.views.push_back(view.series[other.robot].observations);
+    OtherShadows other{outlines, evenShare, {}};
+    for (const TrackedView &view : views) {
+        auto &centres = other.centres.emplace_back();
+        for (const Observation &one : view.series[outlines.robot].observations)
+            if (one.found)
+                centres.emplace(one.frame, one.ellipse.centrePx);
     }
-    return likely;
+    return other;
+}
+
+/// How likely it is that these are the right ones: where a solid explains the outlines nearly as well as
+/// those that are kept, and those not well.
+double shareOf(const OtherShadows &other, const Outlines &kept)
+{
+    constexpr double unlikely = 1.15; // times the misfit where both are as likely
+    if (!other.outlines.misfit || kept.misfit.value_or(0) <= goodMisfit ||
+        other.outlines.found < nearlyAsOften * kept.found)
+        return 0;
+    const double worse =
+                     std::log(*other.outlines.misfit / (other.evenShare * *kept.misfit)) / std::log(unlikely),
+                 likelihood = std::clamp(1 - worse, 0.0, 1.0);
+    return likelihood / (1 + likelihood);
 }
 
 /// Adds how far the centres would be elsewhere.
-void addUncertainty(const OtherShadows &other, std::vector<TrackedView> &kept)
+void addUncertainty(const OtherShadows &other, double share, std::vector<TrackedView> &kept)
 {
     for (std::size_t v = 0; v < kept.size(); ++v) {
-        std::vector<Observation> &its = kept[v].series[other.robot].observations;
-        for (std::size_t i = 0; i < std::min(its.size(), other.views[v].size()); ++i) {
-            const Observation &there = other.views[v][i];
-            if (!its[i].found || !there.found || its[i].frame != there.frame)
+        for (Observation &its : kept[v].series[other.outlines.robot].observations) {
+            const auto there = other.centres[v].find(its.frame);
+            if (!its.found || there == other.centres[v].end())
                 continue;
-            const Eigen::Vector2d away = there.ellipse.centrePx - its[i].ellipse.centrePx;
-            its[i].lastingCovariancePx2 += other.share * away * away.transpose();
+            const Eigen::Vector2d away = there->second - its.ellipse.centrePx;
+            its.lastingCovariancePx2 += share * away * away.transpose();
         }
     }
 }
@@ -307,12 +308,12 @@ Result<SettledViews> trackAndSettle(const std::vector<RegisteredView> &views,
             std::swap(known, now);
             shadow = tried;
         }
-        std::ranges::move(nearlyAsLikely(again->views, now, known, better ? 1 / share : share),
-                          std::back_inserter(others));
+        for (const Outlines &outlines : now)
+            others.push_back(otherShadows(again->views, outlines, better ? 1 / share : share));
         return better;
     };
-    const auto uncertain = [&](float ShadowAmbiguity::*share) {
-        return uncertainOutlines(views, robots, best->views, share);
+    const auto uncertain = [&](float ShadowAmbiguity::*share, double misfitOfNone = 0) {
+        return uncertainOutlines(views, robots, best->views, share, misfitOfNone);
     };
     const auto with = [&shadow](auto Background::Shadow::*what, auto value) {
         Background::Shadow tried = shadow;
@@ -330,10 +331,21 @@ Result<SettledViews> trackAndSettle(const std::vector<RegisteredView> &views,
     for (const float darkest : darkerShadows)
         if (!tryShadows(with(&Background::Shadow::darkest, darkest), deep))
             break;
+    if (shadow.darkest == Background::Shadow().darkest) {
+        std::vector<Outlines> light = uncertain(&ShadowAmbiguity::light, worstShapeMisfit);
+        for (const float darkest : lighterShadows)
+            if (!tryShadows(with(&Background::Shadow::darkest, darkest), light, clearlyLess))
+                break;
+    }
     if (control.isCancelled())
         return cancelled(trackingSubject());
+    std::map<std::size_t, Outlines> kept; // by robot
     for (const OtherShadows &other : others)
-        addUncertainty(other, best->views);
+        if (const std::size_t robot = other.outlines.robot; !kept.contains(robot))
+            kept.emplace(robot, outlinesOf(views, robots, best->views, robot));
+    for (const OtherShadows &other : others)
+        if (const double share = shareOf(other, kept.at(other.outlines.robot)); share > 0)
+            addUncertainty(other, share, best->views);
     return best;
 }
 

@@ -167,6 +167,13 @@ AccuracyScene darkTiles(SeededDraw &draw)
     scene.scene.floor.textureAmplitude = 0.15;
     return scene;
 }
+/// Its sides are as dark as a shadow could be here, and the lamps are so wide that none is.
+AccuracyScene trackedDarkMat(SeededDraw &draw)
+{
+    AccuracyScene scene = onPlainFloor(draw, Look::Tracked, 0.15);
+    scene.scene.floor.colour = {62, 62, 66};
+    return scene;
+}
 AccuracyScene lightDrifts(SeededDraw &draw)
 {
     AccuracyScene scene = withLook(draw, Look::Buggy);
@@ -330,6 +337,7 @@ const std::vector<std::pair<std::string, AccuracyScene (*)(SeededDraw &)>> &look
         {"look-dark-deep-shadow", darkDeepShadow},
         {"look-glossy-floor", glossyFloor},
         {"look-dark-tiles", darkTiles},
+        {"look-tracked-dark-mat", trackedDarkMat},
         {"look-light-drifts", lightDrifts},
         {"look-sun-comes", sunComes},
         {"look-lamp-is-lit", lampIsLit},
