@@ -89,7 +89,8 @@ function(odograph_moc_own target unit)
   target_include_directories(${target} PRIVATE ${place})
 endfunction()
 
-# odograph_moc(TARGET): runs moc over the headers of its sources, and over the sources that include what it makes of them. AUTOMOC would read all headers of Qt and of the standard library for each of ours: a second and a half, not a fiftieth.
+# odograph_moc(TARGET): runs moc over the headers of its sources, and over the sources that include what it makes of them.
+# AUTOMOC would read all headers of Qt and of the standard library for each of ours: a second and a half, not a fiftieth.
 function(odograph_moc target)
   set(headers "")
   get_target_property(sources ${target} SOURCES)

@@ -102,17 +102,16 @@ private Q_SLOTS:
         robot.name = "robot";
         const auto chosen = trackAndSettle(*views, {robot}, {});
         QVERIFY(chosen.has_value());
-        double found = 0, away = 0;
+        double found = 0, ambiguous = 0;
         for (const TrackedView &view : chosen->views) {
             for (const Observation &one : view.series.front().observations) {
                 found += one.found;
-                away += one.found ? std::sqrt(one.lastingCovariancePx2.trace()) : 0;
+                ambiguous += one.found && !one.lastingCovariancePx2.isZero();
             }
         }
         QVERIFY(found > 200);
-        constexpr double aLittlePx = 0.1; // a fifth of the σ of an outline
-        QVERIFY2(isAmbiguous ? away > 2 * aLittlePx * found : away < aLittlePx * found,
-                 qPrintable(QString::number(away / found)));
+        QVERIFY2(isAmbiguous ? ambiguous > 0.9 * found : ambiguous == 0,
+                 qPrintable(QString::number(ambiguous / found)));
     }
 
     void whatCannotBeReadIsAnError()

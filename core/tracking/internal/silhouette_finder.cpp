@@ -159,7 +159,7 @@ ShadowAmbiguity shadowAmbiguityOf(const ComparedWindow &w, const BitMask &shade,
 {
     constexpr int step = 4;                                                              // pixels
     constexpr float deepest = 0.15F, lightest = 0.95F, surelyTinted = 1.5F, sameHue = 3; // code values
-    constexpr float ofAnyShadow = 0.7F; // of the floor's luma is left in what most lamps leave dark
+    constexpr float ofLightShadows = 0.55F; // what the first lighter ones that are tried leave of the luma
     int pixels = 0, deep = 0, tinted = 0, light = 0;
     for (int y = 0; y < region.height(); y += step) {
         for (int x = 0; x < region.width(); x += step) {
@@ -170,7 +170,7 @@ ShadowAmbiguity shadowAmbiguityOf(const ComparedWindow &w, const BitMask &shade,
                               behind = w.behind(part.x0 + x, part.y0 + y);
             const float left = seen.luma / std::max(1.0F, behind.luma);
             if (!isRobot) {
-                light += left < ofAnyShadow;
+                light += left < ofLightShadows;
                 continue;
             }
             const float off =
