@@ -6,6 +6,15 @@
 
 namespace odo {
 
+void ShadowAmbiguity::addPart(const ShadowAmbiguity &part, float share)
+{
+    deep += share * part.deep;
+    tinted += share * part.tinted;
+    light += share * part.light;
+    near += share * part.near;
+    apart += share * part.apart;
+}
+
 Ellipse ellipseOf(const Eigen::Vector2d &centrePx, const Eigen::Matrix2d &covariance)
 {
     const double mean = covariance.trace() / 2, half = (covariance(0, 0) - covariance(1, 1)) / 2;

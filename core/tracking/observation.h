@@ -20,11 +20,14 @@ struct Ellipse
 
 /// What would be different if shadows were other than was assumed (Background::Shadow): shares of an
 /// outline's pixels that would be floor in shadow if shadows were darker, and if they were tinted; how many
-/// pixels beside it, for each of its own, would be robot if shadows were lighter; and the share of the
-/// outline that would be new if a shadow connected parts of a robot.
+/// pixels beside it, for each of its own, would be robot if shadows were lighter; how many of both are nearly
+/// as dark as the darkest shadow; and the share of the outline that would be new if a shadow connected parts
+/// of a robot.
 struct ShadowAmbiguity
 {
-    float deep = 0, tinted = 0, light = 0, apart = 0;
+    float deep = 0, tinted = 0, light = 0, near = 0, apart = 0;
+    /// Adds that of a part, of which the whole has this share.
+    void addPart(const ShadowAmbiguity &part, float share);
 };
 
 /// What one view saw of one robot in one frame. Never edited once stored.

@@ -160,7 +160,9 @@ ShadowAmbiguity shadowAmbiguityOf(const ComparedWindow &w, const BitMask &shade,
     constexpr int step = 4;                                                              // pixels
     constexpr float deepest = 0.15F, lightest = 0.95F, surelyTinted = 1.5F, sameHue = 3; // code values
     constexpr float ofLightShadows = 0.55F; // what the first lighter ones that are tried leave of the luma
-    int pixels = 0, deep = 0, tinted = 0, light = 0;
+    constexpr float nearly = 0.8F;          // of the limit, or the limit of it
+    const float darkest = w.shadow().darkest;
+    int pixels = 0, deep = 0, tinted = 0, light = 0, near = 0;
     for (int y = 0; y < region.height(); y += step) {
         for (int x = 0; x < region.width(); x += step) {
             const bool isRobot = region.at(x, y);
@@ -171,19 +173,21 @@ ShadowAmbiguity shadowAmbiguityOf(const ComparedWindow &w, const BitMask &shade,
             const float left = seen.luma / std::max(1.0F, behind.luma);
             if (!isRobot) {
                 light += left < ofLightShadows;
+                near += nearly * left < darkest;
                 continue;
             }
             const float off =
                 std::max(std::abs(seen.u - left * behind.u), std::abs(seen.v - left * behind.v));
-            const bool isDeep = left < w.shadow().darkest;
+            const bool isDeep = left < darkest;
             ++pixels;
             deep += left > deepest && isDeep && off < sameHue;
+            near += left > nearly * darkest && isDeep && off < sameHue;
             tinted += !isDeep && left < lightest && off > surelyTinted &&
                       off < sameHue + Background::strongTint * (behind.luma - seen.luma);
         }
     }
-    const auto all = float(std::max(1, pixels));
-    return {float(deep) / all, float(tinted) / all, float(light) / all};
+    const auto share = [all = float(std::max(1, pixels))](int of) { return float(of) / all; };
+    return {share(deep), share(tinted), share(light), share(near)};
 }
 
 } // namespace

@@ -188,16 +188,12 @@ SeenSilhouette joined(const std::vector<SeenSilhouette> &seen, const std::vector
         whole.isTrimmed |= one.isTrimmed;
         whole.meanChroma += one.moments.areaPx2 * one.meanChroma;
         whole.clearShare += one.moments.areaPx2 * one.clearShare;
-        whole.shadowAmbiguity.deep += float(one.moments.areaPx2) * one.shadowAmbiguity.deep;
-        whole.shadowAmbiguity.tinted += float(one.moments.areaPx2) * one.shadowAmbiguity.tinted;
-        whole.shadowAmbiguity.light += float(one.moments.areaPx2) * one.shadowAmbiguity.light;
         area += one.moments.areaPx2;
     }
     whole.meanChroma /= area;
     whole.clearShare /= area;
-    whole.shadowAmbiguity.deep /= float(area);
-    whole.shadowAmbiguity.tinted /= float(area);
-    whole.shadowAmbiguity.light /= float(area);
+    for (const std::size_t part : parts)
+        whole.shadowAmbiguity.addPart(seen[part].shadowAmbiguity, float(seen[part].moments.areaPx2 / area));
     measureHull(whole, std::move(points));
     return whole;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/workflow/import/internal/view_times.h"
 
+#include "core/project/names.h"
 #include "core/video/frame_times.h"
 #include "core/workflow/import/internal/joined_file.h"
 #include "core/workflow/shared_words.h"
