@@ -167,6 +167,7 @@ inline const QString port = QStringLiteral("port");
 inline const QString preRoll = QStringLiteral("pre-roll");
 inline const QString range = QStringLiteral("range");
 inline const QString rate = QStringLiteral("rate");
+inline const QString reach = QStringLiteral("reach");
 inline const QString reason = QStringLiteral("reason");
 inline const QString recordings = QStringLiteral("recordings");
 inline const QString recover = QStringLiteral("recover");

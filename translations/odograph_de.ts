@@ -4856,6 +4856,20 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
 </context>
 <context>
+    <name>calibration.camera_not_moved</name>
+    <message>
+        <source>camera &apos;%1&apos;</source>
+        <translation>Kamera „%1“</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.camera_positions</name>
+    <message>
+        <source>the camera positions</source>
+        <translation>die Kamerapositionen</translation>
+    </message>
+</context>
+<context>
     <name>calibration.camera_sees_elsewhere</name>
     <message>
         <source>%1 sees %2 %3 from where the others see it</source>
@@ -6179,6 +6193,13 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
 </context>
 <context>
+    <name>calibration.move_back</name>
+    <message>
+        <source>%1 away from the floor</source>
+        <translation>%1 vom Boden weg</translation>
+    </message>
+</context>
+<context>
     <name>calibration.move_board</name>
     <message>
         <source>move it elsewhere, turn it or tilt it</source>
@@ -6186,10 +6207,52 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
 </context>
 <context>
+    <name>calibration.move_closer</name>
+    <message>
+        <source>%1 closer to the floor&apos;s middle</source>
+        <translation>%1 näher zur Bodenmitte</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.move_down</name>
+    <message>
+        <source>%1 down</source>
+        <translation>%1 nach unten</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.move_helps</name>
+    <message>
+        <source>Moving %1 by %2, aimed at the middle of the floor, lowers the error from ±%3 to ±%4 where it is largest.</source>
+        <translation>Wird %1 um %2 versetzt und auf die Bodenmitte gerichtet, sinkt der Fehler dort, wo er am größten ist, von ±%3 auf ±%4.</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.move_left</name>
+    <message>
+        <source>%1 to the left</source>
+        <translation>%1 nach links</translation>
+    </message>
+</context>
+<context>
     <name>calibration.move_planned_back</name>
     <message>
         <source>move it back or up, or choose a wider lens</source>
         <translation>rücken Sie die Kamera zurück oder höher, oder wählen Sie ein weiteres Objektiv</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.move_right</name>
+    <message>
+        <source>%1 to the right</source>
+        <translation>%1 nach rechts</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.move_up</name>
+    <message>
+        <source>%1 up</source>
+        <translation>%1 nach oben</translation>
     </message>
 </context>
 <context>
@@ -6358,6 +6421,13 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>&apos;%1&apos; is not the number of a tag</source>
         <translation>&apos;%1&apos; ist keine Nummer eines Tags</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.none_sees_four_markers</name>
+    <message>
+        <source>no camera sees four markers of the layout</source>
+        <translation>keine Kamera sieht vier Marker des Layouts</translation>
     </message>
 </context>
 <context>
@@ -6907,6 +6977,13 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
 </context>
 <context>
+    <name>calibration.register_by_four</name>
+    <message>
+        <source>register the cameras by four markers or more</source>
+        <translation>messen Sie die Kameras mit vier Markern oder mehr ein</translation>
+    </message>
+</context>
+<context>
     <name>calibration.register_by_more</name>
     <message>
         <source>register it with more of them first</source>
@@ -7345,6 +7422,13 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>the image is too small for a board</source>
         <translation>das Bild ist zu klein für eine Tafel</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.trying_positions</name>
+    <message>
+        <source>trying other positions of the cameras</source>
+        <translation>probiert andere Kamerapositionen</translation>
     </message>
 </context>
 <context>
@@ -11112,6 +11196,30 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>Searching for the best position…</source>
         <translation>Bester Ort wird gesucht…</translation>
+    </message>
+    <message>
+        <source>&amp;Advice</source>
+        <translation>R&amp;at</translation>
+    </message>
+    <message>
+        <source>Which registered camera to move: tries other positions within a metre of each</source>
+        <translation>Welche eingemessene Kamera zu versetzen ist: probiert bei jeder andere Positionen bis zu einem Meter entfernt</translation>
+    </message>
+    <message>
+        <source>Advice in words</source>
+        <translation>Rat in Worten</translation>
+    </message>
+    <message>
+        <source>Trying other positions of the cameras…</source>
+        <translation>Probiert andere Kamerapositionen …</translation>
+    </message>
+    <message>
+        <source>%1, moved</source>
+        <translation>%1, versetzt</translation>
+    </message>
+    <message>
+        <source>Moving one camera lowers the largest error by less than a tenth.</source>
+        <translation>Eine Kamera zu versetzen, senkt den größten Fehler um weniger als ein Zehntel.</translation>
     </message>
 </context>
 <context>

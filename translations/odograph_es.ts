@@ -4856,6 +4856,20 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     </message>
 </context>
 <context>
+    <name>calibration.camera_not_moved</name>
+    <message>
+        <source>camera &apos;%1&apos;</source>
+        <translation>cámara «%1»</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.camera_positions</name>
+    <message>
+        <source>the camera positions</source>
+        <translation>las posiciones de las cámaras</translation>
+    </message>
+</context>
+<context>
     <name>calibration.camera_sees_elsewhere</name>
     <message>
         <source>%1 sees %2 %3 from where the others see it</source>
@@ -6179,6 +6193,13 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     </message>
 </context>
 <context>
+    <name>calibration.move_back</name>
+    <message>
+        <source>%1 away from the floor</source>
+        <translation>%1 alejándola del suelo</translation>
+    </message>
+</context>
+<context>
     <name>calibration.move_board</name>
     <message>
         <source>move it elsewhere, turn it or tilt it</source>
@@ -6186,10 +6207,52 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     </message>
 </context>
 <context>
+    <name>calibration.move_closer</name>
+    <message>
+        <source>%1 closer to the floor&apos;s middle</source>
+        <translation>%1 hacia el centro del suelo</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.move_down</name>
+    <message>
+        <source>%1 down</source>
+        <translation>%1 hacia abajo</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.move_helps</name>
+    <message>
+        <source>Moving %1 by %2, aimed at the middle of the floor, lowers the error from ±%3 to ±%4 where it is largest.</source>
+        <translation>Mover %1 %2, apuntando al centro del suelo, reduce el error de ±%3 a ±%4 donde es mayor.</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.move_left</name>
+    <message>
+        <source>%1 to the left</source>
+        <translation>%1 a la izquierda</translation>
+    </message>
+</context>
+<context>
     <name>calibration.move_planned_back</name>
     <message>
         <source>move it back or up, or choose a wider lens</source>
         <translation>aléjela o súbala, o elija una lente más angular</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.move_right</name>
+    <message>
+        <source>%1 to the right</source>
+        <translation>%1 a la derecha</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.move_up</name>
+    <message>
+        <source>%1 up</source>
+        <translation>%1 hacia arriba</translation>
     </message>
 </context>
 <context>
@@ -6358,6 +6421,13 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <message>
         <source>&apos;%1&apos; is not the number of a tag</source>
         <translation>&apos;%1&apos; no es el número de un tag</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.none_sees_four_markers</name>
+    <message>
+        <source>no camera sees four markers of the layout</source>
+        <translation>ninguna cámara ve cuatro marcadores de la disposición</translation>
     </message>
 </context>
 <context>
@@ -6907,6 +6977,13 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     </message>
 </context>
 <context>
+    <name>calibration.register_by_four</name>
+    <message>
+        <source>register the cameras by four markers or more</source>
+        <translation>registre las cámaras con cuatro marcadores o más</translation>
+    </message>
+</context>
+<context>
     <name>calibration.register_by_more</name>
     <message>
         <source>register it with more of them first</source>
@@ -7345,6 +7422,13 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <message>
         <source>the image is too small for a board</source>
         <translation>la imagen es demasiado pequeña para un tablero</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.trying_positions</name>
+    <message>
+        <source>trying other positions of the cameras</source>
+        <translation>probando otras posiciones de las cámaras</translation>
     </message>
 </context>
 <context>
@@ -11112,6 +11196,30 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <message>
         <source>Searching for the best position…</source>
         <translation>Buscando el mejor lugar…</translation>
+    </message>
+    <message>
+        <source>&amp;Advice</source>
+        <translation>Co&amp;nsejo</translation>
+    </message>
+    <message>
+        <source>Which registered camera to move: tries other positions within a metre of each</source>
+        <translation>Qué cámara registrada mover: prueba otras posiciones a menos de un metro de cada una</translation>
+    </message>
+    <message>
+        <source>Advice in words</source>
+        <translation>Consejo en palabras</translation>
+    </message>
+    <message>
+        <source>Trying other positions of the cameras…</source>
+        <translation>Probando otras posiciones de las cámaras…</translation>
+    </message>
+    <message>
+        <source>%1, moved</source>
+        <translation>%1, movida</translation>
+    </message>
+    <message>
+        <source>Moving one camera lowers the largest error by less than a tenth.</source>
+        <translation>Mover una cámara reduce el error mayor en menos de una décima parte.</translation>
     </message>
 </context>
 <context>

@@ -4856,6 +4856,20 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
 </context>
 <context>
+    <name>calibration.camera_not_moved</name>
+    <message>
+        <source>camera &apos;%1&apos;</source>
+        <translation>caméra « %1 »</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.camera_positions</name>
+    <message>
+        <source>the camera positions</source>
+        <translation>les positions des caméras</translation>
+    </message>
+</context>
+<context>
     <name>calibration.camera_sees_elsewhere</name>
     <message>
         <source>%1 sees %2 %3 from where the others see it</source>
@@ -6179,6 +6193,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
 </context>
 <context>
+    <name>calibration.move_back</name>
+    <message>
+        <source>%1 away from the floor</source>
+        <translation>%1 en s’éloignant du sol</translation>
+    </message>
+</context>
+<context>
     <name>calibration.move_board</name>
     <message>
         <source>move it elsewhere, turn it or tilt it</source>
@@ -6186,10 +6207,52 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
 </context>
 <context>
+    <name>calibration.move_closer</name>
+    <message>
+        <source>%1 closer to the floor&apos;s middle</source>
+        <translation>%1 vers le milieu du sol</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.move_down</name>
+    <message>
+        <source>%1 down</source>
+        <translation>%1 vers le bas</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.move_helps</name>
+    <message>
+        <source>Moving %1 by %2, aimed at the middle of the floor, lowers the error from ±%3 to ±%4 where it is largest.</source>
+        <translation>Déplacer %1 de %2, en visant le milieu du sol, réduit l’erreur de ±%3 à ±%4 là où elle est la plus grande.</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.move_left</name>
+    <message>
+        <source>%1 to the left</source>
+        <translation>%1 vers la gauche</translation>
+    </message>
+</context>
+<context>
     <name>calibration.move_planned_back</name>
     <message>
         <source>move it back or up, or choose a wider lens</source>
         <translation>reculez-la ou montez-la, ou choisissez un objectif plus large</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.move_right</name>
+    <message>
+        <source>%1 to the right</source>
+        <translation>%1 vers la droite</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.move_up</name>
+    <message>
+        <source>%1 up</source>
+        <translation>%1 vers le haut</translation>
     </message>
 </context>
 <context>
@@ -6358,6 +6421,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>&apos;%1&apos; is not the number of a tag</source>
         <translation>&apos;%1&apos; n’est pas un numéro de tag</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.none_sees_four_markers</name>
+    <message>
+        <source>no camera sees four markers of the layout</source>
+        <translation>aucune caméra ne voit quatre repères de la disposition</translation>
     </message>
 </context>
 <context>
@@ -6907,6 +6977,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
 </context>
 <context>
+    <name>calibration.register_by_four</name>
+    <message>
+        <source>register the cameras by four markers or more</source>
+        <translation>localisez les caméras par quatre repères ou plus</translation>
+    </message>
+</context>
+<context>
     <name>calibration.register_by_more</name>
     <message>
         <source>register it with more of them first</source>
@@ -7345,6 +7422,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>the image is too small for a board</source>
         <translation>l’image est trop petite pour une mire</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.trying_positions</name>
+    <message>
+        <source>trying other positions of the cameras</source>
+        <translation>essai d’autres positions des caméras</translation>
     </message>
 </context>
 <context>
@@ -11112,6 +11196,30 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>Searching for the best position…</source>
         <translation>Recherche de la meilleure place…</translation>
+    </message>
+    <message>
+        <source>&amp;Advice</source>
+        <translation>Con&amp;seil</translation>
+    </message>
+    <message>
+        <source>Which registered camera to move: tries other positions within a metre of each</source>
+        <translation>Quelle caméra localisée déplacer : essaie d’autres positions à moins d’un mètre de chacune</translation>
+    </message>
+    <message>
+        <source>Advice in words</source>
+        <translation>Conseil en toutes lettres</translation>
+    </message>
+    <message>
+        <source>Trying other positions of the cameras…</source>
+        <translation>Essai d’autres positions des caméras…</translation>
+    </message>
+    <message>
+        <source>%1, moved</source>
+        <translation>%1, déplacée</translation>
+    </message>
+    <message>
+        <source>Moving one camera lowers the largest error by less than a tenth.</source>
+        <translation>Déplacer une caméra réduit la plus grande erreur de moins d’un dixième.</translation>
     </message>
 </context>
 <context>

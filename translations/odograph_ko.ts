@@ -4833,6 +4833,20 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>calibration.camera_not_moved</name>
+    <message>
+        <source>camera &apos;%1&apos;</source>
+        <translation>카메라 ‘%1’</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.camera_positions</name>
+    <message>
+        <source>the camera positions</source>
+        <translation>카메라 위치</translation>
+    </message>
+</context>
+<context>
     <name>calibration.camera_sees_elsewhere</name>
     <message>
         <source>%1 sees %2 %3 from where the others see it</source>
@@ -6156,6 +6170,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>calibration.move_back</name>
+    <message>
+        <source>%1 away from the floor</source>
+        <translation>바닥에서 멀어지는 쪽으로 %1</translation>
+    </message>
+</context>
+<context>
     <name>calibration.move_board</name>
     <message>
         <source>move it elsewhere, turn it or tilt it</source>
@@ -6163,10 +6184,52 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>calibration.move_closer</name>
+    <message>
+        <source>%1 closer to the floor&apos;s middle</source>
+        <translation>바닥 중앙 쪽으로 %1</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.move_down</name>
+    <message>
+        <source>%1 down</source>
+        <translation>아래로 %1</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.move_helps</name>
+    <message>
+        <source>Moving %1 by %2, aimed at the middle of the floor, lowers the error from ±%3 to ±%4 where it is largest.</source>
+        <translation>%1을(를) %2 옮기고 바닥 중앙을 향하게 하면 오차가 가장 큰 곳에서 ±%3에서 ±%4(으)로 줄어듭니다.</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.move_left</name>
+    <message>
+        <source>%1 to the left</source>
+        <translation>왼쪽으로 %1</translation>
+    </message>
+</context>
+<context>
     <name>calibration.move_planned_back</name>
     <message>
         <source>move it back or up, or choose a wider lens</source>
         <translation>뒤로 또는 위로 옮기거나 더 넓은 렌즈를 고르십시오</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.move_right</name>
+    <message>
+        <source>%1 to the right</source>
+        <translation>오른쪽으로 %1</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.move_up</name>
+    <message>
+        <source>%1 up</source>
+        <translation>위로 %1</translation>
     </message>
 </context>
 <context>
@@ -6335,6 +6398,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>&apos;%1&apos; is not the number of a tag</source>
         <translation>&apos;%1&apos;은(는) 태그 번호가 아닙니다</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.none_sees_four_markers</name>
+    <message>
+        <source>no camera sees four markers of the layout</source>
+        <translation>배치의 마커 네 개를 보는 카메라가 없습니다</translation>
     </message>
 </context>
 <context>
@@ -6884,6 +6954,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>calibration.register_by_four</name>
+    <message>
+        <source>register the cameras by four markers or more</source>
+        <translation>마커 네 개 이상으로 카메라를 정합하십시오</translation>
+    </message>
+</context>
+<context>
     <name>calibration.register_by_more</name>
     <message>
         <source>register it with more of them first</source>
@@ -7322,6 +7399,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>the image is too small for a board</source>
         <translation>영상이 너무 작아 보드가 들어갈 수 없습니다</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.trying_positions</name>
+    <message>
+        <source>trying other positions of the cameras</source>
+        <translation>다른 카메라 위치를 시험하는 중</translation>
     </message>
 </context>
 <context>
@@ -11089,6 +11173,30 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>Searching for the best position…</source>
         <translation>최적 위치를 찾는 중…</translation>
+    </message>
+    <message>
+        <source>&amp;Advice</source>
+        <translation>조언(&amp;A)</translation>
+    </message>
+    <message>
+        <source>Which registered camera to move: tries other positions within a metre of each</source>
+        <translation>어느 정합된 카메라를 옮길지: 각 카메라에서 1 m 이내의 다른 위치를 시험합니다</translation>
+    </message>
+    <message>
+        <source>Advice in words</source>
+        <translation>글로 된 조언</translation>
+    </message>
+    <message>
+        <source>Trying other positions of the cameras…</source>
+        <translation>다른 카메라 위치를 시험하는 중…</translation>
+    </message>
+    <message>
+        <source>%1, moved</source>
+        <translation>%1, 옮김</translation>
+    </message>
+    <message>
+        <source>Moving one camera lowers the largest error by less than a tenth.</source>
+        <translation>카메라 하나를 옮겨도 가장 큰 오차는 10분의 1도 줄지 않습니다.</translation>
     </message>
 </context>
 <context>

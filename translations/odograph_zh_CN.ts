@@ -4833,6 +4833,20 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>calibration.camera_not_moved</name>
+    <message>
+        <source>camera &apos;%1&apos;</source>
+        <translation>相机“%1”</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.camera_positions</name>
+    <message>
+        <source>the camera positions</source>
+        <translation>相机位置</translation>
+    </message>
+</context>
+<context>
     <name>calibration.camera_sees_elsewhere</name>
     <message>
         <source>%1 sees %2 %3 from where the others see it</source>
@@ -6156,6 +6170,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>calibration.move_back</name>
+    <message>
+        <source>%1 away from the floor</source>
+        <translation>远离地面 %1</translation>
+    </message>
+</context>
+<context>
     <name>calibration.move_board</name>
     <message>
         <source>move it elsewhere, turn it or tilt it</source>
@@ -6163,10 +6184,52 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>calibration.move_closer</name>
+    <message>
+        <source>%1 closer to the floor&apos;s middle</source>
+        <translation>靠近地面中心 %1</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.move_down</name>
+    <message>
+        <source>%1 down</source>
+        <translation>向下 %1</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.move_helps</name>
+    <message>
+        <source>Moving %1 by %2, aimed at the middle of the floor, lowers the error from ±%3 to ±%4 where it is largest.</source>
+        <translation>将 %1 移动（%2）并对准地面中心，误差最大处的误差从 ±%3 降到 ±%4。</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.move_left</name>
+    <message>
+        <source>%1 to the left</source>
+        <translation>向左 %1</translation>
+    </message>
+</context>
+<context>
     <name>calibration.move_planned_back</name>
     <message>
         <source>move it back or up, or choose a wider lens</source>
         <translation>请把它后移或升高，或选用更广角的镜头</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.move_right</name>
+    <message>
+        <source>%1 to the right</source>
+        <translation>向右 %1</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.move_up</name>
+    <message>
+        <source>%1 up</source>
+        <translation>向上 %1</translation>
     </message>
 </context>
 <context>
@@ -6335,6 +6398,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>&apos;%1&apos; is not the number of a tag</source>
         <translation>“%1”不是标签码编号</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.none_sees_four_markers</name>
+    <message>
+        <source>no camera sees four markers of the layout</source>
+        <translation>没有相机能看到布局的四个标记</translation>
     </message>
 </context>
 <context>
@@ -6884,6 +6954,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     </message>
 </context>
 <context>
+    <name>calibration.register_by_four</name>
+    <message>
+        <source>register the cameras by four markers or more</source>
+        <translation>请用四个或更多标记配准相机</translation>
+    </message>
+</context>
+<context>
     <name>calibration.register_by_more</name>
     <message>
         <source>register it with more of them first</source>
@@ -7322,6 +7399,13 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>the image is too small for a board</source>
         <translation>图像太小，容不下标定板</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.trying_positions</name>
+    <message>
+        <source>trying other positions of the cameras</source>
+        <translation>正在尝试其他相机位置</translation>
     </message>
 </context>
 <context>
@@ -11089,6 +11173,30 @@ Much more than expected means that a setting is wrong: the views are not synchro
     <message>
         <source>Searching for the best position…</source>
         <translation>正在寻找最佳位置…</translation>
+    </message>
+    <message>
+        <source>&amp;Advice</source>
+        <translation>建议(&amp;A)</translation>
+    </message>
+    <message>
+        <source>Which registered camera to move: tries other positions within a metre of each</source>
+        <translation>应移动哪台已配准的相机：尝试每台相机一米以内的其他位置</translation>
+    </message>
+    <message>
+        <source>Advice in words</source>
+        <translation>文字建议</translation>
+    </message>
+    <message>
+        <source>Trying other positions of the cameras…</source>
+        <translation>正在尝试其他相机位置…</translation>
+    </message>
+    <message>
+        <source>%1, moved</source>
+        <translation>%1（已移动）</translation>
+    </message>
+    <message>
+        <source>Moving one camera lowers the largest error by less than a tenth.</source>
+        <translation>移动一台相机只能使最大误差减小不到十分之一。</translation>
     </message>
 </context>
 <context>

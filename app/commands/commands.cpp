@@ -22,6 +22,8 @@ std::span<const NamedCommand> allCommands()
          false},
         {"revisions", "list the calibrations and registrations of a camera, choose one to use", runRevisions,
          false},
+        {"advise", "say which camera to move, and how much more accurate that makes the set-up", runAdvise,
+         false},
         {"task", "add a task with gates, path and limits; list tasks; set a trial's task", runTask, false},
         {"trial", "change, delete, restore or copy a trial, or accept its doubtful results", runTrial, false},
         {"import", "import the videos of a trial", runImport, false},

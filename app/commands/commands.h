@@ -13,6 +13,7 @@ namespace odo {
 /// output, and returns what prevented it.
 using Subcommand = Result<void> (*)(const QStringList &arguments, const CancelToken &cancel);
 
+Result<void> runAdvise(const QStringList &arguments, const CancelToken &cancel);
 Result<void> runNew(const QStringList &arguments, const CancelToken &cancel);
 Result<void> runDemo(const QStringList &arguments, const CancelToken &cancel);
 Result<void> runRobot(const QStringList &arguments, const CancelToken &cancel);

@@ -5,6 +5,7 @@
 #include "core/calibration/accuracy_map.h"
 #include "ui/models/shown_message.h"
 #include "ui/testbed/check/floor_sketch.h"
+#include "ui/testbed/check/internal/planned_camera_form.h"
 #include "ui/views/widgets/card.h"
 #include "ui/views/widgets/command_keys.h"
 #include "ui/views/widgets/form_fields.h"
@@ -23,132 +24,7 @@
 #include <QWidget>
 #include <cmath>
 
-class QComboBox;
-class QDoubleSpinBox;
-
 namespace odo {
-
-/// A planned camera in numbers: position, height, aim point, field of view and image size.
-class PlannedCameraForm : public QWidget
-{
-    Q_OBJECT
-public:
-    explicit PlannedCameraForm(QWidget *parent = nullptr);
-    void setCamera(const PlannedCamera &camera);
-    const PlannedCamera &camera() const { return m_camera; }
-
-Q_SIGNALS:
-    void edited(); ///< by a person
-
-private:
-    QDoubleSpinBox *makeNumber(const QString &name, double least, double most, double step,
-                               const QString &unit);
-    void read();
-
-    PlannedCamera m_camera;
-    QDoubleSpinBox *m_x, *m_y, *m_height, *m_aimX, *m_aimY, *m_direction, *m_angle;
-    QComboBox *m_size;
-};
-
-namespace {
-
-constexpr double farMm = 100'000;
-const QSize sizes[] = {{640, 480}, {1280, 720}, {1920, 1080}, {3840, 2160}};
-
-QHBoxLayout *beside(QWidget *one, QWidget *other)
-{
-    auto *row = new QHBoxLayout;
-    row->addWidget(one, 1);
-    row->addWidget(other, 1);
-    return row;
-}
-
-} // namespace
-
-PlannedCameraForm::PlannedCameraForm(QWidget *parent)
-    : QWidget(parent), m_x(makeNumber(tr("Position x"), -farMm, farMm, 50, tr(" mm"))),
-      m_y(makeNumber(tr("Position y"), -farMm, farMm, 50, tr(" mm"))),
-      m_height(makeNumber(tr("Height of the camera"), 50, 20'000, 50, tr(" mm"))),
-      m_aimX(makeNumber(tr("Looks at x"), -farMm, farMm, 50, tr(" mm"))),
-      m_aimY(makeNumber(tr("Looks at y"), -farMm, farMm, 50, tr(" mm"))),
-      m_direction(makeNumber(tr("Viewing direction"), -180, 180, 5, tr("°"))),
-      m_angle(makeNumber(tr("Field of view"), 10, 150, 1, tr("°"))), m_size(new QComboBox)
-{
-    m_direction->setWrapping(true);
-    m_direction->setToolTip(
-        tr("0° is along X, 90° along Y; the point that the camera looks at turns with it"));
-    m_angle->setToolTip(tr("Across the image width: a webcam has about 60° to 80°, a phone 65°"));
-    for (const QSize &size : sizes)
-        m_size->addItem(QStringLiteral("%1×%2").arg(size.width()).arg(size.height()), size);
-    m_size->setAccessibleName(tr("Image size"));
-    auto *form = new QFormLayout(this);
-    form->setContentsMargins(12, 6, 12, 8);
-    const auto row = [form](const QString &text, QWidget *first, auto *field) {
-        auto *label = new QLabel(text);
-        label->setBuddy(first);
-        form->addRow(label, field);
-    };
-    row(tr("Po&sition x, y"), m_x, beside(m_x, m_y));
-    row(tr("&Height"), m_height, m_height);
-    row(tr("&Looks at x, y"), m_aimX, beside(m_aimX, m_aimY));
-    row(tr("D&irection"), m_direction, m_direction);
-    row(tr("&Field of view"), m_angle, beside(m_angle, m_size));
-    connect(m_size, &QComboBox::currentIndexChanged, this, &PlannedCameraForm::read);
-    setCamera({});
-}
-
-QDoubleSpinBox *PlannedCameraForm::makeNumber(const QString &name, double least, double most, double step,
-                                              const QString &unit)
-{
-    auto *number = new NumberBox;
-    number->setRange(least, most);
-    number->setDecimals(0);
-    number->setSingleStep(step);
-    number->setSuffix(unit);
-    number->setAccessibleName(name);
-    number->setKeyboardTracking(false);
-    connect(number, &QDoubleSpinBox::valueChanged, this, &PlannedCameraForm::read);
-    return number;
-}
-
-void PlannedCameraForm::setCamera(const PlannedCamera &camera)
-{
-    m_camera = camera;
-    const Eigen::Vector2d foot = camera.footM();
-    double direction = camera.directionDegrees + 180; // from the camera, not to it
-    direction -= 360 * std::round(direction / 360);
-    const std::pair<QDoubleSpinBox *, double> values[] = {{m_x, toMillimetres(foot.x())},
-                                                          {m_y, toMillimetres(foot.y())},
-                                                          {m_height, toMillimetres(camera.heightM)},
-                                                          {m_aimX, toMillimetres(camera.aimM.x())},
-                                                          {m_aimY, toMillimetres(camera.aimM.y())},
-                                                          {m_direction, direction},
-                                                          {m_angle, camera.fieldOfViewDegrees}};
-    for (const auto &[number, value] : values) {
-        const QSignalBlocker quiet(number);
-        number->setValue(value);
-    }
-    const QSignalBlocker quiet(m_size);
-    m_size->setCurrentIndex(std::max(0, m_size->findData(QSize(camera.widthPx, camera.heightPx))));
-}
-
-void PlannedCameraForm::read()
-{
-    const Eigen::Vector2d foot = fromMillimetres(1) * Eigen::Vector2d(m_x->value(), m_y->value());
-    m_camera.aimM = fromMillimetres(1) * Eigen::Vector2d(m_aimX->value(), m_aimY->value());
-    if (sender() == m_direction) {
-        const double angle = m_direction->value() * EIGEN_PI / 180;
-        m_camera.aimM = foot + m_camera.distanceM * Eigen::Vector2d(std::cos(angle), std::sin(angle));
-    }
-    m_camera.moveCameraTo(foot);
-    m_camera.heightM = fromMillimetres(m_height->value());
-    m_camera.fieldOfViewDegrees = m_angle->value();
-    const QSize size = m_size->currentData().toSize();
-    m_camera.widthPx = size.width();
-    m_camera.heightPx = size.height();
-    setCamera(PlannedCamera(m_camera));
-    Q_EMIT edited();
-}
 
 namespace {
 
@@ -173,17 +49,19 @@ SketchedCamera sketched(const QString &name, const MappedCamera &camera)
 } // namespace
 
 AccuracyDialog::AccuracyDialog(const MarkerLayout &layout, const std::vector<CheckCamera> &cameras,
-                               double robotHeightM, QWidget *parent)
-    : QDialog(parent), m_layout(layout), m_sketch(new FloorSketch), m_list(new QListWidget),
-      m_form(new PlannedCameraForm), m_show(new QComboBox), m_robotHeight(new NumberBox),
-      m_reach(new NumberBox), m_above(new QCheckBox(tr("may hang &over the floor"))),
-      m_add(plainButton(tr("&Plan a camera"))), m_remove(plainButton(tr("&Remove"))),
-      m_best(plainButton(tr("Find &best position"))), m_summary(new QLabel), m_problem(new QLabel)
+                               const PlacementQuestion &question, QWidget *parent)
+    : QDialog(parent), m_layout(layout), m_question(question), m_sketch(new FloorSketch),
+      m_list(new QListWidget), m_form(new PlannedCameraForm), m_show(new QComboBox),
+      m_robotHeight(new NumberBox), m_reach(new NumberBox),
+      m_above(new QCheckBox(tr("may hang &over the floor"))), m_add(plainButton(tr("&Plan a camera"))),
+      m_remove(plainButton(tr("&Remove"))), m_advise(plainButton(tr("&Advice"))),
+      m_best(plainButton(tr("Find &best position"))), m_advice(new QLabel), m_summary(new QLabel),
+      m_problem(new QLabel)
 {
     setWindowTitle(tr("Expected accuracy"));
     for (const CheckCamera &camera : cameras)
         m_entries.push_back({camera.name, camera.view, camera.badge.text});
-    for (QLabel *label : {m_summary, m_problem})
+    for (QLabel *label : {m_summary, m_problem, m_advice})
         showAsWords(*label);
     m_summary->setStyleSheet(QStringLiteral("font-weight: 600"));
     m_summary->setAccessibleName(tr("Expected accuracy in words"));
@@ -202,18 +80,19 @@ AccuracyDialog::AccuracyDialog(const MarkerLayout &layout, const std::vector<Che
     layoutOfAll->addWidget(m_problem);
     layoutOfAll->addLayout(buttons);
     resize(1160, 740);
-    m_robotHeight->setValue(toMillimetres(robotHeightM));
+    m_robotHeight->setValue(toMillimetres(question.robotHeightM));
     connect(close, &QPushButton::clicked, this, &QDialog::reject);
     connect(m_add, &QPushButton::clicked, this, &AccuracyDialog::addPlanned);
     connect(m_remove, &QPushButton::clicked, this, &AccuracyDialog::removePlanned);
     connect(m_best, &QPushButton::clicked, this, &AccuracyDialog::findBestPosition);
+    connect(m_advise, &QPushButton::clicked, this, &AccuracyDialog::askForAdvice);
+    connect(&m_advising, &BackgroundTask::finished, this, &AccuracyDialog::showAdvice);
     connect(m_list, &QListWidget::currentRowChanged, this, [this] {
         showChosen();
         recompute();
     });
     connect(m_list, &QListWidget::itemChanged, this, [this](QListWidgetItem *item) {
-        m_entries[std::size_t(m_list->row(item))].isCounted = item->checkState() == Qt::Checked;
-        recompute();
+        tick(std::size_t(m_list->row(item)), item->checkState() == Qt::Checked);
     });
     connect(m_form, &PlannedCameraForm::edited, this, [this] {
         if (PlannedCamera *planned = currentPlanned())
@@ -264,12 +143,18 @@ QWidget *AccuracyDialog::makeCameraCard()
     buttons->setContentsMargins(12, 6, 12, 2);
     buttons->addWidget(m_add);
     buttons->addWidget(m_remove);
+    buttons->addWidget(m_advise);
     buttons->addStretch(1);
+    m_advise->setToolTip(tr("Which registered camera to move: tries other positions within a metre of each"));
+    m_advice->setAccessibleName(tr("Advice in words"));
+    m_advice->setContentsMargins(12, 4, 12, 2);
+    m_advice->hide();
     auto *content = new QWidget;
     auto *layout = new QVBoxLayout(content);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->addWidget(m_list, 1);
     layout->addLayout(buttons);
+    layout->addWidget(m_advice);
     layout->addLayout(form);
     auto *card = new Card(tr("Cameras"));
     card->setContent(content);
@@ -328,9 +213,9 @@ void AccuracyDialog::showList()
     const QSignalBlocker quiet(m_list);
     m_list->clear();
     for (const Entry &entry : m_entries) {
-        const bool isPlanned = std::holds_alternative<PlannedCamera>(entry.camera);
+        const bool isRegistered = std::holds_alternative<FloorView>(entry.camera) && !entry.movedFrom;
         auto *item = new QListWidgetItem(
-            isPlanned ? entry.name : tr("%1, registered %2").arg(entry.name, entry.remark), m_list);
+            isRegistered ? tr("%1, registered %2").arg(entry.name, entry.remark) : entry.name, m_list);
         item->setFlags(Qt::ItemIsEnabled | Qt::ItemIsSelectable | Qt::ItemIsUserCheckable);
         item->setCheckState(entry.isCounted ? Qt::Checked : Qt::Unchecked);
     }
@@ -343,7 +228,11 @@ void AccuracyDialog::showChosen()
 {
     const PlannedCamera *planned = currentPlanned();
     m_remove->setEnabled(planned != nullptr);
-    m_planCard->setEnabled(planned != nullptr && !m_search.isRunning());
+    m_advise->setEnabled(!m_advising.isRunning() && !m_search.isRunning() &&
+                         std::ranges::any_of(m_entries, [](const Entry &entry) {
+                             return std::holds_alternative<FloorView>(entry.camera);
+                         }));
+    m_planCard->setEnabled(planned != nullptr && !m_search.isRunning() && !m_advising.isRunning());
     if (planned)
         m_form->setCamera(*planned);
 }
@@ -464,12 +353,61 @@ void AccuracyDialog::positionFound(const std::optional<Error> &error)
     recompute();
 }
 
+/// Of a camera that is registered and its copies elsewhere only one counts.
+void AccuracyDialog::tick(std::size_t row, bool isCounted)
+{
+    const auto itself = [this](std::size_t entry) { return m_entries[entry].movedFrom.value_or(entry); };
+    for (std::size_t i = 0; isCounted && i < m_entries.size(); ++i)
+        m_entries[i].isCounted &= itself(i) != itself(row);
+    m_entries[row].isCounted = isCounted;
+    showList();
+}
+
+void AccuracyDialog::askForAdvice()
+{
+    std::vector<AdvisedCamera> cameras;
+    for (const Entry &entry : m_entries)
+        if (const auto *view = std::get_if<FloorView>(&entry.camera); view && !entry.movedFrom)
+            cameras.push_back({entry.name.toStdString(), *view});
+    m_given = std::make_shared<PlacementAdvice>();
+    m_question.robotHeightM = fromMillimetres(m_robotHeight->value());
+    m_advising.start([given = m_given, cameras = std::move(cameras), layout = m_layout,
+                      question = m_question](const JobControl &control) -> Result<void> {
+        *given = ODO_TRY(placementAdvice(cameras, layout, question, control));
+        return {};
+    });
+    m_advice->setText(tr("Trying other positions of the cameras…"));
+    m_advice->show();
+    showChosen();
+}
+
+void AccuracyDialog::showAdvice(const std::optional<Error> &error)
+{
+    QStringList sentences;
+    if (error)
+        sentences << errorLine(*error);
+    for (const Entry &entry : m_entries)
+        if (entry.movedFrom && entry.isCounted)
+            m_entries[*entry.movedFrom].isCounted = true;
+    std::erase_if(m_entries, [](const Entry &entry) { return entry.movedFrom.has_value(); });
+    for (const Message &remark : m_given->remarks)
+        sentences << shownWords(remark);
+    for (const PlacementMove &move : m_given->moves) {
+        sentences << shownWords(move.words);
+        m_entries.push_back(
+            {tr("%1, moved").arg(m_entries[move.camera].name), move.view, {}, move.camera, false});
+    }
+    if (!error && m_given->moves.empty())
+        sentences << tr("Moving one camera lowers the largest error by less than a tenth.");
+    m_advice->setText(sentences.join(QLatin1Char('\n')));
+    showList();
+}
+
 void AccuracyDialog::done(int result)
 {
     m_search.cancel();
+    m_advising.cancel();
     QDialog::done(result);
 }
 
 } // namespace odo
-
-#include "accuracy_dialog.moc"

@@ -8,6 +8,7 @@
 #include "core/workflow/calibrate/calibrate_job.h"
 #include "core/workflow/calibrate/cameras.h"
 #include "core/workflow/calibrate/register_job.h"
+#include "core/workflow/certificate/set_up_advice.h"
 #include "ui/models/camera_lists.h"
 #include "ui/models/shown_message.h"
 #include "ui/testbed/check/accuracy_dialog.h"
@@ -437,17 +438,15 @@ void CheckTools::checkLength()
 void CheckTools::showAccuracy()
 {
     auto cameras = checkCameras(m_project);
-    const auto robots = m_project.robots().all();
-    if (!cameras || !robots) {
-        Q_EMIT failed(cameras ? robots.error() : cameras.error());
+    if (!cameras) {
+        Q_EMIT failed(cameras.error());
         return;
     }
     std::erase_if(*cameras,
                   [this](const CheckCamera &camera) { return camera.layout.name != m_layout->layout.name; });
-    double heightM = 0; // of a given robot; the result hardly depends on it
-    for (const RobotRecord &robot : *robots)
-        heightM = std::max(heightM, robot.heightM.value_or(0));
-    AccuracyDialog(m_layout->layout, *cameras, heightM, &m_window).exec();
+    const auto asked = readSetUpQuestion(m_project, {}); // nothing where no camera is registered
+    AccuracyDialog(m_layout->layout, *cameras, asked ? asked->question : PlacementQuestion(), &m_window)
+        .exec();
 }
 
 void CheckTools::checkCameraPosition()

@@ -31,6 +31,7 @@ private Q_SLOTS:
     void plansByMouse();
     void findsTheBestPlace();
     void saysWhyAPlannedCameraCannotBeThere();
+    void saysWhichCameraToMove();
     void levelsAreRound();
     void closingLeavesNothing();
 
@@ -51,7 +52,7 @@ std::unique_ptr<AccuracyDialog> TestAccuracyDialog::makeDialog(int cameras)
                                    Eigen::Matrix<double, 6, 6>::Identity() * 1e-7),
                          m_scene.floor.markers, std::nullopt});
     }
-    auto dialog = std::make_unique<AccuracyDialog>(m_scene.floor.markers, known, 0.06);
+    auto dialog = std::make_unique<AccuracyDialog>(m_scene.floor.markers, known, PlacementQuestion{0.06});
     dialog->open();
     return dialog;
 }
@@ -163,6 +164,36 @@ void TestAccuracyDialog::saysWhyAPlannedCameraCannotBeThere()
     named<QDoubleSpinBox>(*dialog, "Field of view")->setValue(80);
     summary(*dialog);
     QVERIFY(named<QLabel>(*dialog, "Problems")->isHidden());
+}
+
+/// The camera that is moved counts in the stead of the one that is registered, once it is ticked, and the map
+/// is then what the sentence promises.
+void TestAccuracyDialog::saysWhichCameraToMove()
+{
+    // far away and low, where a metre helps
+    m_scene.cameras[1].view = simulatedView({6.5, 5.5, 0.9}, {1.5, 1, 0}, 1280, 720, 1500);
+    const auto dialog = makeDialog(2);
+    m_scene = demoTestbed(1);
+    const QString before = summary(*dialog);
+    QTest::mouseClick(button(*dialog, "Advice"), Qt::LeftButton);
+    summary(*dialog);
+    const QString words = named<QLabel>(*dialog, "Advice in words")->text();
+    QVERIFY2(words.contains(QStringLiteral("Moving B by ")) &&
+                 words.contains(QStringLiteral(" lowers the error from ±")),
+             qPrintable(words));
+    auto *list = named<QListWidget>(*dialog, "Cameras included");
+    const auto rowOf = [list](const QString &text) {
+        return list->findItems(text, Qt::MatchExactly).value(0);
+    };
+    QVERIFY(rowOf(QStringLiteral("B, moved")) != nullptr);
+    QCOMPARE(rowOf(QStringLiteral("B, moved"))->checkState(), Qt::Unchecked);
+    rowOf(QStringLiteral("B, moved"))->setCheckState(Qt::Checked);
+    const QString after = summary(*dialog);
+    QCOMPARE(list->item(1)->checkState(), Qt::Unchecked);
+    QVERIFY2(middleMm(after) > 0 && after != before, qPrintable(after));
+    list->item(1)->setCheckState(Qt::Checked);
+    QCOMPARE(rowOf(QStringLiteral("B, moved"))->checkState(), Qt::Unchecked);
+    QCOMPARE(summary(*dialog), before);
 }
 
 void TestAccuracyDialog::levelsAreRound()
